@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/base/json.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace axiometry::json {
+namespace {
+
+std::string error_of(std::string_view text, ParseLimits limits = {}) {
+  const auto result = parse(text, limits);
+  return result ? "no error" : result.error().to_string();
+}
+
+TEST(Json, RemembersWhereEachValueStood) {
+  const auto root = parse("\xEF\xBB\xBF{\n  \"a\": [1, -2.5e3, \"x,: \\\" y\",\n\tnull], \"b\" : {\"c\":true}\n}");
+  ASSERT_TRUE(root) << root.error().to_string();
+  const auto& list = root->find("a")->items();
+  EXPECT_EQ(root->at(), (TextPosition{1, 1}));
+  EXPECT_EQ(root->find("a")->at(), (TextPosition{2, 8}));
+  EXPECT_EQ(list[0].at(), (TextPosition{2, 9}));
+  EXPECT_EQ(list[1].at(), (TextPosition{2, 12}));
+  EXPECT_EQ(list[1].number(), -2500.0);
+  EXPECT_EQ(list[2].at(), (TextPosition{2, 20}));
+  EXPECT_EQ(list[2].text(), "x,: \" y");
+  EXPECT_EQ(list[3].at(), (TextPosition{3, 2}));
+  EXPECT_EQ(root->find("b")->find("c")->at(), (TextPosition{3, 20}));
+}
+
+TEST(Json, ReadsNumbersAsTheNearestDouble) {
+  const auto root = parse("[0.1, 9007199254740993, 18446744073709551616, -0, 1e-400]");
+  ASSERT_TRUE(root);
+  EXPECT_EQ(root->items()[0].number(), 0.1);
+  EXPECT_EQ(root->items()[1].number(), 9007199254740992.0);
+  EXPECT_EQ(root->items()[2].number(), 18446744073709551616.0);
+  EXPECT_TRUE(std::signbit(root->items()[3].number()));
+  EXPECT_EQ(root->items()[4].number(), 0.0);
+}
+
+TEST(Json, SaysWhatWasFoundAndExpectedAndWhere) {
+  EXPECT_EQ(error_of(""), "line 1:1: found the end of the text, expected a JSON value");
+  EXPECT_EQ(error_of("{\"a\": 1,\n \"a\": 2}"), "line 2:2: found a second member \"a\", expected each name once");
+  EXPECT_EQ(error_of("[1, 1e999]"), "line 1:5: found \"1e999\", expected a number up to 1.8e308");
+  EXPECT_EQ(error_of("\xFF\xFE{\0"), "line 1:1: found UTF-16 text, expected UTF-8");
+  EXPECT_EQ(error_of("[[[]]]", {.depth = 2}), "line 1:3: found nesting deeper than 2 levels, expected less");
+  EXPECT_EQ(error_of("[1,2,3]", {.values = 3}), "line 1:6: found more than 3 values, expected fewer");
+  EXPECT_EQ(error_of("[1,2,3]", {.bytes = 3}), "found 7 bytes, expected at most 3");
+  EXPECT_EQ(error_of("[NaN]"), "line 1:2: found \"NaN\", expected a JSON value");
+  EXPECT_EQ(error_of("[1,\n]"), "line 2:1: found \"]\", expected a JSON value");
+  EXPECT_EQ(error_of("[1] x"), "line 1:5: found \"x\", expected the end of the text");
+  EXPECT_EQ(error_of("{,}"), "line 1:2: found ',', expected a member name in quotes");
+  EXPECT_EQ(error_of("{\"a\": 1"), "line 1:8: found the end of the text, expected '}'");
+  EXPECT_EQ(error_of("[\"abc"), "line 1:2: found \"\"abc\", expected a closing quote");
+  EXPECT_EQ(error_of("[\"\xB5\"]"), "line 1:2: found \"\"\\xB5\"\", expected UTF-8");
+}
+
+TEST(Json, RefusesNestingOfAMillionLevelsWithoutFallingOver) {
+  EXPECT_EQ(error_of(std::string(1'000'000, '[')), "line 1:65: found nesting deeper than 64 levels, expected less");
+}
+
+TEST(Json, WritesWhatItReads) {
+  Value root = Value::object();
+  root.add("list", Value::array({1, 0.1, "tab\t\"quote\" µ", Value(), true}));
+  root.add("nested", Value::object()).add("runs", Value::array({Value::array({1, 2}), Value::array({3})}));
+  const std::string pretty = dump(root);
+  EXPECT_EQ(pretty,
+            "{\n  \"list\": [1, 0.1, \"tab\\t\\\"quote\\\" µ\", null, true],\n"
+            "  \"nested\": {\n    \"runs\": [\n      [1, 2],\n      [3]\n    ]\n  }\n}");
+  EXPECT_EQ(dump(*parse(pretty)), pretty);
+  EXPECT_EQ(dump(root, 0), "{\"list\":[1,0.1,\"tab\\t\\\"quote\\\" µ\",null,true],\"nested\":{\"runs\":[[1,2],[3]]}}");
+}
+
+TEST(Json, ReplacesBytesThatAreNotUtf8) { EXPECT_EQ(dump(Value("a\xB5z")), "\"a\uFFFDz\""); }
+
+TEST(JsonDeathTest, RefusesToWriteWhatIsNotANumber) {
+  EXPECT_DEATH(dump(Value(std::numeric_limits<double>::quiet_NaN())), "contract broken");
+}
+
+}  // namespace
+}  // namespace axiometry::json

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/base/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "axiometry/base/utf8.h"
+
+namespace axiometry::text {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substitution = diagonal + (lower(a[i - 1]) != lower(b[j - 1]));
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitution});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string_view trim(std::string_view s) {
+  const std::size_t first = s.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return s.substr(first, s.find_last_not_of(blanks) - first + 1);
+}
+
+std::string to_lower(std::string_view s) {
+  std::string result(s);
+  std::ranges::transform(result, result.begin(), lower);
+  return result;
+}
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
+
+std::vector<std::string_view> split(std::string_view s, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = s.find(separator);
+    parts.push_back(s.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    s.remove_prefix(end + 1);
+  }
+}
+
+std::vector<std::string_view> words(std::string_view s) {
+  std::vector<std::string_view> result;
+  while (true) {
+    const std::size_t begin = s.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) return result;
+    s.remove_prefix(begin);
+    const std::size_t end = s.find_first_of(blanks);
+    result.push_back(s.substr(0, end));
+    if (end == std::string_view::npos) return result;
+    s.remove_prefix(end);
+  }
+}
+
+std::optional<std::size_t> invalid_utf8(std::string_view s) {
+  for (std::size_t k = 0; k < s.size();) {
+    const Character character = character_at(s, k);
+    if (!character.valid()) return k;
+    k += character.length;
+  }
+  return std::nullopt;
+}
+
+std::string quoted(std::string_view s) {
+  constexpr std::size_t longest = 40;
+  std::string result = "\"";
+  std::size_t shown = 0;
+  for (std::size_t k = 0; k < s.size(); ++shown) {
+    if (shown == longest) return result + "…\"";
+    const Character character = character_at(s, k);
+    if (!character.valid() || character.code < 0x20 || character.code == 0x7F) {
+      result += fmt::format("\\x{:02X}", static_cast<unsigned char>(s[k]));
+    } else {
+      result += s.substr(k, character.length);
+    }
+    k += character.length;
+  }
+  return result + "\"";
+}
+
+std::string csv_cell(std::string_view s, char separator) {
+  if (s.find_first_of("\"\r\n") == s.npos && s.find(separator) == s.npos) return std::string(s);
+  std::string cell = "\"";
+  for (char c : s) cell.append(c == '"' ? 2 : 1, c);
+  return cell + "\"";
+}
+
+std::string no_formula(std::string_view s) {
+  constexpr std::string_view beginnings = "=+-@\t\r";
+  const bool formula = s.size() > 1 && beginnings.find(s.front()) != beginnings.npos;
+  return (formula ? "'" : "") + std::string(s);
+}
+
+std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
+  std::optional<std::string_view> best;
+  std::size_t best_distance = word.size() / 3 + 1;
+  for (std::string_view candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace axiometry::text

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Small text tools, all independent of the locale and working on bytes (UTF-8 where it matters).
+namespace axiometry::text {
+
+std::string_view trim(std::string_view s);  ///< without blanks, tabs, CR and LF at both ends
+std::string to_lower(std::string_view s);   ///< ASCII letters only
+bool equal_ignoring_case(std::string_view a, std::string_view b);
+std::vector<std::string_view> split(std::string_view s, char separator);  ///< "a||b" gives three parts
+std::vector<std::string_view> words(std::string_view s);                  ///< parted by blanks and tabs, none empty
+
+/// Byte index of the first byte that is not valid UTF-8, or nothing.
+std::optional<std::size_t> invalid_utf8(std::string_view s);
+
+/// Printable form of what was found in a file, for messages: quoted, control and invalid bytes as
+/// \xNN, at most 40 characters.
+std::string quoted(std::string_view s);
+
+/// A cell of a CSV table (RFC 4180), in quotation marks where it must be.
+std::string csv_cell(std::string_view s, char separator = ',');
+
+/// Text of others for a table: behind an apostrophe where a spreadsheet would take it for a formula and run it.
+std::string no_formula(std::string_view s);
+
+/// The candidate with the smallest edit distance to `word`, if that is at most a third of its length.
+std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+}  // namespace axiometry::text

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <compare>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/base/quantity.h"
+
+namespace axiometry {
+
+enum class AxisKind { linear, rotary };
+
+/// Coordinate along or around an axis: mm on a linear axis, ° on a rotary one. A class of its own,
+/// because the formulas of ISO 230-2 are the same for both and only the edges know the unit.
+class Position {
+ public:
+  constexpr Position() = default;
+  /// Millimetres or degrees, after the kind of the axis.
+  static constexpr Position native(double mm_or_deg) { return Position(mm_or_deg); }
+  constexpr double in_native() const { return value_; }
+  friend constexpr auto operator<=>(Position, Position) = default;
+
+ private:
+  constexpr explicit Position(double value) : value_(value) {}
+  double value_ = 0.0;
+};
+
+/// Positioning deviation x_ij (3.6) and everything computed from it: µm on a linear axis, ″ on a
+/// rotary one.
+class Deviation {
+ public:
+  constexpr Deviation() = default;
+  /// Micrometres or seconds of arc, after the kind of the axis.
+  static constexpr Deviation native(double um_or_arcsec) { return Deviation(um_or_arcsec); }
+  constexpr double in_native() const { return value_; }
+  friend constexpr auto operator<=>(Deviation, Deviation) = default;
+
+ private:
+  constexpr explicit Deviation(double value) : value_(value) {}
+  double value_ = 0.0;
+};
+
+/// "mm" or "°".
+std::string_view position_unit(AxisKind kind);
+/// "µm" or "″".
+std::string_view deviation_unit(AxisKind kind);
+/// "um" or "arcsec", as files and programs spell it.
+std::string_view deviation_unit_key(AxisKind kind);
+/// "linear" or "rotary".
+std::string_view axis_kind_name(AxisKind kind);
+/// How many deviation units one position unit has: 1000 (µm in a mm) or 3600 (″ in a °).
+constexpr double deviation_per_position(AxisKind kind) { return kind == AxisKind::linear ? 1000.0 : 3600.0; }
+
+/// The axis under test, as clause 8.1 wants it identified.
+struct Axis {
+  std::string name;  ///< "X"; empty when the source does not tell
+  AxisKind kind = AxisKind::linear;
+  std::optional<Position> travel_begin;  ///< axis travel (3.1), where it has limits
+  std::optional<Position> travel_end;
+  std::string measurement_line;  ///< linear: where it lies; rotary: position and orientation
+  std::string scale_type;        ///< "ball screw and rotary encoder", "linear scale", …
+  std::optional<ExpansionCoefficient> scale_expansion;
+  std::string compensation;                 ///< built-in compensation during the test; "none" is an answer
+  std::vector<double> compensation_points;  ///< sampling points (3.28), mm or °
+};
+
+}  // namespace axiometry

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/quantity.h"
+#include "axiometry/model/axis.h"
+
+namespace axiometry {
+
+/// Everything about a test but its readings: the list of clause 8.1 and the inputs of Annex A.
+/// An empty text or an absent optional means "not given"; model/fields.h names every member once.
+
+struct Machine {
+  std::string name;
+  std::string type;  ///< "vertical spindle machining centre"
+  std::string serial_number;
+  std::string axes_travel;  ///< "X 1800, Y 700, Z 650 mm"
+  std::string location;
+};
+
+/// One component of the test equipment: laser head, optics, temperature sensor, …
+struct Equipment {
+  std::string role;
+  std::string manufacturer;
+  std::string type;
+  std::string serial_number;
+};
+
+/// One temperature sensor: role "machine" (representative of the machine), "equipment" or "air".
+struct TemperatureSensor {
+  std::string role;
+  std::string location;
+  std::optional<Temperature> start;
+  std::optional<Temperature> end;
+};
+
+/// Correction for nominal differential expansion (4.1), as applied by the instrument.
+struct NdeCorrection {
+  std::optional<bool> applied;
+  std::optional<ExpansionCoefficient> machine_expansion;
+  std::optional<ExpansionCoefficient> equipment_expansion;
+  std::string routine;  ///< "updated every 20 s"
+};
+
+struct Environment {
+  std::optional<Temperature> air_temperature_start;
+  std::optional<Temperature> air_temperature_end;
+  std::optional<Pressure> air_pressure_start;
+  std::optional<Pressure> air_pressure_end;
+  std::optional<RelativeHumidity> air_humidity_start;
+  std::optional<RelativeHumidity> air_humidity_end;
+  std::vector<TemperatureSensor> sensors;
+};
+
+enum class TestCycle { standard, step, pilgrim, unidirectional };
+
+struct TestConditions {
+  std::string date;
+  std::string inspector;
+  std::string customer;
+  std::string report_number;
+  std::string purpose;  ///< "acceptance", "reverification", …
+  std::string comment;
+  TestCycle cycle = TestCycle::standard;
+  std::optional<double> feed;  ///< mm/min or °/min, after the kind of the axis
+  std::optional<Duration> dwell;
+  std::string warm_up;
+  std::string axes_not_under_test;
+  std::vector<double> tool_offset_mm;       ///< X/Y/Z
+  std::vector<double> workpiece_offset_mm;  ///< X/Y/Z
+  std::string air_or_oil_shower;
+};
+
+/// Inputs of Annex A, with its symbols. Ranges are full widths: 1 °C stands for ±0.5 °C (A.2.4.2).
+struct AnnexAInputs {
+  std::optional<Length> length;                                         ///< L; the measured travel when absent
+  std::optional<Deviation> device_calibration;                          ///< U_CALIBRATION, k = 2 (A.1)
+  std::optional<RelativeLength> device_calibration_per_length;          ///< U_CALIBRATION, k = 2 (A.2)
+  std::optional<RelativeLength> device_error_range;                     ///< R_DEVICE (A.3)
+  std::optional<Length> misalignment;                                   ///< R_MISALIGNMENT (A.4)
+  std::optional<ExpansionCoefficient> machine_expansion;                ///< α (A.5)
+  std::optional<TemperatureDifference> machine_temperature_range;       ///< R(θ) (A.5)
+  std::optional<TemperatureDifference> machine_temperature_difference;  ///< ΔT, largest (A.7)
+  std::optional<ExpansionCoefficient> machine_expansion_range;          ///< R(α) (A.7)
+  std::optional<ExpansionCoefficient> device_expansion;                 ///< α of the device (A.6)
+  std::optional<TemperatureDifference> device_temperature_range;        ///< R(θ) (A.6)
+  std::optional<TemperatureDifference> device_temperature_difference;   ///< ΔT (A.8)
+  std::optional<ExpansionCoefficient> device_expansion_range;           ///< R(α) (A.8)
+  std::optional<Deviation> environmental_variation;                     ///< E_VE (A.9)
+};
+
+struct Metadata {
+  Axis axis;
+  Machine machine;
+  TestConditions conditions;
+  std::vector<Equipment> equipment;
+  NdeCorrection nde;
+  Environment environment;
+  AnnexAInputs uncertainty;
+};
+
+}  // namespace axiometry

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include "axiometry/base/contract.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/standards/iso230_2_rules.h"
+
+namespace axiometry::iso230_2 {
+namespace rules {
+namespace {
+
+constexpr double travel_slack = 1e-6;  // mm or °: a sum of rounded targets is not a longer axis
+
+Programme programme_of(AxisKind kind, double travel) {
+  if (kind == AxisKind::linear)
+    return travel > 2000.0 + travel_slack ? Programme::long_linear : Programme::short_linear;
+  return travel > 360.0 + travel_slack ? Programme::many_turns : Programme::one_turn;
+}
+
+std::size_t runs_in(const Series& series, Direction direction) {
+  if (series.complete()) return series.run_count();
+  std::vector<bool> made(series.run_count(), false);
+  for (std::size_t i = 0; i < series.target_count(); ++i) {
+    const auto cell = series.cell(i, direction);
+    for (std::size_t j = 0; j < cell.size(); ++j)
+      if (!std::isnan(cell[j])) made[j] = true;
+  }
+  return static_cast<std::size_t>(std::ranges::count(made, true));
+}
+
+struct Row {
+  Rule* rule;
+  bool departs = false;  ///< whether it can find a departure; the others cost a table of many tests nothing
+};
+constexpr bool may_depart = true;
+
+// In the order of the clauses.
+constexpr Row every_rule[] = {
+    {both_ends_from_both_sides, may_depart},
+    {targets_within_axis_travel},
+    {part_of_axis_travel},
+    {readings_repeat_exactly},
+    {straight_slope},
+    {temperature_without_correction, may_depart},
+    {temperature_change},
+    {ordered_progression},
+    {equally_spaced_targets},
+    {gap_between_targets},
+    {targets_on_compensation, may_depart},
+    {number_of_targets, may_depart},
+    {principal_positions},
+    {directions_of_approach, may_depart},
+    {number_of_approaches, may_depart},
+    {missing_readings, may_depart},
+    {more_than_five_turns},
+    {cycle_declared_otherwise, may_depart},
+    {additional_test},
+    {parameters_not_applicable},
+    {items_of_identification},
+    {equipment_identified},
+    {sensors_complete},
+    {uncertainty_stated},
+    {repeatability_below_variation},
+    {step_cycle, may_depart},
+};
+
+}  // namespace
+
+Case make_case(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
+               const std::optional<AnnexA>& uncertainty) {
+  return {metadata,
+          series,
+          evaluation,
+          uncertainty,
+          programme_of(metadata.axis.kind, series.travel_native()),
+          {runs_in(series, Direction::up), runs_in(series, Direction::down)}};
+}
+
+std::string figure(double x) { return format_exact(std::round(x * 1000.0) / 1000.0); }
+
+std::string position_text(const Case& c, double position) { return figure(position) + (c.linear() ? " mm" : "°"); }
+
+std::string target_text(const Case& c, std::size_t target) {
+  return fmt::format("target {} ({})", target + 1, position_text(c, c.target(target)));
+}
+
+const char* programme_clause(Programme programme) {
+  switch (programme) {
+    case Programme::short_linear: return "5.3.2";
+    case Programme::long_linear: return "5.3.3";
+    case Programme::one_turn: return "5.3.4";
+    case Programme::many_turns: return "5.3.5";
+  }
+  return "";
+}
+
+}  // namespace rules
+
+std::vector<Finding> find_departures(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
+                                     const std::optional<AnnexA>& uncertainty, Depth depth) {
+  const rules::Case c = rules::make_case(metadata, series, evaluation, uncertainty);
+  std::vector<Finding> in_clause_order;
+  for (const auto& [rule, departs] : rules::every_rule) {
+    if (!departs && depth == Depth::departures_only) continue;
+    auto finding = rule(c);
+    if (!finding) continue;
+    AXIOMETRY_CONTRACT(departs || finding->severity != Severity::departure);
+    in_clause_order.push_back(std::move(*finding));
+  }
+  std::vector<Finding> findings;
+  for (Severity severity : {Severity::departure, Severity::missing, Severity::note}) {
+    if (severity != Severity::departure && depth == Depth::departures_only) break;
+    std::ranges::copy_if(in_clause_order, std::back_inserter(findings),
+                         [&](const Finding& finding) { return finding.severity == severity; });
+  }
+  return findings;
+}
+
+}  // namespace axiometry::iso230_2

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Deviations from the source: the errata named in the header; other n than 5 and 1; rotary axes.
+#include "axiometry/standards/iso230_2_uncertainty.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "axiometry/base/text.h"
+#include "axiometry/model/fields.h"
+
+namespace axiometry::iso230_2 {
+namespace {
+
+// 0.6 stands for 1/√3: half the range, rectangular (divided by √3), expanded by k = 2.
+constexpr double expanded_per_range = 0.6;
+// Half of the above: the cosine error of a misalignment R over L is R²/2L.
+constexpr double expanded_per_squared_misalignment = 0.3;
+constexpr double expansion_usual = 12.0;       // µm/(m·°C), Table A.2
+constexpr double expansion_range_usual = 2.0;  // µm/(m·°C), A.2.4.3
+constexpr double length_limit_m = 2.0;         // A.2.6 holds up to here
+constexpr double absurd = 1e100;               // µm or ″
+constexpr double length_short_m = 0.3;         // A.2.3 warns below
+
+/// A number that enters a formula, and where it came from when nobody gave it.
+struct Known {
+  double value = 0.0;
+  std::string_view note;
+};
+using Input = std::optional<Known>;
+
+struct Term {
+  std::string_view symbol;
+  std::string_view unit;
+  Input input;
+};
+
+template <typename Quantity>
+Input given(const std::optional<Quantity>& quantity, double (Quantity::*in_unit)() const) {
+  return quantity ? Input(Known{((*quantity).*in_unit)(), ""}) : std::nullopt;
+}
+Input given(const std::optional<ExpansionCoefficient>& x) { return given(x, &ExpansionCoefficient::in_um_per_m_K); }
+Input given(const std::optional<TemperatureDifference>& x) { return given(x, &TemperatureDifference::in_kelvin); }
+Input given(const std::optional<RelativeLength>& x) { return given(x, &RelativeLength::in_um_per_m); }
+Input given(const std::optional<Deviation>& x) { return given(x, &Deviation::in_native); }
+Input given(const std::optional<Length>& x) { return given(x, &Length::in_mm); }
+
+Input followed(Input input, std::string_view note) {
+  if (input) input->note = note;
+  return input;
+}
+
+/// The first of several sources that is known.
+Input first_of(std::initializer_list<Input> sources) {
+  for (const Input& source : sources)
+    if (source) return source;
+  return std::nullopt;
+}
+
+/// Largest |T − 20 °C| that the sensors of one role have shown.
+Input sensor_difference(const Environment& environment, std::string_view role, std::string_view note) {
+  Input largest;
+  for (const TemperatureSensor& sensor : environment.sensors) {
+    if (!text::equal_ignoring_case(sensor.role, role)) continue;
+    for (const auto& temperature : {sensor.start, sensor.end}) {
+      if (!temperature) continue;
+      const double difference = std::abs(temperature->in_celsius() - 20.0);
+      if (!largest || difference > largest->value) largest = Known{difference, note};
+    }
+  }
+  return largest;
+}
+
+Input magnitude(Input input) {
+  if (input) input->value = std::abs(input->value);
+  return input;
+}
+
+/// Whether anything of Annex A was given. L alone says nothing about an uncertainty.
+bool any_given(const Metadata& metadata) {
+  return std::ranges::any_of(metadata_fields(), [&](const Field& field) {
+    return field.key.starts_with("uncertainty.") && field.key != "uncertainty.length_mm" && is_given(field, metadata);
+  });
+}
+
+std::size_t smallest_count(const Series& series) {
+  std::size_t smallest = std::numeric_limits<std::size_t>::max();
+  for (std::size_t i = 0; i < series.target_count(); ++i)
+    for (Direction direction : {Direction::up, Direction::down})
+      if (const std::size_t n = series.count(i, direction); n > 0) smallest = std::min(smallest, n);
+  return smallest;
+}
+
+/// Contributors of the form factor × product of the terms: all but misalignment.
+Contributor product(Contributor contributor, double factor, std::initializer_list<Term> terms) {
+  double U = factor;
+  for (const Term& term : terms) {
+    if (!term.input) {
+      contributor.inputs.clear();
+      return contributor;
+    }
+    contributor.inputs.push_back({term.symbol, term.input->value, term.unit, term.input->note});
+    U *= term.input->value;
+  }
+  contributor.U = Deviation::native(U);
+  return contributor;
+}
+
+/// Builds the budget and remembers what had to be assumed.
+class Budget {
+ public:
+  Budget(const Metadata& metadata, const Series& series) : metadata_(metadata), in_(metadata.uncertainty) {
+    linear_ = metadata.axis.kind == AxisKind::linear;
+    length_ = first_of({given(in_.length), Known{series.travel_native(), "measured travel"}});
+    length_->value /= 1000.0;
+  }
+
+  std::vector<Contributor> rows() {
+    std::vector<Contributor> rows = {device(),   misalignment(),           m_machine(), m_device(), e_machine(),
+                                     e_device(), environmental_variation()};
+    for (Contributor& row : rows) leave_out_absurd(row);
+    return rows;
+  }
+  double length_m() const { return length_->value; }
+  std::vector<std::string> notes() && { return std::move(notes_); }
+
+ private:
+  /// Lengths next to nothing or beyond the solar system would end in infinities.
+  void leave_out_absurd(Contributor& row) {
+    if (!row.U || row.U->in_native() <= absurd) return;
+    notes_.push_back(fmt::format("{} is left out: at L = {} m it has no sensible value", row.symbol, length_m()));
+    row.U.reset();
+  }
+
+  Term L() const { return {"L", "m", length_}; }
+  std::string_view deviation() const { return deviation_unit(metadata_.axis.kind); }
+
+  Contributor device() {
+    const Input absolute = given(in_.device_calibration);
+    const Input per_length = linear_ ? given(in_.device_calibration_per_length) : std::nullopt;
+    const Input range = linear_ ? given(in_.device_error_range) : std::nullopt;
+    Contributor row{"device", "U_DEVICE", "Measuring device", "A.1", {}, {}};
+    if (absolute.has_value() + per_length.has_value() + range.has_value() > 1)
+      notes_.push_back(fmt::format("Of several statements about the measuring device the {} was taken (formula {})",
+                                   absolute ? "calibration uncertainty in µm" : "calibration uncertainty in µm/m",
+                                   absolute ? "A.1" : "A.2"));
+    if (absolute) return product(row, 1.0, {{"U_CALIBRATION", deviation(), absolute}});
+    row.formula = per_length ? "A.2" : range ? "A.3" : "A.1";
+    if (per_length) return product(row, 1.0, {{"U_CALIBRATION", "µm/m", per_length}, L()});
+    return product(row, expanded_per_range, {{"R_DEVICE", "µm/m", range}, L()});
+  }
+
+  Contributor misalignment() {
+    Contributor row{"misalignment", "U_MISALIGNMENT", "Misalignment of the measuring device", "A.4", {}, {}};
+    if (!linear_) return row;
+    const Input range = given(in_.misalignment);
+    const double L_m = length_m();
+    if (!range) {
+      if (L_m < length_short_m)
+        notes_.push_back(
+            fmt::format("U_MISALIGNMENT counts as zero because no misalignment was given; it grows as 1/L and is not "
+                        "negligible under 300 mm (1 mm over {:.4g} mm gives {:.2g} µm)",
+                        1000.0 * L_m, expanded_per_squared_misalignment / L_m));
+      return row;
+    }
+    const double U = expanded_per_squared_misalignment * range->value * range->value / L_m;
+    row.inputs = {{"R_MISALIGNMENT", range->value, "mm", range->note}, {"L", L_m, "m", length_->note}};
+    row.U = Deviation::native(U);
+    if (L_m < length_short_m && U > 0.0)
+      notes_.push_back(
+          fmt::format("U_MISALIGNMENT grows as 1/L and is not negligible under 300 mm: {:.2g} µm at L = {:.4g} mm", U,
+                      1000.0 * L_m));
+    return row;
+  }
+
+  Contributor m_machine() {
+    const Contributor row{"m_machine", "U_M,MACHINE TOOL", "Temperature measurement of the machine tool", "A.5", {},
+                          {}};
+    const Input range = linear_ ? given(in_.machine_temperature_range) : std::nullopt;
+    if (!range) return row;
+    const Input alpha = first_of(
+        {given(in_.machine_expansion), followed(given(metadata_.axis.scale_expansion), "of the scale"),
+         followed(given(metadata_.nde.machine_expansion), "of the NDE correction"), Known{expansion_usual, "assumed"}});
+    if (alpha->note == "assumed")
+      notes_.push_back("α of the machine tool was not given; 12 µm/(m·°C) is assumed (Table A.2)");
+    return product(row, expanded_per_range, {{"α", "µm/(m·°C)", alpha}, L(), {"R(θ)", "°C", range}});
+  }
+
+  Contributor m_device() {
+    const Contributor row{"m_device", "U_M,DEVICE", "Temperature measurement of the measuring device", "A.6", {}, {}};
+    const Input range = linear_ ? given(in_.device_temperature_range) : std::nullopt;
+    if (!range) return row;
+    const Input alpha = first_of(
+        {given(in_.device_expansion), followed(given(metadata_.nde.equipment_expansion), "of the NDE correction")});
+    if (!alpha) notes_.push_back("R(θ) of the measuring device is left out because its α was not given (formula A.6)");
+    return product(row, expanded_per_range, {{"α", "µm/(m·°C)", alpha}, L(), {"R(θ)", "°C", range}});
+  }
+
+  Contributor e_machine() {
+    const Contributor row{"e_machine", "U_E,MACHINE TOOL", "Expansion coefficient of the machine tool", "A.7", {}, {}};
+    if (!linear_) return row;
+    return expansion_term(row, "machine tool", in_.machine_expansion_range,
+                          first_of({given(in_.machine_temperature_difference),
+                                    sensor_difference(metadata_.environment, "machine", "largest of the sensors")}));
+  }
+
+  Contributor e_device() {
+    const Contributor row{"e_device", "U_E,DEVICE", "Expansion coefficient of the measuring device", "A.8", {}, {}};
+    if (!linear_ || !(in_.device_temperature_difference || in_.device_expansion_range)) return row;
+    return expansion_term(row, "measuring device", in_.device_expansion_range,
+                          first_of({given(in_.device_temperature_difference),
+                                    sensor_difference(metadata_.environment, "equipment", "largest of the sensors")}));
+  }
+
+  Contributor expansion_term(const Contributor& row, std::string_view whose,
+                             const std::optional<ExpansionCoefficient>& range, Input difference) {
+    if (!difference) {
+      if (range)
+        notes_.push_back(fmt::format("R(α) of the {} is left out because its temperature was not given", whose));
+      return row;
+    }
+    if (!range) notes_.push_back(fmt::format("R(α) of the {} was not given; 2 µm/(m·°C) is assumed (A.2.4.3)", whose));
+    const Input R_alpha = first_of({given(range), Known{expansion_range_usual, "assumed"}});
+    return product(row, expanded_per_range, {{"ΔT", "°C", magnitude(difference)}, L(), {"R(α)", "µm/(m·°C)", R_alpha}});
+  }
+
+  Contributor environmental_variation() {
+    return product({"eve", "U_EVE", "Environmental variation", "A.9", {}, {}}, expanded_per_range,
+                   {{"E_VE", deviation(), given(in_.environmental_variation)}});
+  }
+
+  const Metadata& metadata_;
+  const AnnexAInputs& in_;
+  bool linear_ = true;
+  Input length_;
+  std::vector<std::string> notes_;
+};
+
+std::optional<Deviation> find_U(const std::vector<Contributor>& budget, std::string_view key) {
+  return std::ranges::find(budget, key, &Contributor::key)->U;
+}
+
+/// (A.11) to (A.19) for the parameters that exist. A parameter of whose contributors none is known has no U.
+AxisParameters combine(const std::vector<Contributor>& budget, std::size_t runs, const AxisParameters& measured) {
+  const auto eve = find_U(budget, "eve");
+  const double U_eve = eve ? eve->in_native() : 0.0;
+  const double n = static_cast<double>(runs);
+  double squares = 0.0;
+  bool any = false;
+  for (const Contributor& row : budget) {
+    if (!row.U) continue;
+    any = true;
+    if (row.key != "eve") squares += row.U->in_native() * row.U->in_native();
+  }
+  const double R_unidirectional = 2.0 * U_eve;                             // A.11
+  const double reversal = (runs == 5 ? 0.9 : 2.0 / std::sqrt(n)) * U_eve;  // A.12, A.13
+  const double R = 2.2 * U_eve;                                            // A.14
+  const double E = std::sqrt(squares + U_eve * U_eve / n);                 // A.15, A.17
+  const double M = std::sqrt(squares + U_eve * U_eve / (2.0 * n));         // A.16, A.18
+  const double A = std::hypot(E, R_unidirectional);                        // A.19
+
+  AxisParameters U;
+  const auto state = [&](std::optional<Deviation> AxisParameters::*member, bool known, double value) {
+    if (known && measured.*member) U.*member = Deviation::native(value);
+  };
+  for (auto member : {&AxisParameters::A, &AxisParameters::A_up, &AxisParameters::A_down}) state(member, any, A);
+  for (auto member : {&AxisParameters::E, &AxisParameters::E_up, &AxisParameters::E_down}) state(member, any, E);
+  state(&AxisParameters::M, any, M);
+  state(&AxisParameters::R, eve.has_value(), R);
+  for (auto member : {&AxisParameters::R_up, &AxisParameters::R_down}) state(member, eve.has_value(), R_unidirectional);
+  for (auto member : {&AxisParameters::B, &AxisParameters::B_mean}) state(member, eve.has_value(), reversal);
+  return U;
+}
+
+/// A.10. U_EVE is expanded, its half the standard uncertainty that the readings' scatter contains.
+CorrectedRepeatability correct(const Evaluation& evaluation, Deviation U_eve) {
+  const double u = U_eve.in_native() / 2.0;
+  CorrectedRepeatability result;
+  for (std::size_t i = 0; i < evaluation.positions.size(); ++i) {
+    const PositionResult& measured = evaluation.positions[i];
+    bool floored = false;
+    const auto without_environment = [&](std::optional<Deviation> s) -> std::optional<Deviation> {
+      if (!s) return std::nullopt;
+      const double variance = s->in_native() * s->in_native() - u * u;
+      floored = floored || variance < 0.0;
+      return Deviation::native(std::sqrt(std::max(variance, 0.0)));
+    };
+    const auto s_up = without_environment(measured.s_up);
+    const auto s_down = without_environment(measured.s_down);
+    result.positions.push_back(with_estimators(measured, s_up, s_down));
+    if (floored) result.floored.push_back(i);
+  }
+  const AxisParameters corrected = evaluate_axis(result.positions);
+  result.parameters = evaluation.parameters;
+  result.parameters.R = corrected.R;
+  result.parameters.R_up = corrected.R_up;
+  result.parameters.R_down = corrected.R_down;
+  return result;
+}
+
+std::vector<std::string> general_notes(const AnnexA& annex, const Metadata& metadata) {
+  std::vector<std::string> notes;
+  if (metadata.axis.kind == AxisKind::rotary)
+    notes.push_back(
+        "Annex A is written for linear axes: of its contributors the device (A.1) and the environmental variation "
+        "(A.9) "
+        "are combined in ″, the terms in µm/m do not apply");
+  else if (!find_U(annex.budget, "m_device") && !find_U(annex.budget, "e_device"))
+    notes.push_back(
+        "U_M,DEVICE and U_E,DEVICE count as zero: right if the statement about the device includes its temperature, or "
+        "if the device takes the temperature of the machine (A.6, A.8)");
+  if (annex.runs != 5 && annex.runs != 1)
+    notes.push_back(fmt::format(
+        "For n = {} the factors printed for n = 5 and n = 1 are generalised: U_EVE²/n in A.15, U_EVE²/2n in "
+        "A.16, 2 U_EVE/√n in A.12; those of A.11 and A.14 are kept",
+        annex.runs));
+  if (annex.U.B_mean) notes.push_back("For B̄ the annex has no formula; U(B), which bounds it, is stated");
+  return notes;
+}
+
+}  // namespace
+
+std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, const Evaluation& evaluation) {
+  if (!any_given(metadata)) return std::nullopt;
+  Budget budget(metadata, series);
+  AnnexA result;
+  result.budget = budget.rows();
+  if (std::ranges::none_of(result.budget, [](const Contributor& row) { return row.U.has_value(); }))
+    return std::nullopt;
+  result.runs = smallest_count(series);
+  result.U = combine(result.budget, result.runs, evaluation.parameters);
+  const bool too_long = metadata.axis.kind == AxisKind::linear && budget.length_m() > length_limit_m;
+  result.notes = std::move(budget).notes();
+  for (std::string& note : general_notes(result, metadata)) result.notes.push_back(std::move(note));
+  const auto eve = find_U(result.budget, "eve");
+  const bool repeats = evaluation.parameters.R_up || evaluation.parameters.R_down;
+  if (eve && repeats && !too_long) result.corrected = correct(evaluation, *eve);
+  if (eve && repeats && too_long)
+    result.notes.push_back(
+        "Above 2 000 mm the annex has no formula for repeatability: (A.11) and (A.14) are used all the same, and "
+        "nothing is corrected for the environment (A.2.6)");
+  return result;
+}
+
+}  // namespace axiometry::iso230_2
