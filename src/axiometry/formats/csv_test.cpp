@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What readers of CSV accept. What they refuse stands in bad_input_test.cpp.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "axiometry/formats/format.h"
+#include "axiometry/standards/iso230_2.h"
+
+namespace axiometry::formats {
+namespace {
+
+axiometry::Test read_as(std::string_view id, std::string_view bytes) {
+  const auto format = recognise(bytes);
+  EXPECT_TRUE(format) << format.error().to_string();
+  EXPECT_EQ((*format)->id, id);
+  auto test = (*format)->read(bytes);
+  EXPECT_TRUE(test) << test.error().to_string();
+  return *std::move(test);
+}
+
+double at(const axiometry::Test& test, std::size_t target, Direction direction, std::size_t run) {
+  return test.series.reading(target, direction, run)->in_native();
+}
+
+std::string file(const std::string& path) {
+  std::ifstream stream(AXIOMETRY_SOURCE_DIR "/" + path, std::ios::binary);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+TEST(CsvLong, ReadsTheExampleOfTheStandard) {
+  const axiometry::Test test = read_as("csv-long", file("examples/iso230-2-table2.csv"));
+  EXPECT_EQ(test.series.target_count(), 11u);
+  EXPECT_EQ(test.series.run_count(), 5u);
+  EXPECT_EQ(test.metadata.axis.name, "X");
+  EXPECT_EQ(test.metadata.equipment.size(), 2u);
+  EXPECT_EQ(test.metadata.uncertainty.environmental_variation->in_native(), 1.7);
+  EXPECT_NEAR(iso230_2::evaluate(test.series).parameters.B->in_native(), 4.12, 1e-9);
+}
+
+TEST(CsvLong, ReadsAnyOrderOfColumnsDelimitersAndDecimalCommas) {
+  const axiometry::Test test =
+      read_as("csv-long",
+              "\xEF\xBB\xBFsep=;\r\n# axis: Y\r\n# dwell: 2,5\r\nDeviation (µm);Run;Direction;Target (mm);Comment\r\n"
+              "1,5;1;UP;100,25;\"first; really\"\r\n-0,5;1;Down;100,25;\r\n\r\n2,5;1;up;-,5;\r\n;1;↓;-0,50;missed\r\n");
+  ASSERT_EQ(test.series.target_count(), 2u);
+  EXPECT_EQ(test.series.targets()[0].in_native(), -0.5);
+  EXPECT_EQ(at(test, 1, Direction::up, 0), 1.5);
+  EXPECT_EQ(at(test, 1, Direction::down, 0), -0.5);
+  EXPECT_EQ(at(test, 0, Direction::up, 0), 2.5);
+  EXPECT_FALSE(test.series.reading(0, Direction::down, 0));
+  EXPECT_EQ(test.metadata.conditions.dwell->in_s(), 2.5);
+}
+
+TEST(CsvLong, ReadsTabsQuotesAndExponents) {
+  const axiometry::Test test = read_as(
+      "csv-long",
+      "\"target_mm\"\t\"direction\"\t\"run\"\t\"deviation_mm\"\n\"0\"\t\"+\"\t\"1\"\t\"1.5e-3\"\n10\t+\t1.0\t+.002\n");
+  EXPECT_EQ(at(test, 0, Direction::up, 0), 1.5);
+  EXPECT_EQ(at(test, 1, Direction::up, 0), 2.0);
+}
+
+TEST(CsvLong, TakesTheTargetFromMeasuredPositions) {
+  const axiometry::Test test =
+      read_as("csv-long", "target_mm,direction,run,measured_mm\n0,forward,1,0.0012\n500,reverse,1,499.9995\n");
+  EXPECT_NEAR(at(test, 0, Direction::up, 0), 1.2, 1e-9);
+  EXPECT_NEAR(at(test, 1, Direction::down, 0), -0.5, 1e-9);
+}
+
+TEST(CsvLong, MakesARotaryAxisOfAngles) {
+  const axiometry::Test test = read_as(
+      "csv-long", "# axis.kind: rotary\ntarget_deg,direction,run,deviation_deg\n0,up,1,0.001\n90,up,1,-0.002\n");
+  EXPECT_EQ(test.metadata.axis.kind, AxisKind::rotary);
+  EXPECT_NEAR(at(test, 0, Direction::up, 0), 3.6, 1e-12);
+}
+
+TEST(CsvLong, TakesUnitsStatedForTheWholeFile) {
+  const axiometry::Test test =
+      read_as("csv-long", "# unit: nm\n# target unit: m\ntarget,direction,run,deviation\n0,up,1,500\n1,up,1,-500\n");
+  EXPECT_EQ(at(test, 0, Direction::up, 0), 0.5);
+  EXPECT_EQ(test.series.targets()[1].in_native(), 1000.0);
+}
+
+TEST(CsvLong, UnderstandsMetadataAsPeopleAndSpreadsheetsWriteIt) {
+  const axiometry::Test test =
+      read_as("csv-long",
+              "# A drawing of the machine: see http://example.org\n# ISO 230-2:2014 test: the second one\n"
+              "# Machine: Mill 5,,,\n\"# inspector: Roe, Jane\",,,\n#Serial Number: 0815\n# feed: 1000\n# comment: "
+              "a\n# comment: b\n"
+              "target_mm,direction,run,deviation_um\n0,up,1,1\n1,up,1,1\n# the end\n");
+  EXPECT_EQ(test.metadata.machine.name, "Mill 5");
+  EXPECT_EQ(test.metadata.conditions.inspector, "Roe, Jane");
+  EXPECT_EQ(test.metadata.machine.serial_number, "0815");
+  EXPECT_EQ(test.metadata.conditions.feed, 1000.0);
+  EXPECT_EQ(test.metadata.conditions.comment, "a; b");
+}
+
+TEST(CsvLong, FindsAHeaderThatIsWrittenAsAComment) {
+  const axiometry::Test test = read_as(
+      "csv-long", "# made of: arrays, by hand, today\n# target_mm,direction,run,deviation_um\n0,up,1,1\n1,up,1,2\n");
+  EXPECT_EQ(at(test, 1, Direction::up, 0), 2.0);
+}
+
+TEST(CsvLong, SortsTargetsThatWereMeasuredInAnyOrder) {
+  const axiometry::Test test =
+      read_as("csv-long", "target_mm,direction,run,deviation_um\n20,up,1,3\n0,up,1,1\n10,up,1,2\n10,up,2,5\n");
+  EXPECT_EQ(at(test, 0, Direction::up, 0), 1.0);
+  EXPECT_EQ(at(test, 1, Direction::up, 1), 5.0);
+  EXPECT_EQ(at(test, 2, Direction::up, 0), 3.0);
+  EXPECT_EQ(test.series.count(0, Direction::up), 1u);
+}
+
+TEST(CsvWide, ReadsOneRowPerTarget) {
+  const axiometry::Test test =
+      read_as("csv-wide", "target_mm;up1_um;up2_um;down1_um;down2_um\n0;0,1;0,2;0,9;\n250;0,4;0,4;1,1;1,2\n");
+  EXPECT_EQ(at(test, 0, Direction::up, 1), 0.2);
+  EXPECT_EQ(at(test, 1, Direction::down, 1), 1.2);
+  EXPECT_FALSE(test.series.reading(0, Direction::down, 1));
+}
+
+TEST(CsvLong, ReadsGermanColumnsAndDirections) {
+  const axiometry::Test test = read_as("csv-long",
+                                       "Sollposition [mm];Istposition [mm];Richtung;Lauf;Bemerkung\n"
+                                       "0,0;0,001;vorwärts;1;\n10,0;10,002;vor;1;\n10,0;9,999;zurück;1;\n");
+  EXPECT_NEAR(at(test, 1, Direction::up, 0), 2.0, 1e-9);
+  EXPECT_NEAR(at(test, 1, Direction::down, 0), -1.0, 1e-9);
+}
+
+TEST(CsvLong, ReadsWhatInstrumentsPrintAboveTheHeader) {
+  const axiometry::Test test = read_as("csv-long",
+                                       "Positioning test;;;\nMachine:;Mill 5;;\nAxis;X;;\nFirmware;3.1;;\n"
+                                       "Inspector: Roe;;;\n;;;\ntarget_mm;direction;run;deviation_um\n"
+                                       "0;up;1;1\n1;up;1;1\n");
+  EXPECT_EQ(test.metadata.machine.name, "Mill 5");
+  EXPECT_EQ(test.metadata.axis.name, "X");
+  EXPECT_EQ(test.metadata.conditions.inspector, "Roe");
+}
+
+TEST(CsvLong, ReadsAHeaderBehindAMark) {
+  const axiometry::Test test = read_as(
+      "csv-long", "# written by a script\n# target_mm, direction, run, deviation_um\n0, up, 1, 1\n1, up, 1, 2\n");
+  EXPECT_EQ(at(test, 1, Direction::up, 0), 2.0);
+}
+
+TEST(CsvLong, TakesTargetsThatDifferByFloatNoiseForOne) {
+  const axiometry::Test test = read_as("csv-long",
+                                       "target_mm,direction,run,deviation_um\n0,up,1,1\n0.3,up,1,2\n"
+                                       "0.30000000000000004,down,1,3\n0.3000000001,up,2,4\n-1e-15,down,1,5\n");
+  ASSERT_EQ(test.series.target_count(), 2u);
+  EXPECT_EQ(test.series.targets()[1].in_native(), 0.3);
+  EXPECT_EQ(at(test, 1, Direction::down, 0), 3.0);
+  EXPECT_EQ(at(test, 1, Direction::up, 1), 4.0);
+  EXPECT_EQ(at(test, 0, Direction::down, 0), 5.0);
+}
+
+TEST(CsvLong, ReadsRowsWithoutTheEmptyCellsAtTheirEnd) {
+  const axiometry::Test test = read_as(
+      "csv-long", "target_mm,direction,run,deviation_um,note,\n0,up,1,1,first,\n1,up,1,2,\n2,up,1,3\n3,up,1,4,,,,\n");
+  EXPECT_EQ(test.series.target_count(), 4u);
+}
+
+TEST(CsvWide, ReadsGermanRunsAndIgnoresWhatIsComputed) {
+  const axiometry::Test test = read_as("csv-wide",
+                                       "i;Position [mm];Lauf 1 + [µm];Lauf 1 - [µm];Mittelwert [µm];Std (µm)\n"
+                                       "1;0,0;1,5;-0,5;0,5;1,4\n2;100,0;2,5;0,5;1,5;1,4\n");
+  EXPECT_EQ(at(test, 1, Direction::up, 0), 2.5);
+  EXPECT_EQ(at(test, 1, Direction::down, 0), 0.5);
+  EXPECT_EQ(test.series.run_count(), 1u);
+}
+
+TEST(CsvWide, TakesTargetsThatDifferByFloatNoiseForOne) {
+  const axiometry::Test test =
+      read_as("csv-wide", "target_mm,direction,run1_um\n0,up,1\n0.3,up,2\n0.30000000000000004,down,3\n0,down,4\n");
+  ASSERT_EQ(test.series.target_count(), 2u);
+  EXPECT_EQ(at(test, 1, Direction::down, 0), 3.0);
+}
+
+TEST(CsvWide, ReadsOneRowPerTargetAndDirection) {
+  const axiometry::Test test =
+      read_as("csv-wide",
+              "target_mm,direction,run1_um,run2_um\n0,up,0.1,0.2\n0,down,0.9,0.8\n250,down,1.1,NA\n250,up,0.3,0.4\n");
+  EXPECT_EQ(at(test, 0, Direction::down, 1), 0.8);
+  EXPECT_EQ(at(test, 1, Direction::up, 0), 0.3);
+}
+
+TEST(CsvWide, NumbersColumnsWithoutANumber) {
+  const axiometry::Test test =
+      read_as("csv-wide", "Target [mm]\tUp [µm]\tUp [µm]\tDown [µm]\n0\t1\t2\t3\n5\t4\t5\t6\n");
+  EXPECT_EQ(test.series.run_count(), 2u);
+  EXPECT_EQ(at(test, 1, Direction::up, 1), 5.0);
+  EXPECT_EQ(at(test, 1, Direction::down, 0), 6.0);
+}
+
+TEST(CsvWide, ReadsTheRotaryExample) {
+  const axiometry::Test test = read_as("csv-wide", file("examples/rotary-table.csv"));
+  EXPECT_EQ(test.metadata.axis.kind, AxisKind::rotary);
+  EXPECT_EQ(test.series.target_count(), 9u);
+  EXPECT_EQ(test.series.run_count(), 5u);
+  EXPECT_EQ(test.metadata.uncertainty.device_calibration->in_native(), 0.6);
+}
+
+}  // namespace
+}  // namespace axiometry::formats

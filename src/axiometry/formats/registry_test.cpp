@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "axiometry/base/text.h"
+#include "axiometry/formats/format.h"
+
+namespace axiometry::formats {
+namespace {
+
+/// The first fenced block of a manual.
+std::string example_in(std::string_view manual) {
+  const std::size_t fence = manual.find("```");
+  const std::size_t begin = manual.find('\n', fence) + 1;
+  return std::string(manual.substr(begin, manual.find("```", begin) - begin));
+}
+
+TEST(Registry, EveryFormatDescribesItself) {
+  std::set<std::string_view> ids;
+  for (const Format* format : format_table()) {
+    EXPECT_TRUE(ids.insert(format->id).second) << format->id;
+    EXPECT_EQ(find_format(format->id), format);
+    EXPECT_FALSE(format->title.empty() || format->extensions.empty() || format->manual.empty()) << format->id;
+    EXPECT_NE(format->recognise, nullptr);
+    EXPECT_NE(format->read, nullptr);
+    EXPECT_EQ(format->holds_many == nullptr, format->read_many == nullptr) << format->id;
+  }
+  EXPECT_EQ(ids, (std::set<std::string_view>{"json", "csv-long", "csv-wide", "ecmc-dat"}));
+}
+
+TEST(Registry, RecognisesTheExampleOfEveryManual) {
+  for (const Format* format : format_table()) {
+    const auto found = recognise(example_in(format->manual));
+    ASSERT_TRUE(found) << format->id << ": " << found.error().to_string();
+    EXPECT_EQ((*found)->id, format->id);
+  }
+}
+
+TEST(Registry, ReadsTheExampleOfEveryManualThatIsWhole) {
+  for (const Format* format : format_table()) {
+    const std::string example = example_in(format->manual);
+    if (example.find("…") != std::string::npos) continue;
+    const auto test = format->read(example);
+    EXPECT_TRUE(test) << format->id << ": " << test.error().to_string();
+  }
+}
+
+TEST(Registry, KnowsNoOtherFormat) { EXPECT_EQ(find_format("xlsx"), nullptr); }
+
+}  // namespace
+}  // namespace axiometry::formats

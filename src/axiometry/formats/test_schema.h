@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace axiometry::formats {
+
+/// Value of the member "format" in a test file; the number changes when old files no longer read.
+inline constexpr std::string_view test_format_name = "axiometry-test/1";
+
+/// JSON Schema (draft 2020-12) of the test format, made from the table of metadata fields and that of
+/// units. schema/axiometry-test.schema.json is this text.
+std::string test_schema();
+
+}  // namespace axiometry::formats

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+
+namespace axiometry::formats {
+namespace {
+
+constexpr double arcsec_per_rad = 648000.0 / std::numbers::pi;
+
+constexpr Unit table[] = {
+    {"um", "µm", AxisKind::linear, 1, 1},
+    {"mm", "mm", AxisKind::linear, 1000, 1},
+    {"nm", "nm", AxisKind::linear, 1, 1000},
+    {"m", "m", AxisKind::linear, 1e6, 1},
+    {"in", "in", AxisKind::linear, 25400, 1},
+    {"uin", "µin", AxisKind::linear, 254, 10000},
+    {"arcsec", "″", AxisKind::rotary, 1, 1},
+    {"deg", "°", AxisKind::rotary, 3600, 1},
+    {"mdeg", "m°", AxisKind::rotary, 36, 10},
+    {"rad", "rad", AxisKind::rotary, arcsec_per_rad, 1},
+    {"mrad", "mrad", AxisKind::rotary, arcsec_per_rad, 1e3},
+    {"urad", "µrad", AxisKind::rotary, arcsec_per_rad, 1e6},
+};
+
+struct Spelling {
+  std::string_view text;
+  std::string_view name;
+};
+
+constexpr Spelling spellings[] = {
+    {"\u03BCm", "um"},        {"micron", "um"},      {"microns", "um"},     {"micrometre", "um"},
+    {"micrometres", "um"},    {"micrometer", "um"},  {"micrometers", "um"}, {"millimetre", "mm"},
+    {"millimetres", "mm"},    {"millimeter", "mm"},  {"millimeters", "mm"}, {"inch", "in"},
+    {"inches", "in"},         {"\u03BCin", "uin"},   {"\"", "arcsec"},      {"arcsecond", "arcsec"},
+    {"arcseconds", "arcsec"}, {"arc-sec", "arcsec"}, {"arc sec", "arcsec"}, {"degree", "deg"},
+    {"degrees", "deg"},       {"\u03BCrad", "urad"},
+};
+
+constexpr double deviation_limit = 1e9;  // the Series' own, checked here to name line and column
+
+}  // namespace
+
+std::span<const Unit> units() { return table; }
+
+const Unit* find_unit(std::string_view spelling) {
+  for (const Spelling& s : spellings)
+    if (text::equal_ignoring_case(s.text, spelling)) spelling = s.name;
+  for (const Unit& unit : table)
+    if (text::equal_ignoring_case(unit.name, spelling) || text::equal_ignoring_case(unit.symbol, spelling))
+      return &unit;
+  return nullptr;
+}
+
+std::string unit_names() {
+  std::string names;
+  for (const Unit& unit : table) names += fmt::format("{}{}", names.empty() ? "" : ", ", unit.name);
+  return names;
+}
+
+Position position_in(const Unit& unit, double x) {
+  // Millimetres and degrees must stay what was written: the quotient is exactly 1 for them.
+  const double per_position = deviation_per_position(unit.kind);
+  if (unit.factor >= per_position) return Position::native(x * (unit.factor / per_position) / unit.divisor);
+  return Position::native(x * unit.factor / (unit.divisor * per_position));
+}
+
+Deviation deviation_in(const Unit& unit, double x) { return Deviation::native(x * unit.factor / unit.divisor); }
+
+Result<double> native_deviation(const ReadingRule& rule, Position target, double value) {
+  double deviation = deviation_in(*rule.unit, value).in_native();
+  if (rule.measured == Measured::position) {
+    const double difference = position_in(*rule.unit, value).in_native() - target.in_native();
+    if (rule.unit->kind == AxisKind::rotary && std::abs(difference) > 180.0)
+      return fail(fmt::format("found a measured position {}° from its target, expected both within half a turn",
+                              format_exact(difference)));
+    deviation = difference * deviation_per_position(rule.unit->kind);
+  }
+  if (std::abs(deviation) <= deviation_limit) return deviation;
+  return fail(fmt::format("found a deviation of {} {}, expected a magnitude up to 1e9", format_exact(deviation),
+                          deviation_unit(rule.unit->kind)));
+}
+
+Result<AxisKind> kind_of(const Unit& target_unit, const Unit& reading_unit) {
+  if (target_unit.kind == reading_unit.kind) return target_unit.kind;
+  return fail(fmt::format("found targets in {} and readings in {}, expected both as lengths or both as angles",
+                          target_unit.name, reading_unit.name));
+}
+
+}  // namespace axiometry::formats
