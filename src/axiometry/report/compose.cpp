@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/report/compose.h"
+
+#include "axiometry/report/figures/figures.h"
+#include "axiometry/report/sections/sections.h"
+
+namespace axiometry::report {
+
+Section figure_section(const Subject& subject, const Options& options) {
+  Section section{"figures", "Figures", true, {}};
+  for (Figure& figure : figures(subject, options)) section.blocks.push_back(std::move(figure));
+  return section;
+}
+
+Document compose(const Subject& subject, const Options& asked) {
+  const Options options = fitted(asked, subject.assessment.evaluation.parameters);
+  Document document = title_page(subject);
+  auto& sections = document.sections;
+  sections.push_back(parameter_section(subject, options));
+  sections.push_back(figure_section(subject, options));
+  sections.push_back(finding_section(subject));
+  sections.push_back(identification_section(subject, options));
+  sections.push_back(position_section(subject, options));
+  sections.push_back(uncertainty_section(subject, options));
+  sections.push_back(information_section(subject, options));
+  sections.push_back(provenance_section(subject));
+  return document;
+}
+
+}  // namespace axiometry::report

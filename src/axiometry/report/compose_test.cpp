@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/report/compose.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "axiometry/model/fields.h"
+#include "tests/support/report_subject.h"
+
+namespace axiometry::report {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+using testing_support::Reported;
+using testing_support::reported;
+using testing_support::reported_table2;
+using testing_support::reported_without_metadata;
+using testing_support::tolerance;
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<std::string> section_ids(const Document& document) {
+  std::vector<std::string> ids;
+  for (const Section& section : document.sections) ids.push_back(section.id);
+  return ids;
+}
+
+const Section& section(const Document& document, std::string_view id) {
+  for (const Section& candidate : document.sections)
+    if (candidate.id == id) return candidate;
+  throw std::logic_error("no such section");
+}
+
+std::vector<Table> tables(const Section& section) {
+  std::vector<Table> all;
+  for (const Block& block : section.blocks)
+    if (const auto* table = std::get_if<Table>(&block)) all.push_back(*table);
+  return all;
+}
+
+std::vector<std::string> row_text(const std::vector<TableCell>& row) {
+  std::vector<std::string> cells;
+  for (const TableCell& cell : row) cells.push_back(plain_text(cell.text));
+  return cells;
+}
+
+/// "name: value" of every fact.
+std::vector<std::string> facts(const Section& section) {
+  std::vector<std::string> all;
+  for (const Block& block : section.blocks)
+    if (const auto* facts = std::get_if<Facts>(&block))
+      for (const Fact& fact : facts->facts) all.push_back(plain_text(fact.name) + ": " + plain_text(fact.value.text));
+  return all;
+}
+
+Document composed(const Reported& reported) { return compose(reported.subject(), reported.options); }
+
+TEST(Compose, PutsTheResultFirstAndItsOriginLast) {
+  EXPECT_THAT(section_ids(composed(reported_table2())),
+              ElementsAre("parameters", "figures", "findings", "identification", "positions", "uncertainty",
+                          "information", "provenance"));
+}
+
+TEST(Compose, GivesNoVerdictWithoutATolerance) {
+  const Document document = composed(reported_table2());
+  EXPECT_EQ(document.status.size(), 1u);
+  const Table table = tables(section(document, "parameters")).at(0);
+  for (const Column& column : table.columns) EXPECT_NE(plain_text(column.head), "Verdict");
+}
+
+TEST(Compose, CallsAConformingResultOneOfTheStandard) {
+  const Document document = composed(reported_table2());
+  ASSERT_EQ(document.status.size(), 1u);
+  EXPECT_EQ(document.status[0].tone, Tone::good);
+  EXPECT_EQ(plain_text(document.status[0].heading), "Result according to ISO 230-2:2014");
+}
+
+TEST(Compose, SaysAtTheTopThatADepartingResultIsNone) {
+  Reported table2 = reported_table2();
+  table2.assessment.findings.insert(table2.assessment.findings.begin(),
+                                    {"5.3.2", iso230_2::Severity::departure, "found 4 runs"});
+  const Document document = composed(table2);
+  EXPECT_EQ(document.status[0].tone, Tone::bad);
+  EXPECT_THAT(plain_text(document.status[0].heading), HasSubstr("not an ISO 230-2 result"));
+  EXPECT_EQ(plain_text(document.status[0].lines[0]), "Found 4 runs (5.3.2).");
+  EXPECT_THAT(document.running_status, HasSubstr("not an ISO 230-2 result"));
+}
+
+TEST(Compose, RepeatsTheLabelWhereverResultsStand) {
+  Reported table2 = reported_table2();
+  table2.assessment.label = "step cycle (Annex B), not for acceptance";
+  const Document document = composed(table2);
+  EXPECT_EQ(document.label, table2.assessment.label);
+  EXPECT_THAT(document.running_status, HasSubstr(table2.assessment.label));
+  for (std::string_view id : {"parameters", "figures", "positions", "uncertainty", "information"})
+    EXPECT_TRUE(section(document, id).shows_results) << id;
+}
+
+TEST(Compose, KeepsWhatRunsOnEveryPageToALine) {
+  Reported table2 = reported_table2();
+  for (int k = 0; k < 500; ++k) table2.test.metadata.machine.name += "立";
+  table2.test.metadata.conditions.report_number = std::string(500, '9');
+  const Document document = composed(table2);
+  EXPECT_EQ(document.running_head.size(), std::string_view("Axis X · Mill 5").size() + 57 * 3 + 3);
+  EXPECT_THAT(document.running_head, ::testing::EndsWith("立…"));
+  EXPECT_LT(document.running_number.size(), 40u);
+}
+
+TEST(ParameterSection, ListsTheTwelveWithSymbolsOfBothStandards) {
+  const auto table = tables(section(composed(reported_table2()), "parameters")).at(0);
+  ASSERT_EQ(table.rows.size(), std::size(iso230_2::parameters));
+  EXPECT_THAT(row_text(table.rows[1]),
+              ElementsAre("A↑\u2009*)", "EXX,A↑", "Unidirectional positioning error", "6.1", "4.3", "µm", "3.26"));
+  EXPECT_EQ(row_text(table.rows[4]).front(), "E↑");
+}
+
+TEST(ParameterSection, LeavesTheSecondSymbolOutForAnAxisWithoutALetter) {
+  Reported table2 = reported_table2();
+  table2.test.metadata.axis.name = "the long one";
+  EXPECT_EQ(tables(section(composed(table2), "parameters")).at(0).columns.size(), 6u);
+}
+
+TEST(Verdict, NamesTheRuleAndWhatIsExceeded) {
+  Reported table2 = reported_table2();
+  table2.judgements = {{tolerance("A", 10), iso230_2::Verdict::within},
+                       {tolerance("B", 4), iso230_2::Verdict::exceeded}};
+  const Document document = composed(table2);
+  const Notice& notice = document.status.at(1);
+  EXPECT_EQ(notice.tone, Tone::bad);
+  EXPECT_EQ(plain_text(notice.heading), "Tolerance exceeded: B");
+  EXPECT_EQ(plain_text(notice.lines.at(0)), "Within tolerance: A.");
+  const Table table = tables(section(document, "parameters")).at(0);
+  EXPECT_THAT(row_text(table.rows[10]),
+              ElementsAre("B\u2009*)", "EXX,B", "Reversal error", "4.12", "0.92", "4", "µm", "exceeded", "3.16"));
+  EXPECT_THAT(row_text(table.rows[3]), Contains(""));  // no tolerance of E
+  EXPECT_THAT(plain_text(table.notes.back()), HasSubstr("simple acceptance"));
+}
+
+TEST(Verdict, IsNotGivenOnWhatDoesNotExist) {
+  Reported single = reported({{}, testing_support::make_series({0, 100, 200}, {{1, 2, 3}}, {{2, 3, 4}}), {}});
+  single.judgements = {{tolerance("R", 5), iso230_2::Verdict::not_applicable}};
+  const Document document = composed(single);
+  EXPECT_EQ(plain_text(document.status.back().heading), "No verdict");
+  const auto R = row_text(tables(section(document, "parameters")).at(0).rows[7]);
+  EXPECT_THAT(R, AllOf(Contains("R"), Contains("not applicable"), Contains("no verdict")));
+}
+
+TEST(IdentificationSection, ShowsEveryWantedFieldGivenOrNot) {
+  const Section identification = section(composed(reported_without_metadata()), "identification");
+  const auto all = facts(identification);
+  for (const Field& field : metadata_fields())
+    if (field.wanted == Field::Wanted::always) {
+      EXPECT_THAT(all, Contains(std::string(field.title) + ": not stated")) << field.key;
+    }
+  EXPECT_THAT(all, Contains("Number of approaches n: 5 from each direction"));
+  EXPECT_THAT(all, Contains("Air temperature: not stated"));
+}
+
+TEST(IdentificationSection, ShowsEveryGivenFieldButThoseOfTheBudget) {
+  const Reported table2 = reported_table2();
+  const Section identification = section(composed(table2), "identification");
+  std::string everything;
+  for (const std::string& fact : facts(identification)) everything += fact + "\n";
+  for (const Table& table : tables(identification)) {
+    everything += plain_text(table.caption) + "\n";
+    for (const auto& row : table.rows)
+      for (const std::string& cell : row_text(row)) everything += cell + "\n";
+  }
+  for (const Field& field : metadata_fields()) {
+    const bool given = !std::holds_alternative<std::monostate>(field.get(table2.test.metadata));
+    const std::string stem(field.title.substr(0, std::min(field.title.find(", "), field.title.find(" at the "))));
+    if (given && !field.key.starts_with("uncertainty.")) {
+      EXPECT_THAT(everything, HasSubstr(stem)) << field.key;
+    }
+  }
+  EXPECT_THAT(
+      everything,
+      HasSubstr("Air temperature: 20.6\u00a0°C\u00a0at\u00a0the\u00a0start, 20.9\u00a0°C\u00a0at\u00a0the\u00a0end"));
+  EXPECT_THAT(everything, HasSubstr("Offset to tool reference X/Y/Z: 0 / 0 / 120\u00a0mm"));
+  EXPECT_THAT(everything, HasSubstr("table, centre"));
+}
+
+TEST(IdentificationSection, ShowsTheReadingsOfASensorToTheSameDecimals) {
+  Reported table2 = reported_table2();
+  table2.test.metadata.environment.sensors = {
+      {.role = "machine", .location = "table", .start = Temperature::celsius(20.4), .end = Temperature::celsius(21.0)},
+      {.role = "air", .location = "beside", .start = Temperature::celsius(20.45), .end = Temperature::celsius(20.5)}};
+  const auto all = tables(section(composed(table2), "identification"));
+  EXPECT_THAT(row_text(all.back().rows[0]), ElementsAre("machine", "table", "20.40", "21.0"));
+}
+
+TEST(IdentificationSection, SetsLongTextsApartFromTheColumns) {
+  Reported table2 = reported_table2();
+  table2.test.metadata.conditions.comment = std::string(500, 'x');
+  const Section identification = section(composed(table2), "identification");
+  const auto* last = std::get_if<Facts>(&identification.blocks.back());
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->title, "Further particulars");
+}
+
+TEST(IdentificationSection, HonoursTheDecimalComma) {
+  Reported table2 = reported_table2();
+  table2.options.numbers = {','};
+  EXPECT_THAT(
+      facts(section(composed(table2), "identification")),
+      Contains("Air temperature: 20,6\u00a0°C\u00a0at\u00a0the\u00a0start, 20,9\u00a0°C\u00a0at\u00a0the\u00a0end"));
+}
+
+TEST(PositionSection, PutsBothDirectionsSideBySideWhileTheyFit) {
+  const auto all = tables(section(composed(reported_table2()), "positions"));
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_THAT(row_text(all[0].rows[0]),
+              ElementsAre("1", "6.711", "−1.2", "−1.7", "−1.9", "−1.3", "−1.9", "2.3", "2.1", "1.9", "2.8", "2.2"));
+  EXPECT_THAT(row_text(all[1].rows[0]), ElementsAre("1", "6.711", "−1.6", "0.3", "0.7", "−2.3", "−0.9", "1.3", "2.3",
+                                                    "0.3", "0.7", "1.6", "2.9", "1.3", "0.3", "−3.9", "5.2"));
+}
+
+TEST(PositionSection, PartsManyRunsSoThatTheyFitAPage) {
+  std::vector<testing_support::RunDeviations> runs(20, {1, 2, 3, 4, 5});
+  const auto all = tables(
+      section(composed(reported({{}, testing_support::make_series({0, 1, 2, 3, 4}, runs, runs), {}})), "positions"));
+  ASSERT_EQ(all.size(), 5u);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(all[k].columns.size(), 12u) << k;
+}
+
+TEST(PositionSection, HasNoColumnsForWhatASingleApproachCannotTell) {
+  const auto all = tables(
+      section(composed(reported({{}, testing_support::make_series({0, 1}, {{1, 2}}, {{2, 3}}), {}})), "positions"));
+  EXPECT_EQ(all[1].columns.size(), 6u);  // number, target, both means, their mean and the reversal
+}
+
+TEST(PositionSection, ShowsAMissingReadingAsADash) {
+  const auto all = tables(section(
+      composed(reported({{}, testing_support::make_series({0, 1}, {{1, 2}, {missing, 2}}, {}), {}})), "positions"));
+  EXPECT_THAT(row_text(all[0].rows[0]), ElementsAre("1", "0", "1.0", "–"));
+  EXPECT_EQ(all[1].groups.size(), 2u);  // target and ↑: nothing is said of ↓ or of both
+}
+
+TEST(UncertaintySection, ShowsAllContributorsWithTheirInputs) {
+  const auto all = tables(section(composed(reported_table2()), "uncertainty"));
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].rows.size(), 7u);
+  EXPECT_THAT(row_text(all[0].rows[0]), Contains(HasSubstr("1\u00a0µm/m")));
+  EXPECT_THAT(row_text(all[1].rows[0]),
+              ElementsAre("R", "Bidirectional positioning repeatability", "6.6", "5.6", "µm"));
+  EXPECT_EQ(all[2].rows.size(), 11u);
+  EXPECT_THAT(row_text(all[2].rows[0]), Contains("floored"));
+}
+
+TEST(UncertaintySection, SaysInTheRowWhatAMissingContributorMeans) {
+  Reported table2 = reported_table2();
+  table2.assessment.annex_a->budget.at(1).U.reset();
+  const auto budget = tables(section(composed(table2), "uncertainty")).at(0);
+  EXPECT_THAT(row_text(budget.rows[1]), Contains("not given; left out"));
+  EXPECT_THAT(row_text(budget.rows[3]), Contains("part of the device’s statement"));
+}
+
+TEST(UncertaintySection, SaysThatNoneWasEstimated) {
+  const Section uncertainty = section(composed(reported_without_metadata()), "uncertainty");
+  EXPECT_THAT(plain_text(std::get<Paragraph>(uncertainty.blocks.at(0)).text), StartsWith("Not estimated"));
+}
+
+TEST(InformationSection, GivesTheSlopeAndSaysThatItWasNotRemoved) {
+  const auto series = testing_support::make_series({0, 500, 1000}, {{0, 5, 10}, {0, 5, 10}}, {{1, 6, 11}, {1, 6, 11}});
+  const auto all = facts(section(composed(reported({{}, series, {}})), "information"));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_THAT(all[0], HasSubstr("10.00\u00a0µm/m, that is 10.0\u00a0µm over the measured travel"));
+  EXPECT_THAT(all[0], HasSubstr("nothing was removed"));
+}
+
+TEST(ProvenanceSection, LeadsBackToTheSource) {
+  Reported table2 = reported_table2();
+  table2.test.provenance = {"-", "abc", "csv-long"};
+  const auto all = facts(section(composed(table2), "provenance"));
+  EXPECT_THAT(all, Contains("Source file: standard input"));
+  table2.test.provenance.file = "/home/someone/tests/x.csv";
+  EXPECT_THAT(facts(section(composed(table2), "provenance")), Contains("Source file: x.csv"));
+  EXPECT_THAT(all, Contains("SHA-256 of the source: abc"));
+  EXPECT_THAT(all, Contains(HasSubstr("Amendment 1:2016 has not been taken into account")));
+}
+
+TEST(Compose, GivesEverySectionAnIdOfItsOwn) {
+  const auto ids = section_ids(composed(reported_table2()));
+  EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size());
+}
+
+}  // namespace
+}  // namespace axiometry::report

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "axiometry/report/figures/dimension_line.h"
+#include "axiometry/report/figures/symbols.h"
+
+namespace axiometry::report::plot {
+
+/// One entry: a short sample of what is drawn, and what it is.
+struct LegendEntry {
+  std::optional<Stroke> line;
+  std::optional<Colour> band;  ///< filled behind the line
+  std::optional<Disc> mark;    ///< its centre is set by the legend
+  Runs text;
+};
+
+/// Draws the entries in rows from the top left and returns the height they take.
+double draw_legend(Operations& operations, const std::vector<LegendEntry>& entries, Point top_left, double width);
+
+}  // namespace axiometry::report::plot

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "axiometry/report/pdf_flow.h"
+
+namespace axiometry::report::pdf {
+
+/// Sets the whole document; running heads and feet are left to the writer, who knows the page count.
+PageFlow set_document(const Document& document, const Typesetter& typesetter);
+
+}  // namespace axiometry::report::pdf

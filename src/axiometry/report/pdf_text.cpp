@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/report/pdf_text.h"
+#include "axiometry/report/utf8.h"
+
+#include <pango/pangocairo.h>
+
+#include <algorithm>
+
+namespace axiometry::report::pdf {
+
+namespace {
+
+constexpr const char* family = "Liberation Sans, Arial, Helvetica, sans-serif";
+constexpr double script_scale = 0.72;
+constexpr double subscript_drop = 0.18;  // of the size
+constexpr double superscript_rise = 0.33;
+constexpr double bar_above_small_letter = 0.61;
+constexpr double bar_above_capital = 0.79;
+constexpr double italic_slant = 0.1;
+constexpr double bar_thickness = 0.07;
+
+double points(int pango_units) { return static_cast<double>(pango_units) / PANGO_SCALE; }
+int pango_units(double points) { return static_cast<int>(points * PANGO_SCALE); }
+
+void insert(PangoAttrList* attributes, PangoAttribute* attribute, std::size_t start, std::size_t end) {
+  attribute->start_index = static_cast<guint>(start);
+  attribute->end_index = static_cast<guint>(end);
+  pango_attr_list_insert(attributes, attribute);
+}
+
+void style_run(PangoAttrList* attributes, const TextRun& run, double size, std::size_t start, std::size_t end) {
+  if (run.italic) insert(attributes, pango_attr_style_new(PANGO_STYLE_ITALIC), start, end);
+  if (run.bold) insert(attributes, pango_attr_weight_new(PANGO_WEIGHT_BOLD), start, end);
+  if (run.script == Script::normal) return;
+  const double rise = run.script == Script::sub ? -subscript_drop : superscript_rise;
+  insert(attributes, pango_attr_scale_new(script_scale), start, end);
+  insert(attributes, pango_attr_rise_new(pango_units(rise * size)), start, end);
+}
+
+}  // namespace
+
+Typesetter::Typesetter() {
+  PangoFontMap* map = pango_cairo_font_map_new();
+  pango_cairo_font_map_set_resolution(PANGO_CAIRO_FONT_MAP(map), 72.0);
+  context_ = {pango_font_map_create_context(map), [](PangoContext* context) { g_object_unref(context); }};
+  g_object_unref(map);
+  cairo_font_options_t* options = cairo_font_options_create();
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  pango_cairo_context_set_font_options(context_.get(), options);
+  cairo_font_options_destroy(options);
+  pango_context_set_round_glyph_positions(context_.get(), FALSE);
+}
+
+namespace {
+
+PangoLayout* new_layout(PangoContext* context, const TextStyle& style, std::optional<double> width) {
+  PangoLayout* layout = pango_layout_new(context);
+  PangoFontDescription* font = pango_font_description_from_string(family);
+  pango_font_description_set_absolute_size(font, style.size * PANGO_SCALE);
+  if (style.bold) pango_font_description_set_weight(font, PANGO_WEIGHT_BOLD);
+  pango_layout_set_font_description(layout, font);
+  pango_font_description_free(font);
+  if (width) {
+    pango_layout_set_width(layout, pango_units(*width));
+    pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+  }
+  return layout;
+}
+
+/// Puts the text into the layout and returns where in it each run begins, in bytes.
+std::vector<std::size_t> fill(PangoLayout* layout, const RichText& text, double size) {
+  std::string all;
+  std::vector<std::size_t> starts;
+  PangoAttrList* attributes = pango_attr_list_new();
+  // A serial number broken over lines must not gain hyphens.
+  pango_attr_list_insert(attributes, pango_attr_insert_hyphens_new(FALSE));
+  for (const TextRun& run : text) {
+    starts.push_back(all.size());
+    all += cleaned(run.text);
+    style_run(attributes, run, size, starts.back(), all.size());
+  }
+  pango_layout_set_text(layout, all.data(), static_cast<int>(all.size()));
+  pango_layout_set_attributes(layout, attributes);
+  pango_attr_list_unref(attributes);
+  return starts;
+}
+
+}  // namespace
+
+void TextBlock::measure_lines() {
+  PangoLayoutIter* iterator = pango_layout_get_iter(layout_.get());
+  do {
+    int top = 0;
+    int bottom = 0;
+    pango_layout_iter_get_line_yrange(iterator, &top, &bottom);
+    PangoRectangle extents;
+    pango_layout_iter_get_line_extents(iterator, nullptr, &extents);
+    lines_.push_back({points(top), points(pango_layout_iter_get_baseline(iterator)), points(bottom)});
+    width_ = std::max(width_, points(extents.width));
+  } while (pango_layout_iter_next_line(iterator));
+  pango_layout_iter_free(iterator);
+}
+
+void TextBlock::add_bar(const TextRun& run, std::size_t start, double size) {
+  int line = 0;
+  pango_layout_index_to_line_x(layout_.get(), static_cast<int>(start), FALSE, &line, nullptr);
+  PangoRectangle place;
+  pango_layout_index_to_pos(layout_.get(), static_cast<int>(start), &place);
+  const double own_size = size * (run.script == Script::normal ? 1.0 : script_scale);
+  const bool capital = !run.text.empty() && run.text.front() >= 'A' && run.text.front() <= 'Z';
+  const double slant = run.italic ? italic_slant * own_size : 0.0;
+  bars_.push_back({static_cast<std::size_t>(line), points(place.x) + slant, points(place.x + place.width) + 0.3 * slant,
+                   own_size * (capital ? bar_above_capital : bar_above_small_letter), own_size * bar_thickness});
+}
+
+TextBlock Typesetter::set(const RichText& text, const TextStyle& style, std::optional<double> width) const {
+  TextBlock block;
+  block.colour_ = style.colour;
+  block.layout_ = {new_layout(context_.get(), style, width), [](PangoLayout* layout) { g_object_unref(layout); }};
+  const std::vector<std::size_t> starts = fill(block.layout_.get(), text, style.size);
+  block.measure_lines();
+  for (std::size_t k = 0; k < text.size(); ++k)
+    if (text[k].bar) block.add_bar(text[k], starts[k], style.size);
+  return block;
+}
+
+void TextBlock::draw(cairo_t* cairo, Point first_baseline, std::size_t first, std::size_t last) const {
+  cairo_set_source_rgb(cairo, colour_.r, colour_.g, colour_.b);
+  for (std::size_t k = first; k < std::min(last, lines_.size()); ++k) {
+    const double y = first_baseline.y + lines_[k].baseline - lines_[first].baseline;
+    cairo_move_to(cairo, first_baseline.x, y);
+    pango_cairo_show_layout_line(cairo, pango_layout_get_line_readonly(layout_.get(), static_cast<int>(k)));
+    for (const Bar& bar : bars_) {
+      if (bar.line != k) continue;
+      cairo_rectangle(cairo, first_baseline.x + bar.left, y - bar.above_baseline, bar.right - bar.left, bar.thickness);
+      cairo_fill(cairo);
+    }
+  }
+}
+
+}  // namespace axiometry::report::pdf

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/report/picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "axiometry/report/figures/figures.h"
+#include "axiometry/report/figures/plate.h"
+#include "axiometry/report/figures/symbols.h"
+#include "axiometry/report/svg.h"
+
+namespace axiometry::report {
+namespace {
+
+constexpr Colour black{0.1, 0.1, 0.1};
+constexpr Colour grey{0.4, 0.4, 0.4};
+constexpr Colour white{1.0, 1.0, 1.0};
+
+std::string subject_line(const Metadata& metadata) {
+  std::string line = metadata.axis.name.empty() ? "Axis" : "Axis " + metadata.axis.name;
+  for (const std::string& part : {metadata.machine.name, metadata.machine.serial_number}) {
+    if (!part.empty()) line += " · " + part;
+  }
+  return line;
+}
+
+std::string status_line(const iso230_2::Assessment& assessment) {
+  if (assessment.conforming()) return fmt::format("Evaluated according to {}", iso230_2::edition);
+  std::vector<std::string> clauses;
+  for (const iso230_2::Finding& finding : assessment.findings) {
+    const bool departs = finding.severity == iso230_2::Severity::departure;
+    if (departs && std::ranges::find(clauses, finding.clause) == clauses.end()) clauses.push_back(finding.clause);
+  }
+  return fmt::format("Evaluated with the formulas of {}; not an ISO 230-2 result (departs from {})", iso230_2::edition,
+                     fmt::join(clauses, ", "));
+}
+
+Text text(std::string_view line, Point at, double size, Colour colour, bool bold) {
+  return {.runs = {{.text = plot::shortened(line, plot::plate_width - at.x, size), .bold = bold}},
+          .at = at,
+          .size = size,
+          .colour = colour,
+          .anchor = Anchor::start,
+          .degrees = 0.0};
+}
+
+Figure heading(const Subject& subject) {
+  constexpr double date_room = 90.0;
+  constexpr double title_size = 11.0;
+  const std::string line = subject_line(subject.test.metadata);
+  Figure figure{.width = plot::plate_width, .height = 40.0, .title = {}, .description = {}, .operations = {}};
+  figure.operations.push_back(
+      text(plot::shortened(line, plot::plate_width - date_room, title_size), {0.0, 10.0}, title_size, black, true));
+  figure.operations.push_back(text(status_line(subject.assessment), {0.0, 22.0}, 8.0, grey, false));
+  Text date =
+      text(plot::shortened(subject.test.metadata.conditions.date, date_room, 8.0), {0.0, 10.0}, 8.0, grey, false);
+  date.at.x = plot::plate_width;
+  date.anchor = Anchor::end;
+  if (!date.runs.front().text.empty()) figure.operations.push_back(date);
+  return figure;
+}
+
+}  // namespace
+
+Figure picture(const Subject& subject, const Options& options) {
+  std::vector<Figure> parts = figures(subject, options);
+  parts.insert(parts.begin(), heading(subject));
+  Figure page = stacked(parts);
+  const Path paper{.points = {{0, 0}, {page.width, 0}, {page.width, page.height}, {0, page.height}},
+                   .closed = true,
+                   .stroke = {.colour = white, .width = 0.0, .dashes = {}},
+                   .fill = white};
+  page.operations.insert(page.operations.begin(), paper);
+  return page;
+}
+
+}  // namespace axiometry::report

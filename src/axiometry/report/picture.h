@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "axiometry/report/figure.h"
+#include "axiometry/report/report.h"
+
+namespace axiometry::report {
+
+/// All figures of a subject as one picture on white, headed by what was tested and whether the result
+/// may be called an ISO 230-2 result: a picture travels without its report.
+Figure picture(const Subject& subject, const Options& options);
+
+}  // namespace axiometry::report

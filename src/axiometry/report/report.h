@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/result.h"
+#include "axiometry/model/test.h"
+#include "axiometry/standards/iso230_2_assessment.h"
+#include "axiometry/standards/iso230_2_tolerance.h"
+
+namespace axiometry::report {
+
+/// The unit in which parameters are shown; deviations at positions are in µm or ″ always.
+enum class DisplayUnit { native, mm, um, nm, deg, arcsec };
+
+struct Options {
+  NumberStyle numbers;                     ///< decimal point or comma
+  DisplayUnit unit = DisplayUnit::native;  ///< native: µm or ″
+  /// Of deviations and of parameters without U, in µm or ″. When not chosen: 1 (0.1 µm), and more where
+  /// A (or what there is of it) would otherwise show fewer than two significant digits; see fitted().
+  std::optional<int> deviation_decimals{};
+  int uncertainty_digits = 2;  ///< significant digits of U; the parameter ends at the same place
+};
+
+/// The options with deviation_decimals chosen. Every entry to this folder (show, figures, compose) fits
+/// the options it is given.
+Options fitted(Options options, const iso230_2::AxisParameters& measured);
+
+/// All that a report is made of.
+struct Subject {
+  const Test& test;
+  const iso230_2::Assessment& assessment;
+  std::span<const iso230_2::Judgement> judgements;
+};
+
+/// Parameter value and uncertainty as shown to people: U to `uncertainty_digits` significant digits,
+/// the value to U's last place; without U to `deviation_decimals`.
+struct ShownParameter {
+  std::string value;  ///< "9.6"; "not applicable" where the parameter does not exist
+  std::string U;      ///< "4.3" or ""
+  std::string unit;   ///< "µm"
+};
+ShownParameter show(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessment& assessment, AxisKind kind,
+                    const Options& options);
+
+}  // namespace axiometry::report

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "axiometry/report/sections/sections.h"
+#include "axiometry/report/shown_number.h"
+
+namespace axiometry::report {
+
+namespace {
+
+using iso230_2::Judgement;
+using iso230_2::Verdict;
+
+/// Names as controls give them, "X", "C1"; anything longer would make no symbol.
+bool fits_a_symbol(std::string_view axis_name) {
+  return !axis_name.empty() && axis_name.size() <= 2 && axis_name.front() >= 'A' && axis_name.front() <= 'Z' &&
+         (axis_name.size() == 1 || (axis_name[1] >= '0' && axis_name[1] <= '9'));
+}
+
+/// E_XX,A↑: ISO 230-1 names the error of the axis, ISO 230-2 (8.2.4) the parameter of it.
+RichText iso230_1_symbol(std::string_view axis_name, std::string_view parameter_symbol) {
+  RichText index = symbol(parameter_symbol);
+  for (TextRun& run : index) run.script = Script::sub;
+  RichText all = italic("E");
+  all.push_back({.text = fmt::format("{0}{0},", axis_name), .script = Script::sub});
+  return joined({all, index});
+}
+
+RichText starred(RichText symbol, bool acceptance) { return acceptance ? joined({symbol, plain("\u2009*)")}) : symbol; }
+
+/// Whether a contributor counts as zero that should be known. The device's statement may cover its
+/// temperature (A.6, A.8), and most of the annex is for linear axes only.
+bool leaves_out_contributors(const iso230_2::AnnexA& annex_a, AxisKind kind) {
+  return std::ranges::any_of(annex_a.budget, [&](const iso230_2::Contributor& line) {
+    const bool for_any_axis = line.key == "device" || line.key == "eve";
+    const bool may_be_absent = line.key == "m_device" || line.key == "e_device";
+    return !line.U && !may_be_absent && (for_any_axis || kind == AxisKind::linear);
+  });
+}
+
+std::vector<RichText> notes(const Subject& subject) {
+  const auto& assessment = subject.assessment;
+  const std::string& label = assessment.label;
+  std::vector<RichText> notes = {
+      plain(label.empty() ? std::string("*) May serve as a basis for machine acceptance (8.2).")
+                          : fmt::format("*) A parameter for machine acceptance by 8.2; this test: {}.", label))};
+  const bool repeated = assessment.evaluation.parameters.R_up || assessment.evaluation.parameters.R_down;
+  if (!repeated)
+    notes.push_back(joined({plain("Repeatabilities "), italic("R"), plain(" and errors "), italic("A"),
+                            plain(" do not exist where each target was approached once per direction (6.2).")}));
+  if (!assessment.annex_a) {
+    notes.push_back(joined({plain("The measurement uncertainty "), italic("U"),
+                            plain(" was not estimated: no input of Annex A was given.")}));
+  } else if (leaves_out_contributors(*assessment.annex_a, subject.test.metadata.axis.kind)) {
+    notes.push_back(joined({italic("U"), plain(" covers only the contributors that were given; see the budget.")}));
+  }
+  if (!subject.judgements.empty())
+    notes.push_back(
+        joined({plain("Decision rule: simple acceptance. A parameter is within its tolerance when its magnitude does "
+                      "not exceed the limit; "),
+                italic("U"), plain(" is not taken into account.")}));
+  return notes;
+}
+
+const Judgement* judgement_of(const iso230_2::ParameterInfo& parameter, std::span<const Judgement> judgements) {
+  const auto found = std::ranges::find_if(
+      judgements, [&](const Judgement& judgement) { return judgement.tolerance.parameter->key == parameter.key; });
+  return found == judgements.end() ? nullptr : &*found;
+}
+
+TableCell verdict_cell(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::within: return {strong("within"), Tone::good};
+    case Verdict::exceeded: return {strong("exceeded"), Tone::bad};
+    case Verdict::not_applicable: return quiet_cell("no verdict");
+  }
+  return {};
+}
+
+/// The columns that this report needs, in their order.
+std::vector<Column> columns(bool with_iso230_1, bool with_tolerances) {
+  std::vector<Column> all = {{plain("Symbol"), Align::start, true}};
+  if (with_iso230_1) all.push_back({plain("ISO 230-1")});
+  all.push_back({plain("Parameter"), Align::start, false, true});
+  all.push_back({plain("Value"), Align::decimal});
+  all.push_back({joined({italic("U"), plain(" ("), italic("k"), plain(" = 2)")}), Align::decimal});
+  if (with_tolerances) all.push_back({plain("Tolerance"), Align::decimal});
+  all.push_back({plain("Unit")});
+  if (with_tolerances) all.push_back({plain("Verdict")});
+  all.push_back({plain("Clause")});
+  return all;
+}
+
+std::vector<TableCell> row(const iso230_2::ParameterInfo& parameter, const Subject& subject, bool with_iso230_1,
+                           const Options& options) {
+  const Axis& axis = subject.test.metadata.axis;
+  const ParameterScale scale = parameter_scale(axis.kind, options.unit);
+  const ShownParameter shown = show(parameter, subject.assessment, axis.kind, options);
+  const bool exists = (subject.assessment.evaluation.parameters.*parameter.member).has_value();
+  const bool with_tolerances = !subject.judgements.empty();
+  const Judgement* judgement = judgement_of(parameter, subject.judgements);
+  std::vector<TableCell> row = {{starred(symbol(parameter.symbol), parameter.acceptance)}};
+  if (with_iso230_1) row.push_back({iso230_1_symbol(axis.name, parameter.symbol)});
+  row.push_back(text_cell(parameter.title));
+  row.push_back(exists ? TableCell{strong(shown.value)} : quiet_cell(shown.value));
+  row.push_back(shown.U.empty() ? quiet_cell("–") : text_cell(shown.U));
+  if (with_tolerances)
+    row.push_back(judgement ? text_cell(shown_short(judgement->tolerance.limit.in_native() * scale.per_native, options))
+                            : quiet_cell(""));
+  row.push_back(exists || judgement ? text_cell(shown.unit) : quiet_cell(""));
+  if (with_tolerances) row.push_back(judgement ? verdict_cell(judgement->verdict) : quiet_cell(""));
+  row.push_back(quiet_cell(parameter.clause));
+  return row;
+}
+
+}  // namespace
+
+Section parameter_section(const Subject& subject, const Options& options) {
+  const bool with_iso230_1 = fits_a_symbol(subject.test.metadata.axis.name);
+  Table table;
+  table.columns = columns(with_iso230_1, !subject.judgements.empty());
+  for (const auto& parameter : iso230_2::parameters)
+    table.rows.push_back(row(parameter, subject, with_iso230_1, options));
+  table.notes = notes(subject);
+  return {"parameters", "Parameters of the axis", true, {std::move(table)}};
+}
+
+}  // namespace axiometry::report

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/model/fields.h"
+#include "axiometry/report/document.h"
+#include "axiometry/report/report.h"
+
+/// The sections of a report, one source each. compose() puts them together.
+namespace axiometry::report {
+
+/// Title, identity, status and everything that runs along on each page.
+Document title_page(const Subject& subject);
+
+/// What stands within its tolerance and what exceeds it; nothing when no tolerance was given.
+std::optional<Notice> tolerance_notice(std::span<const iso230_2::Judgement> judgements);
+
+/// Parameters of clause 8.2 with their uncertainty, tolerances and verdicts.
+Section parameter_section(const Subject& subject, const Options& options);
+
+/// Figures 2 and 3.
+Section figure_section(const Subject& subject, const Options& options);
+
+Section finding_section(const Subject& subject);
+
+/// Clause 8.1, read from the table of metadata fields.
+Section identification_section(const Subject& subject, const Options& options);
+
+/// Table 2: every reading, and the results at every target.
+Section position_section(const Subject& subject, const Options& options);
+std::vector<Table> reading_tables(const Subject& subject, const Options& options);
+
+/// Annex A. Nothing but a remark when no input of it was given.
+Section uncertainty_section(const Subject& subject, const Options& options);
+
+/// The slope of the means, which the evaluation leaves where it is.
+Section information_section(const Subject& subject, const Options& options);
+
+Section provenance_section(const Subject& subject);
+
+/// A number as a cell, or a quiet dash where there is none.
+TableCell deviation_cell(const std::optional<Deviation>& deviation, const Options& options);
+TableCell quiet_cell(std::string_view text);
+TableCell text_cell(std::string_view text);
+
+/// A field's value with its unit, quietly "not stated" where it was not given.
+TableCell stated(const Field& field, const Metadata& metadata, const Options& options);
+TableCell stated(std::string_view field_key, const Metadata& metadata);
+
+}  // namespace axiometry::report

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "axiometry/base/version.h"
+#include "axiometry/report/sections/sections.h"
+
+namespace axiometry::report {
+
+namespace {
+
+using iso230_2::Finding;
+using iso230_2::Severity;
+
+constexpr std::size_t departures_named = 3;      // on the first page; all of them stand in the findings
+constexpr std::size_t running_head_length = 72;  // characters
+constexpr std::size_t running_number_length = 32;
+constexpr std::size_t running_status_length = 110;
+
+/// Short names, since these stand side by side.
+constexpr std::pair<std::string_view, std::string_view> identity_fields[] = {{"Machine", "machine.name"},
+                                                                             {"Serial number", "machine.serial_number"},
+                                                                             {"Date of test", "test.date"},
+                                                                             {"Report number", "test.report_number"}};
+
+std::size_t count(const std::vector<Finding>& findings, Severity severity) {
+  return static_cast<std::size_t>(std::ranges::count(findings, severity, &Finding::severity));
+}
+
+Notice conforming_notice(const std::vector<Finding>& findings) {
+  Notice notice{Tone::good, plain(fmt::format("Result according to {}", iso230_2::edition)), {}};
+  if (count(findings, Severity::missing) > 0)
+    notice.lines.push_back(plain("Not everything that the report shall state was given; see Findings."));
+  return notice;
+}
+
+Notice departing_notice(const std::vector<Finding>& findings) {
+  Notice notice{
+      Tone::bad,
+      plain(fmt::format("Evaluated with the formulas of {}; not an ISO 230-2 result, see Findings", iso230_2::edition)),
+      {}};
+  const std::size_t departures = count(findings, Severity::departure);
+  for (const Finding& finding : findings) {
+    if (finding.severity != Severity::departure) continue;
+    if (notice.lines.size() == departures_named) {
+      notice.lines.push_back(plain(fmt::format("… and {} more.", departures - departures_named)));
+      break;
+    }
+    notice.lines.push_back(sentence(fmt::format("{} ({})", finding.message, finding.clause)));
+  }
+  return notice;
+}
+
+std::string axis_text(const Axis& axis) {
+  const std::string_view kind = axis.kind == AxisKind::linear ? "linear axis" : "rotary axis";
+  return axis.name.empty() ? std::string(kind) : fmt::format("{} ({})", axis.name, kind);
+}
+
+/// At most so many characters, since running heads have one line; cut ones end in "…".
+std::string shortened(std::string_view text, std::size_t characters) {
+  std::size_t end = 0;
+  for (std::size_t count = 0; end < text.size(); ++end) {
+    const bool begins_character = (static_cast<unsigned char>(text[end]) & 0xC0) != 0x80;
+    if (begins_character && ++count > characters) return fmt::format("{}…", text.substr(0, end));
+  }
+  return std::string(text);
+}
+
+std::string running_head(const Metadata& metadata) {
+  std::string head = metadata.axis.name.empty() ? axis_text(metadata.axis) : "Axis " + metadata.axis.name;
+  if (!metadata.machine.name.empty()) head += " · " + metadata.machine.name;
+  return shortened(head, running_head_length);
+}
+
+std::string running_status(const iso230_2::Assessment& assessment) {
+  std::string status = assessment.conforming()
+                           ? std::string(iso230_2::edition)
+                           : fmt::format("Formulas of {}; not an ISO 230-2 result", iso230_2::edition);
+  if (!assessment.label.empty()) status += " · " + assessment.label;
+  return shortened(status, running_status_length);
+}
+
+}  // namespace
+
+Document title_page(const Subject& subject) {
+  const Metadata& metadata = subject.test.metadata;
+  const auto& assessment = subject.assessment;
+  Document document;
+  document.title = "Positioning accuracy and repeatability of an NC axis";
+  document.edition =
+      assessment.conforming() ? std::string(iso230_2::edition) : fmt::format("Formulas of {}", iso230_2::edition);
+  document.identity = {{plain("Axis"), text_cell(axis_text(metadata.axis))}};
+  for (const auto& [name, key] : identity_fields) document.identity.push_back({plain(name), stated(key, metadata)});
+  document.status.push_back(assessment.conforming() ? conforming_notice(assessment.findings)
+                                                    : departing_notice(assessment.findings));
+  if (!assessment.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + assessment.label), {}});
+  if (auto notice = tolerance_notice(subject.judgements)) document.status.push_back(*std::move(notice));
+  document.label = assessment.label;
+  document.running_head = running_head(metadata);
+  if (!metadata.conditions.report_number.empty())
+    document.running_number = shortened("Report " + metadata.conditions.report_number, running_number_length);
+  document.running_status = running_status(assessment);
+  document.date = metadata.conditions.date;
+  document.generator = fmt::format("Axiometry {}", version);
+  return document;
+}
+
+}  // namespace axiometry::report

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "axiometry/report/sections/sections.h"
+#include "axiometry/report/shown_number.h"
+
+namespace axiometry::report {
+
+namespace {
+
+using iso230_2::AnnexA;
+using iso230_2::BudgetInput;
+using iso230_2::Contributor;
+
+constexpr int digits_given = 7;    // of inputs as stated; more would show what the conversion of units leaves
+constexpr int digits_derived = 5;  // of inputs that nobody stated, such as the measured travel
+
+/// "ΔT = 5 °C (assumed)", one input per line.
+RichText inputs_text(const Contributor& contributor, const Options& options) {
+  RichText text;
+  for (const BudgetInput& input : contributor.inputs) {
+    std::string value = fmt::format(
+        "\u00a0=\u00a0{}", shown_short(input.value, options, input.note.empty() ? digits_given : digits_derived));
+    if (!input.unit.empty()) value += fmt::format("\u00a0{}", input.unit);
+    if (!input.note.empty()) value += fmt::format(" ({})", input.note);
+    text = joined({text, plain(text.empty() ? "" : "\n"), symbol(input.symbol), plain(value)});
+  }
+  return text;
+}
+
+/// What it means that a contributor has no U. Inputs of the device's temperature may be missing rightly.
+std::string_view meaning_of_absence(const Contributor& contributor, const Metadata& metadata) {
+  const AnnexAInputs& given = metadata.uncertainty;
+  const bool for_any_axis = contributor.key == "device" || contributor.key == "eve";
+  if (metadata.axis.kind == AxisKind::rotary && !for_any_axis) return "for linear axes only";
+  if (contributor.key == "m_device" && !given.device_temperature_range) return "part of the device’s statement";
+  if (contributor.key == "e_device" && !given.device_temperature_difference && !given.device_expansion_range)
+    return "part of the device’s statement";
+  return "not given; left out";
+}
+
+Table budget_table(const AnnexA& annex_a, const Metadata& metadata, const Options& options) {
+  const AxisKind kind = metadata.axis.kind;
+  const ParameterScale scale = parameter_scale(kind, options.unit);
+  Table table;
+  table.caption = plain("Budget: expanded contributions");
+  table.columns = {{plain("Contributor"), Align::start, true, true},
+                   {plain("Symbol")},
+                   {plain("Inputs"), Align::start, false, true},
+                   {joined({italic("U"), plain(" ("), italic("k"), plain(" = 2)")}), Align::decimal},
+                   {plain("Unit")},
+                   {plain("Formula")}};
+  for (const Contributor& contributor : annex_a.budget) {
+    const RichText inputs = inputs_text(contributor, options);
+    table.rows.push_back(
+        {text_cell(contributor.title),
+         {symbol(contributor.symbol)},
+         contributor.U ? TableCell{inputs} : quiet_cell(meaning_of_absence(contributor, metadata)),
+         contributor.U ? text_cell(shown_uncertainty(*contributor.U, scale, options)) : quiet_cell("–"),
+         contributor.U ? text_cell(scale.unit) : quiet_cell(""),
+         text_cell(contributor.formula)});
+  }
+  for (const std::string& note : annex_a.notes) table.notes.push_back(sentence(note));
+  return table;
+}
+
+constexpr std::string_view repeatability_keys[] = {"R", "R_up", "R_down"};
+
+/// R, R↑ and R↓ as measured and corrected.
+Table corrected_axis_table(const Subject& subject, const Options& options) {
+  const auto& assessment = subject.assessment;
+  const AxisKind kind = subject.test.metadata.axis.kind;
+  const ParameterScale scale = parameter_scale(kind, options.unit);
+  const int decimals = std::max(0, *options.deviation_decimals + scale.further_decimals);
+  const auto cell = [&](const std::optional<Deviation>& value) {
+    return value ? text_cell(format_fixed(value->in_native() * scale.per_native, decimals, options.numbers))
+                 : quiet_cell("not applicable");
+  };
+  Table table;
+  table.caption = plain("Repeatability of the axis, corrected for the environmental variation (A.2.6)");
+  table.columns = {{plain("Symbol"), Align::start, true},
+                   {plain("Parameter"), Align::start, false, true},
+                   {plain("As measured"), Align::decimal},
+                   {plain("Corrected"), Align::decimal},
+                   {plain("Unit")}};
+  for (std::string_view key : repeatability_keys) {
+    const auto* parameter = iso230_2::find_parameter(key);
+    table.rows.push_back({{symbol(parameter->symbol)},
+                          text_cell(parameter->title),
+                          cell(assessment.evaluation.parameters.*parameter->member),
+                          cell(assessment.annex_a->corrected->parameters.*parameter->member),
+                          text_cell(scale.unit)});
+  }
+  return table;
+}
+
+Table corrected_position_table(const Subject& subject, const Options& options) {
+  const AxisKind kind = subject.test.metadata.axis.kind;
+  const auto& corrected = *subject.assessment.annex_a->corrected;
+  const auto& measured = subject.assessment.evaluation.positions;
+  const int decimals = position_decimals(subject.test.series.targets());
+  Table table;
+  table.dense = true;
+  table.caption =
+      plain(fmt::format("Repeatability at the targets, as measured and corrected (A.10), {}", deviation_unit(kind)));
+  table.groups = {{plain("Target"), 2}, {symbol("R_i↑"), 2}, {symbol("R_i↓"), 2}, {symbol("R_i"), 2}, {{}, 1}};
+  table.columns = {{italic("i"), Align::decimal, true},
+                   {joined({symbol("P_i"), plain(fmt::format(", {}", position_unit(kind)))}), Align::decimal}};
+  for (int group = 0; group < 3; ++group) {
+    table.columns.push_back({plain("measured"), Align::decimal, false, false, true});
+    table.columns.push_back({plain("corrected"), Align::decimal});
+  }
+  table.columns.push_back({plain("Remark"), Align::start, false, false, true});
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const auto& before = measured[i];
+    const auto& after = corrected.positions[i];
+    const bool floored = std::ranges::find(corrected.floored, i) != corrected.floored.end();
+    table.rows.push_back({text_cell(fmt::format("{}", i + 1)),
+                          text_cell(format_fixed(before.target.in_native(), decimals, options.numbers)),
+                          deviation_cell(before.R_up, options), deviation_cell(after.R_up, options),
+                          deviation_cell(before.R_down, options), deviation_cell(after.R_down, options),
+                          deviation_cell(before.R, options), deviation_cell(after.R, options),
+                          floored ? TableCell{plain("floored"), Tone::caution} : quiet_cell("")});
+  }
+  if (!corrected.floored.empty())
+    table.notes = {
+        joined({plain("Floored: the environmental variation exceeds the spread of the readings, "), symbol("s_i"),
+                plain("² < ("), symbol("U_EVE"), plain("/2)², and 0 was taken for the corrected "), symbol("s_i"),
+                plain(" of that direction.")})};
+  return table;
+}
+
+}  // namespace
+
+Section uncertainty_section(const Subject& subject, const Options& options) {
+  Section section{"uncertainty", "Measurement uncertainty (Annex A)", true, {}};
+  const auto& annex_a = subject.assessment.annex_a;
+  if (!annex_a) {
+    section.blocks.emplace_back(Paragraph{plain("Not estimated: no input of Annex A was given."), Tone::quiet});
+    return section;
+  }
+  section.blocks.emplace_back(budget_table(*annex_a, subject.test.metadata, options));
+  if (annex_a->corrected) {
+    section.blocks.emplace_back(corrected_axis_table(subject, options));
+    section.blocks.emplace_back(corrected_position_table(subject, options));
+  }
+  return section;
+}
+
+}  // namespace axiometry::report

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "axiometry/report/shown_number.h"
+#include "tests/support/report_subject.h"
+
+namespace axiometry::report {
+namespace {
+
+using testing_support::Reported;
+using testing_support::reported_table2;
+
+const iso230_2::ParameterInfo& parameter(std::string_view key) { return *testing_support::tolerance(key, 0).parameter; }
+
+ShownParameter shown(const Reported& reported, std::string_view key, AxisKind kind = AxisKind::linear) {
+  return show(parameter(key), reported.assessment, kind, reported.options);
+}
+
+TEST(Show, EndsTheValueWhereItsUncertaintyEnds) {
+  const Reported table2 = reported_table2();
+  EXPECT_EQ(shown(table2, "A").value, "9.6");
+  EXPECT_EQ(shown(table2, "A").U, "4.3");
+  EXPECT_EQ(shown(table2, "B").value, "4.12");
+  EXPECT_EQ(shown(table2, "B").U, "0.92");
+  EXPECT_EQ(shown(table2, "B_mean").value, "\u22123.71");
+}
+
+TEST(Show, UsesTheDecimalsOfDeviationsWithoutUncertainty) {
+  Reported bare = testing_support::reported_without_metadata();
+  EXPECT_EQ(shown(bare, "A").value, "9.6");
+  EXPECT_EQ(shown(bare, "A").U, "");
+  bare.options.deviation_decimals = 3;
+  EXPECT_EQ(shown(bare, "A").value, "9.586");
+}
+
+TEST(Show, ConvertsIntoTheDisplayUnit) {
+  Reported bare = testing_support::reported_without_metadata();
+  bare.options = {.numbers = {','}, .unit = DisplayUnit::mm, .deviation_decimals = {}};
+  EXPECT_EQ(shown(bare, "A").value, "0,0096");
+  EXPECT_EQ(shown(bare, "A").unit, "mm");
+  bare.options.unit = DisplayUnit::nm;
+  EXPECT_EQ(shown(bare, "A").value, "9586");
+}
+
+TEST(Show, KeepsTheNativeUnitWhenTheChosenOneBelongsToTheOtherKindOfAxis) {
+  Reported bare = testing_support::reported_without_metadata();
+  bare.options.unit = DisplayUnit::deg;
+  EXPECT_EQ(shown(bare, "A").unit, "µm");
+  bare.options.unit = DisplayUnit::mm;
+  EXPECT_EQ(shown(bare, "A", AxisKind::rotary).unit, "″");
+  bare.options.unit = DisplayUnit::deg;
+  EXPECT_EQ(shown(bare, "A", AxisKind::rotary).value, "0.00266");
+}
+
+TEST(Show, HonoursTheDigitsOfTheUncertainty) {
+  Reported table2 = reported_table2();
+  table2.options.uncertainty_digits = 3;
+  EXPECT_EQ(shown(table2, "A").value, "9.59");
+  EXPECT_EQ(shown(table2, "A").U, "4.27");
+}
+
+TEST(Show, RoundsALargeUncertaintyToItsDigitsToo) {
+  Reported table2 = reported_table2();
+  table2.options.unit = DisplayUnit::nm;
+  EXPECT_EQ(shown(table2, "A").value, "9600");
+  EXPECT_EQ(shown(table2, "A").U, "4300");
+}
+
+TEST(Show, SaysNotApplicableWhereAParameterDoesNotExist) {
+  const Reported single =
+      testing_support::reported({{}, testing_support::make_series({0, 100, 200}, {{1, 2, 3}}, {{2, 3, 4}}), {}});
+  EXPECT_EQ(shown(single, "R").value, "not applicable");
+  EXPECT_EQ(shown(single, "R").U, "");
+  EXPECT_EQ(shown(single, "E").value, "3.0");
+}
+
+TEST(PositionDecimals, ShowEveryTargetFullyUpToATenthOfAMicrometre) {
+  const auto decimals = [](std::vector<double> targets) {
+    std::vector<Position> positions;
+    for (double t : targets) positions.push_back(Position::native(t));
+    return position_decimals(positions);
+  };
+  EXPECT_EQ(decimals({0, 100, 250}), 0);
+  EXPECT_EQ(decimals({6.711, 175.077, 1055.89}), 3);
+  EXPECT_EQ(decimals({0.1 + 0.2, 1}), 1);
+  EXPECT_EQ(decimals({1.0 / 3.0, 1}), 4);
+}
+
+}  // namespace
+}  // namespace axiometry::report

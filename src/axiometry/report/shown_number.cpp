@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/report/shown_number.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiometry::report {
+
+namespace {
+
+std::string localised(std::string digits, const Options& options) {
+  std::ranges::replace(digits, '.', options.numbers.decimal_mark);
+  return digits.starts_with('-') ? "\u2212" + digits.substr(1) : digits;
+}
+
+}  // namespace
+
+ParameterScale parameter_scale(AxisKind kind, DisplayUnit unit) {
+  if (kind == AxisKind::linear) {
+    if (unit == DisplayUnit::mm) return {"mm", 1e-3, 3};
+    if (unit == DisplayUnit::nm) return {"nm", 1e3, -3};
+  } else if (unit == DisplayUnit::deg) {
+    return {"°", 1.0 / 3600.0, 4};
+  }
+  return {deviation_unit(kind), 1.0, 0};
+}
+
+std::string shown_deviation(Deviation deviation, const Options& options) {
+  return format_fixed(deviation.in_native(), *options.deviation_decimals, options.numbers);
+}
+
+std::string shown_uncertainty(Deviation U, const ParameterScale& scale, const Options& options) {
+  const double value = U.in_native() * scale.per_native;
+  if (value == 0.0) return "0";
+  return format_fixed(value, decimals_for(value, options.uncertainty_digits), options.numbers);
+}
+
+std::string shown_exact(double x, const Options& options) { return localised(format_exact(x), options); }
+
+std::string shown_short(double x, const Options& options, int significant_digits) {
+  return localised(fmt::format("{:.{}g}", x, significant_digits), options);
+}
+
+int position_decimals(std::span<const Position> targets) {
+  const auto shows = [](double x, int decimals) {
+    const double unit = std::pow(10.0, decimals);
+    return std::abs(x - std::round(x * unit) / unit) < 0.5e-4;
+  };
+  int decimals = 0;
+  while (decimals < 4 && !std::ranges::all_of(targets, [&](Position p) { return shows(p.in_native(), decimals); }))
+    ++decimals;
+  return decimals;
+}
+
+}  // namespace axiometry::report

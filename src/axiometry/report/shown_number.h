@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "axiometry/model/axis.h"
+#include "axiometry/report/report.h"
+
+/// Numbers as reports show them. Absent values are not shown here: the caller says what stands there.
+namespace axiometry::report {
+
+/// How parameters and their uncertainties are shown on an axis: Options::unit, or the native unit
+/// when it belongs to the other kind of axis (one set of options serves a folder of tests).
+struct ParameterScale {
+  std::string_view unit;     ///< "mm"
+  double per_native = 1.0;   ///< size of 1 µm or 1″ in that unit: 0.001
+  int further_decimals = 0;  ///< decimals on top of those of µm or ″: 3; negative for nm
+};
+ParameterScale parameter_scale(AxisKind kind, DisplayUnit unit);
+
+/// To Options::deviation_decimals (contract: chosen), in the native unit.
+std::string shown_deviation(Deviation deviation, const Options& options);
+
+/// A contribution to the uncertainty to Options::uncertainty_digits, in the unit of the scale.
+std::string shown_uncertainty(Deviation U, const ParameterScale& scale, const Options& options);
+
+/// Shortest text that reads back the same, with the decimal mark and a true minus sign.
+std::string shown_exact(double x, const Options& options);
+
+/// So many significant digits at most, for numbers that were computed: 1744.209.
+std::string shown_short(double x, const Options& options, int significant_digits = 7);
+
+/// Decimals that show every target fully, at most 4.
+int position_decimals(std::span<const Position> targets);
+
+}  // namespace axiometry::report

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parameters and positions as one tidy table for spreadsheets and scripts: RFC 4180, UTF-8, CRLF, one value per line.
+//
+//   axis         name of the axis, as given
+//   record       "parameter" or "position"
+//   target       of a position: its coordinate; empty for parameters
+//   target_unit  "mm" or "deg"
+//   name         key of the JSON output: "A_up"; of a position "mean_up", "n_up", …
+//   value        empty where it does not exist
+//   U            expanded uncertainty, k = 2; empty where none was estimated
+//   unit         "um", "mm", "nm", "arcsec", "deg"; empty for counts
+//   clause       of ISO 230-2:2014
+//   remark       what the result must not be mistaken for: not an ISO 230-2 result, the label; else empty
+//
+// Numbers in full double precision. Parameters are in the display unit, positions in µm or ″. With a
+// decimal comma the columns are separated by semicolons.
+#include <fmt/format.h>
+
+#include "axiometry/base/text.h"
+#include "axiometry/report/shown_number.h"
+#include "axiometry/report/writer.h"
+
+namespace axiometry::report {
+
+namespace {
+
+struct Line {
+  std::string_view record;
+  std::string target;
+  std::string_view name;
+  std::string value;
+  std::string U;
+  std::string_view unit;
+  std::string_view clause;
+};
+
+std::string_view ascii_unit(std::string_view unit) {
+  if (unit == "µm") return "um";
+  if (unit == "″") return "arcsec";
+  if (unit == "°") return "deg";
+  return unit;
+}
+
+class Csv {
+ public:
+  Csv(const Subject& subject, const Options& options)
+      : mark_(options.numbers.decimal_mark),
+        separator_(mark_ == ',' ? ';' : ','),
+        kind_(subject.test.metadata.axis.kind) {
+    axis_ = text::no_formula(subject.test.metadata.axis.name);
+    if (!subject.assessment.conforming()) remark_ = "not an ISO 230-2 result";
+    if (!subject.assessment.label.empty()) remark_ += (remark_.empty() ? "" : "; ") + subject.assessment.label;
+    append_cells({"axis", "record", "target", "target_unit", "name", "value", "U", "unit", "clause", "remark"});
+  }
+
+  std::string number(double x) const {
+    std::string digits = format_exact(x);
+    for (char& c : digits)
+      if (c == '.') c = mark_;
+    return digits;
+  }
+
+  std::string number(const std::optional<Deviation>& deviation, double factor = 1.0) const {
+    return deviation ? number(deviation->in_native() * factor) : "";
+  }
+
+  void append(const Line& line) {
+    const std::string_view target_unit = line.target.empty() ? "" : ascii_unit(position_unit(kind_));
+    append_cells(
+        {axis_, line.record, line.target, target_unit, line.name, line.value, line.U, line.unit, line.clause, remark_});
+  }
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  void append_cells(std::initializer_list<std::string_view> cells) {
+    bool first = true;
+    for (std::string_view cell : cells) {
+      if (!first) text_ += separator_;
+      first = false;
+      text_ += text::csv_cell(cell, separator_);
+    }
+    text_ += "\r\n";
+  }
+
+  char mark_;
+  char separator_;
+  AxisKind kind_;
+  std::string axis_;
+  std::string remark_;
+  std::string text_;
+};
+
+void append_parameters(Csv& csv, const Subject& subject, const Options& options) {
+  const ParameterScale scale = parameter_scale(subject.test.metadata.axis.kind, options.unit);
+  const auto& assessment = subject.assessment;
+  for (const auto& parameter : iso230_2::parameters)
+    csv.append({"parameter", "", parameter.key,
+                csv.number(assessment.evaluation.parameters.*parameter.member, scale.per_native),
+                assessment.annex_a ? csv.number(assessment.annex_a->U.*parameter.member, scale.per_native) : "",
+                ascii_unit(scale.unit), parameter.clause});
+}
+
+void append_positions(Csv& csv, const Subject& subject) {
+  const std::string_view unit = ascii_unit(deviation_unit(subject.test.metadata.axis.kind));
+  for (const iso230_2::PositionResult& position : subject.assessment.evaluation.positions) {
+    const std::string target = csv.number(position.target.in_native());
+    csv.append({"position", target, "n_up", fmt::format("{}", position.count_up), "", "", "3.5"});
+    csv.append({"position", target, "n_down", fmt::format("{}", position.count_down), "", "", "3.5"});
+    for (const auto& quantity : iso230_2::position_quantities)
+      csv.append({"position", target, quantity.key, csv.number(position.*quantity.member), "", unit, quantity.clause});
+  }
+}
+
+Result<std::string> write(const Subject& subject, const Options& options) {
+  Csv csv(subject, options);
+  append_parameters(csv, subject, options);
+  append_positions(csv, subject);
+  return csv.take();
+}
+
+}  // namespace
+
+extern const Writer csv_writer;
+const Writer csv_writer = {"csv", "Parameters and positions as CSV", &write};
+
+}  // namespace axiometry::report

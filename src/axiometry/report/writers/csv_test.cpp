@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/report_subject.h"
+
+namespace axiometry::report {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using testing_support::Reported;
+using testing_support::reported_table2;
+using testing_support::reported_without_metadata;
+
+TEST(CsvWriter, HasOneLinePerParameterAndPerQuantityOfATarget) {
+  const std::string csv = reported_table2().written("csv");
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 12 + 11 * 11);
+  EXPECT_EQ(std::ranges::count(csv, '\r'), std::ranges::count(csv, '\n'));
+  EXPECT_THAT(csv, StartsWith("axis,record,target,target_unit,name,value,U,unit,clause,remark\r\n"));
+}
+
+TEST(CsvWriter, GivesFullPrecision) {
+  const std::string csv = reported_without_metadata().written("csv");
+  EXPECT_THAT(csv, HasSubstr(",parameter,,,E,7.699999999999999,,um,3.24,"));
+  EXPECT_THAT(csv, HasSubstr(",position,6.711,mm,s_up,0.33166247903553997,,um,3.18,"));
+  EXPECT_THAT(csv, HasSubstr(",position,6.711,mm,n_up,5,,,3.5,"));
+}
+
+TEST(CsvWriter, SeparatesBySemicolonWhereTheMarkIsAComma) {
+  Reported bare = reported_without_metadata();
+  bare.options = {.numbers = {','}, .unit = DisplayUnit::mm, .deviation_decimals = {}};
+  const std::string csv = bare.written("csv");
+  EXPECT_THAT(csv, StartsWith("axis;record;"));
+  EXPECT_THAT(csv, HasSubstr(";position;6,711;mm;mean_up;-1,6;;um;3.13;"));
+  EXPECT_THAT(csv, HasSubstr(";parameter;;;E;0,0076"));
+}
+
+TEST(CsvWriter, LeavesTheCellOfAMissingParameterEmpty) {
+  const auto single =
+      testing_support::reported({{}, testing_support::make_series({0, 100, 200}, {{1, 2, 3}}, {{2, 3, 4}}), {}});
+  EXPECT_THAT(single.written("csv"), HasSubstr(",parameter,,,R,,,um,3.22,"));
+}
+
+TEST(CsvWriter, SaysInEveryLineWhatTheResultIsNot) {
+  Reported table2 = reported_table2();
+  table2.assessment.label = "step cycle (Annex B), not for acceptance";
+  table2.assessment.findings.push_back({"5.3.2", iso230_2::Severity::departure, "found the step cycle"});
+  EXPECT_THAT(table2.written("csv"),
+              HasSubstr(",um,3.27,\"not an ISO 230-2 result; step cycle (Annex B), not for acceptance\"\r\n"));
+}
+
+TEST(CsvWriter, QuotesAndDefusesWhatASpreadsheetWouldMistake) {
+  Reported table2 = reported_table2();
+  table2.test.metadata.axis.name = "a \"b\", c";
+  EXPECT_THAT(table2.written("csv"), HasSubstr("\r\n\"a \"\"b\"\", c\",parameter"));
+  table2.test.metadata.axis.name = "=1+1";
+  EXPECT_THAT(table2.written("csv"), HasSubstr("\r\n'=1+1,parameter"));
+}
+
+}  // namespace
+}  // namespace axiometry::report

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+#include "axiometry/report/cairo_painter.h"
+#include "axiometry/report/picture.h"
+#include "axiometry/report/writer.h"
+
+namespace axiometry::report {
+namespace {
+
+constexpr double dots_per_inch = 200.0;
+constexpr double points_per_inch = 72.0;
+
+struct Destroy {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+};
+
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned length) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+std::string big_endian(std::uint32_t x) {
+  return {static_cast<char>(x >> 24), static_cast<char>(x >> 16), static_cast<char>(x >> 8), static_cast<char>(x)};
+}
+
+/// CRC-32 of PNG chunks (ISO 3309, reflected polynomial).
+std::uint32_t crc32(std::string_view bytes) {
+  std::uint32_t crc = 0xffffffffu;
+  for (const char byte : bytes) {
+    crc ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1u) != 0 ? 0xedb88320u : 0u);
+  }
+  return ~crc;
+}
+
+/// The resolution, which Cairo does not write: with it a word processor places the picture in its true
+/// size. It belongs between the header chunk, always 33 bytes from the start, and the pixels.
+std::string with_resolution(std::string png) {
+  constexpr std::size_t after_header = 33;
+  constexpr char unit_is_metre = 1;
+  const auto per_metre = static_cast<std::uint32_t>(std::lround(dots_per_inch / 0.0254));
+  const std::string chunk = "pHYs" + big_endian(per_metre) + big_endian(per_metre) + unit_is_metre;
+  if (png.size() > after_header && png.find("pHYs") == std::string::npos) {
+    png.insert(after_header, big_endian(9) + chunk + big_endian(crc32(chunk)));
+  }
+  return png;
+}
+
+Result<std::string> write(const Subject& subject, const Options& options) {
+  const Figure page = picture(subject, options);
+  const double scale = dots_per_inch / points_per_inch;
+  const std::unique_ptr<cairo_surface_t, Destroy> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(page.width * scale)),
+                                 static_cast<int>(std::ceil(page.height * scale))));
+  const std::unique_ptr<cairo_t, Destroy> cairo(cairo_create(surface.get()));
+  cairo_set_source_rgb(cairo.get(), 1.0, 1.0, 1.0);
+  cairo_paint(cairo.get());
+  cairo_scale(cairo.get(), scale, scale);
+  paint(page, cairo.get());
+  std::string png;
+  cairo_status_t status = cairo_status(cairo.get());
+  if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_write_to_png_stream(surface.get(), append, &png);
+  if (status != CAIRO_STATUS_SUCCESS) {
+    return fail(fmt::format("the picture could not be drawn: {}", cairo_status_to_string(status)));
+  }
+  return with_resolution(std::move(png));
+}
+
+}  // namespace
+
+extern const Writer png_writer;
+const Writer png_writer = {
+    .extension = "png",
+    .title = "All figures as one picture, 200 dots per inch on white",
+    .write = write,
+};
+
+}  // namespace axiometry::report
