@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/check.h"
+#include "axiometry/app/evaluate.h"
+#include "axiometry/app/source.h"
+#include "commands.h"
+
+namespace axiometry::cli {
+namespace {
+
+constexpr std::size_t case_limit = std::size_t{16} << 20;
+
+Result<app::CheckReport> check_file(const std::string& name) {
+  AXIOMETRY_TRY(app::Source source, app::Source::open(name));
+  AXIOMETRY_TRY(const std::string text, source.read_all(case_limit));
+  const auto folder = std::filesystem::path(name).parent_path();
+  return app::check_case(text, [&](std::string_view file) { return app::read_test((folder / file).string()); });
+}
+
+int check(const std::vector<std::string>& names) {
+  std::size_t passed = 0;
+  bool bad = false;
+  for (const std::string& name : names) {
+    auto report = check_file(name);
+    if (!report) {
+      Error error = report.error();
+      if (error.file.empty()) error.file = name;
+      fmt::print(stderr, "axiometry: {}\n", error.to_string());
+      bad = true;
+      continue;
+    }
+    passed += report->passed();
+    for (const app::CaseFailure& failure : report->failures) fmt::print("{}: {}\n", name, app::to_string(failure));
+    if (report->passed()) fmt::print("{}: {} expectations met\n", name, report->expectation_count);
+  }
+  fmt::print("{} passed, {} failed\n", passed, names.size() - passed);
+  return bad ? exit_bad_input : passed == names.size() ? exit_done : exit_exceeded;
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, int& exit_code) {
+  CLI::App* verb = program.add_subcommand("check", "Check conformance cases: readings and what they must give");
+  auto names = std::make_shared<std::vector<std::string>>();
+  verb->add_option("FILE.case", *names, "Cases (docs/conformance-cases.md)")->required();
+  verb->callback([names, &exit_code] { exit_code = check(*names); });
+}
+
+}  // namespace axiometry::cli

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "axiometry/app/evaluate.h"
+#include "axiometry/app/outputs.h"
+#include "axiometry/base/text.h"
+#include "axiometry/model/fields.h"
+#include "axiometry/report/utf8.h"
+#include "commands.h"
+#include "summary.h"
+#include "terminal.h"
+
+namespace axiometry::cli {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> inputs;
+  app::EvaluateOptions evaluate;
+  app::OutputNames outputs;
+  report::Options report;
+  ColourChoice colour = ColourChoice::automatic;
+  bool quiet = false;
+  bool keep_going = false;
+};
+
+void complain(const Error& error) { fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string())); }
+
+/// One run of the verb: takes the tests as they come and decides, with the first one, whether there
+/// is one test or there are many.
+class Run {
+ public:
+  explicit Run(Arguments& arguments) : arguments_(arguments), terminal_(arguments.colour) {
+    stdout_is_free_ = !arguments.quiet && arguments.outputs.json != "-";
+  }
+
+  int operator()() {
+    auto inputs = app::expand_inputs(arguments_.inputs);
+    if (!inputs) return failed(inputs.error(), exit_bad_input);
+    many_ = inputs->size() > 1 || (!inputs->empty() && inputs->front().from_folder);
+    if (inputs->empty())
+      return failed({"found no file in the folder, expected measured tests", arguments_.inputs.front(), {}},
+                    exit_bad_input);
+    arguments_.outputs.inputs = app::InputFiles(*inputs);
+    if (auto spared = app::check_inputs_spared(arguments_.outputs); !spared) return failed(spared.error(), exit_usage);
+    for (const app::InputFile& input : *inputs) {
+      if (!evaluate(input) && !go_on()) return exit_code_;
+    }
+    return finish();
+  }
+
+ private:
+  int failed(const Error& error, int code) {
+    complain(error);
+    exit_code_ = code;
+    return code;
+  }
+
+  bool go_on() const { return many_ && !output_failed_; }
+
+  /// False after an error, which has been reported.
+  bool evaluate(const app::InputFile& input) {
+    if (input.from_folder) {
+      auto known = app::is_test_file(input.name);
+      if (known && !*known) {
+        fmt::print(stderr, "axiometry: {}: passed over, no known format\n", report::printable(input.name));
+        return true;
+      }
+    }
+    auto result =
+        app::evaluate_file(input.name, arguments_.evaluate, [&](app::Evaluated&& e) { return take(std::move(e)); });
+    if (result) return true;
+    failed(result.error(), output_failed_ == exit_usage ? exit_usage : exit_bad_input);
+    if (!output_failed_ && outputs_ && !outputs_->add_error(input.name, result.error()))
+      output_failed_ = exit_bad_input;
+    return false;
+  }
+
+  Result<void> take(app::Evaluated&& evaluated) {
+    exceeded_ = exceeded_ || evaluated.exceeds_tolerance();
+    many_ = many_ || !evaluated.name.empty();
+    if (!many_) {
+      single_ = std::move(evaluated);
+      return {};
+    }
+    if (!outputs_) {
+      auto outputs = app::ManyOutputs::create(arguments_.outputs, arguments_.report);
+      if (!outputs) {
+        output_failed_ = outputs.error().file.empty() ? exit_usage : exit_bad_input;
+        return std::unexpected(at_outputs(outputs.error()));
+      }
+      outputs_ = std::move(*outputs);
+      if (stdout_is_free_) fmt::print("{}", line_header(terminal_));
+    }
+    if (stdout_is_free_) fmt::print("{}", line(evaluated, arguments_.report, terminal_));
+    ++count_;
+    auto added = outputs_->add(evaluated);
+    if (added) return {};
+    output_failed_ = exit_bad_input;
+    return std::unexpected(at_outputs(added.error()));
+  }
+
+  /// So that an error of an output is not taken for one of the input that was being read.
+  static Error at_outputs(Error error) {
+    if (error.file.empty()) error.file = "output";
+    return error;
+  }
+
+  int finish() {
+    if (single_) {
+      if (stdout_is_free_) fmt::print("{}", summary(*single_, arguments_.report, terminal_));
+      auto written = app::write_outputs(*single_, arguments_.outputs, arguments_.report);
+      if (!written) return failed(written.error(), exit_bad_input);
+    }
+    const bool whole = exit_code_ == exit_done || arguments_.keep_going;
+    if (outputs_ && whole) {
+      auto committed = outputs_->commit();
+      if (!committed) return failed(committed.error(), exit_bad_input);
+    }
+    if (outputs_ && !whole && !(arguments_.outputs.json.empty() && arguments_.outputs.reports.empty()))
+      fmt::print(stderr,
+                 "axiometry: the combined outputs were not written; --keep-going writes them with the errors named\n");
+    if (exit_code_ == exit_done && count_ == 0 && !single_)
+      return failed({"found no measured test, expected at least one", "", {}}, exit_bad_input);
+    return exit_code_ != exit_done ? exit_code_ : exceeded_ ? exit_exceeded : exit_done;
+  }
+
+  Arguments& arguments_;
+  Terminal terminal_;
+  bool stdout_is_free_ = true;
+  bool many_ = false;
+  bool exceeded_ = false;
+  int output_failed_ = 0;  // the exit code it asks for
+  int exit_code_ = exit_done;
+  std::size_t count_ = 0;
+  std::optional<app::Evaluated> single_;
+  std::optional<app::ManyOutputs> outputs_;
+};
+
+/// Remembers a metadata value and refuses at once what the vocabulary does not allow.
+void add_metadata(Arguments& arguments, const std::string& key, const std::string& value) {
+  Metadata trial;
+  if (auto set = set_field_text(trial, key, value); !set) throw CLI::ValidationError(set.error().message);
+  arguments.evaluate.metadata.emplace_back(key, value);
+}
+
+/// "uncertainty.machine_temperature_range_C" → "--machine-temperature-range-c"
+std::string flag_of(std::string_view key) {
+  std::string flag = "--" + text::to_lower(key.substr(key.find('.') + 1));
+  std::ranges::replace(flag, '_', '-');
+  return flag;
+}
+
+void add_uncertainty_flags(CLI::App& verb, Arguments& arguments) {
+  for (const Field& field : metadata_fields()) {
+    if (!field.key.starts_with("uncertainty.")) continue;
+    std::string unit(field.unit_linear);
+    if (!field.unit_rotary.empty() && field.unit_rotary != field.unit_linear)
+      unit += fmt::format(" or {}", field.unit_rotary);
+    verb.add_option_function<std::string>(
+            flag_of(field.key),
+            [&arguments, key = std::string(field.key)](const std::string& value) {
+              add_metadata(arguments, key, value);
+            },
+            fmt::format("{}, in {} ({}). {}", field.title, unit, field.clause, field.description))
+        ->type_name("NUMBER")
+        ->group("Uncertainty (Annex A), over what the file says");
+  }
+}
+
+/// An option whose value is one of a few words, each standing for a value of `target`.
+template <typename Value>
+CLI::Option* add_choice(CLI::App& verb, const std::string& name, Value& target,
+                        std::vector<std::pair<std::string, Value>> choices, const std::string& description) {
+  return verb.add_option_function<std::string>(
+      name,
+      [name, &target, choices = std::move(choices)](const std::string& word) {
+        std::vector<std::string> words;
+        for (const auto& [own, value] : choices) {
+          if (own == word) {
+            target = value;
+            return;
+          }
+          words.push_back(own);
+        }
+        throw CLI::ValidationError(
+            name, fmt::format("found {}, expected one of {}", text::quoted(word), fmt::join(words, ", ")));
+      },
+      description);
+}
+
+void add_number_flags(CLI::App& verb, Arguments& arguments) {
+  using enum report::DisplayUnit;
+  constexpr const char* group = "Numbers in summary and reports";
+  add_choice(verb, "--unit", arguments.report.unit,
+             {{"um", um}, {"mm", mm}, {"nm", nm}, {"deg", deg}, {"arcsec", arcsec}},
+             "Unit of the parameters: um, mm, nm, arcsec or deg")
+      ->type_name("UNIT")
+      ->group(group);
+  add_choice(verb, "--decimal", arguments.report.numbers.decimal_mark, {{"point", '.'}, {"comma", ','}},
+             "Decimal mark: point or comma")
+      ->type_name("MARK")
+      ->group(group);
+  verb.add_option("--decimals", arguments.report.deviation_decimals,
+                  "Decimals of deviations in µm or arcsec (1, more for a very small A)")
+      ->check(CLI::Range(0, 6).description(""))
+      ->type_name("N")
+      ->group(group);
+  verb.add_option("--uncertainty-digits", arguments.report.uncertainty_digits, "Significant digits of U (2)")
+      ->check(CLI::Range(1, 6).description(""))
+      ->type_name("N")
+      ->group(group);
+}
+
+void add_output_flags(CLI::App& verb, Arguments& arguments) {
+  constexpr const char* group = "Outputs";
+  verb.add_option("--json", arguments.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
+      ->check([](const std::string& name) {
+        return name.empty() ? std::string("found an empty name, expected a file or -") : std::string();
+      })
+      ->type_name("FILE")
+      ->group(group);
+  verb.add_option(
+          "--report", arguments.outputs.reports,
+          "Report to FILE, by its extension html, pdf, svg, png or csv; may be repeated. For many tests a .csv holds "
+          "a table of all, and {name} in a name makes one report per test")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->group(group);
+  add_choice(verb, "--color", arguments.colour,
+             {{"auto", ColourChoice::automatic}, {"always", ColourChoice::always}, {"never", ColourChoice::never}},
+             "Colour in the terminal: auto, always or never")
+      ->type_name("WHEN")
+      ->group(group);
+  verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
+  verb.add_flag("--keep-going", arguments.keep_going, "Write combined outputs although some inputs are bad")
+      ->group(group);
+}
+
+void add_input_flags(CLI::App& verb, Arguments& arguments) {
+  constexpr const char* group = "Input";
+  verb.add_option("FILE", arguments.inputs, "Measured tests: files, folders, or - for the standard input")->required();
+  verb.add_option("--format", arguments.evaluate.format,
+                  "Read as this format instead of recognising it (see 'axiometry formats')")
+      ->type_name("ID")
+      ->group(group);
+  verb.add_option_function<std::string>(
+          "--axis", [&](const std::string& name) { add_metadata(arguments, "axis.name", name); }, "Name of the axis")
+      ->type_name("NAME")
+      ->group(group);
+  verb.add_option_function<std::vector<std::string>>(
+          "--set",
+          [&](const std::vector<std::string>& pairs) {
+            for (const std::string& pair : pairs) {
+              const std::size_t equals = pair.find('=');
+              if (equals == std::string::npos)
+                throw CLI::ValidationError("--set", fmt::format("found {}, expected KEY=VALUE", text::quoted(pair)));
+              add_metadata(arguments, pair.substr(0, equals), pair.substr(equals + 1));
+            }
+          },
+          "Metadata over what the file says, such as machine.name='Mill 5' (keys: 'axiometry formats metadata'); may "
+          "be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->group(group);
+  verb.add_option_function<std::vector<std::string>>(
+          "--tolerance",
+          [&](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              auto tolerance = app::parse_tolerance(text);
+              if (!tolerance) throw CLI::ValidationError("--tolerance", tolerance.error().message);
+              arguments.evaluate.tolerances.push_back(*tolerance);
+            }
+          },
+          "Limit of a parameter, such as A=10um or R_up=0.003mm; exit code 3 when exceeded; may be repeated")
+      ->type_name("PARAMETER=LIMIT")
+      ->allow_extra_args(false)
+      ->group(group);
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& program, int& exit_code) {
+  CLI::App* verb = program.add_subcommand("evaluate", "Evaluate measured tests after ISO 230-2:2014");
+  auto arguments = std::make_shared<Arguments>();
+  add_input_flags(*verb, *arguments);
+  add_output_flags(*verb, *arguments);
+  add_number_flags(*verb, *arguments);
+  add_uncertainty_flags(*verb, *arguments);
+  verb->footer(R"(Examples:
+  axiometry evaluate test.csv
+  axiometry evaluate test.csv --report report.html --report report.pdf
+  axiometry evaluate test.csv --device-error-range-um-per-m 3.4 --misalignment-mm 1 --environmental-variation 1.7
+  axiometry evaluate machines/ --json all.json --report all.csv --report 'reports/{name}.pdf'
+  zcat big.csv.gz | axiometry evaluate - --quiet --report all.csv)");
+  verb->callback([arguments, &exit_code] {
+    if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
+      throw CLI::ValidationError("--report", outputs.error().message);
+    arguments->evaluate.many_in_full = app::state_tests_in_full(arguments->outputs);
+    exit_code = Run(*arguments)();
+  });
+}
+
+}  // namespace axiometry::cli

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "axiometry/base/version.h"
+#include "commands.h"
+
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  axiometry evaluate test.csv                        summary in the terminal
+  axiometry evaluate test.csv --report report.pdf    report for the customer
+  axiometry evaluate test.csv --json -               everything for a program
+  axiometry evaluate measurements/ --json all.json   a folder, one line per test
+  axiometry evaluate test.csv --tolerance A=10um     exit code 3 when exceeded
+  axiometry formats csv-long                         what a file may look like
+
+Exit codes: 0 done, 1 usage, 2 bad input or output, 3 a tolerance is exceeded.)";
+
+/// A standard stream that was closed would lend its number to the next file that is opened, and the summary
+/// would be written into a report. The wrong way of opening makes its use an error, as it was.
+void occupy_closed_standard_streams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(descriptor, F_GETFD) < 0)
+      static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+}
+
+int run(int argc, char** argv) {
+  using namespace axiometry::cli;
+  int exit_code = exit_done;
+  CLI::App program("Tests how truly a machine tool's axes move: ISO 230-2 from the measured file to the report.",
+                   "axiometry");
+  program.set_version_flag("--version", fmt::format("axiometry {}", axiometry::version), "Print the version and exit");
+  program.set_help_flag("--help,-h", "Print this help and exit");
+  program.require_subcommand(1);
+  program.footer(examples);
+  add_evaluate(program, exit_code);
+  add_formats(program, exit_code);
+  add_schema(program, exit_code);
+  add_check(program, exit_code);
+  add_completion(program, exit_code);
+  add_manual(program, exit_code);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      program.exit(error);
+    } else {
+      fmt::print(stderr, "axiometry: {}\nTry 'axiometry --help' or 'axiometry VERB --help'.\n", error.what());
+      return exit_usage;
+    }
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "axiometry: (standard output): cannot write\n");
+    return exit_bad_input;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  occupy_closed_standard_streams();
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {  // out of memory and the like; our own faults are Results
+    std::fprintf(stderr, "axiometry: %s\n", error.what());
+    return axiometry::cli::exit_bad_input;
+  }
+}

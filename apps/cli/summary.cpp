@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "axiometry/report/shown_number.h"
+#include "axiometry/report/utf8.h"
+
+namespace axiometry::cli {
+namespace {
+
+using iso230_2::Severity;
+using iso230_2::Verdict;
+
+constexpr std::size_t symbol_width = 4;
+constexpr std::size_t title_width = 45;  // so that a line with a verdict fits 80 columns
+constexpr std::size_t line_value_width = 9;
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string approaches(const Series& series) {
+  const bool up = series.has(Direction::up);
+  const bool down = series.has(Direction::down);
+  return fmt::format("{} {}", plural(series.run_count(), "run"),
+                     up && down ? "in both directions"
+                     : up       ? "↑ only"
+                                : "↓ only");
+}
+
+std::string heading(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+  const Metadata& m = e.test.metadata;
+  const Series& series = e.test.series;
+  const auto target = [&](Position p) { return format_fixed(p.in_native(), 3, options.numbers); };
+  std::string title = m.axis.name.empty() ? "Axis (not named)" : "Axis " + m.axis.name;
+  if (!m.machine.name.empty()) title += " of " + m.machine.name;
+  std::string text = fmt::format("{}  {}\n", terminal.bold(report::printable(title)), axis_kind_name(m.axis.kind));
+  text +=
+      fmt::format("{} from {} to {}{}, {}\n", plural(series.target_count(), "target"), target(series.targets().front()),
+                  target(series.targets().back()), m.axis.kind == AxisKind::linear ? " mm" : "°", approaches(series));
+  const Provenance& p = e.test.provenance;
+  text += terminal.faint(fmt::format("{} ({}{})", p.file == "-" ? "standard input" : report::printable(p.file),
+                                     p.format, p.sha256.empty() ? "" : ", SHA-256 " + p.sha256.substr(0, 12) + "…"));
+  return text + "\n\n";
+}
+
+bool exists(const app::Evaluated& e, const iso230_2::ParameterInfo& parameter) {
+  return (e.assessment.evaluation.parameters.*parameter.member).has_value();
+}
+
+const iso230_2::Judgement* judgement_of(const app::Evaluated& e, const iso230_2::ParameterInfo& parameter) {
+  const auto found =
+      std::ranges::find_if(e.judgements, [&](const auto& j) { return j.tolerance.parameter->key == parameter.key; });
+  return found == e.judgements.end() ? nullptr : &*found;
+}
+
+std::string verdict_text(const iso230_2::Judgement& judgement, AxisKind kind, const report::Options& options,
+                         const Terminal& terminal) {
+  const report::ParameterScale scale = report::parameter_scale(kind, options.unit);
+  const std::string text = report::shown_short(judgement.tolerance.limit.in_native() * scale.per_native, options);
+  switch (judgement.verdict) {
+    case Verdict::within: return terminal.green("within " + text);
+    case Verdict::exceeded: return terminal.red("exceeds " + text);
+    case Verdict::not_applicable: return terminal.yellow("no verdict");
+  }
+  return text;
+}
+
+std::string parameter_table(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+  const AxisKind kind = e.test.metadata.axis.kind;
+  std::size_t value_width = 0;
+  std::size_t uncertainty_width = 0;
+  for (const auto& parameter : iso230_2::parameters) {
+    const auto shown = report::show(parameter, e.assessment, kind, options);
+    if (exists(e, parameter)) value_width = std::max(value_width, display_width(shown.value));
+    uncertainty_width = std::max(uncertainty_width, display_width(shown.U));
+  }
+  std::string text;
+  for (const auto& parameter : iso230_2::parameters) {
+    const auto shown = report::show(parameter, e.assessment, kind, options);
+    const std::string uncertainty = (shown.U.empty() ? "   " : " ± ") + right(shown.U, uncertainty_width);
+    text += terminal.bold(left(parameter.symbol, symbol_width)) + left(parameter.title, title_width);
+    text += exists(e, parameter)
+                ? right(shown.value, value_width) + (uncertainty_width > 0 ? uncertainty : "") + " " + shown.unit
+                : terminal.faint("not applicable");
+    if (const auto* judgement = judgement_of(e, parameter)) {
+      text += "  " + verdict_text(*judgement, kind, options, terminal);
+    }
+    text += '\n';
+  }
+  if (e.assessment.annex_a) text += terminal.faint("± U with k = 2, Annex A (simplified method)") + "\n";
+  return text + "\n";
+}
+
+std::string severity_text(Severity severity, const Terminal& terminal) {
+  const std::string name = left(iso230_2::severity_name(severity), 10);
+  return severity == Severity::departure ? terminal.red(name)
+         : severity == Severity::missing ? terminal.yellow(name)
+                                         : terminal.faint(name);
+}
+
+std::string findings_list(const app::Evaluated& e, const Terminal& terminal) {
+  std::string text;
+  for (const auto& finding : e.assessment.findings)
+    text += severity_text(finding.severity, terminal) + left(finding.clause, 8) +
+            wrapped(report::printable(finding.message), terminal.width(), 18) + "\n";
+  return text.empty() ? text : text + "\n";
+}
+
+/// "A, R↑", of those with this verdict.
+std::string symbols_with(const app::Evaluated& e, Verdict verdict) {
+  std::string symbols;
+  for (const auto& judgement : e.judgements)
+    if (judgement.verdict == verdict)
+      symbols += fmt::format("{}{}", symbols.empty() ? "" : ", ", judgement.tolerance.parameter->symbol);
+  return symbols;
+}
+
+std::string conclusion(const app::Evaluated& e, const Terminal& terminal) {
+  const auto departures = std::ranges::count(e.assessment.findings, Severity::departure, &iso230_2::Finding::severity);
+  std::string text = e.assessment.conforming()
+                         ? terminal.green(fmt::format("Result after {}.", iso230_2::edition))
+                         : terminal.red(fmt::format("Not an {} result: {}.", iso230_2::edition,
+                                                    plural(static_cast<std::size_t>(departures), "departure")));
+  if (!e.assessment.label.empty()) text += " " + terminal.bold(e.assessment.label + ".");
+  if (const std::string exceeded = symbols_with(e, Verdict::exceeded); !exceeded.empty()) {
+    text += " " + terminal.red(fmt::format("Tolerance exceeded: {}.", exceeded));
+  } else if (const std::string within = symbols_with(e, Verdict::within); !within.empty()) {
+    text += " " + terminal.green(fmt::format("Within tolerance: {}.", within));
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string summary(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+  return heading(e, options, terminal) + parameter_table(e, options, terminal) + findings_list(e, terminal) +
+         conclusion(e, terminal);
+}
+
+namespace {
+
+constexpr std::string_view line_parameters[] = {"A", "E", "M", "R", "B"};
+
+}  // namespace
+
+std::string line_header(const Terminal& terminal) {
+  std::string text;
+  for (std::string_view key : line_parameters) text += right(key, line_value_width);
+  return terminal.bold(text + "  unit  " + left("axis", 6) + left("ISO", 5) + "test") + "\n";
+}
+
+std::string line(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+  const AxisKind kind = e.test.metadata.axis.kind;
+  std::string text;
+  std::string unit;
+  for (std::string_view key : line_parameters) {
+    const auto& parameter = *iso230_2::find_parameter(key);
+    const auto shown = report::show(parameter, e.assessment, kind, options);
+    text += right(exists(e, parameter) ? shown.value : "–", line_value_width);
+    unit = shown.unit;
+  }
+  const std::string axis = report::printable(e.test.metadata.axis.name);
+  text += "  " + left(unit, 6) + left(axis.empty() ? "–" : axis, 6);
+  text += e.assessment.conforming() ? terminal.green(left("yes", 5)) : terminal.red(left("no", 5));
+  text += report::printable(e.test.provenance.file + (e.name.empty() ? "" : ":" + e.name));
+  if (!e.assessment.label.empty()) text += "  (" + e.assessment.label + ")";
+  if (e.exceeds_tolerance()) text += terminal.red("  tolerance exceeded");
+  return text + "\n";
+}
+
+}  // namespace axiometry::cli

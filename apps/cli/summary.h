@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "axiometry/app/evaluate.h"
+#include "axiometry/report/report.h"
+#include "terminal.h"
+
+namespace axiometry::cli {
+
+/// What `axiometry evaluate FILE` prints: identification, parameters with U, findings, verdict.
+std::string summary(const app::Evaluated& evaluated, const report::Options& options, const Terminal& terminal);
+
+/// The same for many tests, one line each.
+std::string line_header(const Terminal& terminal);
+std::string line(const app::Evaluated& evaluated, const report::Options& options, const Terminal& terminal);
+
+}  // namespace axiometry::cli

@@ -1,0 +1,21 @@
+# Installs axiometry::core and axiometry::axiometry as CMake packages, the headers, the program and
+# its documents.
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/axiometry)
+
+install(TARGETS axiometry_core EXPORT axiometryCoreTargets)
+install(TARGETS axiometry EXPORT axiometryTargets)
+install(EXPORT axiometryCoreTargets NAMESPACE axiometry:: DESTINATION ${package_dir})
+install(EXPORT axiometryTargets NAMESPACE axiometry:: DESTINATION ${package_dir})
+install(TARGETS axiometry_program)
+install(DIRECTORY src/axiometry ${PROJECT_BINARY_DIR}/generated/axiometry DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY schema DESTINATION ${CMAKE_INSTALL_DATADIR}/axiometry)
+install(DIRECTORY docs/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 FILES_MATCHING PATTERN "*.1")
+
+configure_package_config_file(cmake/axiometryConfig.cmake.in ${PROJECT_BINARY_DIR}/axiometryConfig.cmake
+                              INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/axiometryConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/axiometryConfig.cmake ${PROJECT_BINARY_DIR}/axiometryConfigVersion.cmake
+        DESTINATION ${package_dir})

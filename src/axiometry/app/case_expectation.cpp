@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/case_expectation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+
+namespace axiometry::app {
+namespace {
+
+using iso230_2::AxisParameters;
+using iso230_2::PositionResult;
+using Value = std::optional<Deviation>;
+using Verdict = std::optional<CaseFailure>;
+
+CaseFailure unmet(const Statement& s, std::string expected, std::string got, std::string difference = {}) {
+  const std::string_view expectation = text::trim(s.text.substr(s.words[0].text.size()));
+  return {s.words[0].at.line, std::string(expectation), std::move(expected), std::move(got), std::move(difference)};
+}
+
+/// A quantity that a line names, and how many words the name took.
+struct Named {
+  Value value;
+  std::size_t next = 0;
+};
+
+Result<Named> named_parameter(const Statement& s, std::size_t index, std::string_view key,
+                              const std::optional<AxisParameters>& from) {
+  const iso230_2::ParameterInfo* info = iso230_2::find_parameter(key);
+  if (info == nullptr)
+    return unexpected_word(s, index,
+                           "a parameter (A, A_up, …, B_mean, U_A, …), position, budget, corrected, finding, "
+                           "conforming, label or error");
+  return Named{from ? *from.*(info->member) : std::nullopt, index + 1};
+}
+
+Result<Named> named_position(const Statement& s, const std::vector<PositionResult>& positions) {
+  const auto number = s.words.size() > 2 ? parse_count(s.words[2].text) : std::nullopt;
+  if (!number || *number < 1 || *number > positions.size())
+    return unexpected_word(s, 2, fmt::format("the number of a target from 1 to {}", positions.size()));
+  for (const auto& quantity : iso230_2::position_quantities)
+    if (s.words.size() > 3 && s.words[3].is(quantity.key)) return Named{positions[*number - 1].*quantity.member, 4};
+  return unexpected_word(s, 3, "mean_up, mean_down, mean, reversal, s_up, s_down, R_up, R_down or R");
+}
+
+Result<Named> named_contributor(const Statement& s, const std::optional<iso230_2::AnnexA>& annex) {
+  constexpr std::string_view keys[] = {"device",    "misalignment", "m_machine", "m_device",
+                                       "e_machine", "e_device",     "eve"};
+  if (s.words.size() < 3 || std::ranges::find(keys, s.words[2].text) == std::end(keys))
+    return unexpected_word(s, 2, fmt::format("a contributor: {}", fmt::join(keys, ", ")));
+  Named named{std::nullopt, 3};
+  if (annex) named.value = std::ranges::find(annex->budget, s.words[2].text, &iso230_2::Contributor::key)->U;
+  return named;
+}
+
+Result<Named> named_quantity(const Statement& s, const iso230_2::Assessment& a) {
+  if (s.words.size() < 2) return unexpected_word(s, 1, "what is expected");
+  const Word& word = s.words[1];
+  if (word.is("position")) return named_position(s, a.evaluation.positions);
+  if (word.is("budget")) return named_contributor(s, a.annex_a);
+  if (word.is("corrected")) {
+    const std::string_view key = s.words.size() > 2 ? s.words[2].text : "";
+    const bool corrected = a.annex_a && a.annex_a->corrected;
+    return named_parameter(s, 2, key, corrected ? std::optional(a.annex_a->corrected->parameters) : std::nullopt);
+  }
+  if (word.text.starts_with("U_"))
+    return named_parameter(s, 1, word.text.substr(2), a.annex_a ? std::optional(a.annex_a->U) : std::nullopt);
+  return named_parameter(s, 1, word.text, a.evaluation.parameters);
+}
+
+struct Comparison {
+  std::string_view relation;
+  double number = 0.0;  // native
+  std::string stated;
+  Tolerance tolerance;
+};
+
+/// "= 9.6 um", "<= 10 um", "= 9.6 um within 0.05 um", beginning at the word of this index.
+Result<Comparison> read_comparison(const Statement& s, std::size_t index, const ExpectationContext& context) {
+  constexpr std::string_view relations[] = {"=", "<", ">", "<=", ">="};
+  if (index >= s.words.size() || std::ranges::find(relations, s.words[index].text) == std::end(relations))
+    return unexpected_word(s, index, "=, <, >, <=, >= or 'not applicable'");
+  Comparison comparison{s.words[index].text, 0.0, {}, context.tolerance};
+  AXIOMETRY_TRY(const double number, read_number(s, index + 1));
+  AXIOMETRY_TRY(const formats::Unit* unit, read_deviation_unit(s, index + 2, context.kind));
+  comparison.number = formats::deviation_in(*unit, number).in_native();
+  comparison.stated = fmt::format("{} {}", s.words[index + 1].text, s.words[index + 2].text);
+  std::size_t end = index + 3;
+  if (end < s.words.size() && s.words[end].is("within") && comparison.relation == "=") {
+    AXIOMETRY_TRY(comparison.tolerance, read_tolerance(s, end + 1, context.kind));
+    end += 3;
+  }
+  if (end < s.words.size()) return unexpected_word(s, end, "the end of the line");
+  return comparison;
+}
+
+bool holds(double x, const Comparison& c) {
+  if (c.relation == "<") return x < c.number;
+  if (c.relation == ">") return x > c.number;
+  if (c.relation == "<=") return x <= c.number;
+  if (c.relation == ">=") return x >= c.number;
+  return std::abs(x - c.number) <= c.tolerance.native;
+}
+
+Result<Verdict> check_quantity(const Statement& s, const Outcome& outcome, const ExpectationContext& context) {
+  AXIOMETRY_TRY(const Named named, named_quantity(s, outcome.assessment));
+  const std::string got =
+      named.value ? fmt::format("{} {}", format_exact(named.value->in_native()), deviation_unit_key(context.kind))
+                  : std::string("not applicable");
+  const bool not_applicable =
+      s.words.size() == named.next + 2 && s.words[named.next].is("not") && s.words[named.next + 1].is("applicable");
+  if (not_applicable) return named.value ? Verdict(unmet(s, "not applicable", got)) : Verdict();
+  AXIOMETRY_TRY(const Comparison comparison, read_comparison(s, named.next, context));
+  const bool equality = comparison.relation == "=";
+  const std::string expected = equality ? fmt::format("{} within {}", comparison.stated, comparison.tolerance.stated)
+                                        : fmt::format("{} {}", comparison.relation, comparison.stated);
+  if (!named.value) return Verdict(unmet(s, expected, got));
+  if (holds(named.value->in_native(), comparison)) return Verdict();
+  const double difference = named.value->in_native() - comparison.number;
+  return Verdict(unmet(s, expected, got, fmt::format("{:.3g} {}", difference, deviation_unit_key(context.kind))));
+}
+
+/// expect [no] finding [CLAUSE] [SEVERITY] ["TEXT"]
+Result<Verdict> check_finding(const Statement& s, const Outcome& outcome) {
+  const bool wanted = !s.words[1].is("no");
+  std::size_t index = wanted ? 2 : 3;
+  std::string_view clause, severity, part;
+  const auto is_severity = [](const Word& w) { return w.is("departure") || w.is("missing") || w.is("note"); };
+  if (index < s.words.size() && !s.words[index].quoted && !is_severity(s.words[index])) clause = s.words[index++].text;
+  // Annexes are cited in two words: Annex B.
+  std::string annex;
+  if (clause == "Annex" && index < s.words.size()) clause = annex = fmt::format("Annex {}", s.words[index++].text);
+  if (index < s.words.size() && is_severity(s.words[index])) severity = s.words[index++].text;
+  if (index < s.words.size() && s.words[index].quoted) part = s.words[index++].text;
+  if (index < s.words.size()) return unexpected_word(s, index, "departure, missing, note or a \"text\"");
+  const auto& findings = outcome.assessment.findings;
+  const auto match = std::ranges::find_if(findings, [&](const iso230_2::Finding& f) {
+    return (clause.empty() || f.clause == clause) &&
+           (severity.empty() || severity == iso230_2::severity_name(f.severity)) &&
+           f.message.find(part) != std::string::npos;
+  });
+  if (wanted && match == findings.end()) {
+    std::vector<std::string> all;
+    for (const auto& f : findings) all.push_back(fmt::format("{} {}", f.clause, iso230_2::severity_name(f.severity)));
+    return Verdict(
+        unmet(s, "such a finding", all.empty() ? "no finding" : fmt::format("only {}", fmt::join(all, ", "))));
+  }
+  if (!wanted && match != findings.end())
+    return Verdict(unmet(s, "no such finding", fmt::format("{}: {}", match->clause, match->message)));
+  return Verdict();
+}
+
+Result<Verdict> check_conforming(const Statement& s, const Outcome& outcome) {
+  const bool yes = s.words.size() == 3 && s.words[2].is("yes");
+  if (!yes && !(s.words.size() == 3 && s.words[2].is("no"))) return unexpected_word(s, 2, "yes or no");
+  if (outcome.assessment.conforming() == yes) return Verdict();
+  return Verdict(unmet(s, yes ? "yes" : "no", yes ? "no: " + outcome.assessment.findings.front().message : "yes"));
+}
+
+Result<Verdict> check_label(const Statement& s, const Outcome& outcome) {
+  if (s.words.size() != 3 || !(s.words[2].quoted || s.words[2].is("none")))
+    return unexpected_word(s, 2, "a \"text\" or none");
+  const std::string_view expected = s.words[2].quoted ? s.words[2].text : "";
+  if (outcome.assessment.label == expected) return Verdict();
+  return Verdict(unmet(s, text::quoted(expected), text::quoted(outcome.assessment.label)));
+}
+
+Result<Verdict> check_error(const Statement& s, const Result<Outcome>& outcome) {
+  if (s.words.size() != 3 || !s.words[2].quoted) return unexpected_word(s, 2, "a \"text\" of the message");
+  if (outcome) return Verdict(unmet(s, "an error", "a result"));
+  const std::string message = outcome.error().to_string();
+  if (message.find(s.words[2].text) != std::string::npos) return Verdict();
+  return Verdict(unmet(s, text::quoted(s.words[2].text), message));
+}
+
+}  // namespace
+
+Result<Tolerance> read_tolerance(const Statement& statement, std::size_t index, AxisKind kind) {
+  AXIOMETRY_TRY(const double number, read_number(statement, index));
+  if (number < 0.0) return unexpected_word(statement, index, "a number not below 0");
+  AXIOMETRY_TRY(const formats::Unit* unit, read_deviation_unit(statement, index + 1, kind));
+  return Tolerance{formats::deviation_in(*unit, number).in_native(),
+                   fmt::format("{} {}", statement.words[index].text, statement.words[index + 1].text)};
+}
+
+Result<Verdict> check_expectation(const Statement& s, const Result<Outcome>& outcome,
+                                  const ExpectationContext& context) {
+  if (s.words.size() < 2) return unexpected_word(s, 1, "what is expected");
+  const Word& word = s.words[1];
+  if (word.is("error")) return check_error(s, outcome);
+  if (!outcome) return Verdict(unmet(s, "a result", "the error: " + outcome.error().to_string()));
+  const bool no_finding = word.is("no") && s.words.size() > 2 && s.words[2].is("finding");
+  if (word.is("finding") || no_finding) return check_finding(s, *outcome);
+  if (word.is("conforming")) return check_conforming(s, *outcome);
+  if (word.is("label")) return check_label(s, *outcome);
+  return check_quantity(s, *outcome, context);
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "axiometry/app/case_text.h"
+#include "axiometry/app/check.h"
+#include "axiometry/standards/iso230_2_assessment.h"
+
+/// What an `expect` line of a conformance case says (check.h); private to app/.
+namespace axiometry::app {
+
+/// What an operation gave.
+struct Outcome {
+  Test test;
+  iso230_2::Assessment assessment;
+};
+
+/// Half width in native units, with the words it was stated in.
+struct Tolerance {
+  double native = 1e-9;
+  std::string stated = "1e-9";
+};
+
+struct ExpectationContext {
+  AxisKind kind = AxisKind::linear;
+  Tolerance tolerance;
+};
+
+/// A number and its unit beginning at the word of this index. Fails on a negative number too.
+Result<Tolerance> read_tolerance(const Statement& statement, std::size_t index, AxisKind kind);
+
+/// Nothing when the expectation is met. Fails when the line is no expectation.
+Result<std::optional<CaseFailure>> check_expectation(const Statement& statement, const Result<Outcome>& outcome,
+                                                     const ExpectationContext& context);
+
+}  // namespace axiometry::app

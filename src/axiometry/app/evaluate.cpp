@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/evaluate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "axiometry/app/source.h"
+#include "axiometry/model/fields.h"
+
+namespace axiometry::app {
+namespace {
+
+constexpr std::size_t single_test_limit = std::size_t{256} << 20;
+
+std::unexpected<Error> in_file(Error error, const std::string& name) {
+  if (error.file.empty()) error.file = name == "-" ? "(standard input)" : name;
+  return std::unexpected(std::move(error));
+}
+
+Result<const formats::Format*> format_of(Source& source, const std::string& forced) {
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  if (forced.empty()) return formats::recognise(head);
+  const formats::Format* format = formats::find_format(forced);
+  if (format == nullptr)
+    return fail(fmt::format("found the unknown format \"{}\", expected one that 'axiometry formats' lists", forced));
+  if (head.empty()) return fail("found an empty file, expected a measured test");
+  return format;
+}
+
+Result<void> set_metadata(Metadata& metadata, const EvaluateOptions& options) {
+  const AxisKind kind = metadata.axis.kind;
+  for (const auto& [key, text] : options.metadata) AXIOMETRY_TRY_VOID(set_field_text(metadata, key, text));
+  if (metadata.axis.kind != kind)
+    return fail(fmt::format("found axis.kind given as {} for readings in {}, expected the kind the units say",
+                            axis_kind_name(metadata.axis.kind), deviation_unit(kind)));
+  return {};
+}
+
+bool holds_many(const formats::Format& format, std::string_view head) {
+  return format.holds_many != nullptr && format.holds_many(head);
+}
+
+Result<Test> read_single(Source& source, const formats::Format& format) {
+  AXIOMETRY_TRY(const std::string bytes, source.read_all(single_test_limit));
+  AXIOMETRY_TRY(Test test, format.read(bytes));
+  test.provenance = {source.name(), sha256(bytes), std::string(format.id)};
+  return test;
+}
+
+/// Hands over the tests of a file of many as they come; errors of a test get the line where it began.
+Result<void> read_many(Source& source, const formats::Format& format, bool hash,
+                       const std::function<Result<void>(Test&&, std::string)>& hand_over) {
+  Provenance provenance{source.name(), "", std::string(format.id)};
+  if (hash) {
+    AXIOMETRY_TRY(const auto digest, source.whole_sha256());
+    provenance.sha256 = digest.value_or("");
+  }
+  return format.read_many(source, [&](formats::NamedTest&& named) -> Result<void> {
+    auto result =
+        hand_over(Test{std::move(named.metadata), std::move(named.series), provenance}, std::move(named.name));
+    if (!result && result.error().at.line == 0 && result.error().file.empty()) result.error().at.line = named.line;
+    return result;
+  });
+}
+
+Result<void> evaluate_source(Source& source, const EvaluateOptions& options, const EvaluatedSink& sink) {
+  AXIOMETRY_TRY(const formats::Format* format, format_of(source, options.format));
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  if (holds_many(*format, head)) {
+    using iso230_2::Depth;
+    const Depth depth = options.many_in_full ? Depth::every_finding : Depth::departures_only;
+    return read_many(source, *format, options.many_in_full, [&](Test&& test, std::string name) -> Result<void> {
+      AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options, depth));
+      evaluated.name = std::move(name);
+      return sink(std::move(evaluated));
+    });
+  }
+  AXIOMETRY_TRY(Test test, read_single(source, *format));
+  AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
+  return sink(std::move(evaluated));
+}
+
+Result<Test> read_source(Source& source, const std::string& forced) {
+  AXIOMETRY_TRY(const formats::Format* format, format_of(source, forced));
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  if (holds_many(*format, head)) return fail("found a file of many tests, expected one test");
+  return read_single(source, *format);
+}
+
+}  // namespace
+
+bool Evaluated::exceeds_tolerance() const {
+  return std::ranges::any_of(judgements, [](const auto& j) { return j.verdict == iso230_2::Verdict::exceeded; });
+}
+
+Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
+  AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options));
+  AXIOMETRY_TRY(const auto tolerances, tolerances_for(test.metadata.axis.kind, options.tolerances));
+  iso230_2::Assessment assessment = iso230_2::assess(test, depth);
+  auto judgements = iso230_2::judge(assessment.evaluation.parameters, tolerances);
+  return Evaluated{std::move(test), "", std::move(assessment), std::move(judgements)};
+}
+
+Result<Test> read_test(const std::string& file, const std::string& format) {
+  auto source = Source::open(file);
+  if (!source) return in_file(std::move(source).error(), file);
+  auto test = read_source(*source, format);
+  if (!test) return in_file(std::move(test).error(), file);
+  return test;
+}
+
+Result<void> evaluate_file(const std::string& file, const EvaluateOptions& options, const EvaluatedSink& sink) {
+  auto source = Source::open(file);
+  if (!source) return in_file(std::move(source).error(), file);
+  auto result = evaluate_source(*source, options, sink);
+  return result ? Result<void>{} : in_file(std::move(result).error(), file);
+}
+
+Result<std::vector<InputFile>> expand_inputs(const std::vector<std::string>& names) {
+  namespace fs = std::filesystem;
+  std::vector<InputFile> inputs;
+  for (const std::string& name : names) {
+    std::error_code error;
+    if (name == "-" || !fs::is_directory(name, error)) {
+      inputs.push_back({name, false});
+      continue;
+    }
+    std::vector<InputFile> found;
+    for (fs::recursive_directory_iterator it(name, error), end; !error && it != end; it.increment(error)) {
+      const bool hidden = it->path().filename().string().starts_with('.');
+      std::error_code dangling;  // a link to nowhere or to itself is no file
+      if (hidden && it->is_directory(dangling)) it.disable_recursion_pending();
+      if (!hidden && it->is_regular_file(dangling)) found.push_back({it->path().string(), true});
+    }
+    if (error) return std::unexpected(Error{fmt::format("cannot read: {}", error.message()), name, {}});
+    std::ranges::sort(found, {}, &InputFile::name);
+    inputs.insert(inputs.end(), found.begin(), found.end());
+  }
+  return inputs;
+}
+
+Result<bool> is_test_file(const std::string& file) {
+  AXIOMETRY_TRY(Source source, Source::open(file));
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  return formats::recognise(head).has_value();
+}
+
+}  // namespace axiometry::app

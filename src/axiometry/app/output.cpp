@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/output.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+namespace axiometry::app {
+namespace {
+
+constexpr std::size_t buffer_size = std::size_t{1} << 18;
+
+std::unexpected<Error> fail_system(const std::string& name) {
+  return std::unexpected(Error{fmt::format("cannot write: {}", std::strerror(errno)), name, {}});
+}
+
+mode_t usual_permissions() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return static_cast<mode_t>(0666) & ~mask;
+}
+
+/// A file that no name leads to; -1 where there is no such thing or no way to name it later.
+int open_nameless(const std::filesystem::path& folder) {
+  if (::access("/proc/self/fd", X_OK) != 0) return -1;
+  return ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+}
+
+std::string neighbour_of(const std::string& name, std::string_view suffix) {
+  const std::filesystem::path path(name);
+  return (path.parent_path() / fmt::format(".{}.{}", path.filename().string(), suffix)).string();
+}
+
+}  // namespace
+
+Result<OutputFile> OutputFile::create(const std::string& name) {
+  if (name == "-") return OutputFile(name, "", STDOUT_FILENO);
+  struct stat status {};
+  const bool exists = ::stat(name.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) {
+    errno = EISDIR;
+    return fail_system(name);
+  }
+  if (exists && !S_ISREG(status.st_mode)) {
+    const int direct = ::open(name.c_str(), O_WRONLY | O_CLOEXEC);
+    if (direct < 0) return fail_system(name);
+    return OutputFile(name, "", direct);
+  }
+  if (const int nameless = open_nameless(std::filesystem::path(name).parent_path()); nameless >= 0) {
+    if (exists) ::fchmod(nameless, status.st_mode & 0777);
+    OutputFile file(name, "", nameless);
+    file.nameless_ = true;
+    return file;
+  }
+  std::string neighbour = neighbour_of(name, "XXXXXX");
+  const int descriptor = ::mkstemp(neighbour.data());
+  if (descriptor < 0) return fail_system(name);
+  ::fchmod(descriptor, exists ? status.st_mode & 0777 : usual_permissions());
+  return OutputFile(name, neighbour, descriptor);
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : name_(std::move(other.name_)),
+      neighbour_(std::exchange(other.neighbour_, {})),
+      nameless_(other.nameless_),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      buffer_(std::move(other.buffer_)) {}
+
+OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
+  std::swap(name_, other.name_);
+  std::swap(neighbour_, other.neighbour_);
+  std::swap(nameless_, other.nameless_);
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(buffer_, other.buffer_);
+  return *this;
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
+  if (!neighbour_.empty()) ::unlink(neighbour_.c_str());
+}
+
+Result<void> OutputFile::flush() {
+  std::string_view rest = buffer_;
+  while (!rest.empty()) {
+    const ssize_t put = ::write(descriptor_, rest.data(), rest.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) return fail_system(name_);
+    rest.remove_prefix(static_cast<std::size_t>(put));
+  }
+  buffer_.clear();
+  return {};
+}
+
+Result<void> OutputFile::write(std::string_view bytes) {
+  buffer_ += bytes;
+  return buffer_.size() >= buffer_size ? flush() : Result<void>{};
+}
+
+/// The last step before rename(), which alone can take the place of an existing file.
+Result<void> OutputFile::name_neighbour() {
+  constexpr int attempts = 100;
+  const std::string nameless = fmt::format("/proc/self/fd/{}", descriptor_);
+  for (int k = 0; k < attempts; ++k) {
+    const std::string neighbour = neighbour_of(name_, fmt::format("{}-{}", ::getpid(), k));
+    if (::linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, neighbour.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+      neighbour_ = neighbour;
+      return {};
+    }
+    if (errno != EEXIST) break;
+  }
+  return fail_system(name_);
+}
+
+Result<void> OutputFile::commit() {
+  AXIOMETRY_TRY_VOID(flush());
+  if (nameless_) AXIOMETRY_TRY_VOID(name_neighbour());
+  if (neighbour_.empty()) return {};
+  if (::close(std::exchange(descriptor_, -1)) != 0 || std::rename(neighbour_.c_str(), name_.c_str()) != 0)
+    return fail_system(name_);
+  neighbour_.clear();
+  return {};
+}
+
+Result<void> write_file(const std::string& name, std::string_view bytes) {
+  AXIOMETRY_TRY(OutputFile file, OutputFile::create(name));
+  AXIOMETRY_TRY_VOID(file.write(bytes));
+  return file.commit();
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "axiometry/base/result.h"
+
+namespace axiometry::app {
+
+/// A file that appears whole or not at all: bytes go to a file without a name, which gets it on commit(), so
+/// that even a killed process leaves nothing behind. Where the file system knows no such files it is a hidden
+/// neighbour, removed without commit(). "-" is the standard output, "/dev/…" and pipes are written directly.
+class OutputFile {
+ public:
+  /// Fails when no file can be made there, with the system's reason.
+  static Result<OutputFile> create(const std::string& name);
+  ~OutputFile();
+  OutputFile(OutputFile&&) noexcept;
+  OutputFile& operator=(OutputFile&&) noexcept;
+
+  Result<void> write(std::string_view bytes);
+  Result<void> commit();
+
+ private:
+  OutputFile(std::string name, std::string neighbour, int descriptor)
+      : name_(std::move(name)), neighbour_(std::move(neighbour)), descriptor_(descriptor) {}
+  Result<void> flush();
+  Result<void> name_neighbour();
+
+  std::string name_;
+  std::string neighbour_;  // empty when written directly or without a name yet
+  bool nameless_ = false;
+  int descriptor_ = -1;
+  std::string buffer_;
+};
+
+/// The whole file in one step.
+Result<void> write_file(const std::string& name, std::string_view bytes);
+
+}  // namespace axiometry::app

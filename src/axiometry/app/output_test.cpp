@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/output.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace axiometry::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputTest : public testing::Test {
+ protected:
+  OutputTest() {
+    std::string name = (fs::temp_directory_path() / "axiometry-output-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~OutputTest() override { fs::remove_all(folder_); }
+
+  std::string content(const std::string& name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  std::size_t file_count() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  fs::path folder_;
+};
+
+TEST_F(OutputTest, AppearsOnCommit) {
+  auto file = OutputFile::create(path("a.txt"));
+  ASSERT_TRUE(file);
+  ASSERT_TRUE(file->write("one\n"));
+  EXPECT_FALSE(fs::exists(path("a.txt")));
+  ASSERT_TRUE(file->commit());
+  EXPECT_EQ(content("a.txt"), "one\n");
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(OutputTest, LeavesNothingWithoutCommitAndKeepsWhatWasThere) {
+  ASSERT_TRUE(write_file(path("a.txt"), "old"));
+  {
+    auto file = OutputFile::create(path("a.txt"));
+    ASSERT_TRUE(file);
+    ASSERT_TRUE(file->write(std::string(1 << 20, 'x')));
+  }
+  EXPECT_EQ(content("a.txt"), "old");
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(OutputTest, LeavesNothingWhenTheProcessIsKilled) {
+  const int nameless = ::open(folder_.c_str(), O_TMPFILE | O_WRONLY, 0666);
+  if (nameless < 0) GTEST_SKIP() << "no files without a name on this file system";
+  ::close(nameless);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    auto file = OutputFile::create(path("a.txt"));
+    if (file) static_cast<void>(file->write(std::string(1 << 20, 'x')));
+    ::_exit(0);  // no destructor runs
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(file_count(), 0u);
+}
+
+TEST_F(OutputTest, KeepsThePermissionsOfTheFileItReplaces) {
+  ASSERT_TRUE(write_file(path("a.txt"), "old"));
+  ASSERT_EQ(::chmod(path("a.txt").c_str(), 0640), 0);
+  ASSERT_TRUE(write_file(path("a.txt"), "new"));
+  struct stat status {};
+  ASSERT_EQ(::stat(path("a.txt").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777u, 0640u);
+}
+
+TEST_F(OutputTest, SaysWhyItCannotWrite) {
+  const auto result = write_file(path("no/such/folder.txt"), "x");
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().to_string(), path("no/such/folder.txt") + ": cannot write: No such file or directory");
+  EXPECT_EQ(write_file(folder_.string(), "x").error().message, "cannot write: Is a directory");
+  EXPECT_EQ(write_file("/dev/full", "x").error().message, "cannot write: No space left on device");
+}
+
+}  // namespace
+}  // namespace axiometry::app

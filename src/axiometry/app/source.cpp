@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/source.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <vector>
+
+#include "axiometry/base/contract.h"
+
+namespace axiometry::app {
+namespace {
+
+constexpr std::size_t head_size = std::size_t{64} << 10;
+constexpr std::size_t block_size = std::size_t{1} << 20;
+
+std::unexpected<Error> fail_system(const std::string& name, std::string_view doing) {
+  return std::unexpected(Error{fmt::format("cannot {}: {}", doing, std::strerror(errno)), name, {}});
+}
+
+}  // namespace
+
+struct Sha256::State {
+  EVP_MD_CTX* context = EVP_MD_CTX_new();
+  ~State() { EVP_MD_CTX_free(context); }
+};
+
+Sha256::Sha256() : state_(std::make_unique<State>()) {
+  AXIOMETRY_CONTRACT(EVP_DigestInit_ex(state_->context, EVP_sha256(), nullptr) == 1);
+}
+Sha256::~Sha256() = default;
+Sha256::Sha256(Sha256&&) noexcept = default;
+Sha256& Sha256::operator=(Sha256&&) noexcept = default;
+
+void Sha256::update(std::string_view bytes) {
+  AXIOMETRY_CONTRACT(EVP_DigestUpdate(state_->context, bytes.data(), bytes.size()) == 1);
+}
+
+std::string Sha256::finish() {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned length = 0;
+  AXIOMETRY_CONTRACT(EVP_DigestFinal_ex(state_->context, digest.data(), &length) == 1);
+  std::string hexadecimal;
+  for (unsigned k = 0; k < length; ++k) hexadecimal += fmt::format("{:02x}", digest[k]);
+  return hexadecimal;
+}
+
+std::string sha256(std::string_view bytes) {
+  Sha256 hash;
+  hash.update(bytes);
+  return hash.finish();
+}
+
+Result<Source> Source::open(const std::string& name) {
+  if (name == "-") return Source(name, STDIN_FILENO, std::nullopt);
+  const int descriptor = ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return fail_system(name, "open");
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0 || S_ISDIR(status.st_mode)) {
+    if (S_ISDIR(status.st_mode)) errno = EISDIR;
+    auto error = fail_system(name, "read");
+    ::close(descriptor);
+    return error;
+  }
+  std::optional<std::uint64_t> size;
+  if (S_ISREG(status.st_mode)) size = static_cast<std::uint64_t>(status.st_size);
+  return Source(name, descriptor, size);
+}
+
+Source::~Source() {
+  if (descriptor_ > STDIN_FILENO) ::close(descriptor_);
+}
+
+Source::Source(Source&& other) noexcept
+    : name_(std::move(other.name_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      size_(other.size_),
+      head_(std::move(other.head_)),
+      head_consumed_(other.head_consumed_),
+      head_read_(other.head_read_) {}
+
+Result<std::size_t> Source::read_file(std::span<char> buffer) {
+  while (true) {
+    const ssize_t got = ::read(descriptor_, buffer.data(), buffer.size());
+    if (got >= 0) return static_cast<std::size_t>(got);
+    if (errno != EINTR) return fail_system(name_, "read");
+  }
+}
+
+Result<std::string_view> Source::head() {
+  if (!head_read_) {
+    head_.resize(head_size);
+    std::size_t filled = 0;
+    while (filled < head_size) {
+      AXIOMETRY_TRY(const std::size_t got, read_file(std::span(head_).subspan(filled)));
+      if (got == 0) break;
+      filled += got;
+    }
+    head_.resize(filled);
+    head_read_ = true;
+  }
+  return std::string_view(head_);
+}
+
+Result<std::size_t> Source::read(std::span<char> buffer) {
+  if (head_consumed_ < head_.size()) {
+    const std::size_t count = std::min(buffer.size(), head_.size() - head_consumed_);
+    std::copy_n(head_.data() + head_consumed_, count, buffer.data());
+    head_consumed_ += count;
+    return count;
+  }
+  return read_file(buffer);
+}
+
+Result<std::string> Source::read_all(std::size_t limit) {
+  const auto too_large = [&](std::string_view found) {
+    return std::unexpected(
+        Error{fmt::format("found a file of {}, expected at most {} MiB for one test", found, limit >> 20), name_, {}});
+  };
+  if (size_ && *size_ > limit) return too_large(fmt::format("{} MiB", *size_ >> 20));
+  std::string bytes;
+  if (size_) bytes.reserve(*size_ + 1);
+  std::size_t filled = 0;
+  while (true) {
+    bytes.resize(
+        std::max(filled + 4096, size_ && filled == 0 ? static_cast<std::size_t>(*size_) + 1 : filled + block_size));
+    AXIOMETRY_TRY(const std::size_t got, read(std::span(bytes).subspan(filled)));
+    filled += got;
+    if (filled > limit) return too_large(fmt::format("more than {} MiB", limit >> 20));
+    if (got == 0) break;
+  }
+  bytes.resize(filled);
+  return bytes;
+}
+
+Result<std::optional<std::string>> Source::whole_sha256() const {
+  if (!size_) return std::optional<std::string>();
+  AXIOMETRY_TRY(Source again, open(name_));
+  Sha256 hash;
+  std::vector<char> block(block_size);
+  while (true) {
+    AXIOMETRY_TRY(const std::size_t got, again.read(block));
+    if (got == 0) break;
+    hash.update(std::string_view(block.data(), got));
+  }
+  return std::optional(hash.finish());
+}
+
+}  // namespace axiometry::app

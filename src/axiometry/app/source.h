@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "axiometry/base/result.h"
+#include "axiometry/formats/format.h"
+
+namespace axiometry::app {
+
+/// SHA-256 of bytes that come piece by piece.
+class Sha256 {
+ public:
+  Sha256();
+  ~Sha256();
+  Sha256(Sha256&&) noexcept;
+  Sha256& operator=(Sha256&&) noexcept;
+
+  void update(std::string_view bytes);
+  std::string finish();  ///< 64 lower-case hexadecimal digits; once
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+std::string sha256(std::string_view bytes);
+
+/// A file or, for "-", the standard input, read front to back. Its beginning can be looked at before.
+class Source final : public formats::ByteReader {
+ public:
+  /// Fails when the file cannot be opened or is a folder, with the system's reason.
+  static Result<Source> open(const std::string& name);
+  ~Source() override;
+  Source(Source&&) noexcept;
+  Source& operator=(Source&&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  /// The first bytes, at most 64 KiB, without consuming them.
+  Result<std::string_view> head();
+
+  Result<std::size_t> read(std::span<char> buffer) override;
+
+  /// All that is left. Fails when that is more than `limit` bytes, without reading further.
+  Result<std::string> read_all(std::size_t limit);
+
+  /// Hash of the whole file by a pass of its own; nothing for what cannot be read twice (a pipe).
+  Result<std::optional<std::string>> whole_sha256() const;
+
+ private:
+  Source(std::string name, int descriptor, std::optional<std::uint64_t> size)
+      : name_(std::move(name)), descriptor_(descriptor), size_(size) {}
+  Result<std::size_t> read_file(std::span<char> buffer);
+
+  std::string name_;
+  int descriptor_ = -1;
+  std::optional<std::uint64_t> size_;  // of a regular file
+  std::string head_;
+  std::size_t head_consumed_ = 0;
+  bool head_read_ = false;
+};
+
+}  // namespace axiometry::app

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/source.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "axiometry/app/output.h"
+
+namespace axiometry::app {
+namespace {
+
+class SourceTest : public testing::Test {
+ protected:
+  SourceTest() {
+    char name[] = "/tmp/axiometry-source-XXXXXX";
+    folder_ = ::mkdtemp(name);
+  }
+  ~SourceTest() override { std::filesystem::remove_all(folder_); }
+
+  std::string file(std::string_view bytes) const {
+    EXPECT_TRUE(write_file(folder_ + "/file", bytes));
+    return folder_ + "/file";
+  }
+  std::string folder_;
+};
+
+TEST(Sha256, AgreesWithThePublishedExample) {
+  // FIPS 180-2, example B.1.
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST_F(SourceTest, LooksAtTheHeadWithoutConsumingIt) {
+  std::string bytes;
+  while (bytes.size() < 200'000) bytes += std::to_string(bytes.size()) + "\n";
+  auto source = Source::open(file(bytes));
+  ASSERT_TRUE(source);
+  EXPECT_EQ(*source->head(), std::string_view(bytes).substr(0, 65536));
+  EXPECT_EQ(*source->read_all(1 << 20), bytes);
+  EXPECT_EQ(**source->whole_sha256(), sha256(bytes));
+}
+
+TEST_F(SourceTest, RefusesMoreThanTheLimitWithoutReadingIt) {
+  auto source = Source::open(file(std::string(3 << 20, 'x')));
+  ASSERT_TRUE(source);
+  const auto result = source->read_all(2 << 20);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().message, "found a file of 3 MiB, expected at most 2 MiB for one test");
+}
+
+TEST_F(SourceTest, SaysWhyItCannotOpen) {
+  EXPECT_EQ(Source::open(folder_ + "/none").error().to_string(),
+            folder_ + "/none: cannot open: No such file or directory");
+  EXPECT_EQ(Source::open(folder_).error().to_string(), folder_ + ": cannot read: Is a directory");
+}
+
+}  // namespace
+}  // namespace axiometry::app

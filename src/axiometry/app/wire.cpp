@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/wire.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string_view>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/base/version.h"
+#include "axiometry/formats/metadata_json.h"
+
+namespace axiometry::app {
+namespace {
+
+using json::Value;
+
+Value number_or_null(const std::optional<Deviation>& x) { return x ? Value(x->in_native()) : Value(); }
+
+Value parameters_to_json(const iso230_2::AxisParameters& parameters) {
+  Value object = Value::object();
+  for (const auto& p : iso230_2::parameters) object.add(p.key, number_or_null(parameters.*p.member));
+  return object;
+}
+
+Value position_to_json(const iso230_2::PositionResult& p) {
+  Value object = Value::object();
+  object.add("target", p.target.in_native());
+  object.add("n_up", p.count_up);
+  object.add("n_down", p.count_down);
+  for (const auto& quantity : iso230_2::position_quantities)
+    object.add(quantity.key, number_or_null(p.*quantity.member));
+  return object;
+}
+
+Value contributor_to_json(const iso230_2::Contributor& contributor) {
+  Value inputs = Value::array();
+  for (const auto& input : contributor.inputs) {
+    Value& row = inputs.push(Value::object());
+    row.add("symbol", input.symbol);
+    row.add("value", input.value);
+    row.add("unit", input.unit);
+    if (!input.note.empty()) row.add("note", input.note);
+  }
+  Value object = Value::object();
+  object.add("key", contributor.key);
+  object.add("symbol", contributor.symbol);
+  object.add("title", contributor.title);
+  object.add("formula", contributor.formula);
+  object.add("inputs", std::move(inputs));
+  object.add("U", number_or_null(contributor.U));
+  return object;
+}
+
+Value corrected_to_json(const iso230_2::CorrectedRepeatability& corrected) {
+  Value object = Value::object();
+  object.add("R", number_or_null(corrected.parameters.R));
+  object.add("R_up", number_or_null(corrected.parameters.R_up));
+  object.add("R_down", number_or_null(corrected.parameters.R_down));
+  Value floored = Value::array();
+  for (std::size_t i : corrected.floored) floored.push(corrected.positions[i].target.in_native());
+  object.add("floored_targets", std::move(floored));
+  return object;
+}
+
+Value budget_to_json(const iso230_2::AnnexA& annex) {
+  Value object = Value::object();
+  Value& contributors = object.add("contributors", Value::array());
+  for (const auto& contributor : annex.budget) contributors.push(contributor_to_json(contributor));
+  Value& notes = object.add("notes", Value::array());
+  for (const auto& note : annex.notes) notes.push(note);
+  object.add("runs", annex.runs);
+  object.add("coverage_factor", 2);
+  if (annex.corrected) object.add("corrected_repeatability", corrected_to_json(*annex.corrected));
+  return object;
+}
+
+Value uncertainty_to_json(const iso230_2::Assessment& assessment) {
+  Value object = Value::object();
+  object.add("annex_a", assessment.annex_a ? parameters_to_json(assessment.annex_a->U) : Value());
+  if (assessment.annex_a) object.add("annex_a_budget", budget_to_json(*assessment.annex_a));
+  return object;
+}
+
+Value findings_to_json(const iso230_2::Assessment& assessment) {
+  Value list = Value::array();
+  for (const auto& finding : assessment.findings) {
+    Value& row = list.push(Value::object());
+    row.add("clause", finding.clause);
+    row.add("severity", iso230_2::severity_name(finding.severity));
+    row.add("message", finding.message);
+  }
+  return list;
+}
+
+std::string_view verdict_name(iso230_2::Verdict verdict) {
+  switch (verdict) {
+    case iso230_2::Verdict::within: return "within";
+    case iso230_2::Verdict::exceeded: return "exceeded";
+    case iso230_2::Verdict::not_applicable: return "not applicable";
+  }
+  return "";
+}
+
+Value tolerances_to_json(const std::vector<iso230_2::Judgement>& judgements) {
+  Value list = Value::array();
+  for (const auto& judgement : judgements) {
+    Value& row = list.push(Value::object());
+    row.add("parameter", judgement.tolerance.parameter->key);
+    row.add("limit", judgement.tolerance.limit.in_native());
+    row.add("verdict", verdict_name(judgement.verdict));
+  }
+  return list;
+}
+
+Value source_to_json(const Evaluated& evaluated) {
+  const Provenance& provenance = evaluated.test.provenance;
+  Value object = Value::object();
+  object.add("file", provenance.file);
+  if (!evaluated.name.empty()) object.add("test", evaluated.name);
+  object.add("sha256", provenance.sha256.empty() ? Value() : Value(provenance.sha256));
+  object.add("format", provenance.format);
+  return object;
+}
+
+Value program_to_json() {
+  Value object = Value::object();
+  object.add("name", "axiometry");
+  object.add("version", version);
+  return object;
+}
+
+std::string csv_text(std::string_view s) { return text::csv_cell(text::no_formula(s)); }
+
+void append_parameters(std::string& row, const iso230_2::AxisParameters* parameters) {
+  for (const auto& p : iso230_2::parameters) {
+    row += ',';
+    if (parameters && parameters->*p.member) row += format_exact((parameters->*p.member)->in_native());
+  }
+}
+
+}  // namespace
+
+json::Value to_json(const Evaluated& evaluated) {
+  const Metadata& metadata = evaluated.test.metadata;
+  Value axis = Value::object();
+  axis.add("name", metadata.axis.name);
+  axis.add("kind", axis_kind_name(metadata.axis.kind));
+  Value metadata_object = Value::object();
+  formats::add_metadata(metadata_object, metadata);
+  Value positions = Value::array();
+  for (const auto& p : evaluated.assessment.evaluation.positions) positions.push(position_to_json(p));
+
+  Value object = Value::object();
+  object.add("standard", iso230_2::edition);
+  object.add("axis", std::move(axis));
+  object.add("unit", deviation_unit_key(metadata.axis.kind));
+  object.add("conforming", evaluated.assessment.conforming());
+  if (!evaluated.assessment.label.empty()) object.add("label", evaluated.assessment.label);
+  object.add("parameters", parameters_to_json(evaluated.assessment.evaluation.parameters));
+  object.add("uncertainty", uncertainty_to_json(evaluated.assessment));
+  if (!evaluated.judgements.empty()) object.add("tolerances", tolerances_to_json(evaluated.judgements));
+  object.add("positions", std::move(positions));
+  object.add("findings", findings_to_json(evaluated.assessment));
+  object.add("metadata", std::move(metadata_object));
+  object.add("source", source_to_json(evaluated));
+  object.add("program", program_to_json());
+  return object;
+}
+
+json::Value error_to_json(const std::string& file, const Error& error) {
+  Value source = Value::object();
+  source.add("file", file);
+  Value object = Value::object();
+  object.add("source", std::move(source));
+  object.add("error", error.to_string());
+  return object;
+}
+
+std::string combined_csv_header() {
+  std::string header = "file,test,axis,kind,unit,conforming";
+  for (const auto& p : iso230_2::parameters) header += fmt::format(",{}", p.key);
+  for (const auto& p : iso230_2::parameters) header += fmt::format(",U_{}", p.key);
+  return header + ",error\r\n";
+}
+
+std::string combined_csv_row(const Evaluated& evaluated) {
+  const Axis& axis = evaluated.test.metadata.axis;
+  std::string row = fmt::format("{},{},{},{},{},{}", csv_text(evaluated.test.provenance.file), csv_text(evaluated.name),
+                                csv_text(axis.name), axis_kind_name(axis.kind), deviation_unit_key(axis.kind),
+                                evaluated.assessment.conforming() ? "yes" : "no");
+  append_parameters(row, &evaluated.assessment.evaluation.parameters);
+  append_parameters(row, evaluated.assessment.annex_a ? &evaluated.assessment.annex_a->U : nullptr);
+  return row + ",\r\n";
+}
+
+std::string combined_csv_error_row(const std::string& file, const Error& error) {
+  std::string row = csv_text(file) + ",,,,,";
+  append_parameters(row, nullptr);
+  append_parameters(row, nullptr);
+  return row + "," + csv_text(error.to_string()) + "\r\n";
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,194 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Random tests, written as CSV in random dialects, evaluated by the program and by this independent script.
+
+Usage: tests/oracle.py PROGRAM [COUNT] [SEED]
+
+Everything is computed from the definitions of ISO 230-2:2014 clause 3 and Annex A with exact sums
+(math.fsum), and shares nothing with the C++ code but the standard.
+"""
+import json
+import math
+import random
+import subprocess
+import sys
+import tempfile
+
+TOLERANCE = 1e-9  # µm or ″
+
+
+def make_test(rng):
+    """Targets, readings[direction][target][run] (None: missing) and whether the axis is rotary."""
+    rotary = rng.random() < 0.25
+    m = rng.choice([2, 3, 5, 8, 11, 11, 23])
+    n = rng.choice([1, 2, 3, 5, 5, 5, 10])
+    both = rng.random() < 0.85
+    span = 360.0 if rotary else rng.choice([50.0, 500.0, 1750.0, 4000.0])
+    start = rng.choice([0.0, -span / 2, 6.711])
+    targets = sorted({round(start + span * (i + rng.uniform(-0.3, 0.3)) / m, 3) for i in range(m)})
+    scale = rng.choice([0.05, 1.0, 30.0])
+    offset = rng.choice([0.0, 0.0, 900.0])
+    decimals = rng.choice([1, 3, 6])
+    readings = {}
+    for direction in ("up", "down") if both else (rng.choice(("up", "down")),):
+        shift = rng.gauss(0, 3 * scale)
+        readings[direction] = [[round(offset + shift + scale * (math.sin(i) + rng.gauss(0, 0.3)), decimals) for _ in range(n)]
+                               for i in range(len(targets))]
+    if rng.random() < 0.2:
+        for rows in readings.values():
+            for row in rows:
+                if rng.random() < 0.2 and sum(x is not None for x in row) > 1:
+                    row[rng.randrange(n)] = None
+    return targets, readings, rotary
+
+
+def write_csv(rng, targets, readings, rotary):
+    comma = rng.random() < 0.5
+    delimiter = rng.choice([";", "\t"]) if comma else rng.choice([",", ";", "\t"])
+    end = rng.choice(["\n", "\r\n"])
+    unit, factor = ("arcsec", 1.0) if rotary else rng.choice([("um", 1.0), ("mm", 1e-3), ("nm", 1e3)])
+    words = rng.choice([("up", "down"), ("+", "-"), ("forward", "backward"), ("↑", "↓")])
+    words = dict(zip(("up", "down"), words))
+
+    def number(x):
+        text = repr(x)
+        return text.replace(".", ",") if comma else text
+
+    lines = [f"# axis: {'C' if rotary else 'X'}"] if rng.random() < 0.5 else []
+    wide = rng.random() < 0.3
+    n = max(len(row) for rows in readings.values() for row in rows)
+    position = "target_deg" if rotary else "target_mm"
+    if wide:
+        header = [position] + [f"{d}{j + 1}_{unit}" for j in range(n) for d in readings]
+        lines.append(delimiter.join(header))
+        for i, target in enumerate(targets):
+            cells = [readings[d][i][j] for j in range(n) for d in readings]
+            lines.append(delimiter.join([number(target)] + ["" if x is None else number(x * factor) for x in cells]))
+    else:
+        lines.append(delimiter.join([position, "direction", "run", f"deviation_{unit}"]))
+        rows = [(d, i, j) for d in readings for i in range(len(targets)) for j in range(n) if readings[d][i][j] is not None]
+        rng.shuffle(rows)
+        for d, i, j in rows:
+            lines.append(delimiter.join([number(targets[i]), words[d], str(j + 1), number(readings[d][i][j] * factor)]))
+    text = end.join(lines) + end
+    return (b"\xef\xbb\xbf" if rng.random() < 0.3 else b"") + text.encode()
+
+
+def evaluate(targets, readings):
+    positions = []
+    for i, target in enumerate(targets):
+        p = {"target": target, "mean_up": None, "mean_down": None, "mean": None, "reversal": None, "s_up": None, "s_down": None}
+        for d, rows in readings.items():
+            values = [x for x in rows[i] if x is not None]
+            if values:
+                p[f"mean_{d}"] = math.fsum(values) / len(values)
+            if len(values) > 1:
+                mean = math.fsum(values) / len(values)
+                p[f"s_{d}"] = math.sqrt(math.fsum((x - mean) ** 2 for x in values) / (len(values) - 1))
+        if p["mean_up"] is not None and p["mean_down"] is not None:
+            p["mean"] = (p["mean_up"] + p["mean_down"]) / 2
+            p["reversal"] = p["mean_up"] - p["mean_down"]
+        positions.append(p)
+
+    def some(key):
+        return [p[key] for p in positions if p[key] is not None]
+
+    def span(values):
+        return max(values) - min(values) if values else None
+
+    def boundaries(d):
+        have = [p for p in positions if p[f"mean_{d}"] is not None]
+        return [p[f"mean_{d}"] + sign * 2 * (p[f"s_{d}"] or 0.0) for p in have for sign in (1, -1)]
+
+    r = {"E_up": span(some("mean_up")), "E_down": span(some("mean_down")), "M": span(some("mean"))}
+    up, down = some("mean_up"), some("mean_down")
+    r["E"] = span(up + down) if up and down else None
+    r["R_up"] = 4 * max(some("s_up")) if some("s_up") else None
+    r["R_down"] = 4 * max(some("s_down")) if some("s_down") else None
+    r["A_up"] = span(boundaries("up")) if some("s_up") else None
+    r["A_down"] = span(boundaries("down")) if some("s_down") else None
+    both = bool(some("s_up")) and bool(some("s_down"))
+    r["A"] = span(boundaries("up") + boundaries("down")) if both else None
+    r["B"] = max(map(abs, some("reversal")), default=None)
+    r["B_mean"] = math.fsum(some("reversal")) / len(some("reversal")) if some("reversal") else None
+    r["R"] = None
+    if both and some("reversal"):
+        r["R"] = max(max(2 * (p["s_up"] or 0) + 2 * (p["s_down"] or 0) + abs(p["reversal"] or 0), 4 * (p["s_up"] or 0),
+                         4 * (p["s_down"] or 0)) for p in positions)
+    return r, positions
+
+
+def annex_a(parameters, length_m, n, inputs):
+    device = 0.6 * inputs["range"] * length_m
+    misalignment = 0.3 * inputs["misalignment"] ** 2 / length_m
+    temperature = 0.6 * 12.0 * length_m * inputs["theta"]
+    expansion = 0.6 * inputs["dT"] * length_m * 2.0
+    eve = 0.6 * inputs["eve"]
+    common = device ** 2 + misalignment ** 2 + temperature ** 2 + expansion ** 2
+    E = math.sqrt(common + eve ** 2 / n)
+    U = {"E": E, "E_up": E, "E_down": E, "M": math.sqrt(common + eve ** 2 / (2 * n)), "R": 2.2 * eve,
+         "R_up": 2 * eve, "R_down": 2 * eve, "B": (0.9 if n == 5 else 2 / math.sqrt(n)) * eve}
+    U["B_mean"] = U["B"]
+    for key in ("A", "A_up", "A_down"):
+        U[key] = math.hypot(E, 2 * eve)
+    return {key: (U[key] if parameters[key] is not None else None) for key in parameters}
+
+
+def differs(found, expected):
+    if found is None or expected is None:
+        return found is not expected
+    return not abs(found - expected) <= TOLERANCE * max(1.0, abs(expected) * 1e-3)
+
+
+def compare(result, targets, readings, rotary, inputs):
+    parameters, positions = evaluate(targets, readings)
+    for key, expected in parameters.items():
+        if differs(result["parameters"][key], expected):
+            yield f"{key}: found {result['parameters'][key]}, expected {expected}"
+    for found, expected in zip(result["positions"], positions, strict=True):
+        for key, value in expected.items():
+            if differs(found[key], value):
+                yield f"{key} at {expected['target']}: found {found[key]}, expected {value}"
+    if result["unit"] != ("arcsec" if rotary else "um"):
+        yield f"unit {result['unit']}"
+    if inputs:
+        n = min(sum(x is not None for x in row) for rows in readings.values() for row in rows)
+        U = annex_a(parameters, (targets[-1] - targets[0]) / 1000, n, inputs)
+        for key, expected in U.items():
+            if differs(result["uncertainty"]["annex_a"][key], expected):
+                yield f"U({key}): found {result['uncertainty']['annex_a'][key]}, expected {expected}"
+
+
+def main():
+    program = sys.argv[1]
+    count = int(sys.argv[2]) if len(sys.argv) > 2 else 300
+    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 230
+    failed = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for k in range(count):
+            rng = random.Random(f"{seed}/{k}")
+            targets, readings, rotary = make_test(rng)
+            path = f"{folder}/test.csv"
+            with open(path, "wb") as file:
+                file.write(write_csv(rng, targets, readings, rotary))
+            command = [program, "evaluate", path, "--json", "-"]
+            inputs = None
+            if not rotary and rng.random() < 0.5:
+                inputs = {key: round(rng.uniform(0.1, 4), 2) for key in ("range", "misalignment", "theta", "dT", "eve")}
+                command += ["--device-error-range-um-per-m", str(inputs["range"]), "--misalignment-mm", str(inputs["misalignment"]),
+                            "--machine-temperature-range-c", str(inputs["theta"]),
+                            "--machine-temperature-difference-c", str(inputs["dT"]), "--environmental-variation", str(inputs["eve"])]
+            done = subprocess.run(command, capture_output=True)
+            if done.returncode:
+                faults = [done.stderr.decode()]
+            else:
+                faults = list(compare(json.loads(done.stdout), targets, readings, rotary, inputs))
+            if faults:
+                failed += 1
+                print(f"test {k} of seed {seed}: " + "; ".join(faults[:3]))
+    print(f"{count - failed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Validates every JSON test of the project against the published schema, and that the schema refuses faults.
+
+Usage: tests/schema_check.py
+"""
+import copy
+import json
+import pathlib
+import sys
+
+import jsonschema
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def faulty(test):
+    """The same test with one fault each, and what the fault is."""
+    for what, change in {
+        "no series": lambda t: t.pop("series"),
+        "an unknown member": lambda t: t.update(colour="red"),
+        "a wrong format name": lambda t: t.update(format="axiometry-test/0"),
+        "a text as target": lambda t: t["series"]["targets"].__setitem__(0, "first"),
+        "an unknown unit": lambda t: t["series"].update(unit="inch²"),
+        "a negative dwell time": lambda t: t.setdefault("test", {}).update(dwell_s=-1),
+    }.items():
+        changed = copy.deepcopy(test)
+        change(changed)
+        yield what, changed
+
+
+def main():
+    schema = json.loads((ROOT / "schema" / "axiometry-test.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    faults = []
+    for path in sorted((ROOT / "examples").glob("*.json")):
+        test = json.loads(path.read_text(encoding="utf-8"))
+        faults += [f"{path.name}: {error.json_path}: {error.message}" for error in validator.iter_errors(test)]
+        faults += [f"{path.name}: the schema allows {what}" for what, changed in faulty(test) if validator.is_valid(changed)]
+    print("\n".join(faults) if faults else "schema: ok")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
