@@ -4,9 +4,13 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
+#include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
 #include "commands.h"
 
@@ -30,6 +34,19 @@ void occupy_closed_standard_streams() {
       static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
 
+/// Of a first word that is no verb CLI11 would say only that a verb is missing.
+std::string unknown_first_word(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2) return "";
+  const std::string word = argv[1];
+  std::vector<std::string_view> known = {"--help", "-h", "--version"};
+  for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; }))
+    known.push_back(verb->get_name());
+  if (std::ranges::find(known, word) != known.end()) return "";
+  const auto near = axiometry::text::nearest(word, known);
+  return fmt::format("found {}, expected {}", axiometry::text::quoted(word),
+                     near ? fmt::format("perhaps {}", *near) : fmt::format("one of {}", fmt::join(known, ", ")));
+}
+
 int run(int argc, char** argv) {
   using namespace axiometry::cli;
   int exit_code = exit_done;
@@ -46,6 +63,8 @@ int run(int argc, char** argv) {
   add_completion(program, exit_code);
   add_manual(program, exit_code);
   try {
+    if (const std::string fault = unknown_first_word(program, argc, argv); !fault.empty())
+      throw CLI::ValidationError(fault);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {

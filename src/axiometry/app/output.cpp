@@ -39,10 +39,19 @@ std::string neighbour_of(const std::string& name, std::string_view suffix) {
   return (path.parent_path() / fmt::format(".{}.{}", path.filename().string(), suffix)).string();
 }
 
+/// A link stays a link: what it points to is written.
+std::string behind_link(const std::string& name) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(name, error)) return name;
+  const auto target = std::filesystem::canonical(name, error);
+  return error ? name : target.string();
+}
+
 }  // namespace
 
-Result<OutputFile> OutputFile::create(const std::string& name) {
-  if (name == "-") return OutputFile(name, "", STDOUT_FILENO);
+Result<OutputFile> OutputFile::create(const std::string& asked) {
+  if (asked == "-") return OutputFile(asked, "", STDOUT_FILENO);
+  const std::string name = behind_link(asked);
   struct stat status {};
   const bool exists = ::stat(name.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {

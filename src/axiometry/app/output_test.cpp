@@ -82,6 +82,14 @@ TEST_F(OutputTest, KeepsThePermissionsOfTheFileItReplaces) {
   EXPECT_EQ(status.st_mode & 0777u, 0640u);
 }
 
+TEST_F(OutputTest, WritesWhatALinkPointsToAndKeepsTheLink) {
+  ASSERT_TRUE(write_file(path("a.txt"), "old"));
+  fs::create_symlink("a.txt", path("link.txt"));
+  ASSERT_TRUE(write_file(path("link.txt"), "new"));
+  EXPECT_TRUE(fs::is_symlink(path("link.txt")));
+  EXPECT_EQ(content("a.txt"), "new");
+}
+
 TEST_F(OutputTest, SaysWhyItCannotWrite) {
   const auto result = write_file(path("no/such/folder.txt"), "x");
   ASSERT_FALSE(result);
