@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t single_test_limit = std::size_t{256} << 20;
 
 std::unexpected<Error> in_file(Error error, const std::string& name) {
-  if (error.file.empty()) error.file = name == "-" ? "(standard input)" : name;
+  if (error.file.empty() || error.file == name) error.file = name == "-" ? "(standard input)" : name;
   return std::unexpected(std::move(error));
 }
 
