@@ -79,9 +79,29 @@ class Run {
         app::evaluate_file(input.name, arguments_.evaluate, [&](app::Evaluated&& e) { return take(std::move(e)); });
     if (result) return true;
     failed(result.error(), output_failed_ == exit_usage ? exit_usage : exit_bad_input);
-    if (!output_failed_ && outputs_ && !outputs_->add_error(input.name, result.error()))
-      output_failed_ = exit_bad_input;
+    if (many_ && !output_failed_) add_to_outputs(input.name, result.error());
     return false;
+  }
+
+  /// Also when it is the first of many: with --keep-going every bad input is named.
+  void add_to_outputs(const std::string& file, const Error& error) {
+    auto ready = prepare_outputs();
+    if (ready) ready = outputs_->add_error(file, error);
+    if (ready) return;
+    if (!output_failed_) output_failed_ = exit_bad_input;
+    failed(ready.error(), output_failed_);
+  }
+
+  /// Makes the outputs of many tests before the first of them.
+  Result<void> prepare_outputs() {
+    if (outputs_) return {};
+    auto outputs = app::ManyOutputs::create(arguments_.outputs, arguments_.report);
+    if (outputs) {
+      outputs_ = std::move(*outputs);
+      return {};
+    }
+    output_failed_ = outputs.error().file.empty() ? exit_usage : exit_bad_input;
+    return std::unexpected(at_outputs(outputs.error()));
   }
 
   Result<void> take(app::Evaluated&& evaluated) {
@@ -91,15 +111,8 @@ class Run {
       single_ = std::move(evaluated);
       return {};
     }
-    if (!outputs_) {
-      auto outputs = app::ManyOutputs::create(arguments_.outputs, arguments_.report);
-      if (!outputs) {
-        output_failed_ = outputs.error().file.empty() ? exit_usage : exit_bad_input;
-        return std::unexpected(at_outputs(outputs.error()));
-      }
-      outputs_ = std::move(*outputs);
-      if (stdout_is_free_) fmt::print("{}", line_header(terminal_));
-    }
+    AXIOMETRY_TRY_VOID(prepare_outputs());
+    if (stdout_is_free_ && count_ == 0) fmt::print("{}", line_header(terminal_));
     if (stdout_is_free_) fmt::print("{}", line(evaluated, arguments_.report, terminal_));
     ++count_;
     auto added = outputs_->add(evaluated);
