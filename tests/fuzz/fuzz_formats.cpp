@@ -15,25 +15,12 @@
 #include "axiometry/formats/format.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2.h"
+#include "tests/support/pieces.h"
 
 namespace {
 
 using namespace axiometry;
-
-class Pieces : public formats::ByteReader {
- public:
-  Pieces(std::string_view text, std::size_t longest) : text_(text), longest_(longest) {}
-  Result<std::size_t> read(std::span<char> buffer) override {
-    const std::size_t count = std::min({buffer.size(), text_.size(), longest_});
-    std::memcpy(buffer.data(), text_.data(), count);
-    text_.remove_prefix(count);
-    return count;
-  }
-
- private:
-  std::string_view text_;
-  std::size_t longest_;
-};
+using testing_support::Pieces;
 
 std::string described(const Series& series) {
   std::string text;

@@ -10,8 +10,12 @@
 #include <cstring>
 #include <random>
 
+#include "tests/support/pieces.h"
+
 namespace axiometry::formats {
 namespace {
+
+using testing_support::Pieces;
 
 std::string described(const NamedTest& test) {
   std::string text = fmt::format("{} {}:", test.name, test.line);
@@ -40,22 +44,6 @@ std::string by_rows(std::string_view text, LongRows::Path path) {
   if (auto done = rows.finish(); !done) return result + done.error().to_string();
   return result;
 }
-
-/// Gives the text in pieces, as files and pipes do.
-class Pieces : public ByteReader {
- public:
-  Pieces(std::string_view text, std::size_t longest) : text_(text), longest_(longest) {}
-  Result<std::size_t> read(std::span<char> buffer) override {
-    const std::size_t count = std::min({buffer.size(), text_.size(), longest_});
-    std::memcpy(buffer.data(), text_.data(), count);
-    text_.remove_prefix(count);
-    return count;
-  }
-
- private:
-  std::string_view text_;
-  std::size_t longest_;
-};
 
 std::string by_pieces(std::string_view text, std::size_t longest) {
   Pieces pieces(text, longest);
