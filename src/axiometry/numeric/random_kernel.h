@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-//
+#pragma once
+
 // The random numbers of random.h for one target; compiled once for each (vector_target.h). The lanes of the
 // generator are cut into parts as wide as a register; a part is independent of the others, so its state stays in
 // registers while all groups are made.

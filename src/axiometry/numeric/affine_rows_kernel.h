@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The map of affine_rows.h for one target; compiled once for each (vector_target.h).
+#include "axiometry/numeric/affine_rows_kernel_table.h"
+#include "axiometry/numeric/lanes.h"
+
+namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET {
+namespace {
+
+/// Some registers of one row at a time: the factor is then loaded once for all of them.
+template <typename Vector, size_t registers, typename Number>
+[[gnu::always_inline]] inline void apply_row(const AffineMapView<Number>& map, size_t row, const Number* sources,
+                                             size_t stride, Number* to) {
+  Vector sums[registers];
+  for (size_t k = 0; k < registers; ++k) sums[k] = all<Vector>(map.constants[row]);
+  for (size_t term = map.begins[row]; term < map.begins[row + 1]; ++term) {
+    const Vector factor = all<Vector>(map.factors[term]);
+    const Number* const from = sources + map.sources[term] * stride;
+    for (size_t k = 0; k < registers; ++k) sums[k] += factor * load<Vector>(from + k * lanes<Vector>);
+  }
+  for (size_t k = 0; k < registers; ++k) store(to + k * lanes<Vector>, sums[k]);
+}
+
+template <typename Vector, typename Number>
+[[gnu::always_inline]] inline void apply_all(const AffineMapView<Number>& map, AffineInput<Number> input, Number* rows,
+                                             size_t stride) {
+  constexpr size_t registers = 4;
+  constexpr size_t wide = registers * lanes<Vector>;
+  for (size_t row = 0; row < map.rows; ++row) {
+    Number* const to = rows + row * stride;
+    size_t t = 0;
+    for (; t + wide <= input.trials; t += wide)
+      apply_row<Vector, registers>(map, row, input.values + t, input.stride, to + t);
+    for (; t + lanes<Vector> <= input.trials; t += lanes<Vector>)
+      apply_row<Vector, 1>(map, row, input.values + t, input.stride, to + t);
+    for (; t < input.trials; ++t) {
+      Number sum = map.constants[row];
+      for (size_t term = map.begins[row]; term < map.begins[row + 1]; ++term)
+        sum += map.factors[term] * input.values[map.sources[term] * input.stride + t];
+      to[t] = sum;
+    }
+  }
+}
+
+void apply(const AffineMapView<double>& map, AffineInput<double> input, double* rows, size_t stride) {
+  apply_all<Doubles>(map, input, rows, stride);
+}
+
+void apply_single(const AffineMapView<float>& map, AffineInput<float> input, float* rows, size_t stride) {
+  apply_all<Floats>(map, input, rows, stride);
+}
+
+}  // namespace
+
+extern const AffineKernel affine_kernel = {apply, apply_single};
+
+}  // namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET
