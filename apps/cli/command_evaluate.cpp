@@ -172,20 +172,34 @@ std::string flag_of(std::string_view key) {
   return flag;
 }
 
+/// "Misalignment, in mm (A.4). Of the …"
+std::string describe(const Field& field) {
+  std::string unit(field.unit_linear);
+  if (!field.unit_rotary.empty() && field.unit_rotary != field.unit_linear)
+    unit += fmt::format(" or {}", field.unit_rotary);
+  std::string text(field.title);
+  if (!unit.empty()) text += fmt::format(", in {}", unit);
+  if (!field.clause.empty()) text += fmt::format(" ({})", field.clause);
+  if (!field.choices.empty()) text += fmt::format(": {}", fmt::join(field.choices, " or "));
+  return fmt::format("{}. {}", text, field.description);
+}
+
 void add_uncertainty_flags(CLI::App& verb, Arguments& arguments) {
   for (const Field& field : metadata_fields()) {
     if (!field.key.starts_with("uncertainty.")) continue;
-    std::string unit(field.unit_linear);
-    if (!field.unit_rotary.empty() && field.unit_rotary != field.unit_linear)
-      unit += fmt::format(" or {}", field.unit_rotary);
-    verb.add_option_function<std::string>(
+    const bool records = field.type == FieldType::records;
+    verb.add_option_function<std::vector<std::string>>(
             flag_of(field.key),
-            [&arguments, key = std::string(field.key)](const std::string& value) {
-              add_metadata(arguments, key, value);
+            [&arguments, key = std::string(field.key)](const std::vector<std::string>& values) {
+              for (const std::string& value : values) add_metadata(arguments, key, value);
             },
-            fmt::format("{}, in {} ({}). {}", field.title, unit, field.clause, field.description))
-        ->type_name("NUMBER")
-        ->group("Uncertainty (Annex A), over what the file says");
+            describe(field) + (records ? " May be repeated." : ""))
+        ->expected(1, records ? CLI::detail::expected_max_vector_size : 1)
+        ->allow_extra_args(false)
+        ->type_name(field.type == FieldType::number ? "NUMBER"
+                    : records                       ? "INPUT|DISTRIBUTION"
+                                                    : "WORD")
+        ->group("Uncertainty, over what the file says");
   }
 }
 

@@ -3,99 +3,17 @@
 // The rows of the metadata vocabulary. A new member of Metadata gets its row here and nothing else.
 #include <array>
 
-#include "axiometry/model/fields.h"
+#include "axiometry/model/fields_access.h"
 
 namespace axiometry {
 namespace {
 
+using namespace fields_access;
 using Wanted = Field::Wanted;
-
-// How a member's type is read and written as a FieldValue. A quantity brings its unit as a pair of
-// functions; optionals are absent when not given.
-
-template <typename T>
-struct InUnit {
-  T (*make)(double);
-  double (T::*read)() const;
-};
-
-constexpr InUnit<Length> mm{&Length::mm, &Length::in_mm};
-constexpr InUnit<Temperature> celsius{&Temperature::celsius, &Temperature::in_celsius};
-constexpr InUnit<TemperatureDifference> kelvin{&TemperatureDifference::kelvin, &TemperatureDifference::in_kelvin};
-constexpr InUnit<ExpansionCoefficient> per_m_K{&ExpansionCoefficient::um_per_m_K, &ExpansionCoefficient::in_um_per_m_K};
-constexpr InUnit<RelativeLength> per_m{&RelativeLength::um_per_m, &RelativeLength::in_um_per_m};
-constexpr InUnit<Duration> seconds{&Duration::s, &Duration::in_s};
-constexpr InUnit<Pressure> kilopascal{&Pressure::kPa, &Pressure::in_kPa};
-constexpr InUnit<RelativeHumidity> percent{&RelativeHumidity::percent, &RelativeHumidity::in_percent};
-constexpr InUnit<Position> position{&Position::native, &Position::in_native};
-constexpr InUnit<Deviation> deviation{&Deviation::native, &Deviation::in_native};
-
-/// Members as a path of pointers to members: At<&Metadata::machine, &Machine::name>.
-template <auto Group, auto Member>
-struct At {
-  static auto& in(Metadata& m) { return m.*Group.*Member; }
-  static const auto& in(const Metadata& m) { return m.*Group.*Member; }
-};
-
-template <typename Path>
-struct TextAccess {
-  static FieldValue get(const Metadata& m) { return Path::in(m).empty() ? FieldValue{} : FieldValue(Path::in(m)); }
-  static void put(Metadata& m, const FieldValue& value) {
-    const auto* s = std::get_if<std::string>(&value);
-    Path::in(m) = s ? *s : std::string();
-  }
-};
-
-template <typename Path, const auto& Unit>
-struct QuantityAccess {
-  static FieldValue get(const Metadata& m) {
-    const auto& member = Path::in(m);
-    return member ? FieldValue(((*member).*(Unit.read))()) : FieldValue{};
-  }
-  static void put(Metadata& m, const FieldValue& value) {
-    const auto* x = std::get_if<double>(&value);
-    if (x) {
-      Path::in(m) = Unit.make(*x);
-    } else {
-      Path::in(m).reset();
-    }
-  }
-};
-
-/// Optional plain members: bool and double.
-template <typename Path, typename T>
-struct PlainAccess {
-  static FieldValue get(const Metadata& m) { return Path::in(m) ? FieldValue(*Path::in(m)) : FieldValue{}; }
-  static void put(Metadata& m, const FieldValue& value) {
-    const auto* x = std::get_if<T>(&value);
-    Path::in(m) = x ? std::optional<T>(*x) : std::nullopt;
-  }
-};
-
-template <typename Path>
-struct NumbersAccess {
-  static FieldValue get(const Metadata& m) { return Path::in(m).empty() ? FieldValue{} : FieldValue(Path::in(m)); }
-  static void put(Metadata& m, const FieldValue& value) {
-    const auto* list = std::get_if<std::vector<double>>(&value);
-    Path::in(m) = list ? *list : std::vector<double>{};
-  }
-};
 
 constexpr std::string_view kind_words[] = {"linear", "rotary"};
 constexpr std::string_view cycle_words[] = {"standard", "step", "pilgrim", "unidirectional"};
-
-/// An enumeration by its words, the first being the default (and so never "not given").
-template <typename Path, const auto& Words>
-struct ChoiceAccess {
-  static FieldValue get(const Metadata& m) { return std::string(Words[static_cast<std::size_t>(Path::in(m))]); }
-  static void put(Metadata& m, const FieldValue& value) {
-    auto& member = Path::in(m);
-    member = {};
-    const auto* word = std::get_if<std::string>(&value);
-    for (std::size_t k = 0; word && k < std::size(Words); ++k)
-      if (Words[k] == *word) member = static_cast<std::remove_reference_t<decltype(member)>>(k);
-  }
-};
+constexpr std::string_view measurand_words[] = {"this-test", "this-machine"};
 
 constexpr RecordColumn equipment_columns[] = {
     {"role", "Component", FieldType::text, ""},
@@ -103,23 +21,16 @@ constexpr RecordColumn equipment_columns[] = {
     {"type", "Type", FieldType::text, ""},
     {"serial_number", "Serial number", FieldType::text, ""},
 };
+constexpr RecordColumn distribution_columns[] = {
+    {"input", "Input", FieldType::text, ""},
+    {"distribution", "Distribution", FieldType::text, ""},
+};
 constexpr RecordColumn sensor_columns[] = {
     {"role", "Sensor", FieldType::text, ""},
     {"location", "Location", FieldType::text, ""},
     {"start_C", "Start", FieldType::number, "°C"},
     {"end_C", "End", FieldType::number, "°C"},
 };
-
-Cell text_cell(const std::string& s) { return s.empty() ? Cell{} : Cell(s); }
-std::string text_of(const Cell& cell) {
-  const auto* s = std::get_if<std::string>(&cell);
-  return s ? *s : std::string();
-}
-Cell temperature_cell(const std::optional<Temperature>& t) { return t ? Cell(t->in_celsius()) : Cell{}; }
-std::optional<Temperature> temperature_of(const Cell& cell) {
-  const auto* x = std::get_if<double>(&cell);
-  return x ? std::optional(Temperature::celsius(*x)) : std::nullopt;
-}
 
 struct EquipmentAccess {
   static FieldValue get(const Metadata& m) {
@@ -151,36 +62,19 @@ struct SensorAccess {
   }
 };
 
-constexpr double any = 1e6;  // far beyond any machine, so that only slips of the pen are refused
-
-template <typename Access>
-constexpr Field text_field(std::string_view key, std::string_view title, std::string_view clause, Wanted wanted,
-                           std::string_view description) {
-  return {key, title, FieldType::text, "", "", clause, wanted, 0, 0, {}, {}, description, &Access::get, &Access::put};
-}
-
-template <typename Access>
-constexpr Field number_field(std::string_view key, std::string_view title, std::string_view unit_linear,
-                             std::string_view unit_rotary, std::string_view clause, Wanted wanted, double minimum,
-                             double maximum, std::string_view description) {
-  return {key, title, FieldType::number, unit_linear,  unit_rotary, clause, wanted, minimum, maximum,
-          {},  {},    description,       &Access::get, &Access::put};
-}
-
-template <typename Access>
-constexpr Field numbers_field(std::string_view key, std::string_view title, std::string_view unit_linear,
-                              std::string_view unit_rotary, std::string_view clause, Wanted wanted,
-                              std::string_view description) {
-  return {key, title, FieldType::numbers, unit_linear,  unit_rotary, clause, wanted, -any, any,
-          {},  {},    description,        &Access::get, &Access::put};
-}
-
-template <typename Access>
-constexpr Field choice_field(std::string_view key, std::string_view title, std::string_view clause,
-                             std::span<const std::string_view> words, std::string_view description) {
-  return {key,   title, FieldType::choice, "",           "",          clause, Wanted::no, 0, 0,
-          words, {},    description,       &Access::get, &Access::put};
-}
+struct DistributionAccess {
+  static FieldValue get(const Metadata& m) {
+    Records records;
+    for (const InputDistribution& d : m.gum.distributions)
+      records.push_back({text_cell(d.input), text_cell(d.distribution)});
+    return records.empty() ? FieldValue{} : FieldValue(std::move(records));
+  }
+  static void put(Metadata& m, const FieldValue& value) {
+    m.gum.distributions.clear();
+    if (const auto* records = std::get_if<Records>(&value))
+      for (const auto& r : *records) m.gum.distributions.push_back({text_of(r[0]), text_of(r[1])});
+  }
+};
 
 template <auto Group, auto Member>
 using TextAt = TextAccess<At<Group, Member>>;
@@ -197,6 +91,8 @@ template <auto Member, const auto& Unit>
 using AirQuantity = QuantityAt<&Metadata::environment, Member, Unit>;
 template <auto Member, const auto& Unit>
 using AnnexAQuantity = QuantityAt<&Metadata::uncertainty, Member, Unit>;
+template <auto Member, const auto& Unit>
+using GumQuantity = QuantityAt<&Metadata::gum, Member, Unit>;
 
 using Conditions = TestConditions;
 
@@ -266,20 +162,8 @@ constexpr std::array fields = {
     text_field<TestText<&Conditions::air_or_oil_shower>>("test.air_or_oil_shower", "Air or oil shower", "8.1",
                                                          Wanted::no, "When applied."),
     text_field<TestText<&Conditions::comment>>("test.comment", "Comment", "", Wanted::no, "Anything else."),
-    Field{"equipment",
-          "Test equipment",
-          FieldType::records,
-          "",
-          "",
-          "8.1",
-          Wanted::always,
-          0,
-          0,
-          {},
-          equipment_columns,
-          "Every component of the measuring instrument: laser head, optics, sensors.",
-          &EquipmentAccess::get,
-          &EquipmentAccess::put},
+    records_field<EquipmentAccess>("equipment", "Test equipment", "8.1", Wanted::always, equipment_columns,
+                                   "Every component of the measuring instrument: laser head, optics, sensors."),
     Field{"nde.applied",
           "NDE correction applied",
           FieldType::boolean,
@@ -302,20 +186,9 @@ constexpr std::array fields = {
         Wanted::no, -50, 100, "Coefficient used for the measuring equipment's expansion."),
     text_field<TextAt<&Metadata::nde, &NdeCorrection::routine>>(
         "nde.routine", "Compensation routine", "8.1", Wanted::with_nde, "How often the correction is updated."),
-    Field{"sensors",
-          "Temperature sensors",
-          FieldType::records,
-          "",
-          "",
-          "8.1",
-          Wanted::with_nde,
-          0,
-          0,
-          {},
-          sensor_columns,
-          "Sensors with their readings at the start and the end; role is machine, equipment or air.",
-          &SensorAccess::get,
-          &SensorAccess::put},
+    records_field<SensorAccess>(
+        "sensors", "Temperature sensors", "8.1", Wanted::with_nde, sensor_columns,
+        "Sensors with their readings at the start and the end; role is machine, equipment or air."),
     number_field<AirQuantity<&Environment::air_temperature_start, celsius>>(
         "environment.air_temperature_start_C", "Air temperature at the start", "°C", "°C", "8.1", Wanted::linear, -60,
         100, "Near the laser beam."),
@@ -376,6 +249,36 @@ constexpr std::array fields = {
     number_field<AnnexAQuantity<&AnnexAInputs::environmental_variation, deviation>>(
         "uncertainty.environmental_variation", "Environmental variation error", "µm", "″", "A.9", Wanted::no, 0, any,
         "Range E_VE of the drift test."),
+    number_field<GumQuantity<&GumInputs::axis_resolution, deviation>>(
+        "uncertainty.axis_resolution", "Resolution of the axis", "µm", "″", "", Wanted::no, 0, any,
+        "Smallest step of the axis scale."),
+    number_field<GumQuantity<&GumInputs::instrument_resolution, deviation>>(
+        "uncertainty.instrument_resolution", "Resolution of the measuring instrument", "µm", "″", "", Wanted::no, 0,
+        any, "Smallest step of the readings."),
+    number_field<GumQuantity<&GumInputs::environment_sensitivity, per_m_K>>(
+        "uncertainty.environment_sensitivity_um_per_m_C", "Sensitivity of the instrument to its environment",
+        "µm/(m·°C)", "", "", Wanted::no, 0, 100,
+        "Standard uncertainty K of the instrument's own compensation, per metre and per °C away from 20 °C."),
+    number_field<GumQuantity<&GumInputs::environment_temperature_difference, kelvin>>(
+        "uncertainty.environment_temperature_difference_C", "Difference of the air to 20 °C", "°C", "", "", Wanted::no,
+        -100, 100, "From the air temperatures when not given."),
+    number_field<GumQuantity<&GumInputs::alignment_angle, degrees>>(
+        "uncertainty.alignment_angle_deg", "Largest angle of misalignment", "°", "", "", Wanted::no, 0, 90,
+        "Between measuring instrument and axis. From the misalignment over L when not given."),
+    number_field<PlainAccess<At<&Metadata::gum, &GumInputs::up_down_correlation>, double>>(
+        "uncertainty.up_down_correlation", "Correlation between ↑ and ↓", "", "", "", Wanted::no, -1, 1,
+        "Between the errors of both directions at one target; 1 when not given."),
+    number_field<GumQuantity<&GumInputs::run_drift, deviation>>(
+        "uncertainty.run_drift", "Drift from run to run", "µm",
+        "″", "", Wanted::no, 0, any, "Standard uncertainty of a shift that all readings of one run have in common."),
+    choice_field<OptionalChoiceAccess<At<&Metadata::gum, &GumInputs::measurand>, measurand_words>>(
+        "uncertainty.measurand", "Measurand", "", measurand_words,
+        "What is uncertain: what perfect instruments would have found in this test (when not given), or what this "
+        "machine does in the long run, of which the approaches are a sample."),
+    records_field<DistributionAccess>(
+        "uncertainty.distributions", "Distributions of inputs", "", Wanted::no, distribution_columns,
+        "Each replaces that of a named input, as in 'machine_temperature | triangular 1.5 2.5', or adds an own input "
+        "to scale, target, run or reading, as in 'scale:optics | normal 0 0.2'."),
 };
 
 }  // namespace

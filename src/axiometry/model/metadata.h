@@ -92,6 +92,32 @@ struct AnnexAInputs {
   std::optional<Deviation> environmental_variation;                     ///< E_VE (A.9)
 };
 
+/// Which of two questions the uncertainty answers; named in every result.
+enum class Measurand {
+  this_test,     ///< what the same approaches would have given with perfect instruments at 20 °C
+  this_machine,  ///< what the axis does in the long run: the sampling of n approaches counts too
+};
+
+/// A distribution given in words for one input quantity.
+struct InputDistribution {
+  std::string input;         ///< "machine_temperature", "scale:optics"
+  std::string distribution;  ///< as uncertainty::Distribution::parse() reads it
+};
+
+/// What the GUM and Monte Carlo methods take beyond Annex A, whose items they use too. Equations of Lira &
+/// Cargill, Precision Engineering 28 (2004) 232.
+struct GumInputs {
+  std::optional<Deviation> axis_resolution;                                 ///< r (22)
+  std::optional<Deviation> instrument_resolution;                           ///< r_s (23)
+  std::optional<ExpansionCoefficient> environment_sensitivity;              ///< K (24), per metre and °C
+  std::optional<TemperatureDifference> environment_temperature_difference;  ///< ΔT_e (24)
+  std::optional<Angle> alignment_angle;                                     ///< θ_max (20, 21)
+  std::optional<double> up_down_correlation;                                ///< between x_i↑ and x_i↓ (10); 1
+  std::optional<Deviation> run_drift;  ///< standard uncertainty of a shift common to a run
+  std::optional<Measurand> measurand;  ///< this_test when absent
+  std::vector<InputDistribution> distributions;
+};
+
 struct Metadata {
   Axis axis;
   Machine machine;
@@ -100,6 +126,7 @@ struct Metadata {
   NdeCorrection nde;
   Environment environment;
   AnnexAInputs uncertainty;
+  GumInputs gum;
 };
 
 }  // namespace axiometry

@@ -16,48 +16,72 @@
 /// equation numbers: Lira & Cargill, Precision Engineering 28 (2004) 232. Derivation: docs/theory/uncertainty.md.
 namespace axiometry::iso230_2 {
 
-/// How an input acts on the readings. One draw is shared by all readings of …
+/// How an input acts on the readings: on a reading at position P (mm or °, as the machine counts) it adds x.
+/// One draw is shared by all readings of …
 enum class Effect {
   machine_expansion,    ///< … the test: α in x = P (f_t(α, ΔT) − f_t(α̂, ΔT̂)), eq. 14; µm/(m·°C)
   machine_temperature,  ///< … the test: ΔT of the same; °C
-  device_expansion,     ///< … the test: the same for the expansion of the device (A.6, A.8)
+  device_expansion,     ///< … the test: the same with the opposite sign, for the device (A.6, A.8)
   device_temperature,
-  alignment,         ///< … the test: angle θ in x = P (cos θ's departure from its mean), eq. 18; °
-  scale,             ///< … the test: x = P ε; µm/m
+  alignment,         ///< … the test: angle θ in x = P (cos θ − E cos θ), eq. 18; °
+  scale,             ///< … the test: x = P ε; µm/m; linear axes only
   target,            ///< … one target in both directions, µm or ″
   target_direction,  ///< … one target in one direction, µm or ″
-  run,               ///< … one run, µm or ″
+  run,               ///< … one run in both directions, µm or ″
   reading,           ///< each reading has its own, µm or ″: the noise of known size
 };
+
+std::string_view effect_key(Effect effect);  ///< "machine_expansion", …, "reading"
 
 struct UncertaintyInput {
   std::string key;     ///< "machine_temperature"; also names the input in `uncertainty.distributions`
   std::string symbol;  ///< "ΔT"
-  std::string title;   ///< "Temperature of the machine"
+  std::string title;   ///< "Temperature of the machine, less 20 °C"
   std::string source;  ///< equation or formula: "16, A.5"
   Effect effect = Effect::scale;
+  /// Of α, ΔT and θ as they are, so that the means are α̂ and ΔT̂; of all others about zero.
   uncertainty::Distribution distribution;
   std::string unit;  ///< of the distribution
-  std::string note;  ///< "assumed", "from the sensors", "as given"; may be empty
+  std::string note;  ///< "assumed", "largest of the sensors", "as given"; empty for an item of the metadata
 };
 
-/// Everything that is known about the inputs of a test.
+/// Everything that is known about the inputs of a test. Of expansion and temperature (of the machine, of the
+/// device) there are both or none: what is known without uncertainty is a constant.
 struct UncertaintyInputs {
   std::vector<UncertaintyInput> inputs;
-  double up_down_correlation = 1.0;  ///< between systematic effects on x↑ and x↓ at a target, eq. 10
-  std::vector<std::string> notes;    ///< what was assumed
+  /// r between the errors of a `target` input in both directions of a target: at 1 it is the same error, at 0
+  /// two independent ones. Also that of eq. 10. What is shared by the whole test has no use for it.
+  double up_down_correlation = 1.0;
+  std::vector<std::string> notes;  ///< what was assumed
 };
 
-/// From the metadata, where `uncertainty.distributions` replaces or adds to what the single items say.
+/// From the metadata, where `uncertainty.distributions` replaces or adds to what the single items say. The items
+/// of Annex A mean what they mean there, with the same defaults (iso230_2_uncertainty.h). An item that was not
+/// given has no input.
+///
+/// - machine_temperature: uniform of width R(θ) about ΔT; ΔT given, else the sensors' largest, else 0 with α known.
+/// - machine_expansion: uniform of width R(α) about α.
+/// - device_temperature, device_expansion: likewise, where R(θ), ΔT or R(α) of the device was given.
+/// - alignment: θ uniform up to ± θ_max; given, else the angle of R_MISALIGNMENT over L.
+/// - device: linear, ε normal with U/2L (A.1) or U/2 (A.2) or uniform over the error range (A.3); rotary, normal
+///   with U/2 at each target.
+/// - environment: ε normal with K·ΔT_e (24); ΔT_e given, else the mean air temperature less 20 °C.
+/// - axis_resolution, instrument_resolution: uniform of that width at each target (22, 23).
+/// - environmental_variation: uniform of width E_VE at each reading. run_drift: normal.
+///
+/// Whether the correction for expansion was applied changes nothing here: the uncertainty of α and ΔT is that of the
+/// position at 20 °C either way. Where it was applied α̂ is that of the correction. Where it was not, the known
+/// expansion stays in the results as a deviation of the machine, and a note tells its size.
+///
 /// Empty inputs when nothing was given. Fails on a distribution that cannot be read or is not allowed, naming its
-/// input, and on a correlation outside −1 to 1.
+/// input (limits: |mean| + 10 sd up to 1 000 µm/(m·°C), 200 °C, 90°; 1e9 for others), on one given twice, and on a
+/// correlation outside −1 to 1.
 Result<UncertaintyInputs> uncertainty_inputs(const Metadata& metadata, const Series& series);
 
-/// Which of two questions the uncertainty answers; named in every result.
-enum class Measurand {
-  this_test,     ///< what the same approaches would have given with perfect instruments at 20 °C
-  this_machine,  ///< what the axis does in the long run: the sampling of n approaches counts too
-};
+/// Which of two questions the uncertainty answers (model/metadata.h).
+using axiometry::Measurand;
+
+Measurand measurand_of(const Metadata& metadata);  ///< as given, else this_test
 
 std::string_view measurand_key(Measurand measurand);    ///< "this-test", "this-machine"
 std::string_view measurand_title(Measurand measurand);  ///< a clause for reports

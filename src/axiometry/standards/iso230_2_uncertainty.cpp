@@ -80,10 +80,12 @@ Input magnitude(Input input) {
   return input;
 }
 
-/// Whether anything of Annex A was given. L alone says nothing about an uncertainty.
+/// Whether anything of Annex A was given. L alone says nothing about an uncertainty, and what has no clause
+/// belongs to other methods.
 bool any_given(const Metadata& metadata) {
   return std::ranges::any_of(metadata_fields(), [&](const Field& field) {
-    return field.key.starts_with("uncertainty.") && field.key != "uncertainty.length_mm" && is_given(field, metadata);
+    return field.key.starts_with("uncertainty.") && field.key != "uncertainty.length_mm" && !field.clause.empty() &&
+           is_given(field, metadata);
   });
 }
 
