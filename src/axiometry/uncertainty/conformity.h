@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <optional>
-#include <string>
 #include <string_view>
 
-#include "axiometry/base/result.h"
+#include "axiometry/uncertainty/sampled_distribution.h"
 
 /// Decisions about conformity to an upper limit in the presence of uncertainty: ISO 14253-1, JCGM 106:2012.
 namespace axiometry::uncertainty {
@@ -28,16 +26,16 @@ struct DecisionRule {
     guard_band,   ///< the same with g chosen by the user
   };
   Kind kind = Kind::simple;
-  double guard_band = 0.0;  ///< g of a chosen one, in the unit of the value
+  double guard_band = 0.0;  ///< g of a chosen one, in the unit of the value, not below 0
 
   std::string_view id() const;  ///< "simple", "iso14253-1", "guard-band"
 };
 
 /// What is known about the value to be judged.
 struct MeasuredValue {
-  double value = 0.0;                               ///< y
-  std::optional<double> standard_uncertainty;       ///< u(y)
-  std::function<double(double)> probability_below;  ///< from a Monte Carlo run; empty: normal with y and u
+  double value = 0.0;                                              ///< y
+  std::optional<double> standard_uncertainty = std::nullopt;       ///< u(y)
+  std::optional<SampledDistribution> distribution = std::nullopt;  ///< of a Monte Carlo run; absent: normal, y and u
 };
 
 struct Decision {

@@ -49,7 +49,7 @@ struct CurvilinearTrapezoid {  ///< 6.4.3, limits inexactly known: each lies wit
   double upper = 0.0;
   double d = 0.0;
 };
-struct Empirical {  ///< each value equally likely; drawn with replacement
+struct Empirical {  ///< each value equally likely; drawn with replacement; make() puts them in ascending order
   std::vector<double> values;
 };
 
@@ -59,9 +59,9 @@ class Distribution {
   using Form = std::variant<Constant, Normal, StudentT, Uniform, Triangular, Trapezoidal, Arcsine, CurvilinearTrapezoid,
                             Empirical>;
 
-  /// Fails on a number that is not finite, a negative sd, scale or d, degrees of freedom that are not positive,
-  /// limits that are swapped (equal ones are allowed: no uncertainty), d larger than half the width, beta
-  /// outside 0 to 1, no empirical value.
+  /// Fails on a number that is not finite, a negative sd, scale or d, degrees of freedom below 0.1 (draws could
+  /// overflow), limits that are swapped (equal ones are allowed: no uncertainty), d larger than half the width,
+  /// beta outside 0 to 1, no empirical value.
   static Result<Distribution> make(Form form);
 
   /// From words, as in "uniform -0.5 0.5": the name, then the numbers in the order of the members above.
@@ -79,8 +79,17 @@ class Distribution {
   /// The same shape about zero mean.
   Distribution centred() const;
 
-  /// Independent draws; depend on the key alone.
+  /// Independent draws; depend on the key alone, a shorter span gets the beginning of what a longer one gets.
+  /// One uniform number per draw through the inverse distribution function; two for the curvilinear trapezoid
+  /// (6.4.3.4) and for t, exact for any ν: √(ν (U^(−2/ν) − 1)) cos 2πV (Bailey, Math. Comp. 62 (1994) 779),
+  /// which needs no rejection, so that a draw stays at its place.
   void sample(numeric::RandomKey key, std::span<double> draws) const;
+
+  /// The value with probability p below it; contract: 0 < p < 1.
+  double quantile(double p) const;
+
+  /// quantile(Φ(z)) without the loss of digits where Φ(z) nears 1; increases with z.
+  double from_normal(double z) const;
 
  private:
   explicit Distribution(Form form) : form_(std::move(form)) {}

@@ -9,10 +9,15 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/uncertainty/sampled_distribution.h"
 
 /// Propagation of distributions by the Monte Carlo method (JCGM 101:2008, clauses 7 and 8): runs a model block
 /// by block, on any number of threads with the same result to the bit, in memory that does not grow with the
 /// number of trials. Knows nothing of what the outputs mean.
+///
+/// Adaptive runs follow 7.9 with two changes. They begin with ten blocks, not two: the standard deviation of two
+/// values is too erratic to stop by. Then they look again after as many blocks as the tolerance is expected to need
+/// (at most four times as many as before), so that the number of trials does not depend on the number of threads.
 namespace axiometry::uncertainty {
 
 /// Trials that share one block of random numbers (numeric::RandomKey::block).
@@ -36,25 +41,13 @@ struct Progress {
 struct MonteCarloOptions {
   /// Rounded up to whole blocks only in the work, never in the result. Absent: adaptive (7.9), at least ten
   /// blocks, until the numerical tolerance of every output is met.
-  std::optional<std::size_t> trials;
+  std::optional<std::size_t> trials = std::nullopt;
   std::size_t trials_max = 20'000'000;  ///< adaptive runs end here, unstable outputs marked
   int digits = 2;                       ///< significant digits of u(y) that shall be stable (7.9.2)
   double coverage = 0.95;               ///< p
   unsigned threads = 0;                 ///< 0: as many as the machine has
-  /// Called now and then from the calling thread; returning false stops cleanly.
-  std::function<bool(const Progress&)> on_progress;
-};
-
-struct Interval {
-  double lower = 0.0;
-  double upper = 0.0;
-};
-
-/// Equal bins over the interesting part of the distribution, for drawing.
-struct Histogram {
-  double lower = 0.0;
-  double width = 0.0;  ///< of one bin
-  std::vector<std::uint64_t> counts;
+  /// Called about ten times a second from the calling thread; returning false stops within a block per thread.
+  std::function<bool(const Progress&)> on_progress = {};
 };
 
 /// What is known about one output.
@@ -69,8 +62,7 @@ struct OutputSummary {
   double tolerance = 0.0;    ///< δ, numerical tolerance of u(y), 7.9.2
   bool stable = false;       ///< twice each standard error is at most δ, 7.9.4
   Histogram histogram;
-  /// Estimate of P(output ≤ x), from the fine counts.
-  std::function<double(double)> probability_below;
+  SampledDistribution distribution;  ///< P(output ≤ x), quantiles
 };
 
 struct MonteCarloResult {
@@ -79,8 +71,13 @@ struct MonteCarloResult {
   bool adaptive = false;
 };
 
-/// Fails when on_progress stopped it, when an output is not finite, and on options that make no sense
-/// (fewer than 100 trials, coverage outside 0 to 1, digits outside 1 to 4).
+/// δ of 7.9.2: half a unit of the last of `digits` significant digits of u; 0 for u = 0.
+double numerical_tolerance(double standard_uncertainty, int digits);
+
+/// Standard errors come from the scatter of blocks in an adaptive run (7.9.4), else from the moments and ranks of all
+/// trials. Fails when on_progress stopped it, when an output is not finite or is beyond 1e150, and on options that
+/// make no sense (trials below 100 or above 4e9, coverage outside 0 to 1, digits outside 1 to 4). What the model
+/// throws is thrown here.
 Result<MonteCarloResult> propagate(const BlockModel& model, std::size_t outputs, const MonteCarloOptions& options);
 
 }  // namespace axiometry::uncertainty
