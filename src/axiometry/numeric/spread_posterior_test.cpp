@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/numeric/spread_posterior.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "axiometry/numeric/moments.h"
+#include "axiometry/numeric/random.h"
+
+namespace axiometry::numeric {
+namespace {
+
+std::vector<std::vector<double>> draws(const SpreadPosterior& posterior, std::size_t count) {
+  const std::size_t each = posterior.size() + 2;
+  std::vector<double> uniforms(count * each), sds(posterior.size());
+  fill_uniform({1, 0, 0}, uniforms);
+  std::vector<std::vector<double>> found(posterior.size());
+  for (std::size_t t = 0; t < count; ++t) {
+    const auto own = std::span<const double>(uniforms).subspan(t * each, each);
+    posterior.draw({own[0], own[1], own.subspan(2)}, sds);
+    for (std::size_t c = 0; c < sds.size(); ++c) found[c].push_back(sds[c]);
+  }
+  return found;
+}
+
+TEST(SpreadPosterior, IsZeroWhereNothingScatters) {
+  const std::vector<CellScatter> cells(4, {0.0, 4.0});
+  for (const auto& cell : draws(SpreadPosterior(cells, 0.0), 10)) EXPECT_EQ(cell[3], 0.0);
+}
+
+TEST(SpreadPosterior, IsZeroWhereNothingIsKnown) {
+  const std::vector<CellScatter> cells(4, {0.0, 0.0});
+  EXPECT_EQ(draws(SpreadPosterior(cells, 0.7), 10)[0][0], 0.0);
+}
+
+TEST(SpreadPosterior, IsSureWhereManyCellsAgree) {
+  const std::vector<CellScatter> cells(200, {4.0 * 9.0, 4.0});  // s = 3
+  const auto found = draws(SpreadPosterior(cells, 0.0), 4000);
+  const Moments moment = moments(found[17]);
+  EXPECT_NEAR(moment.mean, 3.0, 0.06);
+  EXPECT_LT(moment.standard_deviation, 0.15);
+}
+
+/// With one cell and a level equally likely in every octave, σ² is ν s²/χ² with ν degrees of freedom.
+TEST(SpreadPosterior, OfOneCellIsThatOfTheChiSquareDistribution) {
+  const std::vector<CellScatter> cells = {{8.0, 8.0}};  // s = 1
+  auto found = draws(SpreadPosterior(cells, 0.0), 40000)[0];
+  std::ranges::sort(found);
+  EXPECT_NEAR(found[1000], std::sqrt(8.0 / 17.5345), 0.02);   // χ²(0.975; 8)
+  EXPECT_NEAR(found[20000], std::sqrt(8.0 / 7.3441), 0.02);   // χ²(0.5; 8)
+  EXPECT_NEAR(found[39000], std::sqrt(8.0 / 2.17973), 0.05);  // χ²(0.025; 8)
+}
+
+TEST(SpreadPosterior, TakesTheNoiseOutAndStaysAboveZero) {
+  const std::vector<CellScatter> cells(22, {4.0 * 2.0, 4.0});  // s² = 2, of which 1 is noise
+  const auto found = draws(SpreadPosterior(cells, 1.0), 4000);
+  EXPECT_NEAR(moments(found[0]).mean, 1.0, 0.1);
+  const std::vector<CellScatter> quiet(22, {4.0 * 0.8, 4.0});  // less than the noise alone
+  for (const double sd : draws(SpreadPosterior(quiet, 1.0), 1000)[5]) {
+    EXPECT_GE(sd, 0.0);
+    EXPECT_LT(sd, 0.9);
+  }
+}
+
+TEST(SpreadPosterior, SeesCellsThatDiffer) {
+  std::vector<CellScatter> cells(22, {4.0 * 1.0, 4.0});
+  for (std::size_t c = 0; c < 11; ++c) cells[c].sum_of_squares = 4.0 * 25.0;
+  const auto found = draws(SpreadPosterior(cells, 0.0), 4000);
+  EXPECT_GT(moments(found[0]).mean, 2.5 * moments(found[21]).mean);
+}
+
+}  // namespace
+}  // namespace axiometry::numeric

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/standards/iso230_2.h"
+#include "axiometry/standards/iso230_2_inputs.h"
+#include "axiometry/uncertainty/monte_carlo.h"
+
+/// The Monte Carlo method (JCGM 101:2008) through the whole evaluation of clause 3: the distribution of every
+/// parameter, given the readings and what is known about the inputs.
+///
+/// Every trial is a complete test that may have happened: readings as perfect instruments would have given them
+/// (iso230_2_posterior.h), moved by one draw of each systematic input, evaluated as evaluate() does. A, E, M, R and
+/// B are extremes of many readings: noise pushes them apart. What a trial finds is therefore smaller on average
+/// than what was measured, and the difference is stated as the bias. The measured value stays the result.
+namespace axiometry::iso230_2 {
+
+/// How the sampling of n approaches enters where the question is what the machine does in the long run.
+enum class TypeA {
+  pooled,     ///< cells tell about each other (iso230_2_posterior.h): intervals hold what they promise
+  t_scaled,   ///< each cell for itself, mean by Student's t and variance by χ² (JCGM 101, 6.4.9.2)
+  resampled,  ///< whole runs drawn with replacement (bootstrap); the noise of the readings stays in
+};
+
+std::string_view type_a_key(TypeA type_a);  ///< "pooled", "t-scaled", "resampled"
+std::optional<TypeA> find_type_a(std::string_view key);
+
+struct MonteCarloOptions {
+  uncertainty::MonteCarloOptions propagation;
+  std::uint64_t seed = 1;
+  TypeA type_a = TypeA::pooled;
+  std::size_t contribution_trials = 50'000;  ///< for each input alone; 0: no contributions
+};
+
+/// What an input, alone, contributes to the standard uncertainty of each parameter, the others at their
+/// estimates. Squares add up to u² only where the model is linear and the inputs are independent.
+struct Contribution {
+  std::string key;  ///< of the input, or "sampling"
+  std::string title;
+  std::array<double, std::size(parameters)> u{};  ///< native unit; 0 where the parameter does not exist
+};
+
+/// One parameter, in the order of `parameters`; numbers in the native deviation unit.
+struct ParameterDistribution {
+  double value = 0.0;                                   ///< measured, clause 3
+  uncertainty::OutputSummary summary;                   ///< y, u(y), intervals, histogram
+  double bias() const { return value - summary.mean; }  ///< what noise has added to the measured value
+};
+
+struct MonteCarlo {
+  Measurand measurand = Measurand::this_test;
+  TypeA type_a = TypeA::pooled;  ///< means something for this_machine only
+  std::uint64_t seed = 0;
+  std::size_t trials = 0;
+  bool adaptive = false;
+  bool stable = false;  ///< every numerical tolerance is met (JCGM 101, 7.9)
+  double coverage = 0.95;
+  std::array<std::optional<ParameterDistribution>, std::size(parameters)>
+      distributions;  ///< in the order of `parameters`
+  std::vector<UncertaintyInput> inputs;
+  std::vector<Contribution> contributions;
+  std::vector<std::string> notes;
+};
+
+/// Nothing when no input was given and the measurand is this test: then nothing is known about its uncertainty.
+/// Fails on inputs that make no sense (iso230_2_inputs.h), on an input without a finite variance that acts as
+/// noise, on this_machine with a single approach per direction (its scatter cannot be known), and when stopped.
+Result<std::optional<MonteCarlo>> monte_carlo(const Metadata& metadata, const Series& series,
+                                              const Evaluation& evaluation, const MonteCarloOptions& options);
+
+}  // namespace axiometry::iso230_2

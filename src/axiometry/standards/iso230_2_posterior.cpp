@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/standards/iso230_2_posterior.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "axiometry/base/contract.h"
+
+namespace axiometry::iso230_2 {
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr Direction both[] = {Direction::up, Direction::down};
+
+constexpr std::size_t cells_for_run_shifts = 3;  // with fewer, a shift of the run and scatter look alike
+constexpr double least_run_sd = 0.1;             // of what noise alone would show, to ten times what was seen
+constexpr double most_run_sd = 10.0;
+constexpr std::size_t run_grid_size = 24;
+
+double square(double x) { return x * x; }
+
+/// The part of a departure that is the first's own, where the variances of two causes add up.
+double share(double own_variance, double other_variance) {
+  return own_variance == 0.0 ? 0.0 : own_variance / (own_variance + other_variance);
+}
+
+}  // namespace
+
+/// What all draws of a batch of trials need: rows over the cells, one value per trial.
+struct ReadingPosterior::State {
+  std::size_t trials = 0;
+  std::vector<double> sds;       ///< σ
+  std::vector<double> means;     ///< μ, then the true means of the cells' own approaches
+  std::vector<double> run_sds;   ///< σ_ρ, one row
+  std::vector<double> normals;   ///< spare ones: rows for share_means() and the readings
+  std::size_t normals_used = 0;  ///< rows
+
+  std::span<double> sd(std::size_t cell) { return std::span(sds).subspan(cell * trials, trials); }
+  std::span<double> mean(std::size_t cell) { return std::span(means).subspan(cell * trials, trials); }
+  std::span<const double> next_normals() { return std::span(normals).subspan(trials * normals_used++, trials); }
+};
+
+ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noise)
+    : targets_(series.target_count()), runs_(series.run_count()), noise_(noise) {
+  exact_ = noise.reading == 0.0 && noise.run == 0.0 && noise.target == 0.0 && noise.target_direction == 0.0;
+  for (Direction direction : both) {
+    for (std::size_t i = 0; i < targets_; ++i) {
+      Cell cell{static_cast<std::size_t>(direction) * targets_ + i, i, series.count(i, direction), 0.0, {}, {}};
+      if (cell.count == 0) continue;
+      const auto readings = series.cell(i, direction);
+      for (double x : readings)
+        if (!std::isnan(x)) cell.mean += x / static_cast<double>(cell.count);
+      cell.readings.assign(readings.begin(), readings.end());
+      for (double x : readings) cell.residuals.push_back(x - cell.mean);
+      cells_.push_back(std::move(cell));
+    }
+  }
+  find_run_shifts();
+  find_curves(series);
+}
+
+/// Mean departure of each run from the cells' means. The residuals lose it.
+void ReadingPosterior::find_run_shifts() {
+  run_shifts_.assign(runs_, 0.0);
+  double cells_per_run = 0.0;
+  if (runs_ >= 2 && cells_.size() >= cells_for_run_shifts) {
+    for (std::size_t j = 0; j < runs_; ++j) {
+      double count = 0.0;
+      for (const Cell& cell : cells_) {
+        if (std::isnan(cell.residuals[j])) continue;
+        run_shifts_[j] += cell.residuals[j];
+        ++count;
+      }
+      if (count > 0.0) run_shifts_[j] /= count;
+      cells_per_run += count / static_cast<double>(runs_);
+    }
+  }
+  for (Cell& cell : cells_) {
+    double mean_shift = 0.0;
+    for (std::size_t j = 0; j < runs_; ++j)
+      if (!std::isnan(cell.residuals[j])) mean_shift += run_shifts_[j] / static_cast<double>(cell.count);
+    for (std::size_t j = 0; j < runs_; ++j) cell.residuals[j] -= run_shifts_[j] - mean_shift;
+  }
+  find_spread(cells_per_run);
+  find_run_sds(cells_per_run);
+}
+
+/// Taking out the shifts of the runs uses up one part in `cells_per_run` of the degrees of freedom.
+void ReadingPosterior::find_spread(double cells_per_run) {
+  std::vector<numeric::CellScatter> scatter;
+  for (const Cell& cell : cells_) {
+    double squares = 0.0;
+    for (double residual : cell.residuals)
+      if (!std::isnan(residual)) squares += square(residual);
+    const double left = cells_per_run > 0.0 ? 1.0 - 1.0 / cells_per_run : 1.0;
+    scatter.push_back({squares, static_cast<double>(cell.count - 1) * left});
+  }
+  spread_.emplace(scatter, noise_.reading);
+}
+
+/// The observed shifts scatter by σ_ρ² + u(d)² + (σ² + u²)/C with n − 1 degrees of freedom; σ_ρ is equally
+/// likely in every octave, or absent.
+void ReadingPosterior::find_run_sds(double cells_per_run) {
+  run_sds_ = {0.0};
+  std::vector<double> log_weights = {0.0};
+  const double noise_variance =
+      cells_per_run > 0.0 ? spread_->pooled_variance() / cells_per_run + square(noise_.run) : 0.0;
+  if (noise_variance > 0.0) {
+    double squares = 0.0;
+    for (double shift : run_shifts_) squares += square(shift);
+    const double freedom = static_cast<double>(runs_ - 1);
+    const double least = least_run_sd * std::sqrt(noise_variance);
+    const double most = most_run_sd * std::sqrt(std::max(squares / freedom, noise_variance));
+    for (std::size_t k = 0; k < run_grid_size; ++k)
+      run_sds_.push_back(least * std::pow(most / least, double(k) / double(run_grid_size - 1)));
+    log_weights.clear();
+    for (double sd : run_sds_) {
+      const double variance = square(sd) + noise_variance;
+      log_weights.push_back(-0.5 * (freedom * std::log(variance) + squares / variance));
+    }
+  }
+  run_choice_ = numeric::WeightedChoice::from_log_weights(log_weights);
+}
+
+void ReadingPosterior::find_curves(const Series& series) {
+  double of_mean = 0.0;  // variance of a cell's mean, on average over the cells
+  for (const Cell& cell : cells_)
+    of_mean += spread_->pooled_variance() / static_cast<double>(cell.count * cells_.size());
+  const double of_direction = of_mean + square(noise_.target_direction);
+  std::vector<double> first, second;
+  std::vector<Curve::Term> first_terms, second_terms;
+  if (cells_.size() == 2 * targets_) {  // the middle of ↑ and ↓, and ↑ − ↓
+    for (std::size_t i = 0; i < targets_; ++i) {
+      const std::size_t down = targets_ + i;
+      first.push_back(0.5 * (cells_[i].mean + cells_[down].mean));
+      second.push_back(cells_[i].mean - cells_[down].mean);
+      first_terms.insert(first_terms.end(), {{i, i, 1.0}, {down, i, 1.0}});
+      second_terms.insert(second_terms.end(), {{i, i, 0.5}, {down, i, -0.5}});
+    }
+    add_curve(series, first, 0.5 * of_direction + square(noise_.target), 2, std::move(first_terms));
+    add_curve(series, second, 2.0 * of_direction, 1, std::move(second_terms));
+    return;
+  }
+  for (std::size_t c = 0; c < cells_.size(); ++c) {  // each direction for itself
+    const bool up = cells_[c].place < targets_;
+    (up ? first_terms : second_terms).push_back({c, up ? first.size() : second.size(), 1.0});
+    (up ? first : second).push_back(cells_[c].mean);
+  }
+  add_curve(series, first, of_direction + square(noise_.target), 2, std::move(first_terms));
+  add_curve(series, second, of_direction + square(noise_.target), 2, std::move(second_terms));
+}
+
+void ReadingPosterior::add_curve(const Series& series, std::span<const double> values, double noise_variance,
+                                 std::size_t trend_terms, std::vector<Curve::Term> terms) {
+  if (values.empty()) return;
+  std::vector<double> places(values.size());
+  for (const Curve::Term& term : terms) places[term.place] = series.targets()[cells_[term.cell].target].in_native();
+  curves_.push_back({numeric::CurvePosterior({places, values, noise_variance, trend_terms}), std::move(terms)});
+  curve_values_ += values.size();
+}
+
+/// σ, σ_ρ and μ of every trial.
+ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std::size_t trials) const {
+  const std::size_t cells = cells_.size();
+  State state{trials,
+              std::vector<double>(cells * trials),
+              std::vector<double>(cells * trials, 0.0),
+              std::vector<double>(trials),
+              {},
+              0};
+  const std::size_t rows_shared = targets_ + 2 * cells;
+  const std::size_t rows_of_readings = runs_ + cells * runs_;
+  state.normals.resize((rows_shared + rows_of_readings) * trials);
+  const std::size_t uniforms_each = 3 + curves_.size() + cells;
+  std::vector<double> uniforms(uniforms_each * trials);
+  std::vector<double> curve_normals(curve_values_ * trials);
+  numeric::fill_uniform({key.seed, key.stream, 2 * key.block}, uniforms);
+  numeric::fill_normal({key.seed, key.stream, 2 * key.block + 1}, curve_normals);
+  numeric::fill_normal({key.seed, key.stream + 1, key.block}, state.normals);
+  std::vector<double> values(std::max(cells, targets_));
+  for (std::size_t t = 0; t < trials; ++t) {
+    const std::span<const double> u = std::span(uniforms).subspan(t * uniforms_each, uniforms_each);
+    spread_->draw({u[0], u[1], u.last(cells)}, values);
+    for (std::size_t c = 0; c < cells; ++c) state.sd(c)[t] = values[c];
+    state.run_sds[t] = run_sds_[run_choice_(u[2])];
+    std::span<const double> normals = std::span(curve_normals).subspan(t * curve_values_, curve_values_);
+    for (std::size_t k = 0; k < curves_.size(); ++k) {
+      const std::size_t size = curves_[k].posterior.size();
+      curves_[k].posterior.draw(u[3 + k], normals.first(size), values);
+      normals = normals.subspan(size);
+      for (const Curve::Term& term : curves_[k].terms) state.mean(term.cell)[t] += term.factor * values[term.place];
+    }
+  }
+  return state;
+}
+
+/// From the long-run means to those of the cells' own approaches: what x̄ − μ holds is shared between the target's
+/// δ, the direction's own, the noise of the readings and the machine's scatter, in the ratio of their variances.
+void ReadingPosterior::share_means(State& state) const {
+  const double u2 = square(noise_.reading);
+  const double target2 = square(noise_.target);
+  const double direction2 = square(noise_.target_direction);
+  std::vector<double> precision(targets_ * state.trials, 0.0), pull(targets_ * state.trials, 0.0);
+  const auto of_mean = [&](std::size_t cell, double sd) {
+    return (square(sd) + u2) / static_cast<double>(cells_[cell].count);
+  };
+  for (std::size_t c = 0; c < cells_.size() && target2 > 0.0; ++c) {
+    for (std::size_t t = 0; t < state.trials; ++t) {
+      const double weight = 1.0 / (of_mean(c, state.sd(c)[t]) + direction2);
+      precision[cells_[c].target * state.trials + t] += weight;
+      pull[cells_[c].target * state.trials + t] += weight * (cells_[c].mean - state.mean(c)[t]);
+    }
+  }
+  std::vector<double> shift(targets_ * state.trials, 0.0);
+  for (std::size_t i = 0; i < targets_ && target2 > 0.0; ++i) {
+    const auto z = state.next_normals();
+    for (std::size_t t = 0; t < state.trials; ++t) {
+      const std::size_t k = i * state.trials + t;
+      const double variance = 1.0 / (precision[k] + 1.0 / target2);
+      shift[k] = variance * pull[k] + std::sqrt(variance) * z[t];
+    }
+  }
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const auto z_direction = state.next_normals();
+    const auto z_reading = state.next_normals();
+    const auto mean = state.mean(c);
+    const auto sd = state.sd(c);
+    for (std::size_t t = 0; t < state.trials; ++t) {
+      const double variance = of_mean(c, sd[t]);
+      double left = cells_[c].mean - mean[t] - shift[cells_[c].target * state.trials + t];
+      const double own = share(direction2, variance);
+      left -= own * left + std::sqrt(own * variance) * z_direction[t];
+      const double machine = share(square(sd[t]), u2);
+      mean[t] += machine * left + std::sqrt(machine * u2 / static_cast<double>(cells_[c].count)) * z_reading[t];
+    }
+  }
+}
+
+/// The machine's part of the runs' shifts: rows over the runs.
+std::vector<double> ReadingPosterior::draw_run_shifts(State& state) const {
+  std::vector<double> shifts(runs_ * state.trials);
+  for (std::size_t j = 0; j < runs_; ++j) {
+    const auto z = state.next_normals();
+    for (std::size_t t = 0; t < state.trials; ++t) {
+      const double own = noise_.run == 0.0 ? 1.0 : share(square(state.run_sds[t]), square(noise_.run));
+      shifts[j * state.trials + t] = own * run_shifts_[j] + std::sqrt(own) * noise_.run * z[t];
+    }
+  }
+  return shifts;
+}
+
+/// The readings of one cell about its true mean: shifts of the runs, and the machine's share of the residuals.
+void ReadingPosterior::draw_cell(std::size_t index, std::span<const double> shifts, State& state,
+                                 numeric::Rows<double> readings) const {
+  const Cell& cell = cells_[index];
+  const std::size_t trials = state.trials;
+  const auto mean = state.mean(index);
+  const auto sd = state.sd(index);
+  std::vector<double> machine(trials), noise_sd(trials), about(trials, 0.0);
+  for (std::size_t t = 0; t < trials; ++t) {
+    machine[t] = share(square(sd[t]), square(noise_.reading));
+    noise_sd[t] = std::sqrt(machine[t]) * noise_.reading;
+  }
+  for (std::size_t j = 0; j < runs_; ++j) {
+    if (std::isnan(cell.residuals[j])) continue;
+    const auto z = state.next_normals();
+    const auto row = readings.row(cell.place * runs_ + j, trials);
+    for (std::size_t t = 0; t < trials; ++t) {
+      const double departure = shifts[j * trials + t] + noise_sd[t] * z[t];
+      about[t] += departure / static_cast<double>(cell.count);
+      row[t] = mean[t] + machine[t] * cell.residuals[j] + departure;
+    }
+  }
+  for (std::size_t j = 0; j < runs_; ++j) {
+    if (std::isnan(cell.residuals[j])) continue;
+    const auto row = readings.row(cell.place * runs_ + j, trials);
+    for (std::size_t t = 0; t < trials; ++t) row[t] -= about[t];
+  }
+}
+
+void ReadingPosterior::draw_readings(numeric::RandomKey key, numeric::Rows<double> readings) const {
+  std::ranges::fill(readings.values, missing);
+  if (exact_) {
+    for (const Cell& cell : cells_)
+      for (std::size_t j = 0; j < runs_; ++j)
+        std::ranges::fill(readings.row(cell.place * runs_ + j, readings.stride), cell.readings[j]);
+    return;
+  }
+  State state = draw_state(key, readings.stride);
+  share_means(state);
+  const std::vector<double> shifts = draw_run_shifts(state);
+  for (std::size_t c = 0; c < cells_.size(); ++c) draw_cell(c, shifts, state, readings);
+}
+
+void ReadingPosterior::draw_long_run(numeric::RandomKey key, numeric::Rows<double> means,
+                                     numeric::Rows<double> sds) const {
+  std::ranges::fill(means.values, missing);
+  std::ranges::fill(sds.values, missing);
+  State state = draw_state(key, means.stride);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    std::ranges::copy(state.mean(c), means.row(cells_[c].place, means.stride).begin());
+    const auto sd = state.sd(c);
+    const auto row = sds.row(cells_[c].place, means.stride);
+    for (std::size_t t = 0; t < means.stride; ++t) row[t] = std::hypot(sd[t], state.run_sds[t]);
+  }
+}
+
+}  // namespace axiometry::iso230_2

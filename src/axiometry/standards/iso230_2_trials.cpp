@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/standards/iso230_2_trials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "axiometry/numeric/moments.h"
+
+namespace axiometry::iso230_2 {
+namespace {
+
+// Streams of random numbers; inputs take two each, from first_of_inputs on.
+constexpr std::uint64_t of_posterior = 0;
+constexpr std::uint64_t of_coupling = of_posterior + ReadingPosterior::streams;
+constexpr std::uint64_t of_sampling = of_coupling + 1;
+constexpr std::uint64_t first_of_inputs = of_sampling + 1;
+
+constexpr double per_um_per_m = 1e-3;  // µm of deviation per mm of position
+
+/// Known noise: inputs of one effect add up in quadrature.
+ReadingNoise noise_of(const UncertaintyInputs& inputs, const TrialModelOptions& options) {
+  ReadingNoise noise;
+  for (std::size_t k = 0; k < inputs.inputs.size(); ++k) {
+    if (options.only_input && *options.only_input != k) continue;
+    const UncertaintyInput& input = inputs.inputs[k];
+    const double sd = input.distribution.standard_deviation().value_or(0.0);
+    double* of_effect = input.effect == Effect::reading            ? &noise.reading
+                        : input.effect == Effect::run              ? &noise.run
+                        : input.effect == Effect::target           ? &noise.target
+                        : input.effect == Effect::target_direction ? &noise.target_direction
+                                                                   : nullptr;
+    if (of_effect != nullptr) *of_effect = std::hypot(*of_effect, sd);
+  }
+  return noise;
+}
+
+/// f_t(α, ΔT) − f_t(α̂, ΔT̂) in µm/m, α in µm/(m·°C); the difference of (14) without cancellation.
+double expansion_error(double alpha, double dT, double alpha_estimate, double dT_estimate) {
+  const double strain = alpha * dT;
+  const double strain_estimate = alpha_estimate * dT_estimate;
+  return (strain_estimate - strain) / ((1.0 + 1e-6 * strain) * (1.0 + 1e-6 * strain_estimate));
+}
+
+/// cos θ in µm/m about 1 for θ in °; sin² does not cancel where cos does.
+double cosine_error(double theta_deg) {
+  const double s = std::sin(0.5 * theta_deg * std::numbers::pi / 180.0);
+  return -2e6 * s * s;
+}
+
+/// Its mean, to the fourth order: −E[θ²]/2 + E[θ⁴]/24 with E[θ⁴] of a uniform distribution about zero, 9/5 σ⁴.
+/// For θ below 10° within 1e-4 of it.
+double mean_cosine_error(const uncertainty::Distribution& theta_deg) {
+  const double to_rad = std::numbers::pi / 180.0;
+  const double mean = theta_deg.mean() * to_rad;
+  const double variance = std::pow(theta_deg.standard_deviation().value_or(0.0) * to_rad, 2);
+  return 1e6 * (-0.5 * (mean * mean + variance) + 1.8 / 24.0 * variance * variance);
+}
+
+}  // namespace
+
+TrialModel::TrialModel(const Series& series, const UncertaintyInputs& inputs, const TrialModelOptions& options)
+    : series_(series),
+      inputs_(inputs),
+      options_(options),
+      layout_(series),
+      posterior_(series, options.sampling ? noise_of(inputs, options) : ReadingNoise{}) {
+  find_length_errors();
+}
+
+/// Draws of one input; a second sequence for the direction that does not follow the first.
+std::vector<double> TrialModel::draws(std::size_t input, std::uint64_t place, bool second) const {
+  std::vector<double> values(chunk);
+  const auto& distribution = inputs_.inputs[input].distribution;
+  if (options_.only_input && *options_.only_input != input) {
+    std::ranges::fill(values, distribution.mean());
+    return values;
+  }
+  distribution.sample({options_.seed, first_of_inputs + 2 * input + (second ? 1 : 0), place}, values);
+  return values;
+}
+
+/// α and ΔT of one body make one error of length; all other systematic inputs one each.
+void TrialModel::find_length_errors() {
+  const auto& all = inputs_.inputs;
+  const auto find = [&](Effect effect) {
+    const auto found = std::ranges::find(all, effect, &UncertaintyInput::effect);
+    return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
+  };
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    LengthError error{all[k].effect, k, std::nullopt, 0.0};
+    switch (error.effect) {
+      case Effect::machine_expansion: error.temperature = find(Effect::machine_temperature); break;
+      case Effect::device_expansion: error.temperature = find(Effect::device_temperature); break;
+      case Effect::alignment: break;
+      case Effect::scale: error.mean = all[k].distribution.mean(); break;
+      default: continue;
+    }
+    const bool expansion = error.effect != Effect::alignment && error.effect != Effect::scale;
+    if (!expansion || error.temperature) length_errors_.push_back(error);
+  }
+}
+
+/// Draws of one error in µm/m.
+std::vector<double> TrialModel::draw(const LengthError& error, std::uint64_t place, bool second) const {
+  std::vector<double> values = draws(error.input, place, second);
+  const uncertainty::Distribution& own = inputs_.inputs[error.input].distribution;
+  if (error.temperature) {
+    const std::vector<double> dT = draws(*error.temperature, place, second);
+    const double dT_estimate = inputs_.inputs[*error.temperature].distribution.mean();
+    for (std::size_t t = 0; t < chunk; ++t) values[t] = expansion_error(values[t], dT[t], own.mean(), dT_estimate);
+  } else if (error.effect == Effect::alignment) {
+    const double mean = mean_cosine_error(own);
+    for (double& value : values) value = cosine_error(value) - mean;
+  }
+  return values;
+}
+
+/// Errors of length from all systematic inputs, for each direction.
+///
+/// ↓ follows ↑ with the probability |r|, else it has draws of its own: so each input keeps its distribution
+/// and the two directions the correlation r. A negative r mirrors the draws about their mean.
+TrialModel::Errors TrialModel::length_errors(std::uint64_t place) const {
+  Errors errors = {std::vector<double>(chunk), std::vector<double>(chunk)};
+  const double r = inputs_.up_down_correlation;
+  std::vector<double> coupling(chunk);
+  if (std::abs(r) < 1.0) numeric::fill_uniform({options_.seed, of_coupling, place}, coupling);
+  for (const LengthError& error : length_errors_) {
+    const std::vector<double> up = draw(error, place, false);
+    const std::vector<double> own = std::abs(r) < 1.0 ? draw(error, place, true) : up;
+    for (std::size_t t = 0; t < chunk; ++t) {
+      const double following = r < 0.0 ? 2.0 * error.mean - up[t] : up[t];
+      errors[0][t] += up[t] * per_um_per_m;
+      errors[1][t] += (coupling[t] < std::abs(r) ? following : own[t]) * per_um_per_m;
+    }
+  }
+  return errors;
+}
+
+/// Each cell for itself: σ² + u² from χ², μ from the normal distribution that follows (together Student's t).
+void TrialModel::draw_t_scaled(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> sds) const {
+  const double noise_variance = std::pow(noise_of(inputs_, options_).reading, 2);
+  std::vector<double> normals(chunk * (series_.run_count() + 1));
+  for (std::size_t c = 0; c < 2 * series_.target_count(); ++c) {
+    const auto direction = static_cast<Direction>(c / series_.target_count());
+    const numeric::Moments cell = numeric::moments(series_.cell(c % series_.target_count(), direction));
+    if (cell.count < 2) continue;
+    const double sum_of_squares = std::pow(cell.standard_deviation, 2) * static_cast<double>(cell.count - 1);
+    numeric::fill_normal({options_.seed, of_sampling, place * 2 * series_.target_count() + c}, normals);
+    for (std::size_t t = 0; t < chunk; ++t) {
+      double chi_square = 0.0;
+      for (std::size_t k = 1; k < cell.count; ++k) chi_square += std::pow(normals[k * chunk + t], 2);
+      const double variance = sum_of_squares / chi_square;
+      means.row(c, chunk)[t] = cell.mean + std::sqrt(variance / static_cast<double>(cell.count)) * normals[t];
+      sds.row(c, chunk)[t] = std::sqrt(std::max(0.0, variance - noise_variance));
+    }
+  }
+}
+
+/// Whole runs drawn with replacement, so that what readings of a run have in common stays.
+void TrialModel::draw_resampled(std::uint64_t place, numeric::Rows<double> readings) const {
+  const std::size_t runs = series_.run_count();
+  const std::size_t targets = series_.target_count();
+  std::vector<double> uniforms(chunk * runs);
+  numeric::fill_uniform({options_.seed, of_sampling, place}, uniforms);
+  for (std::size_t c = 0; c < 2 * targets; ++c) {
+    const auto cell = series_.cell(c % targets, static_cast<Direction>(c / targets));
+    for (std::size_t j = 0; j < runs; ++j)
+      for (std::size_t t = 0; t < chunk; ++t)
+        readings.row(c * runs + j, chunk)[t] =
+            cell[std::min(runs - 1, static_cast<std::size_t>(uniforms[j * chunk + t] * static_cast<double>(runs)))];
+  }
+}
+
+/// The errors of length at every target: rows of readings (or of means) of one direction move together.
+void TrialModel::add_length_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const {
+  if (length_errors_.empty()) return;
+  const Errors errors = length_errors(place);
+  const std::size_t targets = series_.target_count();
+  for (std::size_t c = 0; c < 2 * targets; ++c) {
+    const double position = series_.targets()[c % targets].in_native();
+    const std::vector<double>& error = errors[c / targets];
+    for (std::size_t k = 0; k < rows_per_cell; ++k) {
+      const auto row = rows.row(c * rows_per_cell + k, chunk);
+      for (std::size_t t = 0; t < chunk; ++t) row[t] += position * error[t];
+    }
+  }
+}
+
+void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const {
+  const bool long_run = options_.sampling && options_.measurand == Measurand::this_machine;
+  const numeric::RandomKey posterior_key{options_.seed, of_posterior, place};
+  if (long_run && options_.type_a != TypeA::resampled) {
+    std::vector<double> means(layout_.cell_rows() * chunk), estimators(layout_.cell_rows() * chunk);
+    const numeric::Rows<double> mean_rows{means, chunk}, estimator_rows{estimators, chunk};
+    if (options_.type_a == TypeA::pooled) {
+      posterior_.draw_long_run(posterior_key, mean_rows, estimator_rows);
+    } else {
+      draw_t_scaled(place, mean_rows, estimator_rows);
+    }
+    add_length_errors(place, 1, mean_rows);
+    evaluate_batch(layout_, CellMoments<double>{{means, chunk}, {estimators, chunk}}, chunk, outputs);
+    return;
+  }
+  std::vector<double> readings(layout_.reading_rows() * chunk);
+  const numeric::Rows<double> rows{readings, chunk};
+  if (long_run) {
+    draw_resampled(place, rows);
+  } else {
+    posterior_.draw_readings(posterior_key, rows);
+  }
+  add_length_errors(place, series_.run_count(), rows);
+  evaluate_batch(layout_, numeric::Rows<const double>{readings, chunk}, chunk, outputs);
+}
+
+void TrialModel::operator()(std::uint64_t block, uncertainty::BlockOutputs outputs) const {
+  std::vector<double> drawn(layout_.outputs().size() * chunk);
+  for (std::size_t begin = 0; begin < outputs.trials; begin += chunk) {
+    const std::uint64_t place = block * (uncertainty::block_size / chunk) + begin / chunk;
+    draw_chunk(place, numeric::Rows<double>{drawn, chunk});
+    const std::size_t count = std::min(chunk, outputs.trials - begin);
+    for (std::size_t p = 0; p < layout_.outputs().size(); ++p)
+      std::copy_n(drawn.begin() + static_cast<std::ptrdiff_t>(p * chunk), count,
+                  outputs.row(p).begin() + static_cast<std::ptrdiff_t>(begin));
+  }
+}
+
+}  // namespace axiometry::iso230_2
