@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures of the thermal and the alignment factor with many digits, for the unit tests to be held against.
 
-Usage: tests/uncertainty_oracle.py [--update]      checks (or writes) tests/golden/uncertainty/*.csv
+Usage: tests/uncertainty_oracle.py [--update]      checks (or writes) alignment.csv and thermal.csv below tests/golden/
 
 Shares nothing with the program: the alignment by equations 20 and 21 of Lira & Cargill as they are printed, at 200
 digits, so that their cancellation costs nothing; the thermal factor by the geometric series of 1/(1 + q), whose terms
