@@ -6,7 +6,7 @@
 // registers while all groups are made.
 #include "axiometry/numeric/lanes.h"
 #include "axiometry/numeric/normal_polynomials.h"
-#include "axiometry/numeric/random_kernel_table.h"
+#include "axiometry/numeric/random_kernel_types.h"
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the order of half words decides which number is which");
 
@@ -169,6 +169,7 @@ void make_normal_single(RandomState& state, float* numbers, size_t groups) {
 
 }  // namespace
 
-extern const RandomKernel random_kernel = {make_bits, make_uniform, make_normal, make_normal_single};
+extern const RandomKernel random_kernel;
+const RandomKernel random_kernel = {make_bits, make_uniform, make_normal, make_normal_single};
 
 }  // namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET
