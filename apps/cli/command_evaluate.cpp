@@ -16,8 +16,10 @@
 #include "axiometry/model/fields.h"
 #include "axiometry/report/utf8.h"
 #include "commands.h"
+#include "progress.h"
 #include "summary.h"
 #include "terminal.h"
+#include "uncertainty_flags.h"
 
 namespace axiometry::cli {
 namespace {
@@ -64,7 +66,7 @@ class Run {
     return code;
   }
 
-  bool go_on() const { return many_ && !output_failed_; }
+  bool go_on() const { return many_ && !output_failed_ && !InterruptGuard::interrupted(); }
 
   /// False after an error, which has been reported.
   bool evaluate(const app::InputFile& input) {
@@ -78,6 +80,10 @@ class Run {
     auto result =
         app::evaluate_file(input.name, arguments_.evaluate, [&](app::Evaluated&& e) { return take(std::move(e)); });
     if (result) return true;
+    if (InterruptGuard::interrupted()) {
+      failed(result.error(), exit_interrupted);
+      return false;
+    }
     failed(result.error(), output_failed_ == exit_usage ? exit_usage : exit_bad_input);
     if (many_ && !output_failed_) add_to_outputs(input.name, result.error());
     return false;
@@ -315,25 +321,57 @@ void add_input_flags(CLI::App& verb, Arguments& arguments) {
 
 }  // namespace
 
+namespace {
+
+/// With Ctrl-C and a bar where trials are run, which may take long.
+int run(Arguments& arguments) {
+  if (!arguments.evaluate.uncertainty.monte_carlo) return Run(arguments)();
+  const InterruptGuard guard;
+  ProgressBar bar(!arguments.quiet);
+  arguments.evaluate.uncertainty.trials.propagation.on_progress = std::ref(bar);
+  return Run(arguments)();
+}
+
+void add_flags(CLI::App& verb, const std::shared_ptr<Arguments>& arguments, int& exit_code) {
+  add_input_flags(verb, *arguments);
+  add_output_flags(verb, *arguments);
+  add_number_flags(verb, *arguments);
+  add_method_flags(verb, arguments->evaluate.uncertainty);
+  add_uncertainty_flags(verb, *arguments);
+  verb.callback([arguments, &exit_code] {
+    if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
+      throw CLI::ValidationError("--report", outputs.error().message);
+    arguments->evaluate.many_in_full = app::state_tests_in_full(arguments->outputs);
+    exit_code = run(*arguments);
+  });
+}
+
+}  // namespace
+
 void add_evaluate(CLI::App& program, int& exit_code) {
   CLI::App* verb = program.add_subcommand("evaluate", "Evaluate measured tests after ISO 230-2:2014");
   auto arguments = std::make_shared<Arguments>();
-  add_input_flags(*verb, *arguments);
-  add_output_flags(*verb, *arguments);
-  add_number_flags(*verb, *arguments);
-  add_uncertainty_flags(*verb, *arguments);
+  add_flags(*verb, arguments, exit_code);
   verb->footer(R"(Examples:
   axiometry evaluate test.csv
   axiometry evaluate test.csv --report report.html --report report.pdf
   axiometry evaluate test.csv --device-error-range-um-per-m 3.4 --misalignment-mm 1 --environmental-variation 1.7
   axiometry evaluate machines/ --json all.json --report all.csv --report 'reports/{name}.pdf'
   zcat big.csv.gz | axiometry evaluate - --quiet --report all.csv)");
-  verb->callback([arguments, &exit_code] {
-    if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
-      throw CLI::ValidationError("--report", outputs.error().message);
-    arguments->evaluate.many_in_full = app::state_tests_in_full(arguments->outputs);
-    exit_code = Run(*arguments)();
-  });
+}
+
+void add_uncertainty(CLI::App& program, int& exit_code) {
+  CLI::App* verb = program.add_subcommand(
+      "uncertainty", "State the uncertainty of every parameter by all methods: Annex A, GUM, Monte Carlo");
+  auto arguments = std::make_shared<Arguments>();
+  arguments->evaluate.uncertainty.gum = true;
+  arguments->evaluate.uncertainty.monte_carlo = true;
+  add_flags(*verb, arguments, exit_code);
+  verb->footer(R"(As 'evaluate --uncertainty annex-a,gum,monte-carlo'. Examples:
+  axiometry uncertainty test.json
+  axiometry uncertainty test.json --measurand this-machine --report report.pdf
+  axiometry uncertainty test.json --trials 1000000 --seed 7 --json result.json
+  axiometry uncertainty test.csv --environmental-variation 1.7 --set 'uncertainty.distributions=scale:optics | normal 0 0.2')");
 }
 
 }  // namespace axiometry::cli

@@ -10,13 +10,15 @@ namespace axiometry::cli {
 /// What the process returns to its caller.
 enum ExitCode : int {
   exit_done = 0,
-  exit_usage = 1,      ///< the command line is wrong
-  exit_bad_input = 2,  ///< an input cannot be read or an output cannot be written
-  exit_exceeded = 3,   ///< a tolerance is exceeded, or an expectation of a case is not met
+  exit_usage = 1,          ///< the command line is wrong
+  exit_bad_input = 2,      ///< an input cannot be read or an output cannot be written
+  exit_exceeded = 3,       ///< a tolerance is exceeded, or an expectation of a case is not met
+  exit_interrupted = 130,  ///< stopped by Ctrl-C, as shells have it
 };
 
 /// Each adds one verb to the program; when that verb is given, its callback sets `exit_code`.
 void add_evaluate(CLI::App& program, int& exit_code);
+void add_uncertainty(CLI::App& program, int& exit_code);
 void add_formats(CLI::App& program, int& exit_code);
 void add_schema(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);

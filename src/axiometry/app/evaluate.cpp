@@ -90,9 +90,13 @@ Result<Test> read_source(Source& source, const std::string& forced) {
 }
 
 Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test, const UncertaintyOptions& wanted) {
-  if (!wanted.monte_carlo) return {};
-  AXIOMETRY_TRY(assessment.monte_carlo,
-                iso230_2::monte_carlo(test.metadata, test.series, assessment.evaluation, wanted.trials));
+  const iso230_2::Evaluation& evaluation = assessment.evaluation;
+  if (wanted.gum) {
+    AXIOMETRY_TRY(assessment.gum, iso230_2::gum(test.metadata, test.series, evaluation));
+  }
+  if (wanted.monte_carlo) {
+    AXIOMETRY_TRY(assessment.monte_carlo, iso230_2::monte_carlo(test.metadata, test.series, evaluation, wanted.trials));
+  }
   return {};
 }
 

@@ -178,8 +178,8 @@ std::vector<GumSource> list_sources(const GumModel& model) {
 }
 
 /// The budget of one parameter; its uncertainty is 0 when no source acts on it.
-ParameterUncertainty propagate_parameter(const GumModel& model, const Budget& budget) {
-  ParameterUncertainty result;
+GumParameter propagate_parameter(const GumModel& model, const Budget& budget) {
+  GumParameter result;
   ComponentSum sum;
   bool correlated = false;
   const auto add = [&](double u, double nu) {
@@ -264,7 +264,7 @@ std::string_view coverage_key(Coverage coverage) {
   return "";
 }
 
-const ParameterUncertainty* GumUncertainty::find(std::string_view key) const {
+const GumParameter* GumUncertainty::find(std::string_view key) const {
   const auto found = std::ranges::find_if(parameters, [&](const auto& p) { return p.parameter->key == key; });
   return found == parameters.end() ? nullptr : &*found;
 }
@@ -288,8 +288,7 @@ Result<std::optional<GumUncertainty>> gum(const Metadata& metadata, const Series
   for (std::size_t k = 0; k < std::size(parameters); ++k) {
     const ParameterInfo& info = parameters[k];
     if (!(evaluation.parameters.*info.member)) continue;
-    ParameterUncertainty parameter =
-        propagate_parameter(model, Budget(model, series, evaluation, std::move(gradients[k])));
+    GumParameter parameter = propagate_parameter(model, Budget(model, series, evaluation, std::move(gradients[k])));
     if (parameter.uncertainty.u.in_native() == 0.0) continue;
     parameter.parameter = &info;
     parameter.value = *(evaluation.parameters.*info.member);

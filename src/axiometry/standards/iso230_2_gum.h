@@ -72,7 +72,7 @@ struct GumSource {
 };
 
 /// The uncertainty of one parameter and its budget.
-struct ParameterUncertainty {
+struct GumParameter {
   const ParameterInfo* parameter = nullptr;
   Deviation value;
   ExpandedUncertainty uncertainty;
@@ -86,12 +86,12 @@ struct GumUncertainty {
   std::optional<FactorUncertainty> device_thermal;
   std::optional<FactorUncertainty> alignment;  ///< f_a
   std::vector<GumSource> sources;
-  std::vector<PositionUncertainty> positions;    ///< one per target
-  std::vector<ParameterUncertainty> parameters;  ///< those that exist and on which some source acts
-  std::vector<std::string> notes;                ///< what was assumed, and where the method ends
+  std::vector<PositionUncertainty> positions;  ///< one per target
+  std::vector<GumParameter> parameters;        ///< those that exist and on which some source acts
+  std::vector<std::string> notes;              ///< what was assumed, and where the method ends
 
   /// nullptr where it has none.
-  const ParameterUncertainty* find(std::string_view key) const;
+  const GumParameter* find(std::string_view key) const;
 };
 
 /// The inputs of uncertainty_inputs() propagated. Nothing when there are none (for this_machine: when neither they

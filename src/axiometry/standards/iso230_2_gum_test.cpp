@@ -31,7 +31,7 @@ GumUncertainty of(const Metadata& metadata, const Series& series = testing_suppo
 }
 
 double u(const GumUncertainty& result, std::string_view key) {
-  const ParameterUncertainty* parameter = result.find(key);
+  const GumParameter* parameter = result.find(key);
   return parameter ? parameter->uncertainty.u.in_native() : 0.0;
 }
 

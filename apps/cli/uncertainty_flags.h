@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "axiometry/app/evaluate.h"
+
+namespace axiometry::cli {
+
+/// --uncertainty, --trials, --seed, --type-a, --coverage, --threads.
+void add_method_flags(CLI::App& verb, app::UncertaintyOptions& options);
+
+}  // namespace axiometry::cli
