@@ -371,7 +371,8 @@ void add_uncertainty(CLI::App& program, int& exit_code) {
   axiometry uncertainty test.json
   axiometry uncertainty test.json --measurand this-machine --report report.pdf
   axiometry uncertainty test.json --trials 1000000 --seed 7 --json result.json
-  axiometry uncertainty test.csv --environmental-variation 1.7 --set 'uncertainty.distributions=scale:optics | normal 0 0.2')");
+  axiometry uncertainty test.csv --environmental-variation 1.7
+  axiometry uncertainty test.csv --set 'uncertainty.distributions=scale:optics | normal 0 0.2')");
 }
 
 }  // namespace axiometry::cli
