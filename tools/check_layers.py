@@ -13,6 +13,8 @@ SOURCES = ROOT / "src" / "axiometry"
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 OWNERS = {  # prefix of an include -> the only files that may use it
     "nlohmann/": "src/axiometry/base/",
+    "Eigen/": "src/axiometry/uncertainty/",
+    "muParser": "src/axiometry/app/",
     "openssl/": "src/axiometry/app/",
     "cairo": "src/axiometry/report/",
     "pango/": "src/axiometry/report/",

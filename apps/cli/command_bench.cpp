@@ -2,15 +2,41 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
 
 #include "axiometry/app/bench_monte_carlo.h"
+#include "axiometry/base/text.h"
 #include "commands.h"
 
 namespace axiometry::cli {
 namespace {
+
+struct Range {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+};
+
+/// A flag for a whole number; CLI11 itself would take −5 for 2⁶⁴ − 5.
+template <typename Number>
+void add_whole_number(CLI::App& verb, const std::string& name, Number& target, Range range, const std::string& help) {
+  verb.add_option_function<std::string>(
+          name,
+          [name, &target, range](const std::string& word) {
+            std::uint64_t number = 0;
+            const char* const end = word.data() + word.size();
+            const auto [rest, fault] = std::from_chars(word.data(), end, number);
+            if (fault != std::errc() || rest != end || number < range.first || number > range.last)
+              throw CLI::ValidationError(name, fmt::format("found {}, expected a whole number from {} to {}",
+                                                           text::quoted(word), range.first, range.last));
+            target = static_cast<Number>(number);
+          },
+          help)
+      ->type_name("N");
+}
 
 int print_monte_carlo(const app::MonteCarloBench& bench) {
   const auto result = app::bench_monte_carlo(bench);
@@ -22,25 +48,29 @@ int print_monte_carlo(const app::MonteCarloBench& bench) {
   return exit_done;
 }
 
+app::Precision precision_of(const std::string& word) {
+  if (word == "double") return app::Precision::both_double;
+  if (word == "single") return app::Precision::both_single;
+  throw CLI::ValidationError("--precision", fmt::format("found {}, expected double or single", text::quoted(word)));
+}
+
 }  // namespace
 
 void add_bench(CLI::App& program, int& exit_code) {
   CLI::App* verb = program.add_subcommand("bench", "Measure how fast this machine computes, as JSON");
   auto what = std::make_shared<std::string>();
   auto bench = std::make_shared<app::MonteCarloBench>();
-  auto precision = std::make_shared<std::string>("double");
-  verb->add_option("WHAT", *what, "monte-carlo: trials of a whole test a second (docs/performance.md)")
-      ->required()
-      ->check(CLI::IsMember({"monte-carlo"}));
-  verb->add_option("--trials", bench->trials, "Number of trials (1000000)");
-  verb->add_option("--threads", bench->threads, "Number of threads, 0 for all of the machine (1)")
-      ->check(CLI::Range(0, 1024).description(""));
-  verb->add_option("--seed", bench->seed, "Seed of the random numbers, up to 2^53 (1)")
-      ->check(CLI::Range(0.0, 9007199254740992.0).description(""));
-  verb->add_option("--precision", *precision, "Of the draws and the evaluation: double or single (double)")
-      ->check(CLI::IsMember({"double", "single"}));
-  verb->callback([what, bench, precision, &exit_code] {
-    bench->precision = *precision == "single" ? app::Precision::both_single : app::Precision::both_double;
+  verb->add_option("WHAT", *what, "monte-carlo: trials of a whole test a second (docs/performance.md)")->required();
+  add_whole_number(*verb, "--trials", bench->trials, {100, 4'000'000'000}, "Number of trials (1000000)");
+  add_whole_number(*verb, "--threads", bench->threads, {0, 1024}, "Number of threads, 0 for all of the machine (1)");
+  add_whole_number(*verb, "--seed", bench->seed, {0, std::uint64_t{1} << 53}, "Seed of the random numbers (1)");
+  verb->add_option_function<std::string>(
+          "--precision", [bench](const std::string& word) { bench->precision = precision_of(word); },
+          "Of the draws and the evaluation: double or single (double)")
+      ->type_name("KIND");
+  verb->callback([what, bench, &exit_code] {
+    if (*what != "monte-carlo")
+      throw CLI::ValidationError("WHAT", fmt::format("found {}, expected monte-carlo", text::quoted(*what)));
     exit_code = print_monte_carlo(*bench);
   });
 }

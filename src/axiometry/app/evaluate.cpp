@@ -90,6 +90,13 @@ Result<Test> read_source(Source& source, const std::string& forced) {
   return read_single(source, *format);
 }
 
+Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test, const UncertaintyOptions& wanted) {
+  if (!wanted.monte_carlo) return {};
+  AXIOMETRY_TRY(assessment.monte_carlo,
+                iso230_2::monte_carlo(test.metadata, test.series, assessment.evaluation, wanted.trials));
+  return {};
+}
+
 }  // namespace
 
 bool Evaluated::exceeds_tolerance() const {
@@ -103,6 +110,7 @@ Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso23
   }
   AXIOMETRY_TRY(const auto tolerances, tolerances_for(test.metadata.axis.kind, options.tolerances));
   iso230_2::Assessment assessment = iso230_2::assess(test, depth);
+  AXIOMETRY_TRY_VOID(add_uncertainty(assessment, test, options.uncertainty));
   auto judgements = iso230_2::judge(assessment.evaluation.parameters, tolerances);
   return Evaluated{std::move(test), "", std::move(assessment), std::move(judgements)};
 }

@@ -17,11 +17,19 @@
 /// The use case "from a measured file to its evaluation".
 namespace axiometry::app {
 
+/// What is wanted beside Annex A, which costs nothing.
+struct UncertaintyOptions {
+  bool gum = false;
+  bool monte_carlo = false;
+  iso230_2::MonteCarloOptions trials;
+};
+
 struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
   std::vector<ToleranceText> tolerances;
   bool nde_correct = false;  ///< bring the readings to 20 °C first (standards/nde_correction.h)
+  UncertaintyOptions uncertainty;
   /// Whether the tests of a file of many are stated in full: every finding, and the hash of the file by a
   /// pass of its own. A table needs neither.
   bool many_in_full = true;

@@ -4,8 +4,13 @@
 #include <algorithm>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/kernel_table.h"
 
 namespace axiometry::numeric {
+
+AXIOMETRY_KERNEL_TABLE(affine_kernel, AffineKernel);
+
+const AffineKernel& affine_kernel_of(VectorTarget target) { return affine_kernel_table.of(target); }
 
 AffineRows::AffineRows(std::span<const Row> rows) : begins_{0} {
   for (const Row& row : rows) {
@@ -24,16 +29,15 @@ AffineRows::AffineRows(std::span<const Row> rows) : begins_{0} {
 void AffineRows::apply(Rows<const double> sources, Rows<double> rows, std::size_t trials, VectorTarget target) const {
   AXIOMETRY_CONTRACT(sources.hold(source_count_, trials) && rows.hold(row_count(), trials));
   const AffineMapView<double> map{row_count(), constants_.data(), begins_.data(), sources_.data(), factors_.data()};
-  affine_kernel_table.of(target).apply(map, {sources.values.data(), sources.stride, trials}, rows.values.data(),
-                                       rows.stride);
+  affine_kernel_of(target).apply(map, {sources.values.data(), sources.stride, trials}, rows.values.data(), rows.stride);
 }
 
 void AffineRows::apply(Rows<const float> sources, Rows<float> rows, std::size_t trials, VectorTarget target) const {
   AXIOMETRY_CONTRACT(sources.hold(source_count_, trials) && rows.hold(row_count(), trials));
   const AffineMapView<float> map{row_count(), constants_single_.data(), begins_.data(), sources_.data(),
                                  factors_single_.data()};
-  affine_kernel_table.of(target).apply_single(map, {sources.values.data(), sources.stride, trials}, rows.values.data(),
-                                              rows.stride);
+  affine_kernel_of(target).apply_single(map, {sources.values.data(), sources.stride, trials}, rows.values.data(),
+                                        rows.stride);
 }
 
 }  // namespace axiometry::numeric

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "axiometry/numeric/affine_rows_kernel_table.h"
+#include "axiometry/numeric/affine_rows_kernel_types.h"
 #include "axiometry/numeric/rows.h"
 #include "axiometry/numeric/vector_target.h"
 

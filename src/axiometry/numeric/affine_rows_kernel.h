@@ -2,7 +2,7 @@
 #pragma once
 
 // The map of affine_rows.h for one target; compiled once for each (vector_target.h).
-#include "axiometry/numeric/affine_rows_kernel_table.h"
+#include "axiometry/numeric/affine_rows_kernel_types.h"
 #include "axiometry/numeric/lanes.h"
 
 namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET {
@@ -53,6 +53,7 @@ void apply_single(const AffineMapView<float>& map, AffineInput<float> input, flo
 
 }  // namespace
 
-extern const AffineKernel affine_kernel = {apply, apply_single};
+extern const AffineKernel affine_kernel;
+const AffineKernel affine_kernel = {apply, apply_single};
 
 }  // namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET

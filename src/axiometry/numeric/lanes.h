@@ -11,8 +11,8 @@
 // Vectors as wide as the registers of the target that is compiled, for kernels only (*_kernel.h).
 //
 // A kernel is compiled with instructions that the processor may not have. Whatever it defines lies therefore in the
-// namespace of its target, and it includes nothing whose inline functions the linker could hand to the rest of the
-// program: no standard C++ header.
+// namespace of its target, and it calls no inline function or template of a shared header, which the linker could hand
+// to the rest of the program (tools/check_kernels.py).
 #if !defined(AXIOMETRY_VECTOR_TARGET)
 #error "found no AXIOMETRY_VECTOR_TARGET, expected to be compiled by axiometry_vector_kernels()"
 #endif

@@ -4,9 +4,15 @@
 #include <algorithm>
 #include <array>
 
+#include "axiometry/numeric/kernel_table.h"
 #include "axiometry/numeric/philox.h"
 
 namespace axiometry::numeric {
+
+AXIOMETRY_KERNEL_TABLE(random_kernel, RandomKernel);
+
+const RandomKernel& random_kernel_of(VectorTarget target) { return random_kernel_table.of(target); }
+
 namespace {
 
 RandomState starting_state(RandomKey key) {
@@ -34,7 +40,7 @@ void fill(void (*make)(RandomState&, Number*, std::size_t), RandomState& state, 
 }  // namespace
 
 RandomStream::RandomStream(RandomKey key, VectorTarget target)
-    : state_(starting_state(key)), kernel_(&random_kernel_table.of(target)) {}
+    : state_(starting_state(key)), kernel_(&random_kernel_of(target)) {}
 
 void RandomStream::fill_bits(std::span<std::uint64_t> numbers) {
   fill<RandomKernel::bits_group>(kernel_->bits, state_, numbers);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "axiometry/numeric/random_kernel_table.h"
+#include "axiometry/numeric/random_kernel_types.h"
 #include "axiometry/numeric/vector_target.h"
 
 /// Random numbers that depend on their place alone: the same key gives the same numbers on any number of

@@ -217,7 +217,7 @@ TEST(NormalNumbers, AreExactToTheEndsOfTheTails) {
   for (VectorTarget target : available_vector_targets()) {
     std::array<double, 16> z{};
     RandomState state = chosen.state;
-    random_kernel_table.of(target).normal(state, z.data(), 1);
+    random_kernel_of(target).normal(state, z.data(), 1);
     for (std::size_t lane = 0; lane < random_lanes; ++lane) {
       const Exact e = exact(radius_bits[lane], chosen.second[lane]);
       EXPECT_NEAR(z[lane], static_cast<double>(e.first), 1e-15 * std::abs(static_cast<double>(e.first))) << lane;
@@ -233,7 +233,7 @@ TEST(UniformNumbers, AreInsideTheOpenIntervalAndSymmetric) {
   for (VectorTarget target : available_vector_targets()) {
     std::array<double, 8> u{};
     RandomState state = chosen.state;
-    random_kernel_table.of(target).uniform(state, u.data(), 1);
+    random_kernel_of(target).uniform(state, u.data(), 1);
     EXPECT_EQ(u[0], 0x1p-53);
     EXPECT_EQ(u[1], 1.0 - 0x1p-53);
     EXPECT_EQ(u[2], 0x1p-53);

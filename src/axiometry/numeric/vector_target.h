@@ -24,39 +24,4 @@ std::span<const VectorTarget> available_vector_targets();
 /// The last of them.
 VectorTarget best_vector_target();
 
-/// One kernel of the table per target; a target that is not there leaves a null pointer.
-template <typename Kernel>
-struct KernelTable {
-  const Kernel* plain = nullptr;
-  const Kernel* avx2 = nullptr;
-  const Kernel* avx512 = nullptr;
-
-  const Kernel& of(VectorTarget target) const {
-    const Kernel* chosen = target == VectorTarget::avx512 ? avx512 : target == VectorTarget::avx2 ? avx2 : plain;
-    return *(chosen ? chosen : plain);
-  }
-};
-
 }  // namespace axiometry::numeric
-
-/// AXIOMETRY_KERNEL_TABLE(name, Kernel): declares, in the namespaces of the targets, the `name` that the compiled
-/// kernels define, and the table `name_table` of those this program contains. Use in axiometry::numeric or alike.
-#if defined(AXIOMETRY_X86_KERNELS)
-#define AXIOMETRY_KERNEL_TABLE(name, Kernel) \
-  namespace plain {                          \
-  extern const Kernel name;                  \
-  }                                          \
-  namespace avx2 {                           \
-  extern const Kernel name;                  \
-  }                                          \
-  namespace avx512 {                         \
-  extern const Kernel name;                  \
-  }                                          \
-  inline constexpr ::axiometry::numeric::KernelTable<Kernel> name##_table { &plain::name, &avx2::name, &avx512::name }
-#else
-#define AXIOMETRY_KERNEL_TABLE(name, Kernel) \
-  namespace plain {                          \
-  extern const Kernel name;                  \
-  }                                          \
-  inline constexpr ::axiometry::numeric::KernelTable<Kernel> name##_table { &plain::name, nullptr, nullptr }
-#endif

@@ -8,6 +8,7 @@
 
 #include "axiometry/model/test.h"
 #include "axiometry/standards/iso230_2.h"
+#include "axiometry/standards/iso230_2_monte_carlo.h"
 #include "axiometry/standards/iso230_2_uncertainty.h"
 
 namespace axiometry::iso230_2 {
@@ -41,6 +42,7 @@ std::vector<Finding> find_departures(const Metadata& metadata, const Series& ser
 struct Assessment {
   Evaluation evaluation;
   std::optional<AnnexA> annex_a;
+  std::optional<MonteCarlo> monte_carlo;  ///< added by who wants it; assess() leaves it out
   std::vector<Finding> findings;
   std::string label;  ///< must stand wherever the results do: "step cycle (Annex B), not for acceptance"; else empty
 

@@ -6,8 +6,14 @@
 #include <iterator>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/kernel_table.h"
 
 namespace axiometry::iso230_2 {
+
+AXIOMETRY_KERNEL_TABLE(batch_kernel, BatchKernel);
+
+const BatchKernel& batch_kernel_of(numeric::VectorTarget target) { return batch_kernel_table.of(target); }
+
 namespace {
 
 using numeric::Rows;
@@ -106,22 +112,22 @@ BatchView BatchLayout::view() const {
 
 void evaluate_batch(const BatchLayout& layout, Rows<const double> readings, std::size_t trials, Rows<double> result,
                     VectorTarget target) {
-  run_readings(batch_kernel_table.of(target).from_readings, layout, readings, trials, result);
+  run_readings(batch_kernel_of(target).from_readings, layout, readings, trials, result);
 }
 
 void evaluate_batch(const BatchLayout& layout, Rows<const float> readings, std::size_t trials, Rows<float> result,
                     VectorTarget target) {
-  run_readings(batch_kernel_table.of(target).from_readings_single, layout, readings, trials, result);
+  run_readings(batch_kernel_of(target).from_readings_single, layout, readings, trials, result);
 }
 
 void evaluate_batch(const BatchLayout& layout, CellMoments<double> moments, std::size_t trials, Rows<double> result,
                     VectorTarget target) {
-  run_moments(batch_kernel_table.of(target).from_moments, layout, moments, trials, result);
+  run_moments(batch_kernel_of(target).from_moments, layout, moments, trials, result);
 }
 
 void evaluate_batch(const BatchLayout& layout, CellMoments<float> moments, std::size_t trials, Rows<float> result,
                     VectorTarget target) {
-  run_moments(batch_kernel_table.of(target).from_moments_single, layout, moments, trials, result);
+  run_moments(batch_kernel_of(target).from_moments_single, layout, moments, trials, result);
 }
 
 }  // namespace axiometry::iso230_2

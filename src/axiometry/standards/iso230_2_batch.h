@@ -10,7 +10,7 @@
 #include "axiometry/numeric/rows.h"
 #include "axiometry/numeric/vector_target.h"
 #include "axiometry/standards/iso230_2.h"
-#include "axiometry/standards/iso230_2_batch_kernel_table.h"
+#include "axiometry/standards/iso230_2_batch_kernel_types.h"
 
 /// Clause 3 of many trials at once: the inner loop of the Monte Carlo method. The same formulas as evaluate(), which
 /// stays the reference: with the same readings (which must be finite), every parameter is equal to its, on every

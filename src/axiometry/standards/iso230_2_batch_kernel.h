@@ -4,7 +4,7 @@
 // Clause 3 of many trials for one target; compiled once for each (numeric/vector_target.h). Operation by operation
 // what evaluate() does, but that the largest R_i is found from the largest s_i: × 4 is exact and keeps the order.
 #include "axiometry/numeric/lanes.h"
-#include "axiometry/standards/iso230_2_batch_kernel_table.h"
+#include "axiometry/standards/iso230_2_batch_kernel_types.h"
 
 namespace axiometry::iso230_2::AXIOMETRY_VECTOR_TARGET {
 namespace {
@@ -170,7 +170,8 @@ void from_moments(const BatchView& view, BatchInput<Number> means, BatchInput<Nu
 
 }  // namespace
 
-extern const BatchKernel batch_kernel = {from_readings<Doubles, double>, from_readings<Floats, float>,
-                                         from_moments<Doubles, double>, from_moments<Floats, float>};
+extern const BatchKernel batch_kernel;
+const BatchKernel batch_kernel = {from_readings<Doubles, double>, from_readings<Floats, float>,
+                                  from_moments<Doubles, double>, from_moments<Floats, float>};
 
 }  // namespace axiometry::iso230_2::AXIOMETRY_VECTOR_TARGET

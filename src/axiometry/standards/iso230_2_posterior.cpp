@@ -43,6 +43,10 @@ struct ReadingPosterior::State {
 
 ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noise)
     : targets_(series.target_count()), runs_(series.run_count()), noise_(noise) {
+  const double r = noise.up_down_correlation;
+  shared_variance_ = std::abs(r) * square(noise.target);
+  own_variance_ = (1.0 - std::abs(r)) * square(noise.target) + square(noise.target_direction);
+  down_sign_ = r < 0.0 ? -1.0 : 1.0;
   exact_ = noise.reading == 0.0 && noise.run == 0.0 && noise.target == 0.0 && noise.target_direction == 0.0;
   for (Direction direction : both) {
     for (std::size_t i = 0; i < targets_; ++i) {
@@ -127,7 +131,7 @@ void ReadingPosterior::find_curves(const Series& series) {
   double of_mean = 0.0;  // variance of a cell's mean, on average over the cells
   for (const Cell& cell : cells_)
     of_mean += spread_->pooled_variance() / static_cast<double>(cell.count * cells_.size());
-  const double of_direction = of_mean + square(noise_.target_direction);
+  const double of_direction = of_mean + own_variance_;
   std::vector<double> first, second;
   std::vector<Curve::Term> first_terms, second_terms;
   if (cells_.size() == 2 * targets_) {  // the middle of ↑ and ↓, and ↑ − ↓
@@ -138,8 +142,10 @@ void ReadingPosterior::find_curves(const Series& series) {
       first_terms.insert(first_terms.end(), {{i, i, 1.0}, {down, i, 1.0}});
       second_terms.insert(second_terms.end(), {{i, i, 0.5}, {down, i, -0.5}});
     }
-    add_curve(series, first, 0.5 * of_direction + square(noise_.target), 2, std::move(first_terms));
-    add_curve(series, second, 2.0 * of_direction, 1, std::move(second_terms));
+    const double in_middle = down_sign_ > 0.0 ? shared_variance_ : 0.0;
+    const double in_difference = down_sign_ > 0.0 ? 0.0 : 4.0 * shared_variance_;
+    add_curve(series, first, 0.5 * of_direction + in_middle, 2, std::move(first_terms));
+    add_curve(series, second, 2.0 * of_direction + in_difference, 1, std::move(second_terms));
     return;
   }
   for (std::size_t c = 0; c < cells_.size(); ++c) {  // each direction for itself
@@ -147,8 +153,8 @@ void ReadingPosterior::find_curves(const Series& series) {
     (up ? first_terms : second_terms).push_back({c, up ? first.size() : second.size(), 1.0});
     (up ? first : second).push_back(cells_[c].mean);
   }
-  add_curve(series, first, of_direction + square(noise_.target), 2, std::move(first_terms));
-  add_curve(series, second, of_direction + square(noise_.target), 2, std::move(second_terms));
+  add_curve(series, first, of_direction + shared_variance_, 2, std::move(first_terms));
+  add_curve(series, second, of_direction + shared_variance_, 2, std::move(second_terms));
 }
 
 void ReadingPosterior::add_curve(const Series& series, std::span<const double> values, double noise_variance,
@@ -199,25 +205,24 @@ ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std
 /// δ, the direction's own, the noise of the readings and the machine's scatter, in the ratio of their variances.
 void ReadingPosterior::share_means(State& state) const {
   const double u2 = square(noise_.reading);
-  const double target2 = square(noise_.target);
-  const double direction2 = square(noise_.target_direction);
   std::vector<double> precision(targets_ * state.trials, 0.0), pull(targets_ * state.trials, 0.0);
   const auto of_mean = [&](std::size_t cell, double sd) {
     return (square(sd) + u2) / static_cast<double>(cells_[cell].count);
   };
-  for (std::size_t c = 0; c < cells_.size() && target2 > 0.0; ++c) {
+  const auto sign_of = [&](std::size_t cell) { return cells_[cell].place < targets_ ? 1.0 : down_sign_; };
+  for (std::size_t c = 0; c < cells_.size() && shared_variance_ > 0.0; ++c) {
     for (std::size_t t = 0; t < state.trials; ++t) {
-      const double weight = 1.0 / (of_mean(c, state.sd(c)[t]) + direction2);
+      const double weight = 1.0 / (of_mean(c, state.sd(c)[t]) + own_variance_);
       precision[cells_[c].target * state.trials + t] += weight;
-      pull[cells_[c].target * state.trials + t] += weight * (cells_[c].mean - state.mean(c)[t]);
+      pull[cells_[c].target * state.trials + t] += sign_of(c) * weight * (cells_[c].mean - state.mean(c)[t]);
     }
   }
   std::vector<double> shift(targets_ * state.trials, 0.0);
-  for (std::size_t i = 0; i < targets_ && target2 > 0.0; ++i) {
+  for (std::size_t i = 0; i < targets_ && shared_variance_ > 0.0; ++i) {
     const auto z = state.next_normals();
     for (std::size_t t = 0; t < state.trials; ++t) {
       const std::size_t k = i * state.trials + t;
-      const double variance = 1.0 / (precision[k] + 1.0 / target2);
+      const double variance = 1.0 / (precision[k] + 1.0 / shared_variance_);
       shift[k] = variance * pull[k] + std::sqrt(variance) * z[t];
     }
   }
@@ -228,8 +233,8 @@ void ReadingPosterior::share_means(State& state) const {
     const auto sd = state.sd(c);
     for (std::size_t t = 0; t < state.trials; ++t) {
       const double variance = of_mean(c, sd[t]);
-      double left = cells_[c].mean - mean[t] - shift[cells_[c].target * state.trials + t];
-      const double own = share(direction2, variance);
+      double left = cells_[c].mean - mean[t] - sign_of(c) * shift[cells_[c].target * state.trials + t];
+      const double own = share(own_variance_, variance);
       left -= own * left + std::sqrt(own * variance) * z_direction[t];
       const double machine = share(square(sd[t]), u2);
       mean[t] += machine * left + std::sqrt(machine * u2 / static_cast<double>(cells_[c].count)) * z_reading[t];

@@ -27,10 +27,11 @@ namespace axiometry::iso230_2 {
 
 /// Standard uncertainties in the native deviation unit (µm or ″), all ≥ 0.
 struct ReadingNoise {
-  double reading = 0.0;           ///< u(e), of each reading
-  double run = 0.0;               ///< u(d), common to a run
-  double target = 0.0;            ///< u(δ), common to a target
-  double target_direction = 0.0;  ///< the same for one direction of a target
+  double reading = 0.0;              ///< u(e), of each reading
+  double run = 0.0;                  ///< u(d), common to a run
+  double target = 0.0;               ///< u(δ), of a target in either direction …
+  double up_down_correlation = 1.0;  ///< … with this correlation between the two, −1 to 1
+  double target_direction = 0.0;     ///< of a target in one direction, independent
 };
 
 class ReadingPosterior {
@@ -84,6 +85,9 @@ class ReadingPosterior {
   std::size_t targets_ = 0;
   std::size_t runs_ = 0;
   ReadingNoise noise_;
+  double shared_variance_ = 0.0;  ///< of δ as far as ↑ and ↓ share it, with opposite signs where r < 0
+  double own_variance_ = 0.0;     ///< of what either direction of a target has of its own
+  double down_sign_ = 1.0;
   bool exact_ = false;
   std::vector<Cell> cells_;
   std::vector<double> run_shifts_;  ///< observed ρ_j + d_j, about their mean

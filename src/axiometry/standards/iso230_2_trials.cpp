@@ -11,17 +11,16 @@
 namespace axiometry::iso230_2 {
 namespace {
 
-// Streams of random numbers; inputs take two each, from first_of_inputs on.
+// Streams of random numbers; inputs take one each, from first_of_inputs on.
 constexpr std::uint64_t of_posterior = 0;
-constexpr std::uint64_t of_coupling = of_posterior + ReadingPosterior::streams;
-constexpr std::uint64_t of_sampling = of_coupling + 1;
+constexpr std::uint64_t of_sampling = of_posterior + ReadingPosterior::streams;
 constexpr std::uint64_t first_of_inputs = of_sampling + 1;
 
 constexpr double per_um_per_m = 1e-3;  // µm of deviation per mm of position
 
 /// Known noise: inputs of one effect add up in quadrature.
 ReadingNoise noise_of(const UncertaintyInputs& inputs, const TrialModelOptions& options) {
-  ReadingNoise noise;
+  ReadingNoise noise{.up_down_correlation = inputs.up_down_correlation};
   for (std::size_t k = 0; k < inputs.inputs.size(); ++k) {
     if (options.only_input && *options.only_input != k) continue;
     const UncertaintyInput& input = inputs.inputs[k];
@@ -69,15 +68,15 @@ TrialModel::TrialModel(const Series& series, const UncertaintyInputs& inputs, co
   find_length_errors();
 }
 
-/// Draws of one input; a second sequence for the direction that does not follow the first.
-std::vector<double> TrialModel::draws(std::size_t input, std::uint64_t place, bool second) const {
+/// Draws of one input.
+std::vector<double> TrialModel::draws(std::size_t input, std::uint64_t place) const {
   std::vector<double> values(chunk);
   const auto& distribution = inputs_.inputs[input].distribution;
   if (options_.only_input && *options_.only_input != input) {
     std::ranges::fill(values, distribution.mean());
     return values;
   }
-  distribution.sample({options_.seed, first_of_inputs + 2 * input + (second ? 1 : 0), place}, values);
+  distribution.sample({options_.seed, first_of_inputs + input, place}, values);
   return values;
 }
 
@@ -89,12 +88,12 @@ void TrialModel::find_length_errors() {
     return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
   };
   for (std::size_t k = 0; k < all.size(); ++k) {
-    LengthError error{all[k].effect, k, std::nullopt, 0.0};
+    LengthError error{all[k].effect, k, std::nullopt};
     switch (error.effect) {
       case Effect::machine_expansion: error.temperature = find(Effect::machine_temperature); break;
       case Effect::device_expansion: error.temperature = find(Effect::device_temperature); break;
       case Effect::alignment: break;
-      case Effect::scale: error.mean = all[k].distribution.mean(); break;
+      case Effect::scale: break;
       default: continue;
     }
     const bool expansion = error.effect != Effect::alignment && error.effect != Effect::scale;
@@ -103,11 +102,11 @@ void TrialModel::find_length_errors() {
 }
 
 /// Draws of one error in µm/m.
-std::vector<double> TrialModel::draw(const LengthError& error, std::uint64_t place, bool second) const {
-  std::vector<double> values = draws(error.input, place, second);
+std::vector<double> TrialModel::draw(const LengthError& error, std::uint64_t place) const {
+  std::vector<double> values = draws(error.input, place);
   const uncertainty::Distribution& own = inputs_.inputs[error.input].distribution;
   if (error.temperature) {
-    const std::vector<double> dT = draws(*error.temperature, place, second);
+    const std::vector<double> dT = draws(*error.temperature, place);
     const double dT_estimate = inputs_.inputs[*error.temperature].distribution.mean();
     for (std::size_t t = 0; t < chunk; ++t) values[t] = expansion_error(values[t], dT[t], own.mean(), dT_estimate);
   } else if (error.effect == Effect::alignment) {
@@ -117,23 +116,12 @@ std::vector<double> TrialModel::draw(const LengthError& error, std::uint64_t pla
   return values;
 }
 
-/// Errors of length from all systematic inputs, for each direction.
-///
-/// ↓ follows ↑ with the probability |r|, else it has draws of its own: so each input keeps its distribution
-/// and the two directions the correlation r. A negative r mirrors the draws about their mean.
-TrialModel::Errors TrialModel::length_errors(std::uint64_t place) const {
-  Errors errors = {std::vector<double>(chunk), std::vector<double>(chunk)};
-  const double r = inputs_.up_down_correlation;
-  std::vector<double> coupling(chunk);
-  if (std::abs(r) < 1.0) numeric::fill_uniform({options_.seed, of_coupling, place}, coupling);
+/// Errors of length from all systematic inputs: deviation per position.
+std::vector<double> TrialModel::length_errors(std::uint64_t place) const {
+  std::vector<double> errors(chunk);
   for (const LengthError& error : length_errors_) {
-    const std::vector<double> up = draw(error, place, false);
-    const std::vector<double> own = std::abs(r) < 1.0 ? draw(error, place, true) : up;
-    for (std::size_t t = 0; t < chunk; ++t) {
-      const double following = r < 0.0 ? 2.0 * error.mean - up[t] : up[t];
-      errors[0][t] += up[t] * per_um_per_m;
-      errors[1][t] += (coupling[t] < std::abs(r) ? following : own[t]) * per_um_per_m;
-    }
+    const std::vector<double> drawn = draw(error, place);
+    for (std::size_t t = 0; t < chunk; ++t) errors[t] += drawn[t] * per_um_per_m;
   }
   return errors;
 }
@@ -176,11 +164,10 @@ void TrialModel::draw_resampled(std::uint64_t place, numeric::Rows<double> readi
 /// The errors of length at every target: rows of readings (or of means) of one direction move together.
 void TrialModel::add_length_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const {
   if (length_errors_.empty()) return;
-  const Errors errors = length_errors(place);
+  const std::vector<double> error = length_errors(place);
   const std::size_t targets = series_.target_count();
   for (std::size_t c = 0; c < 2 * targets; ++c) {
     const double position = series_.targets()[c % targets].in_native();
-    const std::vector<double>& error = errors[c / targets];
     for (std::size_t k = 0; k < rows_per_cell; ++k) {
       const auto row = rows.row(c * rows_per_cell + k, chunk);
       for (std::size_t t = 0; t < chunk; ++t) row[t] += position * error[t];

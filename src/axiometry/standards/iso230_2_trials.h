@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -47,14 +46,12 @@ class TrialModel {
     Effect effect = Effect::scale;
     std::size_t input = 0;                   ///< of UncertaintyInputs; α where there are two
     std::optional<std::size_t> temperature;  ///< ΔT
-    double mean = 0.0;                       ///< about which the draws are mirrored, µm/m
   };
-  using Errors = std::array<std::vector<double>, 2>;  ///< per direction, deviation per position
 
   void find_length_errors();
-  std::vector<double> draws(std::size_t input, std::uint64_t place, bool second) const;
-  std::vector<double> draw(const LengthError& error, std::uint64_t place, bool second) const;
-  Errors length_errors(std::uint64_t place) const;
+  std::vector<double> draws(std::size_t input, std::uint64_t place) const;
+  std::vector<double> draw(const LengthError& error, std::uint64_t place) const;
+  std::vector<double> length_errors(std::uint64_t place) const;
   void add_length_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
   void draw_t_scaled(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> sds) const;
   void draw_resampled(std::uint64_t place, numeric::Rows<double> readings) const;

@@ -140,7 +140,10 @@ class Run {
     const auto at = std::ranges::find_if(row, too_large);
     const std::lock_guard lock(mutex_);
     if (!spoiled_ || block < spoiled_->block)
-      spoiled_ = Spoiled{block, output, static_cast<std::size_t>(at - row.begin()), at == row.end() ? row[0] : *at};
+      spoiled_ = Spoiled{block, output, static_cast<std::size_t>(at - row.begin()),
+                         at == row.end()   ? row[0]
+                         : std::isnan(*at) ? std::abs(*at)
+                                           : *at};
     stop_ = true;
   }
 

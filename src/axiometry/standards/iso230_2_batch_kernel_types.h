@@ -48,6 +48,7 @@ struct BatchKernel {
   BatchFromMoments<float> from_moments_single;
 };
 
-AXIOMETRY_KERNEL_TABLE(batch_kernel, BatchKernel);
+/// The one for this target; contract: it is available.
+const BatchKernel& batch_kernel_of(numeric::VectorTarget target);
 
 }  // namespace axiometry::iso230_2

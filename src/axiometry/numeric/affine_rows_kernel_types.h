@@ -30,6 +30,7 @@ struct AffineKernel {
   void (*apply_single)(const AffineMapView<float>& map, AffineInput<float> input, float* rows, std::size_t stride);
 };
 
-AXIOMETRY_KERNEL_TABLE(affine_kernel, AffineKernel);
+/// The one for this target; contract: it is available.
+const AffineKernel& affine_kernel_of(VectorTarget target);
 
 }  // namespace axiometry::numeric

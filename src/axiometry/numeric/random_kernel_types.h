@@ -29,6 +29,7 @@ struct RandomKernel {
   void (*normal_single)(RandomState& state, float* numbers, std::size_t groups);
 };
 
-AXIOMETRY_KERNEL_TABLE(random_kernel, RandomKernel);
+/// The one for this target; contract: it is available.
+const RandomKernel& random_kernel_of(VectorTarget target);
 
 }  // namespace axiometry::numeric
