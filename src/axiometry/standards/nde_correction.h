@@ -4,7 +4,7 @@
 #include "axiometry/base/result.h"
 #include "axiometry/model/test.h"
 
-/// Correction of readings for nominal differential expansion (NDE): ISO 230-2:2014, 4.1 and 6.1. Derivation:
+/// Correction of readings for nominal differential expansion (NDE): ISO 230-2:2014, 4.1 and 5.3.1. Derivation:
 /// docs/theory/uncertainty.md.
 namespace axiometry {
 
