@@ -304,6 +304,10 @@ void add_input_flags(CLI::App& verb, Arguments& arguments) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->group(group);
+  verb.add_flag("--nde-correct", arguments.evaluate.nde_correct,
+                "Correct the readings for nominal differential expansion, from the temperatures of the sensors and the "
+                "expansion coefficients; refused where the instrument has done it")
+      ->group(group);
   verb.add_option_function<std::vector<std::string>>(
           "--tolerance",
           [&](const std::vector<std::string>& texts) {

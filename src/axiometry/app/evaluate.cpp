@@ -8,6 +8,7 @@
 
 #include "axiometry/app/source.h"
 #include "axiometry/model/fields.h"
+#include "axiometry/standards/nde_correction.h"
 
 namespace axiometry::app {
 namespace {
@@ -108,6 +109,9 @@ bool Evaluated::exceeds_tolerance() const {
 
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
   AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options));
+  if (options.nde_correct) {
+    AXIOMETRY_TRY(test, correct_expansion(std::move(test)));
+  }
   AXIOMETRY_TRY(const auto tolerances, tolerances_for(test.metadata.axis.kind, options.tolerances));
   iso230_2::Assessment assessment = iso230_2::assess(test, depth);
   AXIOMETRY_TRY_VOID(add_uncertainty(assessment, test, options.uncertainty));

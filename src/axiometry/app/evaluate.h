@@ -28,6 +28,7 @@ struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
   std::vector<ToleranceText> tolerances;
+  bool nde_correct = false;  ///< bring the readings to 20 °C first (standards/nde_correction.h)
   UncertaintyOptions uncertainty;
   /// Whether the tests of a file of many are stated in full: every finding, and the hash of the file by a
   /// pass of its own. A table needs neither.
@@ -44,8 +45,9 @@ struct Evaluated {
   bool exceeds_tolerance() const;
 };
 
-/// Metadata over what the file says, then assessment and verdicts. Fails on a key or value that the
-/// vocabulary does not allow and on a tolerance of the wrong kind.
+/// Metadata over what the file says, the correction for expansion where it is asked for, then assessment and
+/// verdicts. Fails on a key or value that the vocabulary does not allow, on a correction that cannot be made and on a
+/// tolerance of the wrong kind.
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options,
                                 iso230_2::Depth depth = iso230_2::Depth::every_finding);
 

@@ -186,6 +186,10 @@ constexpr std::array fields = {
         Wanted::no, -50, 100, "Coefficient used for the measuring equipment's expansion."),
     text_field<TextAt<&Metadata::nde, &NdeCorrection::routine>>(
         "nde.routine", "Compensation routine", "8.1", Wanted::with_nde, "How often the correction is updated."),
+    number_field<QuantityAt<&Metadata::nde, &NdeCorrection::datum, position>>(
+        "nde.datum", "Datum of the instrument", "mm", "°", "", Wanted::no, -any, any,
+        "Position at which the instrument was set to zero, where a correction by this program is none; the first "
+        "target when not given."),
     records_field<SensorAccess>(
         "sensors", "Temperature sensors", "8.1", Wanted::with_nde, sensor_columns,
         "Sensors with their readings at the start and the end; role is machine, equipment or air."),

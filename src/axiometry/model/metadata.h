@@ -37,12 +37,14 @@ struct TemperatureSensor {
   std::optional<Temperature> end;
 };
 
-/// Correction for nominal differential expansion (4.1), as applied by the instrument.
+/// Correction for nominal differential expansion (4.1), as applied by the instrument (or since by this program, see
+/// Provenance).
 struct NdeCorrection {
   std::optional<bool> applied;
   std::optional<ExpansionCoefficient> machine_expansion;
   std::optional<ExpansionCoefficient> equipment_expansion;
-  std::string routine;  ///< "updated every 20 s"
+  std::string routine;              ///< "updated every 20 s"
+  std::optional<Position> datum{};  ///< where the instrument was set to zero; the first target when absent
 };
 
 struct Environment {

@@ -23,7 +23,7 @@ Document compose(const Subject& subject, const Options& asked) {
   sections.push_back(position_section(subject, options));
   sections.push_back(uncertainty_section(subject, options));
   sections.push_back(information_section(subject, options));
-  sections.push_back(provenance_section(subject));
+  sections.push_back(provenance_section(subject, options));
   return document;
 }
 

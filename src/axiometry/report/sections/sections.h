@@ -40,7 +40,8 @@ Section uncertainty_section(const Subject& subject, const Options& options);
 /// The slope of the means, which the evaluation leaves where it is.
 Section information_section(const Subject& subject, const Options& options);
 
-Section provenance_section(const Subject& subject);
+/// Where the readings come from and what was done to them.
+Section provenance_section(const Subject& subject, const Options& options);
 
 /// A number as a cell, or a quiet dash where there is none.
 TableCell deviation_cell(const std::optional<Deviation>& deviation, const Options& options);
