@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -25,7 +26,15 @@ Result<app::CheckReport> check_file(const std::string& name) {
   return app::check_case(text, [&](std::string_view file) { return app::read_test((folder / file).string()); });
 }
 
-int check(const std::vector<std::string>& names) {
+/// Every expectation with what came, the second in a column.
+void print_figures(const app::CheckReport& report) {
+  std::size_t width = 0;
+  for (const app::CaseComparison& c : report.comparisons) width = std::max(width, c.expectation.size());
+  for (const app::CaseComparison& c : report.comparisons)
+    fmt::print("  {:<{}}  {}{}\n", c.expectation, width, c.got, c.met ? "" : "  NOT MET");
+}
+
+int check(const std::vector<std::string>& names, bool figures) {
   std::size_t passed = 0;
   bool bad = false;
   for (const std::string& name : names) {
@@ -38,8 +47,9 @@ int check(const std::vector<std::string>& names) {
       continue;
     }
     passed += report->passed();
-    for (const app::CaseFailure& failure : report->failures) fmt::print("{}: {}\n", name, app::to_string(failure));
-    if (report->passed()) fmt::print("{}: {} expectations met\n", name, report->expectation_count);
+    for (const app::CaseComparison& failure : report->failures()) fmt::print("{}: {}\n", name, app::to_string(failure));
+    if (report->passed()) fmt::print("{}: {} expectations met\n", name, report->comparisons.size());
+    if (figures) print_figures(*report);
   }
   fmt::print("{} passed, {} failed\n", passed, names.size() - passed);
   return bad ? exit_bad_input : passed == names.size() ? exit_done : exit_exceeded;
@@ -51,7 +61,9 @@ void add_check(CLI::App& program, int& exit_code) {
   CLI::App* verb = program.add_subcommand("check", "Check conformance cases: readings and what they must give");
   auto names = std::make_shared<std::vector<std::string>>();
   verb->add_option("FILE.case", *names, "Cases (docs/conformance-cases.md)")->required();
-  verb->callback([names, &exit_code] { exit_code = check(*names); });
+  auto figures = std::make_shared<bool>(false);
+  verb->add_flag("--figures", *figures, "Print what came for each expectation, met or not");
+  verb->callback([names, figures, &exit_code] { exit_code = check(*names, *figures); });
 }
 
 }  // namespace axiometry::cli

@@ -15,11 +15,14 @@ namespace {
 using iso230_2::AxisParameters;
 using iso230_2::PositionResult;
 using Value = std::optional<Deviation>;
-using Verdict = std::optional<CaseFailure>;
 
-CaseFailure unmet(const Statement& s, std::string expected, std::string got, std::string difference = {}) {
-  const std::string_view expectation = text::trim(s.text.substr(s.words[0].text.size()));
-  return {s.words[0].at.line, std::string(expectation), std::move(expected), std::move(got), std::move(difference)};
+CaseComparison unmet(const Statement& s, std::string expected, std::string got, std::string difference = {}) {
+  return {s.words[0].at.line, expectation_text(s), std::move(expected), std::move(got), std::move(difference), false};
+}
+
+/// What came is what was expected.
+CaseComparison met(const Statement& s, std::string got, std::string expected = {}) {
+  return {s.words[0].at.line, expectation_text(s), expected.empty() ? got : std::move(expected), got, {}, true};
 }
 
 /// A quantity that a line names, and how many words the name took.
@@ -106,26 +109,26 @@ bool holds(double x, const Comparison& c) {
   return std::abs(x - c.number) <= c.tolerance.native;
 }
 
-Result<Verdict> check_quantity(const Statement& s, const Outcome& outcome, const ExpectationContext& context) {
+Result<CaseComparison> check_quantity(const Statement& s, const Outcome& outcome, const ExpectationContext& context) {
   AXIOMETRY_TRY(const Named named, named_quantity(s, outcome.assessment));
   const std::string got =
       named.value ? fmt::format("{} {}", format_exact(named.value->in_native()), deviation_unit_key(context.kind))
                   : std::string("not applicable");
   const bool not_applicable =
       s.words.size() == named.next + 2 && s.words[named.next].is("not") && s.words[named.next + 1].is("applicable");
-  if (not_applicable) return named.value ? Verdict(unmet(s, "not applicable", got)) : Verdict();
+  if (not_applicable) return named.value ? unmet(s, "not applicable", got) : met(s, got);
   AXIOMETRY_TRY(const Comparison comparison, read_comparison(s, named.next, context));
   const bool equality = comparison.relation == "=";
   const std::string expected = equality ? fmt::format("{} within {}", comparison.stated, comparison.tolerance.stated)
                                         : fmt::format("{} {}", comparison.relation, comparison.stated);
-  if (!named.value) return Verdict(unmet(s, expected, got));
-  if (holds(named.value->in_native(), comparison)) return Verdict();
+  if (!named.value) return unmet(s, expected, got);
+  if (holds(named.value->in_native(), comparison)) return met(s, got, expected);
   const double difference = named.value->in_native() - comparison.number;
-  return Verdict(unmet(s, expected, got, fmt::format("{:.3g} {}", difference, deviation_unit_key(context.kind))));
+  return unmet(s, expected, got, fmt::format("{:.3g} {}", difference, deviation_unit_key(context.kind)));
 }
 
 /// expect [no] finding [CLAUSE] [SEVERITY] ["TEXT"]
-Result<Verdict> check_finding(const Statement& s, const Outcome& outcome) {
+Result<CaseComparison> check_finding(const Statement& s, const Outcome& outcome) {
   const bool wanted = !s.words[1].is("no");
   std::size_t index = wanted ? 2 : 3;
   std::string_view clause, severity, part;
@@ -146,38 +149,41 @@ Result<Verdict> check_finding(const Statement& s, const Outcome& outcome) {
   if (wanted && match == findings.end()) {
     std::vector<std::string> all;
     for (const auto& f : findings) all.push_back(fmt::format("{} {}", f.clause, iso230_2::severity_name(f.severity)));
-    return Verdict(
-        unmet(s, "such a finding", all.empty() ? "no finding" : fmt::format("only {}", fmt::join(all, ", "))));
+    return unmet(s, "such a finding", all.empty() ? "no finding" : fmt::format("only {}", fmt::join(all, ", ")));
   }
   if (!wanted && match != findings.end())
-    return Verdict(unmet(s, "no such finding", fmt::format("{}: {}", match->clause, match->message)));
-  return Verdict();
+    return unmet(s, "no such finding", fmt::format("{}: {}", match->clause, match->message));
+  return met(s, wanted ? "such a finding" : "no such finding");
 }
 
-Result<Verdict> check_conforming(const Statement& s, const Outcome& outcome) {
+Result<CaseComparison> check_conforming(const Statement& s, const Outcome& outcome) {
   const bool yes = s.words.size() == 3 && s.words[2].is("yes");
   if (!yes && !(s.words.size() == 3 && s.words[2].is("no"))) return unexpected_word(s, 2, "yes or no");
-  if (outcome.assessment.conforming() == yes) return Verdict();
-  return Verdict(unmet(s, yes ? "yes" : "no", yes ? "no: " + outcome.assessment.findings.front().message : "yes"));
+  if (outcome.assessment.conforming() == yes) return met(s, yes ? "yes" : "no");
+  return unmet(s, yes ? "yes" : "no", yes ? "no: " + outcome.assessment.findings.front().message : "yes");
 }
 
-Result<Verdict> check_label(const Statement& s, const Outcome& outcome) {
+Result<CaseComparison> check_label(const Statement& s, const Outcome& outcome) {
   if (s.words.size() != 3 || !(s.words[2].quoted || s.words[2].is("none")))
     return unexpected_word(s, 2, "a \"text\" or none");
   const std::string_view expected = s.words[2].quoted ? s.words[2].text : "";
-  if (outcome.assessment.label == expected) return Verdict();
-  return Verdict(unmet(s, text::quoted(expected), text::quoted(outcome.assessment.label)));
+  if (outcome.assessment.label == expected) return met(s, text::quoted(expected));
+  return unmet(s, text::quoted(expected), text::quoted(outcome.assessment.label));
 }
 
-Result<Verdict> check_error(const Statement& s, const Result<Outcome>& outcome) {
+Result<CaseComparison> check_error(const Statement& s, const Result<Outcome>& outcome) {
   if (s.words.size() != 3 || !s.words[2].quoted) return unexpected_word(s, 2, "a \"text\" of the message");
-  if (outcome) return Verdict(unmet(s, "an error", "a result"));
+  if (outcome) return unmet(s, "an error", "a result");
   const std::string message = outcome.error().to_string();
-  if (message.find(s.words[2].text) != std::string::npos) return Verdict();
-  return Verdict(unmet(s, text::quoted(s.words[2].text), message));
+  if (message.find(s.words[2].text) != std::string::npos) return met(s, message);
+  return unmet(s, text::quoted(s.words[2].text), message);
 }
 
 }  // namespace
+
+std::string expectation_text(const Statement& statement) {
+  return std::string(text::trim(statement.text.substr(statement.words[0].text.size())));
+}
 
 Result<Tolerance> read_tolerance(const Statement& statement, std::size_t index, AxisKind kind) {
   AXIOMETRY_TRY(const double number, read_number(statement, index));
@@ -187,12 +193,12 @@ Result<Tolerance> read_tolerance(const Statement& statement, std::size_t index, 
                    fmt::format("{} {}", statement.words[index].text, statement.words[index + 1].text)};
 }
 
-Result<Verdict> check_expectation(const Statement& s, const Result<Outcome>& outcome,
-                                  const ExpectationContext& context) {
+Result<CaseComparison> check_expectation(const Statement& s, const Result<Outcome>& outcome,
+                                         const ExpectationContext& context) {
   if (s.words.size() < 2) return unexpected_word(s, 1, "what is expected");
   const Word& word = s.words[1];
   if (word.is("error")) return check_error(s, outcome);
-  if (!outcome) return Verdict(unmet(s, "a result", "the error: " + outcome.error().to_string()));
+  if (!outcome) return unmet(s, "a result", "the error: " + outcome.error().to_string());
   const bool no_finding = word.is("no") && s.words.size() > 2 && s.words[2].is("finding");
   if (word.is("finding") || no_finding) return check_finding(s, *outcome);
   if (word.is("conforming")) return check_conforming(s, *outcome);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "axiometry/app/case_text.h"
 #include "axiometry/app/check.h"
 #include "axiometry/standards/iso230_2_assessment.h"
@@ -27,11 +25,14 @@ struct ExpectationContext {
   Tolerance tolerance;
 };
 
+/// What the words of an `expect` line after the first say.
+std::string expectation_text(const Statement& statement);
+
 /// A number and its unit beginning at the word of this index. Fails on a negative number too.
 Result<Tolerance> read_tolerance(const Statement& statement, std::size_t index, AxisKind kind);
 
-/// Nothing when the expectation is met. Fails when the line is no expectation.
-Result<std::optional<CaseFailure>> check_expectation(const Statement& statement, const Result<Outcome>& outcome,
-                                                     const ExpectationContext& context);
+/// Fails when the line is no expectation.
+Result<CaseComparison> check_expectation(const Statement& statement, const Result<Outcome>& outcome,
+                                         const ExpectationContext& context);
 
 }  // namespace axiometry::app

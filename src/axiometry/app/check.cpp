@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <iterator>
 #include <optional>
 
 #include "axiometry/app/case_expectation.h"
+#include "axiometry/app/case_model.h"
 #include "axiometry/app/case_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -61,8 +61,9 @@ class CaseReader {
     const Word& verb = s.words.front();
     if (verb.is("title")) return title(s);
     if (verb.is("operation")) return operation(s);
-    if (!operation_) return unexpected_word(s, 0, "'operation iso230-2' first");
+    if (!operation_ && !model_) return unexpected_word(s, 0, "'operation iso230-2' or 'operation model' first");
     if (verb.is("expect")) return expect(s);
+    if (model_) return model_->read(s);
     if (verb.is("tolerance")) return tolerance(s);
     if (operation_->outcome) return unexpected_word(s, 0, "'expect', or a new 'operation' before other data");
     if (verb.is("file")) return file(s);
@@ -77,7 +78,7 @@ class CaseReader {
   }
 
   Result<CheckReport> finish() && {
-    if (report_.expectation_count == 0) return fail("found no expectation, expected at least one line 'expect …'");
+    if (report_.comparisons.empty()) return fail("found no expectation, expected at least one line 'expect …'");
     return std::move(report_);
   }
 
@@ -88,9 +89,15 @@ class CaseReader {
   }
 
   Result<void> operation(const Statement& s) {
-    if (s.words.size() < 2 || !s.words[1].is("iso230-2")) return unexpected_word(s, 1, "iso230-2");
+    const bool model = s.words.size() > 1 && s.words[1].is("model");
+    if (!model && !(s.words.size() > 1 && s.words[1].is("iso230-2"))) return unexpected_word(s, 1, "iso230-2 or model");
     if (s.words.size() > 2) return unexpected_word(s, 2, "the end of the line");
-    operation_.emplace();
+    operation_.reset();
+    model_.reset();
+    if (model)
+      model_.emplace();
+    else
+      operation_.emplace();
     return {};
   }
 
@@ -153,11 +160,14 @@ class CaseReader {
   }
 
   Result<void> expect(const Statement& s) {
-    if (!operation_->outcome) operation_->outcome = carry_out(*operation_, load_);
-    AXIOMETRY_TRY(auto failure, check_expectation(s, *operation_->outcome, {kind(), operation_->tolerance}));
-    ++report_.expectation_count;
-    if (failure) report_.failures.push_back(std::move(*failure));
+    AXIOMETRY_TRY(CaseComparison comparison, model_ ? model_->expect(s) : expect_of_test(s));
+    report_.comparisons.push_back(std::move(comparison));
     return {};
+  }
+
+  Result<CaseComparison> expect_of_test(const Statement& s) {
+    if (!operation_->outcome) operation_->outcome = carry_out(*operation_, load_);
+    return check_expectation(s, *operation_->outcome, {kind(), operation_->tolerance});
   }
 
   AxisKind kind() const {
@@ -168,15 +178,21 @@ class CaseReader {
   const LoadTest& load_;
   CheckReport report_;
   std::optional<Operation> operation_;
+  std::optional<ModelCase> model_;
 };
 
 }  // namespace
 
-std::string to_string(const CaseFailure& failure) {
-  std::string text =
-      fmt::format("line {}: {}: got {}, expected {}", failure.line, failure.expectation, failure.got, failure.expected);
-  if (!failure.difference.empty()) text += ", difference " + failure.difference;
+std::string to_string(const CaseComparison& c) {
+  std::string text = fmt::format("line {}: {}: got {}, expected {}", c.line, c.expectation, c.got, c.expected);
+  if (!c.difference.empty()) text += ", difference " + c.difference;
   return text;
+}
+
+std::vector<CaseComparison> CheckReport::failures() const {
+  std::vector<CaseComparison> result;
+  std::ranges::copy_if(comparisons, std::back_inserter(result), [](const CaseComparison& c) { return !c.met; });
+  return result;
 }
 
 Result<CheckReport> check_case(std::string_view text, const LoadTest& load) {

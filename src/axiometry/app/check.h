@@ -19,27 +19,36 @@
 ///     down       -1   0.5   1.0   um
 ///     expect B = 1 um
 ///     expect R not applicable
+///
+/// or a measurement model with its inputs and what the two methods of uncertainty/ must give:
+///
+///     operation model
+///     input X1 normal 0 1
+///     input X2 uniform -1 1
+///     model Y = X1 + X2
+///     expect mcm u = 1.1547005
 namespace axiometry::app {
 
-/// One expectation that was not met.
-struct CaseFailure {
+/// One expectation and what came.
+struct CaseComparison {
   std::size_t line = 0;
   std::string expectation;  ///< as it was written: "A = 9.6 um"
   std::string expected;     ///< "9.6 um within 1e-09 um"
   std::string got;          ///< "9.58 um", "not applicable", "no such finding"
   std::string difference;   ///< got − expected: "-0.0136 um"; empty where there is none
+  bool met = false;
 };
 
 /// "line 12: A = 9.6 um: got 9.58 um, expected 9.6 um within 1e-09 um, difference -0.02 um"
-std::string to_string(const CaseFailure& failure);
+std::string to_string(const CaseComparison& comparison);
 
 /// What became of the expectations of one text.
 struct CheckReport {
-  std::string title;                  ///< of the case; empty when it has none
-  std::size_t expectation_count = 0;  ///< at least 1
-  std::vector<CaseFailure> failures;  ///< in the order of the lines
+  std::string title;                        ///< of the case; empty when it has none
+  std::vector<CaseComparison> comparisons;  ///< at least one, in the order of the lines
 
-  bool passed() const { return failures.empty(); }
+  std::vector<CaseComparison> failures() const;  ///< those that were not met
+  bool passed() const { return failures().empty(); }
 };
 
 /// Gives the test of a file that a case names, relative to the case.
