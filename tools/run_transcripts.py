@@ -4,9 +4,10 @@
 
 Usage: run_transcripts.py PROGRAM TRANSCRIPT...   (add --update to rewrite the transcripts)
 
-The commands run in a fresh folder that holds a copy of examples/ and of the transcript's own folder
-`<stem>.files/`, by `bash`, with `axiometry` on the PATH; standard error is shown after the standard
-output, and an exit code other than 0 as a last line `[exit 2]`.
+A transcript is a text file, or a Markdown document whose ```console blocks are transcripts. The commands run in a fresh
+folder that holds a copy of examples/ and of the transcript's own folder `<stem>.files/`, for a document also
+tests/conformance/, by `bash`, with `axiometry` on the PATH; standard error is shown after the standard output, and an
+exit code other than 0 as a last line `[exit 2]`.
 """
 import difflib
 import os
@@ -29,29 +30,52 @@ def run(command, folder, environment):
     return output
 
 
+def answered(lines, answer):
+    """The lines of a transcript with what the commands print now."""
+    comment = True
+    for line in lines:
+        if line.startswith("$ "):
+            comment = False
+            yield line
+            yield answer(line[2:])
+        elif line.startswith("#"):
+            comment = True
+            yield line
+        elif comment:
+            yield line
+
+
+def answered_document(lines, answer):
+    """The same for the console blocks of a Markdown document; a `#` there is printed text."""
+    block = None
+    for line in lines:
+        if block is None:
+            yield line
+            if line.rstrip() == "```console":
+                block = []
+        elif line.rstrip() == "```":
+            yield from answered(block, answer)
+            yield line
+            block = None
+        elif line.startswith("$ ") or not block:
+            block.append(line)
+
+
 def actual(transcript, program):
     text = transcript.read_text(encoding="utf-8")
-    result = []
+    document = transcript.suffix == ".md"
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(program, pathlib.Path(folder) / "axiometry")
         work = pathlib.Path(folder) / "work"
         shutil.copytree(ROOT / "examples", work)
+        if document:
+            shutil.copytree(ROOT / "tests" / "conformance", work / "tests" / "conformance")
         files = transcript.with_suffix(".files")
         if files.is_dir():
             shutil.copytree(files, work, dirs_exist_ok=True)
         environment = {"PATH": f"{folder}:/usr/bin:/bin", "HOME": folder, "LC_ALL": "C.UTF-8", "TZ": "UTC"}
-        comment = True
-        for line in text.splitlines(keepends=True):
-            if line.startswith("$ "):
-                comment = False
-                result.append(line)
-                result.append(run(line[2:], work, environment))
-            elif line.startswith("#"):
-                comment = True
-                result.append(line)
-            elif comment:
-                result.append(line)
-    return text, "".join(result)
+        answers = answered_document if document else answered
+        return text, "".join(answers(text.splitlines(keepends=True), lambda command: run(command, work, environment)))
 
 
 def main():

@@ -106,7 +106,7 @@ Result<Figure> law_figure(const Statement& s, const Subject& subject, const unce
 
 /// To two digits of the tolerance, as more mean nothing.
 std::string shown(double x, double tolerance) {
-  if (tolerance == 0.0) return format_exact(x);
+  if (tolerance == 0.0) return fmt::format("{:.15g}", x);
   const double size = std::abs(x);
   if (size >= 1e9 || tolerance < 1e-8) return fmt::format("{:.10g}", x);
   std::string text = fmt::format("{:.{}f}", x, std::max(decimals_for(tolerance, 2), 0));
