@@ -31,7 +31,8 @@ Draws draws(const CurvePosterior& posterior, std::size_t count, std::uint64_t se
 TEST(CurvePosterior, WithoutNoiseGivesBackWhatWasSeen) {
   const std::vector<double> places = {0, 1, 3}, values = {2.5, -1.0, 7.25};
   const CurvePosterior posterior({places, values, 0.0, 2});
-  for (const auto& of_place : draws(posterior, 3).of_place) EXPECT_EQ(of_place[0], of_place[2]);
+  const Draws found = draws(posterior, 3);
+  for (const auto& of_place : found.of_place) EXPECT_EQ(of_place[0], of_place[2]);
   EXPECT_EQ(draws(posterior, 1).of_place[2][0], 7.25);
 }
 

@@ -26,7 +26,8 @@ std::vector<std::vector<double>> draws(const SpreadPosterior& posterior, std::si
 
 TEST(SpreadPosterior, IsZeroWhereNothingScatters) {
   const std::vector<CellScatter> cells(4, {0.0, 4.0});
-  for (const auto& cell : draws(SpreadPosterior(cells, 0.0), 10)) EXPECT_EQ(cell[3], 0.0);
+  const auto found = draws(SpreadPosterior(cells, 0.0), 10);
+  for (const auto& cell : found) EXPECT_EQ(cell[3], 0.0);
 }
 
 TEST(SpreadPosterior, IsZeroWhereNothingIsKnown) {
@@ -57,7 +58,8 @@ TEST(SpreadPosterior, TakesTheNoiseOutAndStaysAboveZero) {
   const auto found = draws(SpreadPosterior(cells, 1.0), 4000);
   EXPECT_NEAR(moments(found[0]).mean, 1.0, 0.1);
   const std::vector<CellScatter> quiet(22, {4.0 * 0.8, 4.0});  // less than the noise alone
-  for (const double sd : draws(SpreadPosterior(quiet, 1.0), 1000)[5]) {
+  const auto of_quiet = draws(SpreadPosterior(quiet, 1.0), 1000);
+  for (const double sd : of_quiet[5]) {
     EXPECT_GE(sd, 0.0);
     EXPECT_LT(sd, 0.9);
   }
