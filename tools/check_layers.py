@@ -11,7 +11,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = ROOT / "src" / "axiometry"
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
-OWNERS = {  # prefix of an include -> the only files that may use it
+OWNERS = {  # prefix of an include -> the only folder that may use it; linear algebra has two
     "nlohmann/": "src/axiometry/base/",
     "Eigen/": ("src/axiometry/numeric/", "src/axiometry/uncertainty/"),
     "muParser": "src/axiometry/app/",

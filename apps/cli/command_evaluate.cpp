@@ -19,6 +19,7 @@
 #include "progress.h"
 #include "summary.h"
 #include "terminal.h"
+#include "tolerance_flags.h"
 #include "uncertainty_flags.h"
 
 namespace axiometry::cli {
@@ -30,6 +31,7 @@ struct Arguments {
   app::OutputNames outputs;
   report::Options report;
   ColourChoice colour = ColourChoice::automatic;
+  std::string tolerance_table;  ///< file, perhaps with ":name"
   bool quiet = false;
   bool keep_going = false;
 };
@@ -45,13 +47,17 @@ class Run {
   }
 
   int operator()() {
+    if (auto table = open_table(); !table) return failed(table.error(), exit_bad_input);
     auto inputs = app::expand_inputs(arguments_.inputs);
     if (!inputs) return failed(inputs.error(), exit_bad_input);
     many_ = inputs->size() > 1 || (!inputs->empty() && inputs->front().from_folder);
     if (inputs->empty())
       return failed({"found no file in the folder, expected measured tests", arguments_.inputs.front(), {}},
                     exit_bad_input);
-    arguments_.outputs.inputs = app::InputFiles(*inputs);
+    arguments_.evaluate.tolerance.many_tests = many_;
+    std::vector<app::InputFile> all_read = *inputs;
+    if (const auto& table = arguments_.evaluate.tolerance.table) all_read.push_back({table->file, false});
+    arguments_.outputs.inputs = app::InputFiles(all_read);
     if (auto spared = app::check_inputs_spared(arguments_.outputs); !spared) return failed(spared.error(), exit_usage);
     for (const app::InputFile& input : *inputs) {
       if (!evaluate(input) && !go_on()) return exit_code_;
@@ -64,6 +70,14 @@ class Run {
     complain(error);
     exit_code_ = code;
     return code;
+  }
+
+  Result<void> open_table() {
+    if (arguments_.tolerance_table.empty()) return {};
+    const auto [file, name] = app::parse_table_name(arguments_.tolerance_table);
+    AXIOMETRY_TRY(arguments_.evaluate.tolerance.table, app::open_tolerance_table(file));
+    arguments_.evaluate.tolerance.table_name = name;
+    return {};
   }
 
   bool go_on() const { return many_ && !output_failed_ && !InterruptGuard::interrupted(); }
@@ -111,7 +125,10 @@ class Run {
   }
 
   Result<void> take(app::Evaluated&& evaluated) {
-    exceeded_ = exceeded_ || evaluated.exceeds_tolerance();
+    using enum uncertainty::Verdict;
+    const auto verdict = iso230_2::overall_verdict(evaluated.judgements);
+    exceeded_ = exceeded_ || verdict == does_not_conform;
+    undecided_ = undecided_ || verdict == undecided || verdict == not_applicable;
     many_ = many_ || !evaluated.name.empty();
     if (!many_) {
       single_ = std::move(evaluated);
@@ -149,7 +166,7 @@ class Run {
                  "axiometry: the combined outputs were not written; --keep-going writes them with the errors named\n");
     if (exit_code_ == exit_done && count_ == 0 && !single_)
       return failed({"found no measured test, expected at least one", "", {}}, exit_bad_input);
-    return exit_code_ != exit_done ? exit_code_ : exceeded_ ? exit_exceeded : exit_done;
+    return exit_code_ != exit_done ? exit_code_ : exceeded_ ? exit_exceeded : undecided_ ? exit_undecided : exit_done;
   }
 
   Arguments& arguments_;
@@ -157,6 +174,7 @@ class Run {
   bool stdout_is_free_ = true;
   bool many_ = false;
   bool exceeded_ = false;
+  bool undecided_ = false;
   int output_failed_ = 0;  // the exit code it asks for
   int exit_code_ = exit_done;
   std::size_t count_ = 0;
@@ -308,19 +326,6 @@ void add_input_flags(CLI::App& verb, Arguments& arguments) {
                 "Correct the readings for nominal differential expansion, from the temperatures of the sensors and the "
                 "expansion coefficients; refused where the instrument has done it")
       ->group(group);
-  verb.add_option_function<std::vector<std::string>>(
-          "--tolerance",
-          [&](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) {
-              auto tolerance = app::parse_tolerance(text);
-              if (!tolerance) throw CLI::ValidationError("--tolerance", tolerance.error().message);
-              arguments.evaluate.tolerances.push_back(*tolerance);
-            }
-          },
-          "Limit of a parameter, such as A=10um or R_up=0.003mm; exit code 3 when exceeded; may be repeated")
-      ->type_name("PARAMETER=LIMIT")
-      ->allow_extra_args(false)
-      ->group(group);
 }
 
 }  // namespace
@@ -338,6 +343,7 @@ int run(Arguments& arguments) {
 
 void add_flags(CLI::App& verb, const std::shared_ptr<Arguments>& arguments, int& exit_code) {
   add_input_flags(verb, *arguments);
+  add_tolerance_flags(verb, arguments->evaluate.tolerance, arguments->tolerance_table);
   add_output_flags(verb, *arguments);
   add_number_flags(verb, *arguments);
   add_method_flags(verb, arguments->evaluate.uncertainty);
@@ -360,6 +366,8 @@ void add_evaluate(CLI::App& program, int& exit_code) {
   axiometry evaluate test.csv
   axiometry evaluate test.csv --report report.html --report report.pdf
   axiometry evaluate test.csv --device-error-range-um-per-m 3.4 --misalignment-mm 1 --environmental-variation 1.7
+  axiometry evaluate test.csv --tolerance A=10um --tolerance R_up=4um --rule iso14253-1
+  axiometry evaluate machines/ --tolerance-table limits.csv:'Machining centre' --report all.csv
   axiometry evaluate machines/ --json all.json --report all.csv --report 'reports/{name}.pdf'
   zcat big.csv.gz | axiometry evaluate - --quiet --report all.csv)");
 }

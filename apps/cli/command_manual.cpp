@@ -48,7 +48,7 @@ std::string verb_section(const CLI::App& verb) {
 }
 
 std::string parameter_section() {
-  std::string text = ".SH PARAMETERS\nKeys in JSON, CSV and \\-\\-tolerance.\n";
+  std::string text = ".SH PARAMETERS\nKeys in JSON, CSV, tolerance tables and \\-\\-tolerance.\n";
   for (const auto& p : iso230_2::parameters)
     text += fmt::format(".TP\n.B {}\n{} ({}), clause {}.\n", roff(p.key), roff(p.title), p.symbol, p.clause);
   return text;
@@ -74,7 +74,9 @@ std::string manual(const CLI::App& program) {
   text +=
       ".SH EXIT STATUS\n.TP\n.B 0\nDone.\n.TP\n.B 1\nThe command line is wrong.\n.TP\n.B 2\nAn input cannot be read or "
       "an output cannot be written.\n"
-      ".TP\n.B 3\nA tolerance is exceeded, or an expectation of a case is not met.\n";
+      ".TP\n.B 3\nA parameter does not conform to its tolerance, or an expectation of a case is not met.\n"
+      ".TP\n.B 4\nNo parameter is known not to conform, but the uncertainty leaves one undecided, or there are "
+      "tolerances of a test and none of them could be judged. Of several codes the lowest one but 0 is given.\n";
   text += ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nNo colour in the terminal when set.\n";
   text += ".SH EXAMPLES\n.nf\n" + roff(program.get_subcommand("evaluate")->get_footer()) + "\n.fi\n";
   return text;

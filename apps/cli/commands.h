@@ -10,9 +10,10 @@ namespace axiometry::cli {
 /// What the process returns to its caller.
 enum ExitCode : int {
   exit_done = 0,
-  exit_usage = 1,          ///< the command line is wrong
-  exit_bad_input = 2,      ///< an input cannot be read or an output cannot be written
-  exit_exceeded = 3,       ///< a tolerance is exceeded, or an expectation of a case is not met
+  exit_usage = 1,      ///< the command line is wrong
+  exit_bad_input = 2,  ///< an input cannot be read or an output cannot be written
+  exit_exceeded = 3,   ///< a parameter does not conform, or an expectation of a case is not met
+  exit_undecided = 4,  ///< none is known not to conform, but the uncertainty leaves one undecided, or none was judged
   exit_interrupted = 130,  ///< stopped by Ctrl-C, as shells have it
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "axiometry/report/conformity_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/utf8.h"
 
@@ -12,7 +13,7 @@ namespace axiometry::cli {
 namespace {
 
 using iso230_2::Severity;
-using iso230_2::Verdict;
+using uncertainty::Verdict;
 
 constexpr std::size_t symbol_width = 4;
 constexpr std::size_t title_width = 45;  // so that a line with a verdict fits 80 columns
@@ -51,24 +52,6 @@ bool exists(const app::Evaluated& e, const iso230_2::ParameterInfo& parameter) {
   return (e.assessment.evaluation.parameters.*parameter.member).has_value();
 }
 
-const iso230_2::Judgement* judgement_of(const app::Evaluated& e, const iso230_2::ParameterInfo& parameter) {
-  const auto found =
-      std::ranges::find_if(e.judgements, [&](const auto& j) { return j.tolerance.parameter->key == parameter.key; });
-  return found == e.judgements.end() ? nullptr : &*found;
-}
-
-std::string verdict_text(const iso230_2::Judgement& judgement, AxisKind kind, const report::Options& options,
-                         const Terminal& terminal) {
-  const report::ParameterScale scale = report::parameter_scale(kind, options.unit);
-  const std::string text = report::shown_short(judgement.tolerance.limit.in_native() * scale.per_native, options);
-  switch (judgement.verdict) {
-    case Verdict::within: return terminal.green("within " + text);
-    case Verdict::exceeded: return terminal.red("exceeds " + text);
-    case Verdict::not_applicable: return terminal.yellow("no verdict");
-  }
-  return text;
-}
-
 std::string parameter_table(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
   const AxisKind kind = e.test.metadata.axis.kind;
   std::size_t value_width = 0;
@@ -86,9 +69,6 @@ std::string parameter_table(const app::Evaluated& e, const report::Options& opti
     text += exists(e, parameter)
                 ? right(shown.value, value_width) + (uncertainty_width > 0 ? uncertainty : "") + " " + shown.unit
                 : terminal.faint("not applicable");
-    if (const auto* judgement = judgement_of(e, parameter)) {
-      text += "  " + verdict_text(*judgement, kind, options, terminal);
-    }
     text += '\n';
   }
   if (e.assessment.annex_a) text += terminal.faint("± U with k = 2, Annex A (simplified method)") + "\n";
@@ -110,11 +90,76 @@ std::string findings_list(const app::Evaluated& e, const Terminal& terminal) {
   return text.empty() ? text : text + "\n";
 }
 
+std::string verdict_text(Verdict verdict, const Terminal& terminal) {
+  const std::string_view name = uncertainty::verdict_name(verdict);
+  switch (verdict) {
+    case Verdict::conforms: return terminal.green(name);
+    case Verdict::does_not_conform: return terminal.red(name);
+    case Verdict::undecided: return terminal.yellow(name);
+    case Verdict::not_applicable: return terminal.faint("no verdict: does not exist here");
+  }
+  return {};
+}
+
+/// Columns of the table of tolerances; a width of 0 leaves one out.
+struct ToleranceWidths {
+  std::size_t number = 9;
+  std::size_t guarded = 0;  ///< where acceptance and rejection limit differ from the limit
+  std::size_t probability = 0;
+};
+
+std::string tolerance_row(const iso230_2::Judgement& judgement, const app::Evaluated& e, const report::Options& options,
+                          const ToleranceWidths& widths, const Terminal& terminal) {
+  const AxisKind kind = e.test.metadata.axis.kind;
+  const report::ParameterScale scale = report::parameter_scale(kind, options.unit);
+  const int decimals =
+      report::limit_decimals(report::show(*judgement.tolerance.parameter, e.assessment, kind, options));
+  const auto number = [&](const std::optional<Deviation>& x) {
+    return x ? format_fixed(x->in_native() * scale.per_native, decimals, options.numbers) : std::string("–");
+  };
+  const auto& [tolerance, rule, magnitude, known, decision] = judgement;
+  std::string text = terminal.bold(left(tolerance.parameter->symbol, symbol_width));
+  text += right(report::shown_short(tolerance.limit.in_native() * scale.per_native, options), widths.number);
+  if (widths.guarded > 0)
+    text += right(number(magnitude ? judgement.acceptance_limit() : std::nullopt), widths.guarded) +
+            right(number(magnitude ? judgement.rejection_limit() : std::nullopt), widths.guarded);
+  if (widths.probability > 0)
+    text += right(
+        decision.probability_conforming ? report::shown_probability(*decision.probability_conforming, options) : "–",
+        widths.probability);
+  return text + "  " + verdict_text(decision.verdict, terminal) + "\n";
+}
+
+std::string tolerance_table(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+  if (e.judgements.empty()) return "";
+  const report::ParameterScale scale = report::parameter_scale(e.test.metadata.axis.kind, options.unit);
+  ToleranceWidths widths;
+  const auto& rule = e.judgements.front().rule;
+  if (rule.kind != uncertainty::DecisionRule::Kind::simple) widths.guarded = 11;
+  if (std::ranges::any_of(e.judgements, [](const auto& j) { return j.decision.probability_conforming.has_value(); }))
+    widths.probability = 10;
+  std::string text = left("", symbol_width) + right(fmt::format("limit/{}", scale.unit), widths.number);
+  if (widths.guarded > 0) text += right("accept ≤", widths.guarded) + right("reject >", widths.guarded);
+  if (widths.probability > 0) text += right("p_c", widths.probability);
+  text = terminal.faint(text + "  verdict") + "\n";
+  for (const auto& judgement : e.judgements) text += tolerance_row(judgement, e, options, widths, terminal);
+  text += terminal.faint(
+              wrapped(report::rule_statement(e.judgements, e.test.metadata.axis.kind, options), terminal.width(), 0)) +
+          "\n";
+  if (e.tolerance_band)
+    text += terminal.faint(
+                wrapped(fmt::format("Tolerance table: {}, {}, from {}", report::printable(e.tolerance_band->name),
+                                    e.tolerance_band->travel, report::printable(e.tolerance_band->file)),
+                        terminal.width(), 0)) +
+            "\n";
+  return text + "\n";
+}
+
 /// "A, R↑", of those with this verdict.
 std::string symbols_with(const app::Evaluated& e, Verdict verdict) {
   std::string symbols;
   for (const auto& judgement : e.judgements)
-    if (judgement.verdict == verdict)
+    if (judgement.decision.verdict == verdict)
       symbols += fmt::format("{}{}", symbols.empty() ? "" : ", ", judgement.tolerance.parameter->symbol);
   return symbols;
 }
@@ -126,22 +171,30 @@ std::string conclusion(const app::Evaluated& e, const Terminal& terminal) {
                          : terminal.red(fmt::format("Not an {} result: {}.", iso230_2::edition,
                                                     plural(static_cast<std::size_t>(departures), "departure")));
   if (!e.assessment.label.empty()) text += " " + terminal.bold(e.assessment.label + ".");
-  if (const std::string exceeded = symbols_with(e, Verdict::exceeded); !exceeded.empty()) {
-    text += " " + terminal.red(fmt::format("Tolerance exceeded: {}.", exceeded));
-  } else if (const std::string within = symbols_with(e, Verdict::within); !within.empty()) {
-    text += " " + terminal.green(fmt::format("Within tolerance: {}.", within));
-  }
+  if (const std::string worst = symbols_with(e, Verdict::does_not_conform); !worst.empty())
+    text += " " + terminal.red(fmt::format("Does not conform: {}.", worst));
+  if (const std::string open = symbols_with(e, Verdict::undecided); !open.empty())
+    text += " " + terminal.yellow(fmt::format("Undecided: {}.", open));
+  if (const std::string good = symbols_with(e, Verdict::conforms); !good.empty())
+    text += " " + terminal.green(fmt::format("Conforms: {}.", good));
   return text + "\n";
 }
 
 }  // namespace
 
 std::string summary(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
-  return heading(e, options, terminal) + parameter_table(e, options, terminal) + findings_list(e, terminal) +
-         conclusion(e, terminal);
+  return heading(e, options, terminal) + parameter_table(e, options, terminal) + tolerance_table(e, options, terminal) +
+         findings_list(e, terminal) + conclusion(e, terminal);
 }
 
 namespace {
+
+/// "does not conform: A, R↑", what the verdict rests on.
+std::string line_verdict(const app::Evaluated& e, Verdict verdict, const Terminal& terminal) {
+  const std::string text = fmt::format("{}: {}", uncertainty::verdict_name(verdict), symbols_with(e, verdict));
+  if (verdict == Verdict::conforms) return terminal.green(text);
+  return verdict == Verdict::does_not_conform ? terminal.red(text) : terminal.yellow(text);
+}
 
 constexpr std::string_view line_parameters[] = {"A", "E", "M", "R", "B"};
 
@@ -168,7 +221,7 @@ std::string line(const app::Evaluated& e, const report::Options& options, const 
   text += e.assessment.conforming() ? terminal.green(left("yes", 5)) : terminal.red(left("no", 5));
   text += report::printable(e.test.provenance.file + (e.name.empty() ? "" : ":" + e.name));
   if (!e.assessment.label.empty()) text += "  (" + e.assessment.label + ")";
-  if (e.exceeds_tolerance()) text += terminal.red("  tolerance exceeded");
+  if (const auto verdict = iso230_2::overall_verdict(e.judgements)) text += "  " + line_verdict(e, *verdict, terminal);
   return text + "\n";
 }
 

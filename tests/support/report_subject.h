@@ -17,6 +17,12 @@ struct Reported {
   std::vector<iso230_2::Judgement> judgements;
   report::Options options;
 
+  /// With the uncertainties that the assessment knows.
+  void judge(const std::vector<iso230_2::Tolerance>& tolerances, const uncertainty::DecisionRule& rule = {}) {
+    judgements = iso230_2::judge(assessment.evaluation.parameters, tolerances, rule,
+                                 iso230_2::deciding_uncertainties(assessment));
+  }
+
   report::Subject subject() const { return {test, assessment, judgements}; }
   std::string written(std::string_view extension) const {
     return report::find_writer(extension)->write(subject(), options).value();

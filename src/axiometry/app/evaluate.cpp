@@ -72,8 +72,10 @@ Result<void> evaluate_source(Source& source, const EvaluateOptions& options, con
   if (holds_many(*format, head)) {
     using iso230_2::Depth;
     const Depth depth = options.many_in_full ? Depth::every_finding : Depth::departures_only;
+    EvaluateOptions for_many = options;
+    for_many.tolerance.many_tests = true;
     return read_many(source, *format, options.many_in_full, [&](Test&& test, std::string name) -> Result<void> {
-      AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options, depth));
+      AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), for_many, depth));
       evaluated.name = std::move(name);
       return sink(std::move(evaluated));
     });
@@ -103,20 +105,20 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
 
 }  // namespace
 
-bool Evaluated::exceeds_tolerance() const {
-  return std::ranges::any_of(judgements, [](const auto& j) { return j.verdict == iso230_2::Verdict::exceeded; });
-}
-
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
   AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options));
   if (options.nde_correct) {
     AXIOMETRY_TRY(test, correct_expansion(std::move(test)));
   }
-  AXIOMETRY_TRY(const auto tolerances, tolerances_for(test.metadata.axis.kind, options.tolerances));
   iso230_2::Assessment assessment = iso230_2::assess(test, depth);
+  const iso230_2::AxisParameters& measured = assessment.evaluation.parameters;
+  AXIOMETRY_TRY(Requirements demanded, requirements_for(test, measured, options.tolerance));
   AXIOMETRY_TRY_VOID(add_uncertainty(assessment, test, options.uncertainty));
-  auto judgements = iso230_2::judge(assessment.evaluation.parameters, tolerances);
-  return Evaluated{std::move(test), "", std::move(assessment), std::move(judgements)};
+  std::vector<iso230_2::Judgement> judgements;
+  if (!demanded.tolerances.empty())
+    judgements =
+        iso230_2::judge(measured, demanded.tolerances, demanded.rule, iso230_2::deciding_uncertainties(assessment));
+  return Evaluated{std::move(test), "", std::move(assessment), std::move(judgements), std::move(demanded.band)};
 }
 
 Result<Test> read_test(const std::string& file, const std::string& format) {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/app/tolerance_text.h"
+#include "axiometry/app/requirements.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/model/test.h"
@@ -27,8 +27,8 @@ struct UncertaintyOptions {
 struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
-  std::vector<ToleranceText> tolerances;
   bool nde_correct = false;  ///< bring the readings to 20 °C first (standards/nde_correction.h)
+  ToleranceOptions tolerance;
   UncertaintyOptions uncertainty;
   /// Whether the tests of a file of many are stated in full: every finding, and the hash of the file by a
   /// pass of its own. A table needs neither.
@@ -41,13 +41,12 @@ struct Evaluated {
   std::string name;  ///< of a test among many in its file; else empty
   iso230_2::Assessment assessment;
   std::vector<iso230_2::Judgement> judgements;
-
-  bool exceeds_tolerance() const;
+  std::optional<AppliedBand> tolerance_band;  ///< of the tolerance table, when there is one
 };
 
 /// Metadata over what the file says, the correction for expansion where it is asked for, then assessment and
-/// verdicts. Fails on a key or value that the vocabulary does not allow, on a correction that cannot be made and on a
-/// tolerance of the wrong kind.
+/// verdicts. Fails on a key or value that the vocabulary does not allow, on a correction that cannot be made and as
+/// requirements_for() does.
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options,
                                 iso230_2::Depth depth = iso230_2::Depth::every_finding);
 

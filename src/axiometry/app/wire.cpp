@@ -94,24 +94,42 @@ Value findings_to_json(const iso230_2::Assessment& assessment) {
   return list;
 }
 
-std::string_view verdict_name(iso230_2::Verdict verdict) {
-  switch (verdict) {
-    case iso230_2::Verdict::within: return "within";
-    case iso230_2::Verdict::exceeded: return "exceeded";
-    case iso230_2::Verdict::not_applicable: return "not applicable";
-  }
-  return "";
+Value number_or_null(const std::optional<double>& x) { return x ? Value(*x) : Value(); }
+
+Value judgement_to_json(const iso230_2::Judgement& judgement) {
+  Value row = Value::object();
+  row.add("parameter", judgement.tolerance.parameter->key);
+  row.add("limit", judgement.tolerance.limit.in_native());
+  row.add("source", iso230_2::tolerance_source_key(judgement.tolerance.source));
+  row.add("verdict", uncertainty::verdict_name(judgement.decision.verdict));
+  row.add("rule", judgement.rule.id());
+  const auto& known = judgement.uncertainty;
+  row.add("u", known ? Value(known->u.in_native()) : Value());
+  row.add("u_method", known ? Value(iso230_2::method_key(known->method)) : Value());
+  const bool judged = judgement.decision.verdict != uncertainty::Verdict::not_applicable;
+  row.add("guard_band", judged && judgement.has_guard_band() ? Value(judgement.decision.guard_band) : Value());
+  row.add("acceptance_limit", number_or_null(judged ? judgement.acceptance_limit() : std::nullopt));
+  row.add("rejection_limit", number_or_null(judged ? judgement.rejection_limit() : std::nullopt));
+  row.add("probability_conforming", number_or_null(judgement.decision.probability_conforming));
+  row.add("consumer_risk", number_or_null(judgement.decision.consumer_risk));
+  row.add("producer_risk", number_or_null(judgement.decision.producer_risk));
+  return row;
 }
 
-Value tolerances_to_json(const std::vector<iso230_2::Judgement>& judgements) {
-  Value list = Value::array();
-  for (const auto& judgement : judgements) {
-    Value& row = list.push(Value::object());
-    row.add("parameter", judgement.tolerance.parameter->key);
-    row.add("limit", judgement.tolerance.limit.in_native());
-    row.add("verdict", verdict_name(judgement.verdict));
-  }
-  return list;
+/// "verdict", "tolerances" and, when a table was used, which row of it.
+void add_conformity(Value& object, const Evaluated& evaluated) {
+  const auto verdict = iso230_2::overall_verdict(evaluated.judgements);
+  if (!verdict) return;
+  object.add("verdict", uncertainty::verdict_name(*verdict));
+  Value& list = object.add("tolerances", Value::array());
+  for (const auto& judgement : evaluated.judgements) list.push(judgement_to_json(judgement));
+  if (!evaluated.tolerance_band) return;
+  const AppliedBand& band = *evaluated.tolerance_band;
+  Value& table = object.add("tolerance_table", Value::object());
+  table.add("file", band.file);
+  table.add("sha256", band.sha256);
+  table.add("name", band.name);
+  table.add("travel_up_to", band.travel_max ? Value(band.travel_max->in_native()) : Value());
 }
 
 Value source_to_json(const Evaluated& evaluated) {
@@ -159,6 +177,22 @@ void append_parameters(std::string& row, const iso230_2::AxisParameters* paramet
   }
 }
 
+/// Keys of the parameters with this verdict, separated by blanks.
+std::string keys_with(const std::vector<iso230_2::Judgement>& judgements, uncertainty::Verdict verdict) {
+  std::string keys;
+  for (const auto& judgement : judgements)
+    if (judgement.decision.verdict == verdict)
+      keys.append(keys.empty() ? "" : " ").append(judgement.tolerance.parameter->key);
+  return keys;
+}
+
+std::string verdict_cells(const std::vector<iso230_2::Judgement>& judgements) {
+  const auto verdict = iso230_2::overall_verdict(judgements);
+  return fmt::format(",{},{},{}", verdict ? uncertainty::verdict_name(*verdict) : "",
+                     keys_with(judgements, uncertainty::Verdict::does_not_conform),
+                     keys_with(judgements, uncertainty::Verdict::undecided));
+}
+
 }  // namespace
 
 json::Value to_json(const Evaluated& evaluated) {
@@ -179,7 +213,7 @@ json::Value to_json(const Evaluated& evaluated) {
   if (!evaluated.assessment.label.empty()) object.add("label", evaluated.assessment.label);
   object.add("parameters", parameters_to_json(evaluated.assessment.evaluation.parameters));
   object.add("uncertainty", uncertainty_to_json(evaluated.assessment));
-  if (!evaluated.judgements.empty()) object.add("tolerances", tolerances_to_json(evaluated.judgements));
+  add_conformity(object, evaluated);
   object.add("positions", std::move(positions));
   object.add("findings", findings_to_json(evaluated.assessment));
   object.add("metadata", std::move(metadata_object));
@@ -203,7 +237,7 @@ std::string combined_csv_header() {
   std::string header = "file,test,axis,kind,unit,conforming";
   for (const auto& p : iso230_2::parameters) header += fmt::format(",{}", p.key);
   for (const auto& p : iso230_2::parameters) header += fmt::format(",U_{}", p.key);
-  return header + ",error\r\n";
+  return header + ",error,verdict,does_not_conform,undecided\r\n";
 }
 
 std::string combined_csv_row(const Evaluated& evaluated) {
@@ -213,14 +247,14 @@ std::string combined_csv_row(const Evaluated& evaluated) {
                                 evaluated.assessment.conforming() ? "yes" : "no");
   append_parameters(row, &evaluated.assessment.evaluation.parameters);
   append_parameters(row, evaluated.assessment.annex_a ? &evaluated.assessment.annex_a->U : nullptr);
-  return row + ",\r\n";
+  return row + "," + verdict_cells(evaluated.judgements) + "\r\n";
 }
 
 std::string combined_csv_error_row(const std::string& file, const Error& error) {
   std::string row = csv_text(file) + ",,,,,";
   append_parameters(row, nullptr);
   append_parameters(row, nullptr);
-  return row + "," + csv_text(error.to_string()) + "\r\n";
+  return row + "," + csv_text(error.to_string()) + verdict_cells({}) + "\r\n";
 }
 
 }  // namespace axiometry::app

@@ -18,7 +18,8 @@ json::Value to_json(const Evaluated& evaluated);
 json::Value error_to_json(const std::string& file, const Error& error);
 
 /// Header and rows of the table of many evaluations: file, test, axis, kind, unit, conforming, the
-/// twelve parameters, their U, error; RFC 4180, full precision, empty where null.
+/// twelve parameters, their U, error, verdict, keys of the parameters that do not conform and of those undecided;
+/// RFC 4180, full precision, empty where null.
 std::string combined_csv_header();
 std::string combined_csv_row(const Evaluated& evaluated);
 std::string combined_csv_error_row(const std::string& file, const Error& error);

@@ -12,6 +12,7 @@ using namespace fields_access;
 using Wanted = Field::Wanted;
 
 constexpr std::string_view kind_words[] = {"linear", "rotary"};
+constexpr std::string_view rule_words[] = {"simple", "iso14253-1", "guard-band"};
 constexpr std::string_view cycle_words[] = {"standard", "step", "pilgrim", "unidirectional"};
 constexpr std::string_view measurand_words[] = {"this-test", "this-machine"};
 
@@ -80,6 +81,14 @@ template <auto Group, auto Member>
 using TextAt = TextAccess<At<Group, Member>>;
 template <auto Group, auto Member, const auto& Unit>
 using QuantityAt = QuantityAccess<At<Group, Member>, Unit>;
+
+/// The limit of a parameter. Zero would be a limit that no measurement can keep.
+template <auto Member>
+constexpr Field tolerance_field(std::string_view key, std::string_view title) {
+  constexpr double smallest = 1e-6;
+  return number_field<QuantityAt<&Metadata::tolerance, Member, deviation>>(key, title, "µm", "″", "8.2", Wanted::no,
+                                                                           smallest, any, "Upper limit.");
+}
 
 template <auto Member>
 using MachineText = TextAt<&Metadata::machine, Member>;
@@ -211,6 +220,25 @@ constexpr std::array fields = {
     number_field<AirQuantity<&Environment::air_humidity_end, percent>>("environment.air_humidity_end_percent",
                                                                        "Air humidity at the end", "%", "%", "8.1",
                                                                        Wanted::linear, 0, 100, "Near the laser beam."),
+    tolerance_field<&StatedTolerances::A>("tolerance.A", "Tolerance of A"),
+    tolerance_field<&StatedTolerances::A_up>("tolerance.A_up", "Tolerance of A↑"),
+    tolerance_field<&StatedTolerances::A_down>("tolerance.A_down", "Tolerance of A↓"),
+    tolerance_field<&StatedTolerances::E>("tolerance.E", "Tolerance of E"),
+    tolerance_field<&StatedTolerances::E_up>("tolerance.E_up", "Tolerance of E↑"),
+    tolerance_field<&StatedTolerances::E_down>("tolerance.E_down", "Tolerance of E↓"),
+    tolerance_field<&StatedTolerances::M>("tolerance.M", "Tolerance of M"),
+    tolerance_field<&StatedTolerances::R>("tolerance.R", "Tolerance of R"),
+    tolerance_field<&StatedTolerances::R_up>("tolerance.R_up", "Tolerance of R↑"),
+    tolerance_field<&StatedTolerances::R_down>("tolerance.R_down", "Tolerance of R↓"),
+    tolerance_field<&StatedTolerances::B>("tolerance.B", "Tolerance of B"),
+    tolerance_field<&StatedTolerances::B_mean>("tolerance.B_mean", "Tolerance of |B̄|"),
+    text_field<TextAt<&Metadata::tolerance, &StatedTolerances::table>>(
+        "tolerance.table", "Tolerance table", "", Wanted::no, "Which of the names in a file of tolerance tables."),
+    choice_field<TextAt<&Metadata::tolerance, &StatedTolerances::rule>>(
+        "tolerance.rule", "Decision rule", "", rule_words,
+        "How the uncertainty counts in a verdict: simple acceptance, ISO 14253-1, or a guard band of a given width."),
+    number_field<QuantityAt<&Metadata::tolerance, &StatedTolerances::guard_band, deviation>>(
+        "tolerance.guard_band", "Guard band", "µm", "″", "", Wanted::no, 0, any, "Its width, for the rule guard-band."),
     number_field<AnnexAQuantity<&AnnexAInputs::length, mm>>("uncertainty.length_mm", "Measurement length L", "mm", "",
                                                             "A.2.2", Wanted::no, 1e-3, any,
                                                             "The measured travel when not given."),

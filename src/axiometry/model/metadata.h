@@ -120,6 +120,26 @@ struct GumInputs {
   std::vector<InputDistribution> distributions;
 };
 
+/// Limits of the parameters (8.2) that the test itself brings along, and how to decide on them: what is given
+/// here takes the place of a tolerance table's, and a flag the place of this.
+struct StatedTolerances {
+  std::optional<Deviation> A;
+  std::optional<Deviation> A_up;
+  std::optional<Deviation> A_down;
+  std::optional<Deviation> E;
+  std::optional<Deviation> E_up;
+  std::optional<Deviation> E_down;
+  std::optional<Deviation> M;
+  std::optional<Deviation> R;
+  std::optional<Deviation> R_up;
+  std::optional<Deviation> R_down;
+  std::optional<Deviation> B;
+  std::optional<Deviation> B_mean;  ///< of its magnitude
+  std::string table;                ///< name in a file of tolerance tables
+  std::string rule;                 ///< "simple", "iso14253-1" or "guard-band"
+  std::optional<Deviation> guard_band;
+};
+
 struct Metadata {
   Axis axis;
   Machine machine;
@@ -127,6 +147,7 @@ struct Metadata {
   std::vector<Equipment> equipment;
   NdeCorrection nde;
   Environment environment;
+  StatedTolerances tolerance;
   AnnexAInputs uncertainty;
   GumInputs gum;
 };

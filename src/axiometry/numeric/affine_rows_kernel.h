@@ -25,7 +25,7 @@ template <typename Vector, size_t registers, typename Number>
 template <typename Vector, typename Number>
 [[gnu::always_inline]] inline void apply_all(const AffineMapView<Number>& map, AffineInput<Number> input, Number* rows,
                                              size_t stride) {
-  constexpr size_t registers = 4;
+  constexpr size_t registers = register_bytes == 64 ? 8 : 4;  // AVX-512 has twice as many
   constexpr size_t wide = registers * lanes<Vector>;
   for (size_t row = 0; row < map.rows; ++row) {
     Number* const to = rows + row * stride;

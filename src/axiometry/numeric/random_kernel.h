@@ -80,6 +80,9 @@ constexpr uint64_t exponent_of_2_to_84 = 0x4530'0000'0000'0000u;
 
 /// The nearest number to an integer of 64 bits: its halves, placed in the mantissas of 2⁸⁴ and 2⁵², are exact.
 [[gnu::always_inline]] inline Doubles converted(Words x) {
+#if defined(__AVX512DQ__)
+  return _mm512_cvtepu64_pd(reinterpret_cast<__m512i>(x));
+#endif
   const Doubles high = reinterpret_cast<Doubles>((x >> 32) | exponent_of_2_to_84) - (0x1p84 + 0x1p52);
   return high + reinterpret_cast<Doubles>((x & 0xffff'ffffu) | exponent_of_2_to_52);
 }

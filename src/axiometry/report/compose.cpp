@@ -14,9 +14,10 @@ Section figure_section(const Subject& subject, const Options& options) {
 
 Document compose(const Subject& subject, const Options& asked) {
   const Options options = fitted(asked, subject.assessment.evaluation.parameters);
-  Document document = title_page(subject);
+  Document document = title_page(subject, options);
   auto& sections = document.sections;
   sections.push_back(parameter_section(subject, options));
+  if (!subject.judgements.empty()) sections.push_back(conformity_section(subject, options));
   sections.push_back(figure_section(subject, options));
   sections.push_back(finding_section(subject));
   sections.push_back(identification_section(subject, options));

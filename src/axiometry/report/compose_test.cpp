@@ -130,29 +130,82 @@ TEST(ParameterSection, LeavesTheSecondSymbolOutForAnAxisWithoutALetter) {
   EXPECT_EQ(tables(section(composed(table2), "parameters")).at(0).columns.size(), 6u);
 }
 
-TEST(Verdict, NamesTheRuleAndWhatIsExceeded) {
+TEST(Verdict, NamesTheRuleAndWhatDoesNotConform) {
   Reported table2 = reported_table2();
-  table2.judgements = {{tolerance("A", 10), iso230_2::Verdict::within},
-                       {tolerance("B", 4), iso230_2::Verdict::exceeded}};
+  table2.judge({tolerance("A", 10), tolerance("B", 4)});
   const Document document = composed(table2);
   const Notice& notice = document.status.at(1);
   EXPECT_EQ(notice.tone, Tone::bad);
-  EXPECT_EQ(plain_text(notice.heading), "Tolerance exceeded: B");
-  EXPECT_EQ(plain_text(notice.lines.at(0)), "Within tolerance: A.");
+  EXPECT_EQ(plain_text(notice.heading), "Does not conform: B");
+  EXPECT_EQ(plain_text(notice.lines.at(0)), "Conforms: A.");
+  EXPECT_EQ(plain_text(notice.lines.at(1)), "Decision rule: simple acceptance.");
   const Table table = tables(section(document, "parameters")).at(0);
-  EXPECT_THAT(row_text(table.rows[10]),
-              ElementsAre("B\u2009*)", "EXX,B", "Reversal error", "4.12", "0.92", "4", "µm", "exceeded", "3.16"));
+  EXPECT_THAT(row_text(table.rows[10]), ElementsAre("B\u2009*)", "EXX,B", "Reversal error", "4.12", "0.92", "4", "µm",
+                                                    "does not conform", "3.16"));
   EXPECT_THAT(row_text(table.rows[3]), Contains(""));  // no tolerance of E
   EXPECT_THAT(plain_text(table.notes.back()), HasSubstr("simple acceptance"));
 }
 
 TEST(Verdict, IsNotGivenOnWhatDoesNotExist) {
   Reported single = reported({{}, testing_support::make_series({0, 100, 200}, {{1, 2, 3}}, {{2, 3, 4}}), {}});
-  single.judgements = {{tolerance("R", 5), iso230_2::Verdict::not_applicable}};
+  single.judge({tolerance("R", 5)});
   const Document document = composed(single);
   EXPECT_EQ(plain_text(document.status.back().heading), "No verdict");
   const auto R = row_text(tables(section(document, "parameters")).at(0).rows[7]);
   EXPECT_THAT(R, AllOf(Contains("R"), Contains("not applicable"), Contains("no verdict")));
+  const auto decision = row_text(tables(section(document, "conformity")).at(0).rows.at(0));
+  EXPECT_THAT(decision, ElementsAre("R", "–", "5", "no verdict"));
+}
+
+TEST(Verdict, IsUndecidedAsACautionWhereTheUncertaintyReachesOverTheLimit) {
+  Reported table2 = reported_table2();
+  table2.judge({tolerance("A", 10), tolerance("E", 20)}, {uncertainty::DecisionRule::Kind::iso_14253_1});
+  const Notice notice = composed(table2).status.at(1);
+  EXPECT_EQ(notice.tone, Tone::caution);
+  EXPECT_EQ(plain_text(notice.heading), "Undecided: A");
+  EXPECT_EQ(plain_text(notice.lines.at(1)), "Decision rule: ISO 14253-1.");
+}
+
+// u(A) = 2.1353 µm and u(B) = 0.4592 µm by Annex A; Φ from tables.
+TEST(ConformitySection, ShowsLimitsProbabilityAndRiskOfEveryDecision) {
+  Reported table2 = reported_table2();
+  table2.judge({tolerance("A", 10), tolerance("B", 3)}, {uncertainty::DecisionRule::Kind::iso_14253_1});
+  const Section conformity = section(composed(table2), "conformity");
+  const Table table = tables(conformity).at(0);
+  EXPECT_THAT(row_text(table.rows.at(0)),
+              ElementsAre("A", "9.6", "2.14", "10", "3.52", "6.48", "13.52", "57.7\u00a0%", "–", "undecided"));
+  EXPECT_THAT(row_text(table.rows.at(1)),
+              ElementsAre("B", "4.12", "0.459", "3", "0.757", "2.243", "3.757", "0.73\u00a0%",
+                          "0.73\u00a0%\u00a0producer’s", "does not conform"));
+  EXPECT_THAT(plain_text(table.notes.at(0)),
+              AllOf(HasSubstr("Decision rule: ISO 14253-1."), HasSubstr("g = 1.65 u; u = U/2 by Annex A.")));
+  EXPECT_EQ(plain_text(table.notes.at(1)), "Limits: A, B from the command line.");
+  EXPECT_TRUE(std::holds_alternative<Figure>(conformity.blocks.at(1)));
+}
+
+TEST(ConformitySection, SaysWhereEachLimitComesFrom) {
+  Reported table2 = reported_table2();
+  iso230_2::Tolerance of_table = tolerance("A", 10);
+  of_table.source = iso230_2::ToleranceSource::table;
+  of_table.origin = "Grinder, up to 2000 mm, in limits.csv";
+  iso230_2::Tolerance of_test = tolerance("E", 8);
+  of_test.source = iso230_2::ToleranceSource::test;
+  table2.judge({of_table, of_test, tolerance("B", 5)});
+  EXPECT_EQ(plain_text(tables(section(composed(table2), "conformity")).at(0).notes.at(1)),
+            "Limits: A from the tolerance table Grinder, up to 2000 mm, in limits.csv; E from the file of the test; B "
+            "from the command line.");
+}
+
+TEST(ConformitySection, SaysWhereNoValueCouldBeAccepted) {
+  Reported table2 = reported_table2();
+  table2.judge({tolerance("A", 2)}, {uncertainty::DecisionRule::Kind::iso_14253_1});
+  const Table table = tables(section(composed(table2), "conformity")).at(0);
+  EXPECT_EQ(row_text(table.rows.at(0)).at(5), "none");
+  EXPECT_THAT(plain_text(table.notes.at(2)), HasSubstr("g is larger than T"));
+}
+
+TEST(ConformitySection, IsAbsentWithoutATolerance) {
+  EXPECT_THAT(section_ids(composed(reported_table2())), Not(Contains("conformity")));
 }
 
 TEST(IdentificationSection, ShowsEveryWantedFieldGivenOrNot) {

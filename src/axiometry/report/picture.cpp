@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "axiometry/report/figures/conformity.h"
 #include "axiometry/report/figures/figures.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/symbols.h"
@@ -65,6 +66,7 @@ Figure heading(const Subject& subject) {
 
 Figure picture(const Subject& subject, const Options& options) {
   std::vector<Figure> parts = figures(subject, options);
+  if (auto conformity = conformity_figure(subject, options)) parts.push_back(*std::move(conformity));
   parts.insert(parts.begin(), heading(subject));
   Figure page = stacked(parts);
   const Path paper{.points = {{0, 0}, {page.width, 0}, {page.width, page.height}, {0, page.height}},

@@ -6,18 +6,12 @@
 #include <algorithm>
 
 #include "axiometry/report/figures/plates.h"
-#include "axiometry/report/figures/scale.h"
 
 namespace axiometry::report {
 namespace {
 
 using iso230_2::AxisParameters;
-
-std::string axis_phrase(const Subject& subject) {
-  constexpr double longest_name = 150.0;
-  const std::string& name = subject.test.metadata.axis.name;
-  return name.empty() ? "the axis" : "axis " + plot::shortened(name, longest_name, 8.0);
-}
+using plot::axis_phrase;
 
 std::string_view direction_phrase(Direction direction) {
   return direction == Direction::up ? "positive approaches (↑)" : "negative approaches (↓)";

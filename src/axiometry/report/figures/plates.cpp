@@ -30,6 +30,12 @@ std::string with_unit(const std::string& number, std::string_view unit) {
 
 }  // namespace
 
+std::string axis_phrase(const Subject& subject) {
+  constexpr double longest_name = 150.0;
+  const std::string& name = subject.test.metadata.axis.name;
+  return name.empty() ? "the axis" : "axis " + shortened(name, longest_name, 8.0);
+}
+
 const iso230_2::ParameterInfo& info(Parameter parameter) {
   const auto* found = std::ranges::find(iso230_2::parameters, parameter, &iso230_2::ParameterInfo::member);
   AXIOMETRY_CONTRACT(found != std::end(iso230_2::parameters));

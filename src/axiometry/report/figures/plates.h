@@ -22,6 +22,9 @@ std::string shown_value(Parameter parameter, const Subject& subject, const Optio
 /// or ″ to two significant digits.
 std::string shown_deviation(double native, AxisKind kind, const Options& options);
 
+/// "axis X" for captions, a long name cut; "the axis" without one.
+std::string axis_phrase(const Subject& subject);
+
 /// The row of the vocabulary for a parameter.
 const iso230_2::ParameterInfo& info(Parameter parameter);
 

@@ -26,7 +26,8 @@ constexpr Group groups[] = {
     {"sensors", "Temperature sensors"},
     {"environment", "Air near the measurement line"},
 };
-constexpr std::string_view shown_with_the_budget = "uncertainty";
+/// Groups that have sections of their own.
+constexpr std::string_view shown_elsewhere[] = {"uncertainty", "tolerance"};
 
 /// Two fields that are one fact: "Air temperature at the start" and "… at the end".
 struct Pair {
@@ -176,7 +177,8 @@ Section identification_section(const Subject& subject, const Options& options) {
     const std::string_view title = known == std::end(groups) ? prefix(*first)
                                    : resumed                 ? known->title_when_resumed
                                                              : known->title;
-    if (prefix(*first) != shown_with_the_budget) append_group(all, title, {first, end}, subject, options);
+    if (std::ranges::find(shown_elsewhere, prefix(*first)) == std::end(shown_elsewhere))
+      append_group(all, title, {first, end}, subject, options);
     first = end;
   }
   section.blocks = std::move(all.facts);

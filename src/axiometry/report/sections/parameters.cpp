@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "axiometry/report/conformity_text.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 
@@ -11,7 +12,6 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::Judgement;
-using iso230_2::Verdict;
 
 /// Names as controls give them, "X", "C1"; anything longer would make no symbol.
 bool fits_a_symbol(std::string_view axis_name) {
@@ -40,7 +40,7 @@ bool leaves_out_contributors(const iso230_2::AnnexA& annex_a, AxisKind kind) {
   });
 }
 
-std::vector<RichText> notes(const Subject& subject) {
+std::vector<RichText> notes(const Subject& subject, const Options& options) {
   const auto& assessment = subject.assessment;
   const std::string& label = assessment.label;
   std::vector<RichText> notes = {
@@ -58,9 +58,8 @@ std::vector<RichText> notes(const Subject& subject) {
   }
   if (!subject.judgements.empty())
     notes.push_back(
-        joined({plain("Decision rule: simple acceptance. A parameter is within its tolerance when its magnitude does "
-                      "not exceed the limit; "),
-                italic("U"), plain(" is not taken into account.")}));
+        plain(fmt::format("Decision rule of the verdicts: {}; see Conformity to tolerances.",
+                          rule_title(subject.judgements.front().rule, subject.test.metadata.axis.kind, options))));
   return notes;
 }
 
@@ -68,15 +67,6 @@ const Judgement* judgement_of(const iso230_2::ParameterInfo& parameter, std::spa
   const auto found = std::ranges::find_if(
       judgements, [&](const Judgement& judgement) { return judgement.tolerance.parameter->key == parameter.key; });
   return found == judgements.end() ? nullptr : &*found;
-}
-
-TableCell verdict_cell(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::within: return {strong("within"), Tone::good};
-    case Verdict::exceeded: return {strong("exceeded"), Tone::bad};
-    case Verdict::not_applicable: return quiet_cell("no verdict");
-  }
-  return {};
 }
 
 /// The columns that this report needs, in their order.
@@ -110,7 +100,7 @@ std::vector<TableCell> row(const iso230_2::ParameterInfo& parameter, const Subje
     row.push_back(judgement ? text_cell(shown_short(judgement->tolerance.limit.in_native() * scale.per_native, options))
                             : quiet_cell(""));
   row.push_back(exists || judgement ? text_cell(shown.unit) : quiet_cell(""));
-  if (with_tolerances) row.push_back(judgement ? verdict_cell(judgement->verdict) : quiet_cell(""));
+  if (with_tolerances) row.push_back(judgement ? verdict_cell(judgement->decision.verdict) : quiet_cell(""));
   row.push_back(quiet_cell(parameter.clause));
   return row;
 }
@@ -123,7 +113,7 @@ Section parameter_section(const Subject& subject, const Options& options) {
   table.columns = columns(with_iso230_1, !subject.judgements.empty());
   for (const auto& parameter : iso230_2::parameters)
     table.rows.push_back(row(parameter, subject, with_iso230_1, options));
-  table.notes = notes(subject);
+  table.notes = notes(subject, options);
   return {"parameters", "Parameters of the axis", true, {std::move(table)}};
 }
 

@@ -14,10 +14,15 @@
 namespace axiometry::report {
 
 /// Title, identity, status and everything that runs along on each page.
-Document title_page(const Subject& subject);
+Document title_page(const Subject& subject, const Options& options);
 
-/// What stands within its tolerance and what exceeds it; nothing when no tolerance was given.
-std::optional<Notice> tolerance_notice(std::span<const iso230_2::Judgement> judgements);
+/// What conforms to its tolerance and what does not, and the rule; nothing when no tolerance was given.
+std::optional<Notice> tolerance_notice(const Subject& subject, const Options& options);
+
+/// Every decision with its limits, probability and risk, the rule in words, and the figure of it. Without blocks when
+/// no tolerance was given.
+Section conformity_section(const Subject& subject, const Options& options);
+TableCell verdict_cell(uncertainty::Verdict verdict);
 
 /// Parameters of clause 8.2 with their uncertainty, tolerances and verdicts.
 Section parameter_section(const Subject& subject, const Options& options);

@@ -84,7 +84,7 @@ std::string running_status(const iso230_2::Assessment& assessment) {
 
 }  // namespace
 
-Document title_page(const Subject& subject) {
+Document title_page(const Subject& subject, const Options& options) {
   const Metadata& metadata = subject.test.metadata;
   const auto& assessment = subject.assessment;
   Document document;
@@ -96,7 +96,7 @@ Document title_page(const Subject& subject) {
   document.status.push_back(assessment.conforming() ? conforming_notice(assessment.findings)
                                                     : departing_notice(assessment.findings));
   if (!assessment.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + assessment.label), {}});
-  if (auto notice = tolerance_notice(subject.judgements)) document.status.push_back(*std::move(notice));
+  if (auto notice = tolerance_notice(subject, options)) document.status.push_back(*std::move(notice));
   document.label = assessment.label;
   document.running_head = running_head(metadata);
   if (!metadata.conditions.report_number.empty())

@@ -1,46 +1,189 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "axiometry/report/conformity_text.h"
+#include "axiometry/report/figures/conformity.h"
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/report/shown_number.h"
 
 namespace axiometry::report {
 
 namespace {
 
 using iso230_2::Judgement;
-using iso230_2::Verdict;
+using uncertainty::Verdict;
 
-/// "A, E↑", of those with this verdict.
-RichText symbols_with(std::span<const Judgement> judgements, Verdict verdict) {
-  RichText symbols;
-  for (const Judgement& judgement : judgements)
-    if (judgement.verdict == verdict)
+/// Which columns of the table of decisions this subject needs.
+struct Wanted {
+  bool guard_band = false;
+  bool uncertainty = false;
+};
+
+Wanted wanted(std::span<const Judgement> judgements) {
+  return {judgements.front().rule.kind != uncertainty::DecisionRule::Kind::simple,
+          std::ranges::any_of(judgements, [](const Judgement& j) { return j.uncertainty.has_value(); })};
+}
+
+std::vector<Column> columns(Wanted want) {
+  std::vector<Column> all = {{plain("Symbol"), Align::start, true}, {plain("Value"), Align::decimal}};
+  if (want.uncertainty) all.push_back({italic("u"), Align::decimal});
+  all.push_back({joined({plain("Tolerance "), italic("T")}), Align::decimal});
+  if (want.guard_band) {
+    all.push_back({italic("g"), Align::decimal});
+    all.push_back({joined({italic("T"), plain(" − "), italic("g")}), Align::decimal});
+    all.push_back({joined({italic("T"), plain(" + "), italic("g")}), Align::decimal});
+  }
+  if (want.uncertainty) {
+    all.push_back({symbol("p_c"), Align::decimal});
+    all.push_back({plain("Risk")});
+  }
+  all.push_back({plain("Verdict")});
+  return all;
+}
+
+/// "2.3 % consumer’s": of a false acceptance, or "… producer’s": of a false rejection.
+TableCell risk_cell(const uncertainty::Decision& decision, const Options& options) {
+  if (decision.consumer_risk)
+    return text_cell(fmt::format("{}\u00a0consumer’s", shown_probability(*decision.consumer_risk, options)));
+  if (decision.producer_risk)
+    return text_cell(fmt::format("{}\u00a0producer’s", shown_probability(*decision.producer_risk, options)));
+  return quiet_cell("–");
+}
+
+/// Numbers of one row.
+class RowNumbers {
+ public:
+  RowNumbers(const Subject& subject, const Options& options, const ShownParameter& shown)
+      : options_(options),
+        scale_(parameter_scale(subject.test.metadata.axis.kind, options.unit)),
+        decimals_(limit_decimals(shown)) {}
+  TableCell exact(Deviation x) const { return text_cell(shown_short(x.in_native() * scale_.per_native, options_)); }
+  TableCell rounded(const std::optional<Deviation>& x) const {
+    return x ? text_cell(format_fixed(x->in_native() * scale_.per_native, decimals_, options_.numbers))
+             : quiet_cell("–");
+  }
+
+ private:
+  const Options& options_;
+  ParameterScale scale_;
+  int decimals_;
+};
+
+std::vector<TableCell> decision_row(const Judgement& judgement, const Subject& subject, Wanted want,
+                                    const Options& options) {
+  const auto& [tolerance, rule, magnitude, known, decision] = judgement;
+  const AxisKind kind = subject.test.metadata.axis.kind;
+  const ShownParameter shown = show(*tolerance.parameter, subject.assessment, kind, options);
+  const RowNumbers numbers(subject, options, shown);
+  const auto if_judged = [&](std::optional<Deviation> x) { return numbers.rounded(magnitude ? x : std::nullopt); };
+  std::vector<TableCell> row = {{symbol(tolerance.parameter->symbol)}};
+  row.push_back(magnitude ? TableCell{strong(shown.value)} : quiet_cell("–"));
+  if (want.uncertainty) row.push_back(known ? numbers.rounded(known->u) : quiet_cell("–"));
+  row.push_back(numbers.exact(tolerance.limit));
+  if (want.guard_band) {
+    row.push_back(
+        if_judged(judgement.has_guard_band() ? std::optional(Deviation::native(decision.guard_band)) : std::nullopt));
+    const bool none = magnitude && judgement.has_guard_band() && !judgement.acceptance_limit();
+    row.push_back(none ? quiet_cell("none") : if_judged(judgement.acceptance_limit()));
+    row.push_back(if_judged(judgement.rejection_limit()));
+  }
+  if (want.uncertainty) {
+    row.push_back(decision.probability_conforming
+                      ? text_cell(shown_probability(*decision.probability_conforming, options))
+                      : quiet_cell("–"));
+    row.push_back(risk_cell(decision, options));
+  }
+  row.push_back(verdict_cell(decision.verdict));
+  return row;
+}
+
+/// "Limits: A, E from the tolerance table Grinder, …; B from the command line."
+RichText origins_of_limits(std::span<const Judgement> judgements) {
+  using enum iso230_2::ToleranceSource;
+  RichText text;
+  for (const auto source : {table, test, user}) {
+    RichText symbols;
+    std::string_view origin;
+    for (const Judgement& judgement : judgements) {
+      if (judgement.tolerance.source != source) continue;
       symbols = joined({symbols, plain(symbols.empty() ? "" : ", "), symbol(judgement.tolerance.parameter->symbol)});
-  return symbols;
+      origin = judgement.tolerance.origin;
+    }
+    if (symbols.empty()) continue;
+    text = joined({text, plain(text.empty() ? "Limits: " : "; "), symbols,
+                   plain(fmt::format(" from the {}{}{}", source_title(source), origin.empty() ? "" : " ", origin))});
+  }
+  return joined({text, plain(".")});
+}
+
+std::vector<RichText> notes(const Subject& subject, Wanted want, const Options& options) {
+  std::vector<RichText> notes = {
+      with_symbols(rule_statement(subject.judgements, subject.test.metadata.axis.kind, options))};
+  notes.push_back(origins_of_limits(subject.judgements));
+  if (want.guard_band && std::ranges::any_of(subject.judgements, [](const Judgement& j) {
+        return j.magnitude && j.has_guard_band() && !j.acceptance_limit();
+      }))
+    notes.push_back(with_symbols("none: g is larger than T, so that no value could be accepted."));
+  if (want.uncertainty)
+    notes.push_back(plain(
+        "Risk of the verdict: the consumer’s, that an accepted parameter does not conform; the producer’s, that a "
+        "rejected one does."));
+  if (std::ranges::any_of(subject.judgements, [](const Judgement& j) { return !j.magnitude; }))
+    notes.push_back(plain("no verdict: the parameter does not exist in this test."));
+  return notes;
 }
 
 }  // namespace
 
-std::optional<Notice> tolerance_notice(std::span<const Judgement> judgements) {
-  if (judgements.empty()) return std::nullopt;
-  const RichText exceeded = symbols_with(judgements, Verdict::exceeded);
-  const RichText within = symbols_with(judgements, Verdict::within);
-  const RichText unjudged = symbols_with(judgements, Verdict::not_applicable);
-  Notice notice;
+TableCell verdict_cell(Verdict verdict) {
+  if (verdict == Verdict::not_applicable) return quiet_cell("no verdict");
+  return {strong(uncertainty::verdict_name(verdict)), tone_of(verdict)};
+}
+
+std::optional<Notice> tolerance_notice(const Subject& subject, const Options& options) {
+  const auto overall = iso230_2::overall_verdict(subject.judgements);
+  if (!overall) return std::nullopt;
+  constexpr std::pair<Verdict, std::string_view> words[] = {{Verdict::does_not_conform, "Does not conform: "},
+                                                            {Verdict::undecided, "Undecided: "},
+                                                            {Verdict::conforms, "Conforms: "}};
+  Notice notice{tone_of(*overall), {}, {}};
+  if (*overall == Verdict::not_applicable) notice = {Tone::caution, plain("No verdict"), {}};
   RichText others;
-  if (!exceeded.empty()) {
-    notice = {Tone::bad, joined({plain("Tolerance exceeded: "), exceeded}), {}};
-    if (!within.empty()) others = joined({plain("Within tolerance: "), within, plain(".")});
-  } else if (!within.empty()) {
-    notice = {Tone::good, joined({plain("Within tolerance: "), within}), {}};
-  } else {
-    notice = {Tone::caution, plain("No verdict"), {}};
+  for (const auto& [verdict, word] : words) {
+    const RichText symbols = symbols_with(subject.judgements, verdict);
+    if (symbols.empty()) continue;
+    if (verdict == *overall) {
+      notice.heading = joined({plain(word), symbols});
+    } else {
+      others = joined({others, plain(others.empty() ? "" : " "), plain(word), symbols, plain(".")});
+    }
   }
-  if (!unjudged.empty())
+  if (const RichText unjudged = symbols_with(subject.judgements, Verdict::not_applicable); !unjudged.empty())
     others = joined({others, plain(others.empty() ? "No verdict on " : " No verdict on "), unjudged,
                      plain(": not applicable to this test.")});
   if (!others.empty()) notice.lines.push_back(std::move(others));
+  notice.lines.push_back(plain(fmt::format(
+      "Decision rule: {}.", rule_title(subject.judgements.front().rule, subject.test.metadata.axis.kind, options))));
   return notice;
+}
+
+Section conformity_section(const Subject& subject, const Options& options) {
+  Section section{"conformity", "Conformity to tolerances", true, {}};
+  if (subject.judgements.empty()) return section;
+  const Wanted want = wanted(subject.judgements);
+  Table table;
+  table.caption = plain(fmt::format("Decisions; values, uncertainties and limits in {}",
+                                    parameter_scale(subject.test.metadata.axis.kind, options.unit).unit));
+  table.columns = columns(want);
+  for (const Judgement& judgement : subject.judgements)
+    table.rows.push_back(decision_row(judgement, subject, want, options));
+  table.notes = notes(subject, want, options);
+  section.blocks.emplace_back(std::move(table));
+  if (auto figure = conformity_figure(subject, options)) section.blocks.emplace_back(*std::move(figure));
+  return section;
 }
 
 }  // namespace axiometry::report

@@ -11,6 +11,8 @@
 //   unit         "um", "mm", "nm", "arcsec", "deg"; empty for counts
 //   clause       of ISO 230-2:2014
 //   remark       what the result must not be mistaken for: not an ISO 230-2 result, the label; else empty
+//   limit        of a parameter with a tolerance, in `unit`; else empty
+//   verdict      "conforms", "does not conform", "undecided" or "not applicable"; empty without a limit
 //
 // Numbers in full double precision. Parameters are in the display unit, positions in µm or ″. With a
 // decimal comma the columns are separated by semicolons.
@@ -32,6 +34,8 @@ struct Line {
   std::string U;
   std::string_view unit;
   std::string_view clause;
+  std::string limit{};
+  std::string_view verdict{};
 };
 
 std::string_view ascii_unit(std::string_view unit) {
@@ -50,7 +54,8 @@ class Csv {
     axis_ = text::no_formula(subject.test.metadata.axis.name);
     if (!subject.assessment.conforming()) remark_ = "not an ISO 230-2 result";
     if (!subject.assessment.label.empty()) remark_ += (remark_.empty() ? "" : "; ") + subject.assessment.label;
-    append_cells({"axis", "record", "target", "target_unit", "name", "value", "U", "unit", "clause", "remark"});
+    append_cells({"axis", "record", "target", "target_unit", "name", "value", "U", "unit", "clause", "remark", "limit",
+                  "verdict"});
   }
 
   std::string number(double x) const {
@@ -66,8 +71,8 @@ class Csv {
 
   void append(const Line& line) {
     const std::string_view target_unit = line.target.empty() ? "" : ascii_unit(position_unit(kind_));
-    append_cells(
-        {axis_, line.record, line.target, target_unit, line.name, line.value, line.U, line.unit, line.clause, remark_});
+    append_cells({axis_, line.record, line.target, target_unit, line.name, line.value, line.U, line.unit, line.clause,
+                  remark_, line.limit, line.verdict});
   }
 
   std::string take() { return std::move(text_); }
@@ -94,11 +99,21 @@ class Csv {
 void append_parameters(Csv& csv, const Subject& subject, const Options& options) {
   const ParameterScale scale = parameter_scale(subject.test.metadata.axis.kind, options.unit);
   const auto& assessment = subject.assessment;
-  for (const auto& parameter : iso230_2::parameters)
-    csv.append({"parameter", "", parameter.key,
-                csv.number(assessment.evaluation.parameters.*parameter.member, scale.per_native),
-                assessment.annex_a ? csv.number(assessment.annex_a->U.*parameter.member, scale.per_native) : "",
-                ascii_unit(scale.unit), parameter.clause});
+  for (const auto& parameter : iso230_2::parameters) {
+    Line line{"parameter",
+              "",
+              parameter.key,
+              csv.number(assessment.evaluation.parameters.*parameter.member, scale.per_native),
+              assessment.annex_a ? csv.number(assessment.annex_a->U.*parameter.member, scale.per_native) : "",
+              ascii_unit(scale.unit),
+              parameter.clause};
+    for (const iso230_2::Judgement& judgement : subject.judgements) {
+      if (judgement.tolerance.parameter->key != parameter.key) continue;
+      line.limit = csv.number(judgement.tolerance.limit, scale.per_native);
+      line.verdict = uncertainty::verdict_name(judgement.decision.verdict);
+    }
+    csv.append(line);
+  }
 }
 
 void append_positions(Csv& csv, const Subject& subject) {

@@ -39,8 +39,7 @@ void expect_golden(const std::string& page, const std::string& name) {
 
 TEST(HtmlWriter, MakesTheGoldenPageOfTable2) {
   Reported table2 = reported_table2();
-  table2.judgements = {{testing_support::tolerance("A", 10), iso230_2::Verdict::within},
-                       {testing_support::tolerance("B", 4), iso230_2::Verdict::exceeded}};
+  table2.judge({testing_support::tolerance("A", 10), testing_support::tolerance("B", 4)});
   expect_golden(table2.written("html"), "table2");
 }
 

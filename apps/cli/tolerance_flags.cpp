@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tolerance_flags.h"
+
+#include <CLI/CLI.hpp>
+#include <vector>
+
+namespace axiometry::cli {
+
+void add_tolerance_flags(CLI::App& verb, app::ToleranceOptions& tolerance, std::string& table) {
+  constexpr const char* group = "Tolerances, over what the file says";
+  verb.add_option_function<std::vector<std::string>>(
+          "--tolerance",
+          [&](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              auto limit = app::parse_tolerance(text);
+              if (!limit) throw CLI::ValidationError("--tolerance", limit.error().message);
+              tolerance.limits.push_back(*limit);
+            }
+            if (auto all = app::check_tolerances(tolerance.limits); !all)
+              throw CLI::ValidationError("--tolerance", all.error().message);
+          },
+          "Limit of a parameter, such as A=10um or R_up=0.003mm; exit code 3 when a test does not conform; may be "
+          "repeated")
+      ->type_name("PARAMETER=LIMIT")
+      ->allow_extra_args(false)
+      ->group(group);
+  verb.add_option("--tolerance-table", table,
+                  "Limits by the kind and travel of the axis from a CSV file, and which of the named tables in it; "
+                  "without NAME the one that the test's file names, or the only one")
+      ->check([](const std::string& name) {
+        return name.empty() ? std::string("found an empty name, expected a file") : std::string();
+      })
+      ->type_name("FILE[:NAME]")
+      ->group(group);
+  verb.add_option_function<std::string>(
+          "--rule",
+          [&](const std::string& text) {
+            auto rule = app::parse_rule(text);
+            if (!rule) throw CLI::ValidationError("--rule", rule.error().message);
+            tolerance.rule = *rule;
+          },
+          "How the uncertainty counts: simple (not at all; when nothing is said), iso14253-1 (conforms up to the limit "
+          "less 1.65 u, does not beyond the limit plus 1.65 u, else undecided with exit code 4), or "
+          "guard-band=WIDTH such as guard-band=3um (likewise with that width)")
+      ->type_name("RULE")
+      ->group(group);
+}
+
+}  // namespace axiometry::cli

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "axiometry/app/requirements.h"
+
+namespace CLI {
+class App;
+}
+
+namespace axiometry::cli {
+
+/// --tolerance, --tolerance-table and --rule. The table is opened later: `table` takes its name as it was given.
+void add_tolerance_flags(CLI::App& verb, app::ToleranceOptions& tolerance, std::string& table);
+
+}  // namespace axiometry::cli
