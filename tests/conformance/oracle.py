@@ -6,7 +6,7 @@ usage: oracle.py FILE.case...
 
 Evaluates the readings written in each case and compares every `expect PARAMETER …` and
 `expect position …` with a number or `not applicable`. Shares no code with the program. Cases that
-name a file, uncertainties and findings are left to `axiometry check`.
+name a file or correct readings, uncertainties and findings are left to `axiometry check`.
 """
 import sys
 from decimal import Decimal, getcontext
@@ -118,6 +118,8 @@ def check(path):
         elif verb in ("up", "down"):
             unit = NATIVE[words[-1]]
             operation[verb].append([None if w == "-" else Decimal(w) * unit for w in words[1:-1]])
+        elif verb == "correct":
+            operation["targets"] = []
         elif verb == "tolerance":
             tolerance = Decimal(words[1]) * NATIVE[words[2]]
         elif verb == "expect" and words[1] != "error" and operation["targets"]:

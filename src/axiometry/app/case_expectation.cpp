@@ -36,7 +36,7 @@ Result<Named> named_parameter(const Statement& s, std::size_t index, std::string
   const iso230_2::ParameterInfo* info = iso230_2::find_parameter(key);
   if (info == nullptr)
     return unexpected_word(s, index,
-                           "a parameter (A, A_up, …, B_mean, U_A, …), position, budget, corrected, finding, "
+                           "a parameter (A, A_up, …, B_mean, U_A, …), position, budget, corrected, gum, finding, "
                            "conforming, label or error");
   return Named{from ? *from.*(info->member) : std::nullopt, index + 1};
 }
@@ -60,11 +60,66 @@ Result<Named> named_contributor(const Statement& s, const std::optional<iso230_2
   return named;
 }
 
+struct ComponentName {
+  std::string_view key;
+  Deviation iso230_2::PositionComponents::*member;
+};
+constexpr ComponentName component_names[] = {
+    {"approaches", &iso230_2::PositionComponents::approaches},
+    {"thermal", &iso230_2::PositionComponents::thermal},
+    {"alignment", &iso230_2::PositionComponents::alignment},
+    {"axis_resolution", &iso230_2::PositionComponents::axis_resolution},
+    {"instrument", &iso230_2::PositionComponents::instrument},
+    {"other", &iso230_2::PositionComponents::other},
+};
+
+Value u_or_U(const iso230_2::ExpandedUncertainty& x, const Word& word) { return word.is("u") ? x.u : x.U; }
+
+/// "gum position 3 up thermal", "gum position 3 mean U".
+Result<Named> named_gum_position(const Statement& s, const std::optional<iso230_2::GumUncertainty>& gum) {
+  const auto number = s.words.size() > 3 ? parse_count(s.words[3].text) : std::nullopt;
+  if (!number || *number < 1 || (gum && *number > gum->positions.size()))
+    return unexpected_word(s, 3, "the number of a target");
+  if (s.words.size() < 5 || !(s.words[4].is("up") || s.words[4].is("down") || s.words[4].is("mean")))
+    return unexpected_word(s, 4, "up, down or mean");
+  const bool mean = s.words[4].is("mean");
+  const bool total = s.words.size() > 5 && (s.words[5].is("u") || s.words[5].is("U"));
+  const auto* component = s.words.size() > 5 ? std::ranges::find(component_names, s.words[5].text, &ComponentName::key)
+                                             : std::end(component_names);
+  if (!total && (mean || component == std::end(component_names)))
+    return unexpected_word(
+        s, 5, mean ? "u or U" : "u, U, approaches, thermal, alignment, axis_resolution, instrument or other");
+  Named named{std::nullopt, 6};
+  if (!gum) return named;
+  const iso230_2::PositionUncertainty& position = gum->positions[*number - 1];
+  if (mean) {
+    if (position.mean) named.value = u_or_U(*position.mean, s.words[5]);
+    return named;
+  }
+  const auto& parts = s.words[4].is("up") ? position.up : position.down;
+  if (parts) named.value = total ? u_or_U(parts->total, s.words[5]) : *parts.*(component->member);
+  return named;
+}
+
+/// "gum u_A", "gum U_A" and the positions.
+Result<Named> named_gum(const Statement& s, const std::optional<iso230_2::GumUncertainty>& gum) {
+  if (s.words.size() > 2 && s.words[2].is("position")) return named_gum_position(s, gum);
+  const std::string_view name = s.words.size() > 2 ? s.words[2].text : "";
+  const bool prefixed = name.starts_with("u_") || name.starts_with("U_");
+  const auto* info = prefixed ? iso230_2::find_parameter(name.substr(2)) : nullptr;
+  if (info == nullptr) return unexpected_word(s, 2, "u_A, U_A, …, U_B_mean or position");
+  Named named{std::nullopt, 3};
+  const auto* parameter = gum ? gum->find(info->key) : nullptr;
+  if (parameter != nullptr) named.value = name.front() == 'u' ? parameter->uncertainty.u : parameter->uncertainty.U;
+  return named;
+}
+
 Result<Named> named_quantity(const Statement& s, const iso230_2::Assessment& a) {
   if (s.words.size() < 2) return unexpected_word(s, 1, "what is expected");
   const Word& word = s.words[1];
   if (word.is("position")) return named_position(s, a.evaluation.positions);
   if (word.is("budget")) return named_contributor(s, a.annex_a);
+  if (word.is("gum")) return named_gum(s, a.gum);
   if (word.is("corrected")) {
     const std::string_view key = s.words.size() > 2 ? s.words[2].text : "";
     const bool corrected = a.annex_a && a.annex_a->corrected;

@@ -13,6 +13,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
+#include "axiometry/standards/nde_correction.h"
 
 namespace axiometry::app {
 namespace {
@@ -26,6 +27,7 @@ struct Setting {
 struct Operation {
   std::optional<std::string> file;
   std::vector<Setting> settings;
+  bool correct_expansion = false;
   AxisKind kind = AxisKind::linear;
   std::vector<Position> targets;
   std::vector<Reading> readings;
@@ -47,7 +49,11 @@ Result<Outcome> carry_out(const Operation& operation, const LoadTest& load) {
   AXIOMETRY_TRY(Test test, make_test(operation, load));
   for (const Setting& setting : operation.settings)
     AXIOMETRY_TRY_VOID(set_field_text(test.metadata, setting.key, setting.value));
+  if (operation.correct_expansion) {
+    AXIOMETRY_TRY(test, correct_expansion(std::move(test)));
+  }
   iso230_2::Assessment assessment = iso230_2::assess(test);
+  AXIOMETRY_TRY(assessment.gum, iso230_2::gum(test.metadata, test.series, assessment.evaluation));
   return Outcome{std::move(test), std::move(assessment)};
 }
 
@@ -68,11 +74,12 @@ class CaseReader {
     if (operation_->outcome) return unexpected_word(s, 0, "'expect', or a new 'operation' before other data");
     if (verb.is("file")) return file(s);
     if (verb.is("set")) return set(s);
+    if (verb.is("correct")) return correct(s);
     if (verb.is("targets")) return targets(s);
     if (verb.is("up")) return run(s, Direction::up);
     if (verb.is("down")) return run(s, Direction::down);
-    const auto near =
-        text::nearest(verb.text, {"title", "operation", "expect", "tolerance", "file", "set", "targets", "up", "down"});
+    const auto near = text::nearest(
+        verb.text, {"title", "operation", "expect", "tolerance", "file", "set", "correct", "targets", "up", "down"});
     return unexpected_word(s, 0,
                            near ? fmt::format("perhaps '{}'", *near) : "a word that docs/conformance-cases.md lists");
   }
@@ -117,6 +124,12 @@ class CaseReader {
     if (auto result = set_field_text(scratch, s.words[1].text, value); !result)
       return fail(result.error().message, s.words[1].at);
     operation_->settings.push_back({std::string(s.words[1].text), std::string(value)});
+    return {};
+  }
+
+  Result<void> correct(const Statement& s) {
+    if (s.words.size() != 2 || !s.words[1].is("expansion")) return unexpected_word(s, 1, "'correct expansion'");
+    operation_->correct_expansion = true;
     return {};
   }
 

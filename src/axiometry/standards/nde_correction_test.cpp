@@ -12,6 +12,7 @@ namespace axiometry {
 namespace {
 
 using testing::HasSubstr;
+using Measured = axiometry::Test;  // within a TEST, Test is the fixture
 
 constexpr double exact = 1e-9;  // µm
 
@@ -19,9 +20,9 @@ std::optional<Temperature> at(double celsius) { return Temperature::celsius(cels
 
 /// A perfect machine and a perfect instrument of α = 12 and 8 µm/(m·°C): what is read when the machine has 22 °C and
 /// the instrument 21 °C. Machine and metadata know their temperatures.
-Test warm() {
+Measured warm() {
   const auto reading = [](double target) { return target * 1000.0 * ((1 + 24e-6) / (1 + 8e-6) - 1); };
-  Test test{{}, testing_support::make_series({0, 500, 1000}, {{0, reading(500), reading(1000)}}, {}), {}};
+  Measured test{{}, testing_support::make_series({0, 500, 1000}, {{0, reading(500), reading(1000)}}, {}), {}};
   test.metadata.nde.machine_expansion = ExpansionCoefficient::um_per_m_K(12);
   test.metadata.nde.equipment_expansion = ExpansionCoefficient::um_per_m_K(8);
   test.metadata.environment.sensors = {{"machine", "table", at(21.5), at(21.5)},
@@ -31,7 +32,7 @@ Test warm() {
   return test;
 }
 
-std::string refusal_of(Test test) {
+std::string refusal_of(Measured test) {
   const auto result = correct_expansion(std::move(test));
   return result ? "nothing" : result.error().message;
 }
@@ -41,8 +42,8 @@ double x(const Series& series, std::size_t i, Direction d, std::size_t run) {
 }
 
 TEST(NdeCorrection, MakesAPerfectMachinePerfectAgain) {
-  const Test before = warm();
-  const Test after = correct_expansion(before).value();
+  const Measured before = warm();
+  const Measured after = correct_expansion(before).value();
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(x(after.series, i, Direction::up, 0), 0.0, exact);
     EXPECT_EQ(x(*after.as_measured, i, Direction::up, 0), x(before.series, i, Direction::up, 0));
@@ -51,7 +52,7 @@ TEST(NdeCorrection, MakesAPerfectMachinePerfectAgain) {
 }
 
 TEST(NdeCorrection, TellsWhatItDid) {
-  Test test = warm();
+  Measured test = warm();
   const auto record = correct_expansion(test)->provenance.expansion_correction.value();
   EXPECT_EQ(record.machine.sensors, 2u);
   EXPECT_NEAR(record.machine.start.in_celsius(), 22.0, 1e-12);
@@ -63,10 +64,10 @@ TEST(NdeCorrection, TellsWhatItDid) {
 }
 
 /// Zero readings of 11.5 µm/m·°C · ΔT; what is added then tells the time at which a reading counts.
-Test clocked(TestCycle cycle, bool both) {
+Measured clocked(TestCycle cycle, bool both) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<testing_support::RunDeviations> runs = {{0, 0, 0}, {0, none, 0}};
-  Test test{{}, testing_support::make_series({1000, 2000, 3000}, runs, both ? runs : decltype(runs){}), {}};
+  Measured test{{}, testing_support::make_series({1000, 2000, 3000}, runs, both ? runs : decltype(runs){}), {}};
   test.metadata.conditions.cycle = cycle;
   test.metadata.nde.datum = Position::native(0);
   test.metadata.axis.scale_expansion = ExpansionCoefficient::um_per_m_K(10);
@@ -75,13 +76,13 @@ Test clocked(TestCycle cycle, bool both) {
 }
 
 /// The time, from 0 to 1, that the correction of a reading stands for.
-double time_of(const Test& test, std::size_t i, Direction d, std::size_t run) {
+double time_of(const Measured& test, std::size_t i, Direction d, std::size_t run) {
   const double relative = -x(test.series, i, d, run) / (test.series.targets()[i].in_native() * 1000.0);
   return relative / (1.0 - relative) / 10e-6;
 }
 
 TEST(NdeCorrection, FollowsTheCourseOfTheStandardCycle) {
-  const Test test = correct_expansion(clocked(TestCycle::standard, true)).value();
+  const Measured test = correct_expansion(clocked(TestCycle::standard, true)).value();
   EXPECT_NEAR(time_of(test, 0, Direction::up, 0), 0.0, exact);
   EXPECT_NEAR(time_of(test, 2, Direction::up, 0), 2.0 / 11.0, exact);
   EXPECT_NEAR(time_of(test, 2, Direction::down, 0), 3.0 / 11.0, exact);
@@ -92,16 +93,16 @@ TEST(NdeCorrection, FollowsTheCourseOfTheStandardCycle) {
 }
 
 TEST(NdeCorrection, FollowsTheCourseOfOtherCycles) {
-  const Test step = correct_expansion(clocked(TestCycle::step, true)).value();
+  const Measured step = correct_expansion(clocked(TestCycle::step, true)).value();
   EXPECT_NEAR(time_of(step, 0, Direction::down, 0), 1.0 / 11.0, exact);
   EXPECT_NEAR(time_of(step, 0, Direction::down, 1), 3.0 / 11.0, exact);
   EXPECT_NEAR(time_of(step, 1, Direction::up, 0), 4.0 / 11.0, exact);
-  const Test one_way = correct_expansion(clocked(TestCycle::unidirectional, false)).value();
+  const Measured one_way = correct_expansion(clocked(TestCycle::unidirectional, false)).value();
   EXPECT_NEAR(time_of(one_way, 0, Direction::up, 1), 3.0 / 5.0, exact);
 }
 
 TEST(NdeCorrection, TakesTheFirstTargetForTheDatumAndASingleReadingForBoth) {
-  Test test = clocked(TestCycle::standard, true);
+  Measured test = clocked(TestCycle::standard, true);
   test.metadata.nde.datum.reset();
   test.metadata.environment.sensors = {{"Machine", "", {}, at(21)}};
   test = correct_expansion(test).value();
@@ -110,7 +111,7 @@ TEST(NdeCorrection, TakesTheFirstTargetForTheDatumAndASingleReadingForBoth) {
 }
 
 TEST(NdeCorrection, IsRefusedWhereSomethingIsMissingOrItWasDone) {
-  Test test = warm();
+  Measured test = warm();
   test.metadata.nde.applied = true;
   EXPECT_THAT(refusal_of(test), HasSubstr("nde.applied = yes"));
   test = warm();
