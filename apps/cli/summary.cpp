@@ -112,8 +112,7 @@ std::string tolerance_row(const iso230_2::Judgement& judgement, const app::Evalu
                           const ToleranceWidths& widths, const Terminal& terminal) {
   const AxisKind kind = e.test.metadata.axis.kind;
   const report::ParameterScale scale = report::parameter_scale(kind, options.unit);
-  const int decimals =
-      report::limit_decimals(report::show(*judgement.tolerance.parameter, e.assessment, kind, options));
+  const int decimals = report::limit_decimals(report::show_judged(judgement, e.assessment, kind, options));
   const auto number = [&](const std::optional<Deviation>& x) {
     return x ? format_fixed(x->in_native() * scale.per_native, decimals, options.numbers) : std::string("–");
   };

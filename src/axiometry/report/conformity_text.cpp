@@ -82,6 +82,20 @@ std::string shown_probability(double probability, const Options& options) {
   return shown(percent, percent < 1.0 || percent > 99.0 ? 2 : 1);
 }
 
+ShownParameter show_judged(const Judgement& judgement, const iso230_2::Assessment& assessment, AxisKind kind,
+                           const Options& options) {
+  const iso230_2::ParameterInfo& parameter = *judgement.tolerance.parameter;
+  ShownParameter shown = show(parameter, assessment, kind, options);
+  if (!judgement.magnitude || !judgement.uncertainty) return shown;
+  constexpr double coverage_factor = 2.0;
+  const ParameterScale scale = parameter_scale(kind, options.unit);
+  const double U = coverage_factor * judgement.uncertainty->u.in_native() * scale.per_native;
+  if (U == 0.0) return {shown.value, "0", shown.unit};
+  const int decimals = decimals_for(U, options.uncertainty_digits);
+  const double value = (assessment.evaluation.parameters.*parameter.member)->in_native() * scale.per_native;
+  return {format_fixed(value, decimals, options.numbers), format_fixed(U, decimals, options.numbers), shown.unit};
+}
+
 int limit_decimals(const ShownParameter& shown) {
   const std::size_t fraction = fraction_length(shown.value);  // with the mark, and so one more than its decimals
   return fraction > 0 ? static_cast<int>(fraction) : 1;

@@ -13,6 +13,10 @@ namespace axiometry::report {
 /// "57.3 %", finer towards both ends: "99.95 %", "> 99.99 %", "< 0.01 %"; never 0 or 100 %, which no estimate gives.
 std::string shown_probability(double probability, const Options& options);
 
+/// The value and the U = 2 u that decided, to Options::uncertainty_digits of it; as show() has it where no u is known.
+ShownParameter show_judged(const iso230_2::Judgement& judgement, const iso230_2::Assessment& assessment, AxisKind kind,
+                           const Options& options);
+
 /// Decimals of T − g and T + g: one more than those of the value, so that a limit near it can be told from it.
 int limit_decimals(const ShownParameter& shown);
 

@@ -154,7 +154,7 @@ void draw_value(Operations& operations, const Bar& bar, const plot::Scale& x, do
 /// "9.6 ± 4.3 of 10 µm"
 std::string value_text(const Judgement& judgement, const Subject& subject, const Options& options) {
   const AxisKind kind = subject.test.metadata.axis.kind;
-  const ShownParameter shown = show(*judgement.tolerance.parameter, subject.assessment, kind, options);
+  const ShownParameter shown = show_judged(judgement, subject.assessment, kind, options);
   const double limit = judgement.tolerance.limit.in_native() * parameter_scale(kind, options.unit).per_native;
   return fmt::format("{}{} of {}\u00a0{}", shown.value, shown.U.empty() ? "" : " ± " + shown.U,
                      shown_short(limit, options), shown.unit);

@@ -76,7 +76,7 @@ std::vector<TableCell> decision_row(const Judgement& judgement, const Subject& s
                                     const Options& options) {
   const auto& [tolerance, rule, magnitude, known, decision] = judgement;
   const AxisKind kind = subject.test.metadata.axis.kind;
-  const ShownParameter shown = show(*tolerance.parameter, subject.assessment, kind, options);
+  const ShownParameter shown = show_judged(judgement, subject.assessment, kind, options);
   const RowNumbers numbers(subject, options, shown);
   const auto if_judged = [&](std::optional<Deviation> x) { return numbers.rounded(magnitude ? x : std::nullopt); };
   std::vector<TableCell> row = {{symbol(tolerance.parameter->symbol)}};
