@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <string>
 
 #include "axiometry/app/uncertainty_text.h"
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 
 namespace axiometry::cli {
@@ -35,6 +37,20 @@ Result<void> choose_type_a(const std::string& text, app::UncertaintyOptions& opt
   return {};
 }
 
+Result<void> choose_seed(const std::string& text, app::UncertaintyOptions& options) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), options.trials.seed);
+  if (error == std::errc() && end == text.data() + text.size()) return {};
+  return fail(fmt::format("found {}, expected a whole number from 0 to 18446744073709551615", text::quoted(text)));
+}
+
+Result<void> choose_coverage(const std::string& text, app::UncertaintyOptions& options) {
+  const auto number = parse_number(text);
+  if (!number || *number < 0.5 || *number > 0.9999)
+    return fail(fmt::format("found {}, expected a probability from 0.5 to 0.9999", text::quoted(text)));
+  options.trials.propagation.coverage = *number;
+  return {};
+}
+
 }  // namespace
 
 void add_method_flags(CLI::App& verb, app::UncertaintyOptions& options) {
@@ -45,17 +61,13 @@ void add_method_flags(CLI::App& verb, app::UncertaintyOptions& options) {
   add_text(verb, "--trials", options, app::choose_trials,
            "Monte Carlo trials, or auto: until two digits of every uncertainty are stable (JCGM 101, 7.9)")
       ->type_name("N|auto");
-  verb.add_option("--seed", options.trials.seed, "Seed of the random numbers (1): the same seed gives the same result")
-      ->type_name("N")
-      ->group(group);
+  add_text(verb, "--seed", options, choose_seed, "Seed of the random numbers (1): the same seed gives the same result")
+      ->type_name("N");
   add_text(
       verb, "--type-a", options, choose_type_a,
       "How the sampling of the approaches enters where the measurand is this-machine: pooled, t-scaled or resampled")
       ->type_name("HOW");
-  verb.add_option("--coverage", options.trials.propagation.coverage, "Coverage probability of intervals (0.95)")
-      ->check(CLI::Range(0.5, 0.9999).description(""))
-      ->type_name("P")
-      ->group(group);
+  add_text(verb, "--coverage", options, choose_coverage, "Coverage probability of intervals (0.95)")->type_name("P");
   verb.add_option("--threads", options.trials.propagation.threads,
                   "Threads (as many as there are); the result does not depend on it")
       ->check(CLI::Range(1, 1024).description(""))
