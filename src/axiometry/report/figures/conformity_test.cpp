@@ -80,7 +80,7 @@ TEST(ConformityFigure, PutsEachValueOnTheScaleOfItsOwnTolerance) {
 TEST(ConformityFigure, SaysValueLimitAndVerdictInWords) {
   const auto example = testing::table_2();
   const auto words = all_words(*drawn(example, judged(example, 1, 2.0, 0.05, {Kind::iso_14253_1})));
-  EXPECT_THAT(words, IsSupersetOf({"A", "9.6 of 19.1728\u00A0µm", "conforms", "undecided", "does not conform"}));
+  EXPECT_THAT(words, IsSupersetOf({"A", "9.6 ± 1.9 of 19.1728\u00A0µm", "conforms", "undecided", "does not conform"}));
 }
 
 TEST(ConformityFigure, HasNoUndecidedZoneUnderSimpleAcceptance) {
@@ -97,7 +97,7 @@ TEST(ConformityFigure, CarriesTheLabelThatMustStandWhereverResultsDo) {
 TEST(ConformityFigure, DescribesItselfForThoseWhoCannotSeeIt) {
   const auto example = testing::table_2();
   EXPECT_EQ(drawn(example, judged(example, 1, 2.0, 0.05, {Kind::iso_14253_1}))->description,
-            "Each parameter against its tolerance: A = 9.6 of 19.1728\u00A0µm, conforms.");
+            "Each parameter against its tolerance: A = 9.6 ± 1.9 of 19.1728\u00A0µm, conforms.");
 }
 
 TEST(ConformityFigure, StaysInItsBoxWithoutOverlapInEveryCrowdedCase) {
