@@ -52,6 +52,14 @@ bool exists(const app::Evaluated& e, const iso230_2::ParameterInfo& parameter) {
   return (e.assessment.evaluation.parameters.*parameter.member).has_value();
 }
 
+std::string_view uncertainty_footnote(const iso230_2::Assessment& assessment) {
+  switch (report::uncertainty_shown(assessment)) {
+    case report::UncertaintyShown::annex_a: return "± U with k = 2, Annex A (simplified method)";
+    case report::UncertaintyShown::gum: return "± U after the GUM; Annex A has no input";
+    default: return "";
+  }
+}
+
 std::string parameter_table(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
   const AxisKind kind = e.test.metadata.axis.kind;
   std::size_t value_width = 0;
@@ -71,7 +79,8 @@ std::string parameter_table(const app::Evaluated& e, const report::Options& opti
                 : terminal.faint("not applicable");
     text += '\n';
   }
-  if (e.assessment.annex_a) text += terminal.faint("± U with k = 2, Annex A (simplified method)") + "\n";
+  if (const auto footnote = uncertainty_footnote(e.assessment); !footnote.empty())
+    text += terminal.faint(footnote) + "\n";
   return text + "\n";
 }
 

@@ -93,6 +93,7 @@ Result<ManyOutputs> ManyOutputs::create(const OutputNames& names, const report::
   ManyOutputs outputs;
   outputs.options_ = options;
   outputs.inputs_ = names.inputs;
+  outputs.uncertainty_ = names.uncertainty;
   for (const std::string& report : names.reports) {
     const bool each = report.find(name_mark) != std::string::npos;
     if (!each && !is_table(report))
@@ -105,7 +106,7 @@ Result<ManyOutputs> ManyOutputs::create(const OutputNames& names, const report::
       continue;
     }
     AXIOMETRY_TRY(OutputFile table, OutputFile::create(report));
-    AXIOMETRY_TRY_VOID(table.write(combined_csv_header()));
+    AXIOMETRY_TRY_VOID(table.write(combined_csv_header(names.uncertainty)));
     outputs.tables_.push_back(std::move(table));
   }
   if (!names.json.empty()) {
@@ -122,7 +123,7 @@ Result<void> ManyOutputs::add_json(const json::Value& value) {
 
 Result<void> ManyOutputs::add(const Evaluated& evaluated) {
   if (json_) AXIOMETRY_TRY_VOID(add_json(to_json(evaluated)));
-  for (OutputFile& table : tables_) AXIOMETRY_TRY_VOID(table.write(combined_csv_row(evaluated)));
+  for (OutputFile& table : tables_) AXIOMETRY_TRY_VOID(table.write(combined_csv_row(evaluated, uncertainty_)));
   if (templates_.empty()) return {};
   const std::string name = report_name(evaluated);
   const std::string who = evaluated.test.provenance.file + (evaluated.name.empty() ? "" : ":" + evaluated.name);
@@ -140,7 +141,7 @@ Result<void> ManyOutputs::add(const Evaluated& evaluated) {
 
 Result<void> ManyOutputs::add_error(const std::string& file, const Error& error) {
   if (json_) AXIOMETRY_TRY_VOID(add_json(error_to_json(file, error)));
-  for (OutputFile& table : tables_) AXIOMETRY_TRY_VOID(table.write(combined_csv_error_row(file, error)));
+  for (OutputFile& table : tables_) AXIOMETRY_TRY_VOID(table.write(combined_csv_error_row(file, error, uncertainty_)));
   return {};
 }
 

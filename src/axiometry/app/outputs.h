@@ -37,6 +37,7 @@ struct OutputNames {
   std::string json;                  ///< file, "-" or empty for none
   std::vector<std::string> reports;  ///< files; the extension chooses the writer
   InputFiles inputs;                 ///< must not be among the outputs
+  UncertaintyOptions uncertainty;    ///< what was asked for; a table of many tests has columns for it
 };
 
 /// Whether an output states findings and the SHA-256 of the source file; a table of many tests does not.
@@ -69,6 +70,7 @@ class ManyOutputs {
 
   report::Options options_;
   InputFiles inputs_;
+  UncertaintyOptions uncertainty_;
   std::optional<OutputFile> json_;
   bool json_empty_ = true;
   std::vector<OutputFile> tables_;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "axiometry/app/wire_uncertainty.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
@@ -16,14 +17,6 @@ namespace {
 
 using json::Value;
 
-Value number_or_null(const std::optional<Deviation>& x) { return x ? Value(x->in_native()) : Value(); }
-
-Value parameters_to_json(const iso230_2::AxisParameters& parameters) {
-  Value object = Value::object();
-  for (const auto& p : iso230_2::parameters) object.add(p.key, number_or_null(parameters.*p.member));
-  return object;
-}
-
 Value position_to_json(const iso230_2::PositionResult& p) {
   Value object = Value::object();
   object.add("target", p.target.in_native());
@@ -31,55 +24,6 @@ Value position_to_json(const iso230_2::PositionResult& p) {
   object.add("n_down", p.count_down);
   for (const auto& quantity : iso230_2::position_quantities)
     object.add(quantity.key, number_or_null(p.*quantity.member));
-  return object;
-}
-
-Value contributor_to_json(const iso230_2::Contributor& contributor) {
-  Value inputs = Value::array();
-  for (const auto& input : contributor.inputs) {
-    Value& row = inputs.push(Value::object());
-    row.add("symbol", input.symbol);
-    row.add("value", input.value);
-    row.add("unit", input.unit);
-    if (!input.note.empty()) row.add("note", input.note);
-  }
-  Value object = Value::object();
-  object.add("key", contributor.key);
-  object.add("symbol", contributor.symbol);
-  object.add("title", contributor.title);
-  object.add("formula", contributor.formula);
-  object.add("inputs", std::move(inputs));
-  object.add("U", number_or_null(contributor.U));
-  return object;
-}
-
-Value corrected_to_json(const iso230_2::CorrectedRepeatability& corrected) {
-  Value object = Value::object();
-  object.add("R", number_or_null(corrected.parameters.R));
-  object.add("R_up", number_or_null(corrected.parameters.R_up));
-  object.add("R_down", number_or_null(corrected.parameters.R_down));
-  Value floored = Value::array();
-  for (std::size_t i : corrected.floored) floored.push(corrected.positions[i].target.in_native());
-  object.add("floored_targets", std::move(floored));
-  return object;
-}
-
-Value budget_to_json(const iso230_2::AnnexA& annex) {
-  Value object = Value::object();
-  Value& contributors = object.add("contributors", Value::array());
-  for (const auto& contributor : annex.budget) contributors.push(contributor_to_json(contributor));
-  Value& notes = object.add("notes", Value::array());
-  for (const auto& note : annex.notes) notes.push(note);
-  object.add("runs", annex.runs);
-  object.add("coverage_factor", 2);
-  if (annex.corrected) object.add("corrected_repeatability", corrected_to_json(*annex.corrected));
-  return object;
-}
-
-Value uncertainty_to_json(const iso230_2::Assessment& assessment) {
-  Value object = Value::object();
-  object.add("annex_a", assessment.annex_a ? parameters_to_json(assessment.annex_a->U) : Value());
-  if (assessment.annex_a) object.add("annex_a_budget", budget_to_json(*assessment.annex_a));
   return object;
 }
 
@@ -93,8 +37,6 @@ Value findings_to_json(const iso230_2::Assessment& assessment) {
   }
   return list;
 }
-
-Value number_or_null(const std::optional<double>& x) { return x ? Value(*x) : Value(); }
 
 Value judgement_to_json(const iso230_2::Judgement& judgement) {
   Value row = Value::object();
@@ -233,28 +175,28 @@ json::Value error_to_json(const std::string& file, const Error& error) {
   return object;
 }
 
-std::string combined_csv_header() {
+std::string combined_csv_header(const UncertaintyOptions& asked) {
   std::string header = "file,test,axis,kind,unit,conforming";
   for (const auto& p : iso230_2::parameters) header += fmt::format(",{}", p.key);
   for (const auto& p : iso230_2::parameters) header += fmt::format(",U_{}", p.key);
-  return header + ",error,verdict,does_not_conform,undecided\r\n";
+  return header + ",error,verdict,does_not_conform,undecided" + method_csv_header(asked) + "\r\n";
 }
 
-std::string combined_csv_row(const Evaluated& evaluated) {
+std::string combined_csv_row(const Evaluated& evaluated, const UncertaintyOptions& asked) {
   const Axis& axis = evaluated.test.metadata.axis;
   std::string row = fmt::format("{},{},{},{},{},{}", csv_text(evaluated.test.provenance.file), csv_text(evaluated.name),
                                 csv_text(axis.name), axis_kind_name(axis.kind), deviation_unit_key(axis.kind),
                                 evaluated.assessment.conforming() ? "yes" : "no");
   append_parameters(row, &evaluated.assessment.evaluation.parameters);
   append_parameters(row, evaluated.assessment.annex_a ? &evaluated.assessment.annex_a->U : nullptr);
-  return row + "," + verdict_cells(evaluated.judgements) + "\r\n";
+  return row + "," + verdict_cells(evaluated.judgements) + method_csv_cells(asked, &evaluated) + "\r\n";
 }
 
-std::string combined_csv_error_row(const std::string& file, const Error& error) {
+std::string combined_csv_error_row(const std::string& file, const Error& error, const UncertaintyOptions& asked) {
   std::string row = csv_text(file) + ",,,,,";
   append_parameters(row, nullptr);
   append_parameters(row, nullptr);
-  return row + "," + csv_text(error.to_string()) + verdict_cells({}) + "\r\n";
+  return row + "," + csv_text(error.to_string()) + verdict_cells({}) + method_csv_cells(asked, nullptr) + "\r\n";
 }
 
 }  // namespace axiometry::app

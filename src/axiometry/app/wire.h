@@ -18,10 +18,11 @@ json::Value to_json(const Evaluated& evaluated);
 json::Value error_to_json(const std::string& file, const Error& error);
 
 /// Header and rows of the table of many evaluations: file, test, axis, kind, unit, conforming, the
-/// twelve parameters, their U, error, verdict, keys of the parameters that do not conform and of those undecided;
-/// RFC 4180, full precision, empty where null.
-std::string combined_csv_header();
-std::string combined_csv_row(const Evaluated& evaluated);
-std::string combined_csv_error_row(const std::string& file, const Error& error);
+/// twelve parameters, their U, error, verdict, keys of the parameters that do not conform and of those undecided, and
+/// what wire_uncertainty.h adds for the methods that were asked for; RFC 4180, full precision, empty where null. The
+/// same methods must be given for all rows of a table.
+std::string combined_csv_header(const UncertaintyOptions& asked = {});
+std::string combined_csv_row(const Evaluated& evaluated, const UncertaintyOptions& asked = {});
+std::string combined_csv_error_row(const std::string& file, const Error& error, const UncertaintyOptions& asked = {});
 
 }  // namespace axiometry::app

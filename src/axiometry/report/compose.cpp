@@ -18,11 +18,17 @@ Document compose(const Subject& subject, const Options& asked) {
   auto& sections = document.sections;
   sections.push_back(parameter_section(subject, options));
   if (!subject.judgements.empty()) sections.push_back(conformity_section(subject, options));
+  const bool beyond_annex_a = subject.assessment.gum || subject.assessment.monte_carlo;
+  if (beyond_annex_a) {
+    sections.push_back(method_section(subject, options));
+    sections.push_back(contribution_section(subject, options));
+  }
   sections.push_back(figure_section(subject, options));
   sections.push_back(finding_section(subject));
   sections.push_back(identification_section(subject, options));
   sections.push_back(position_section(subject, options));
   sections.push_back(uncertainty_section(subject, options));
+  if (subject.assessment.gum) sections.push_back(gum_section(subject, options));
   sections.push_back(information_section(subject, options));
   sections.push_back(provenance_section(subject, options));
   return document;

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "axiometry/report/figures/conformity.h"
+#include "axiometry/report/figures/contribution.h"
+#include "axiometry/report/figures/distribution.h"
 #include "axiometry/report/figures/figures.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/symbols.h"
@@ -67,6 +69,8 @@ Figure heading(const Subject& subject) {
 Figure picture(const Subject& subject, const Options& options) {
   std::vector<Figure> parts = figures(subject, options);
   if (auto conformity = conformity_figure(subject, options)) parts.push_back(*std::move(conformity));
+  if (auto distributions = distribution_figure(subject, options)) parts.push_back(*std::move(distributions));
+  if (auto contributions = contribution_figure(subject, options)) parts.push_back(*std::move(contributions));
   parts.insert(parts.begin(), heading(subject));
   Figure page = stacked(parts);
   const Path paper{.points = {{0, 0}, {page.width, 0}, {page.width, page.height}, {0, page.height}},

@@ -36,12 +36,18 @@ struct Subject {
   std::span<const iso230_2::Judgement> judgements;
 };
 
+/// Where the uncertainty beside a value comes from: Annex A where it was estimated, since that is what the standard
+/// asks for, else the GUM, else the Monte Carlo method.
+enum class UncertaintyShown { none, annex_a, gum, monte_carlo };
+UncertaintyShown uncertainty_shown(const iso230_2::Assessment& assessment);
+
 /// Parameter value and uncertainty as shown to people: U to `uncertainty_digits` significant digits,
 /// the value to U's last place; without U to `deviation_decimals`.
 struct ShownParameter {
-  std::string value;  ///< "9.6"; "not applicable" where the parameter does not exist
-  std::string U;      ///< "4.3" or ""
-  std::string unit;   ///< "µm"
+  std::string value;       ///< "9.6"; "not applicable" where the parameter does not exist
+  std::string U;           ///< "4.3" or ""; of Annex A or the GUM
+  std::string unit;        ///< "µm"
+  std::string interval{};  ///< of the Monte Carlo method, which has no U about the value: "8.0 to 12.3"; else ""
 };
 ShownParameter show(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessment& assessment, AxisKind kind,
                     const Options& options);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "axiometry/report/conformity_text.h"
+#include "axiometry/report/method_values.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 
@@ -50,9 +51,16 @@ std::vector<RichText> notes(const Subject& subject, const Options& options) {
   if (!repeated)
     notes.push_back(joined({plain("Repeatabilities "), italic("R"), plain(" and errors "), italic("A"),
                             plain(" do not exist where each target was approached once per direction (6.2).")}));
-  if (!assessment.annex_a) {
+  const UncertaintyShown shown = uncertainty_shown(assessment);
+  if (shown == UncertaintyShown::none) {
     notes.push_back(joined({plain("The measurement uncertainty "), italic("U"),
                             plain(" was not estimated: no input of Annex A was given.")}));
+  } else if (shown != UncertaintyShown::annex_a) {
+    notes.push_back(joined({plain("Annex A says nothing here: "),
+                            plain(shown == UncertaintyShown::gum ? "U is that of the GUM"
+                                                                 : "the interval is that of "
+                                                                   "the Monte Carlo method"),
+                            plain("; see Uncertainty of the parameters.")}));
   } else if (leaves_out_contributors(*assessment.annex_a, subject.test.metadata.axis.kind)) {
     notes.push_back(joined({italic("U"), plain(" covers only the contributors that were given; see the budget.")}));
   }
@@ -69,13 +77,28 @@ const Judgement* judgement_of(const iso230_2::ParameterInfo& parameter, std::spa
   return found == judgements.end() ? nullptr : &*found;
 }
 
+/// What stands beside the values; a method other than Annex A is named.
+RichText uncertainty_head(const iso230_2::Assessment& assessment, const Options& options) {
+  switch (uncertainty_shown(assessment)) {
+    case UncertaintyShown::gum: return joined({italic("U"), plain(" (GUM)")});
+    case UncertaintyShown::monte_carlo:
+      return plain(fmt::format("{} interval (Monte Carlo)", shown_percent(assessment.monte_carlo->coverage, options)));
+    default: return joined({italic("U"), plain(" ("), italic("k"), plain(" = 2)")});
+  }
+}
+
+TableCell uncertainty_cell(const ShownParameter& shown) {
+  if (!shown.interval.empty()) return text_cell(shown.interval);
+  return shown.U.empty() ? quiet_cell("–") : text_cell(shown.U);
+}
+
 /// The columns that this report needs, in their order.
-std::vector<Column> columns(bool with_iso230_1, bool with_tolerances) {
+std::vector<Column> columns(bool with_iso230_1, bool with_tolerances, const RichText& uncertainty) {
   std::vector<Column> all = {{plain("Symbol"), Align::start, true}};
   if (with_iso230_1) all.push_back({plain("ISO 230-1")});
   all.push_back({plain("Parameter"), Align::start, false, true});
   all.push_back({plain("Value"), Align::decimal});
-  all.push_back({joined({italic("U"), plain(" ("), italic("k"), plain(" = 2)")}), Align::decimal});
+  all.push_back({uncertainty, Align::decimal});
   if (with_tolerances) all.push_back({plain("Tolerance"), Align::decimal});
   all.push_back({plain("Unit")});
   if (with_tolerances) all.push_back({plain("Verdict")});
@@ -95,7 +118,7 @@ std::vector<TableCell> row(const iso230_2::ParameterInfo& parameter, const Subje
   if (with_iso230_1) row.push_back({iso230_1_symbol(axis.name, parameter.symbol)});
   row.push_back(text_cell(parameter.title));
   row.push_back(exists ? TableCell{strong(shown.value)} : quiet_cell(shown.value));
-  row.push_back(shown.U.empty() ? quiet_cell("–") : text_cell(shown.U));
+  row.push_back(uncertainty_cell(shown));
   if (with_tolerances)
     row.push_back(judgement ? text_cell(shown_short(judgement->tolerance.limit.in_native() * scale.per_native, options))
                             : quiet_cell(""));
@@ -110,7 +133,7 @@ std::vector<TableCell> row(const iso230_2::ParameterInfo& parameter, const Subje
 Section parameter_section(const Subject& subject, const Options& options) {
   const bool with_iso230_1 = fits_a_symbol(subject.test.metadata.axis.name);
   Table table;
-  table.columns = columns(with_iso230_1, !subject.judgements.empty());
+  table.columns = columns(with_iso230_1, !subject.judgements.empty(), uncertainty_head(subject.assessment, options));
   for (const auto& parameter : iso230_2::parameters)
     table.rows.push_back(row(parameter, subject, with_iso230_1, options));
   table.notes = notes(subject, options);

@@ -42,6 +42,19 @@ std::vector<Table> reading_tables(const Subject& subject, const Options& options
 /// Annex A. Nothing but a remark when no input of it was given.
 Section uncertainty_section(const Subject& subject, const Options& options);
 
+/// What was asked for beside Annex A: the question that is answered, the methods side by side, histograms, and how it
+/// was found. For assessments with a GUM or Monte Carlo result only, as the next two.
+Section method_section(const Subject& subject, const Options& options);
+
+/// What each input contributes and what to improve first; the inputs with their distributions.
+Section contribution_section(const Subject& subject, const Options& options);
+Table contribution_table(const std::vector<iso230_2::Contribution>& all, const Subject& subject,
+                         const Options& options);
+Table input_table(const Subject& subject, const Options& options);
+
+/// The GUM's budget of the parameters and its components at every target. Only where it was run.
+Section gum_section(const Subject& subject, const Options& options);
+
 /// The slope of the means, which the evaluation leaves where it is.
 Section information_section(const Subject& subject, const Options& options);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "axiometry/report/method_values.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 
@@ -141,6 +142,8 @@ Section uncertainty_section(const Subject& subject, const Options& options) {
     section.blocks.emplace_back(Paragraph{plain("Not estimated: no input of Annex A was given."), Tone::quiet});
     return section;
   }
+  section.blocks.emplace_back(
+      Paragraph{plain(measurand_statement(iso230_2::Measurand::this_test, subject.test.series.run_count()))});
   section.blocks.emplace_back(budget_table(*annex_a, subject.test.metadata, options));
   if (annex_a->corrected) {
     section.blocks.emplace_back(corrected_axis_table(subject, options));

@@ -2,12 +2,13 @@
 // Parameters and positions as one tidy table for spreadsheets and scripts: RFC 4180, UTF-8, CRLF, one value per line.
 //
 //   axis         name of the axis, as given
-//   record       "parameter" or "position"
+//   record       "parameter", "position", and where they were run "gum" and "monte_carlo": parameters by that method
 //   target       of a position: its coordinate; empty for parameters
 //   target_unit  "mm" or "deg"
-//   name         key of the JSON output: "A_up"; of a position "mean_up", "n_up", …
+//   name         key of the JSON output: "A_up"; of a position "mean_up", "n_up", …; of "monte_carlo" with what it is:
+//                "A_up.mean", ".u", ".bias", ".low", ".high" (symmetric interval), ".shortest_low", ".shortest_high"
 //   value        empty where it does not exist
-//   U            expanded uncertainty, k = 2; empty where none was estimated
+//   U            expanded uncertainty, of "parameter" after Annex A, k = 2; empty where none was estimated
 //   unit         "um", "mm", "nm", "arcsec", "deg"; empty for counts
 //   clause       of ISO 230-2:2014
 //   remark       what the result must not be mistaken for: not an ISO 230-2 result, the label; else empty
@@ -127,9 +128,38 @@ void append_positions(Csv& csv, const Subject& subject) {
   }
 }
 
+void append_gum(Csv& csv, const iso230_2::GumUncertainty& gum, const ParameterScale& scale) {
+  for (const auto& p : gum.parameters)
+    csv.append({"gum", "", p.parameter->key, csv.number(p.value, scale.per_native),
+                csv.number(p.uncertainty.U, scale.per_native), ascii_unit(scale.unit), p.parameter->clause});
+}
+
+void append_monte_carlo(Csv& csv, const iso230_2::MonteCarlo& monte_carlo, const ParameterScale& scale) {
+  for (std::size_t k = 0; k < std::size(iso230_2::parameters); ++k) {
+    const auto& d = monte_carlo.distributions[k];
+    if (!d) continue;
+    const auto& s = d->summary;
+    const std::pair<std::string_view, double> numbers[] = {{"mean", s.mean},
+                                                           {"u", s.sd},
+                                                           {"bias", d->bias()},
+                                                           {"low", s.symmetric.lower},
+                                                           {"high", s.symmetric.upper},
+                                                           {"shortest_low", s.shortest.lower},
+                                                           {"shortest_high", s.shortest.upper}};
+    for (const auto& [what, number] : numbers) {
+      const std::string name = fmt::format("{}.{}", iso230_2::parameters[k].key, what);
+      csv.append({"monte_carlo", "", name, csv.number(number * scale.per_native), "", ascii_unit(scale.unit),
+                  iso230_2::parameters[k].clause});
+    }
+  }
+}
+
 Result<std::string> write(const Subject& subject, const Options& options) {
   Csv csv(subject, options);
   append_parameters(csv, subject, options);
+  const ParameterScale scale = parameter_scale(subject.test.metadata.axis.kind, options.unit);
+  if (subject.assessment.gum) append_gum(csv, *subject.assessment.gum, scale);
+  if (subject.assessment.monte_carlo) append_monte_carlo(csv, *subject.assessment.monte_carlo, scale);
   append_positions(csv, subject);
   return csv.take();
 }

@@ -97,6 +97,7 @@ h2{margin-top:2.2rem}
 .facts div{grid-template-columns:8.5rem 1fr}
 .long{min-width:8rem}
 th,td{padding:.3rem .4rem}
+tbody th:not(.long){position:sticky;left:0;background:var(--paper)}
 }
 @media print{
 html{font-size:12px;-webkit-print-color-adjust:exact;print-color-adjust:exact}
