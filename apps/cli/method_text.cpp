@@ -152,7 +152,7 @@ std::string input_list(const app::Evaluated& e, const report::Options& options, 
                        const std::string& unit, const std::string& note) {
     const std::string words = fmt::format("{}: {} {}{}", title, distribution.empty() ? "–" : distribution, unit,
                                           note.empty() ? "" : fmt::format(" ({})", note));
-    text += terminal.bold(left(symbol, 8)) + wrapped(report::printable(words), terminal.width(), 8) + "\n";
+    text += terminal.bold(left(symbol, 7)) + " " + wrapped(report::printable(words), terminal.width(), 8) + "\n";
   };
   if (e.assessment.monte_carlo) {
     for (const auto& i : e.assessment.monte_carlo->inputs)
@@ -221,8 +221,10 @@ std::string method_tables(const app::Evaluated& e, const report::Options& asked,
   const report::Options options = report::fitted(asked, assessment.evaluation.parameters);
   const auto rows = report::method_rows(assessment, e.test.metadata.axis.kind, options);
   const auto measurand = assessment.monte_carlo ? assessment.monte_carlo->measurand : assessment.gum->measurand;
-  std::string text =
-      wrapped(report::measurand_statement(measurand, e.test.series.run_count()), terminal.width(), 0) + "\n\n";
+  std::string text;
+  if (detail == Detail::full && !assessment.label.empty())
+    text += terminal.bold(report::printable(assessment.label)) + "\n";
+  text += wrapped(report::measurand_statement(measurand, e.test.series.run_count()), terminal.width(), 0) + "\n\n";
   text += side_by_side(e, rows, options, terminal);
   if (const std::string outside = report::outside_statement(rows); !outside.empty())
     text += paragraph(outside + ".", terminal);

@@ -151,7 +151,7 @@ std::string outside_statement(std::span<const MethodRow> rows) {
     if (row.monte_carlo && row.monte_carlo->value_outside)
       symbols.append(symbols.empty() ? "" : ", ").append(row.parameter->symbol);
   if (symbols.empty()) return "";
-  return "Measured values outside their own interval, since part of them is known noise or a one-sided input: " +
+  return "Measured values outside their own interval, since known noise or systematic inputs explain part of them: " +
          symbols;
 }
 

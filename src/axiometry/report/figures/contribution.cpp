@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/report/figures/dimension_line.h"
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/symbols.h"
 #include "axiometry/report/method_values.h"
@@ -94,6 +94,7 @@ std::optional<Figure> contribution_figure(const Subject& subject, const Options&
 
   Figure figure{.width = plot::plate_width, .height = 0.0, .title = {}, .description = {}, .operations = {}};
   Operations& operations = figure.operations;
+  const double header = plot::draw_label(operations, subject.assessment.label, 0.0, right_edge);
   const auto count = static_cast<double>(parameters.size());
   const double left = title_width + title_gap;
   const double width = std::min(95.0, (right_edge - left + column_gap) / count - column_gap);
@@ -101,11 +102,11 @@ std::optional<Figure> contribution_figure(const Subject& subject, const Options&
   for (std::size_t c = 0; c < parameters.size(); ++c) {
     plot::Runs head = {plot::italic("u"), plot::plain("(")};
     head = plot::joined(plot::joined(head, plot::symbol(iso230_2::parameters[parameters[c]])), {plot::plain(")")});
-    operations.push_back(label(plot::joined(head, {plot::plain(fmt::format(" / {}", scale.unit))}), {column(c), 9.0},
-                               ink::text_size, Anchor::start));
+    operations.push_back(label(plot::joined(head, {plot::plain(fmt::format(" / {}", scale.unit))}),
+                               {column(c), header + 9.0}, ink::text_size, Anchor::start));
   }
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const double top = head_height + row_pitch * static_cast<double>(k);
+    const double top = header + head_height + row_pitch * static_cast<double>(k);
     operations.push_back(plot::line({0.0, top}, {right_edge, top}, ink::solid(ink::grid_grey, 0.4)));
     operations.push_back(label({plot::plain(plot::shortened(all[k].title, title_width, ink::text_size))},
                                {0.0, top + 12.5}, ink::text_size, Anchor::start));
@@ -115,7 +116,7 @@ std::optional<Figure> contribution_figure(const Subject& subject, const Options&
       draw_cell(operations, all[k].u[p], share(all, k, p), is_largest, {column(c), top}, width, scale, options);
     }
   }
-  figure.height = head_height + row_pitch * static_cast<double>(all.size()) + 1.0;
+  figure.height = header + head_height + row_pitch * static_cast<double>(all.size()) + 1.0;
   figure.title = "Contributions of the inputs to the standard uncertainty, and their parts of the variance";
   figure.description = description(all, parameters, subject, options);
   return figure;

@@ -332,16 +332,6 @@ double largest_magnitude(const std::vector<Panel>& panels, const Options& option
   return largest;
 }
 
-/// The label that must stand wherever results do; returns the height it takes.
-double draw_label(Operations& operations, std::string_view words) {
-  if (words.empty()) return 0.0;
-  constexpr double bold_is_wider = 1.1;
-  TextRun run = plot::plain(plot::shortened(words, (plot::plate_width - 2.0 * edge) / bold_is_wider, ink::text_size));
-  run.bold = true;
-  operations.push_back(label({std::move(run)}, {edge, 9.0}, ink::text_size, Anchor::start));
-  return 13.0;
-}
-
 }  // namespace
 
 std::optional<Figure> distribution_figure(const Subject& subject, const Options& asked) {
@@ -352,7 +342,7 @@ std::optional<Figure> distribution_figure(const Subject& subject, const Options&
   const AxisKind kind = subject.test.metadata.axis.kind;
   const plot::AxisUnit unit = plot::deviation_axis_unit(kind, options.unit, largest_magnitude(panels, options));
   Figure figure{.width = plot::plate_width, .height = 0.0, .title = {}, .description = {}, .operations = {}};
-  double top = draw_label(figure.operations, subject.assessment.label);
+  double top = plot::draw_label(figure.operations, subject.assessment.label, edge, plot::plate_width - 2.0 * edge);
   top += draw_legend(figure.operations, legend_of(panels, subject, options), {edge, top}, plot::plate_width - edge);
   const plot::Runs scale_note = plot::joined({plot::plain("Scales / ")}, unit.name);
   figure.operations.push_back(

@@ -64,6 +64,16 @@ TEST(DistributionFigure, ShowsTheLimitThatWasJudged) {
   EXPECT_THAT(all_words(figure), IsSupersetOf({"limit", "limit 10"}));
 }
 
+TEST(DistributionFigure, CarriesTheLabelThatMustStandWhereverResultsDo) {
+  Drawn table2 = with_monte_carlo(testing::table_2());
+  table2.assessment.label = "step cycle (Annex B), not for acceptance";
+  const auto contribution = contribution_figure(table2.subject(), table2.options).value();
+  for (const Figure& figure : {distribution(table2), contribution}) {
+    EXPECT_THAT(all_words(figure), Contains("step cycle (Annex B), not for acceptance"));
+    EXPECT_EQ(fault_of(figure), "");
+  }
+}
+
 TEST(DistributionFigure, SaysWhatDoesNotVary) {
   for (auto& c : testing::crowded_cases()) {
     if (c.name != "all_zero") continue;

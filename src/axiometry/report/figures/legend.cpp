@@ -63,4 +63,16 @@ double draw_legend(Operations& operations, const std::vector<LegendEntry>& entri
   return entries.empty() ? 0.0 : base_line - top_left.y + 4.5;
 }
 
+double draw_label(Operations& operations, std::string_view label, double left, double width) {
+  if (label.empty()) return 0.0;
+  constexpr double bold_is_wider = 1.1;
+  operations.push_back(Text{.runs = {{.text = shortened(label, width / bold_is_wider, ink::text_size), .bold = true}},
+                            .at = {left, 9.0},
+                            .size = ink::text_size,
+                            .colour = ink::black,
+                            .anchor = Anchor::start,
+                            .degrees = 0.0});
+  return 13.0;
+}
+
 }  // namespace axiometry::report::plot

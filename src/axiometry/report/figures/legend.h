@@ -20,4 +20,8 @@ struct LegendEntry {
 /// Draws the entries in rows from the top left and returns the height they take.
 double draw_legend(Operations& operations, const std::vector<LegendEntry>& entries, Point top_left, double width);
 
+/// The label that must stand wherever results do (Assessment::label), in bold above everything else, cut where it is
+/// too long. Returns the height it takes: none for an empty one.
+double draw_label(Operations& operations, std::string_view label, double left, double width);
+
 }  // namespace axiometry::report::plot

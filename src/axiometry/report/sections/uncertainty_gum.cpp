@@ -108,7 +108,7 @@ std::vector<Component> existing(const GumUncertainty& gum, PerDirection directio
 class PositionTable {
  public:
   PositionTable(const GumUncertainty& gum, const Subject& subject, const Options& options)
-      : gum_(gum), subject_(subject), options_(options) {}
+      : gum_(gum), subject_(subject), options_(options), decimals_(decimals(gum, options)) {}
 
   Table operator()() {
     const AxisKind kind = subject_.test.metadata.axis.kind;
@@ -134,9 +134,21 @@ class PositionTable {
   }
 
  private:
+  /// One more than the smallest uncertainty of a mean needs, so that the columns can be compared.
+  static int decimals(const GumUncertainty& gum, const Options& options) {
+    std::optional<double> smallest;
+    for (const PositionUncertainty& p : gum.positions)
+      for (const auto& c : {p.up, p.down})
+        if (c && c->total.u.in_native() > 0.0)
+          smallest = std::min(smallest.value_or(c->total.u.in_native()), c->total.u.in_native());
+    constexpr int finest = 6;
+    const int needed = smallest ? decimals_for(*smallest, options.uncertainty_digits) + 1 : *options.deviation_decimals;
+    return std::clamp(needed, 0, finest);
+  }
+
   TableCell cell(const std::optional<Deviation>& u) const {
     if (!u) return quiet_cell("–");
-    return text_cell(shown_uncertainty(*u, {deviation_unit(subject_.test.metadata.axis.kind)}, options_));
+    return text_cell(format_fixed(u->in_native(), decimals_, options_.numbers));
   }
 
   template <typename Value>
@@ -175,6 +187,7 @@ class PositionTable {
   const GumUncertainty& gum_;
   const Subject& subject_;
   const Options& options_;
+  int decimals_ = 0;
   Table table_;
 };
 

@@ -101,8 +101,9 @@ class MethodTable {
   void add_notes() {
     if (!assessment_.monte_carlo) return;
     table_.notes.push_back(plain(
-        "Bias: value less mean. The parameters are extremes: noise pushes them apart and makes the bias positive, a "
-        "one-sided input such as a misalignment makes it negative. The measured value stays the result."));
+        "Bias: value less mean. The parameters are extremes: noise in the readings pushes them apart and makes the "
+        "bias positive; systematic inputs, such as a temperature, widen them more often than they narrow them and "
+        "make it negative. The measured value stays the result."));
     if (assessment_.annex_a || assessment_.gum)
       table_.notes.push_back(
           joined({plain("Against Monte Carlo: "), italic("U"),
