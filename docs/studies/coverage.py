@@ -162,6 +162,7 @@ def settings():
         "n = 3": (Machine(runs=3), one),
         "n = 10": (Machine(runs=10), one),
         "one direction": (Machine(directions=(0,)), one),
+        "one direction, m = 5": (Machine(targets=5, directions=(0,)), one),
         "missing readings": (Machine(missing=0.05), one),
         "missing readings and drift": (Machine(missing=0.05, run=0.7), Noise(0.7, run=0.7)),
         "n = 1": (Machine(runs=1), one),

@@ -14,6 +14,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr Direction both[] = {Direction::up, Direction::down};
 
 constexpr std::size_t cells_for_run_shifts = 3;  // with fewer, a shift of the run and scatter look alike
+constexpr int sweeps = 20;                       // leave 1e-20 with a tenth of the readings missing
 constexpr double least_run_sd = 0.1;             // of what noise alone would show, to ten times what was seen
 constexpr double most_run_sd = 10.0;
 constexpr std::size_t run_grid_size = 24;
@@ -56,48 +57,63 @@ ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noi
       for (double x : readings)
         if (!std::isnan(x)) cell.mean += x / static_cast<double>(cell.count);
       cell.readings.assign(readings.begin(), readings.end());
-      for (double x : readings) cell.residuals.push_back(x - cell.mean);
+      cell.residuals.resize(runs_);
       cells_.push_back(std::move(cell));
     }
+  }
+  if (cells_.size() < cells_for_run_shifts && runs_ >= 2) {  // a drift is then one more noise of the readings
+    noise_.reading = std::hypot(noise_.reading, noise_.run);
+    noise_.run = 0.0;
   }
   find_run_shifts();
   find_curves(series);
 }
 
-/// Mean departure of each run from the cells' means. The residuals lose it.
+/// Departure of each run, and the means without it: the additive model x̄_c + q_j, by alternating means. Without missing
+/// readings the first sweep is exact; with them each sweep leaves about the missing share of the error.
 void ReadingPosterior::find_run_shifts() {
   run_shifts_.assign(runs_, 0.0);
-  double cells_per_run = 0.0;
+  std::vector<double> cells_of_run(runs_, 0.0);
+  for (const Cell& cell : cells_)
+    for (std::size_t j = 0; j < runs_; ++j) cells_of_run[j] += std::isnan(cell.readings[j]) ? 0.0 : 1.0;
   if (runs_ >= 2 && cells_.size() >= cells_for_run_shifts) {
-    for (std::size_t j = 0; j < runs_; ++j) {
-      double count = 0.0;
-      for (const Cell& cell : cells_) {
-        if (std::isnan(cell.residuals[j])) continue;
-        run_shifts_[j] += cell.residuals[j];
-        ++count;
-      }
-      if (count > 0.0) run_shifts_[j] /= count;
-      cells_per_run += count / static_cast<double>(runs_);
+    for (double count : cells_of_run) cells_per_run_ += count / static_cast<double>(runs_);
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      take_run_shifts(cells_of_run);
+      take_cell_means();
     }
   }
-  for (Cell& cell : cells_) {
-    double mean_shift = 0.0;
-    for (std::size_t j = 0; j < runs_; ++j)
-      if (!std::isnan(cell.residuals[j])) mean_shift += run_shifts_[j] / static_cast<double>(cell.count);
-    for (std::size_t j = 0; j < runs_; ++j) cell.residuals[j] -= run_shifts_[j] - mean_shift;
+  for (Cell& cell : cells_)
+    for (std::size_t j = 0; j < runs_; ++j) cell.residuals[j] = cell.readings[j] - cell.mean - run_shifts_[j];
+  find_spread();
+  find_run_sds();
+}
+
+void ReadingPosterior::take_run_shifts(std::span<const double> cells_of_run) {
+  for (std::size_t j = 0; j < runs_; ++j) {
+    run_shifts_[j] = 0.0;
+    if (cells_of_run[j] < double(cells_for_run_shifts)) continue;  // would take its readings for a shift
+    for (const Cell& cell : cells_)
+      if (!std::isnan(cell.readings[j])) run_shifts_[j] += (cell.readings[j] - cell.mean) / cells_of_run[j];
   }
-  find_spread(cells_per_run);
-  find_run_sds(cells_per_run);
+}
+
+void ReadingPosterior::take_cell_means() {
+  for (Cell& cell : cells_) {
+    cell.mean = 0.0;
+    for (std::size_t j = 0; j < runs_; ++j)
+      if (!std::isnan(cell.readings[j])) cell.mean += (cell.readings[j] - run_shifts_[j]) / double(cell.count);
+  }
 }
 
 /// Taking out the shifts of the runs uses up one part in `cells_per_run` of the degrees of freedom.
-void ReadingPosterior::find_spread(double cells_per_run) {
+void ReadingPosterior::find_spread() {
   std::vector<numeric::CellScatter> scatter;
   for (const Cell& cell : cells_) {
     double squares = 0.0;
     for (double residual : cell.residuals)
       if (!std::isnan(residual)) squares += square(residual);
-    const double left = cells_per_run > 0.0 ? 1.0 - 1.0 / cells_per_run : 1.0;
+    const double left = cells_per_run_ > 0.0 ? 1.0 - 1.0 / cells_per_run_ : 1.0;
     scatter.push_back({squares, static_cast<double>(cell.count - 1) * left});
   }
   spread_.emplace(scatter, noise_.reading);
@@ -105,11 +121,11 @@ void ReadingPosterior::find_spread(double cells_per_run) {
 
 /// The observed shifts scatter by σ_ρ² + u(d)² + (σ² + u²)/C with n − 1 degrees of freedom; σ_ρ is equally
 /// likely in every octave, or absent.
-void ReadingPosterior::find_run_sds(double cells_per_run) {
+void ReadingPosterior::find_run_sds() {
   run_sds_ = {0.0};
   std::vector<double> log_weights = {0.0};
   const double noise_variance =
-      cells_per_run > 0.0 ? spread_->pooled_variance() / cells_per_run + square(noise_.run) : 0.0;
+      cells_per_run_ > 0.0 ? spread_->pooled_variance() / cells_per_run_ + square(noise_.run) : 0.0;
   if (noise_variance > 0.0) {
     double squares = 0.0;
     for (double shift : run_shifts_) squares += square(shift);
@@ -242,15 +258,25 @@ void ReadingPosterior::share_means(State& state) const {
   }
 }
 
-/// The machine's part of the runs' shifts: rows over the runs.
+/// The machine's part of the runs' shifts: rows over the runs. What was seen of a run is ρ_j + d_j and the mean of what
+/// its C readings have of their own: the machine has σ_ρ² + σ²/C of it, the measurement u_d² + u²/C. draw_cell() brings
+/// the noise of single readings, so that its part is left out here.
 std::vector<double> ReadingPosterior::draw_run_shifts(State& state) const {
-  std::vector<double> shifts(runs_ * state.trials);
+  std::vector<double> shifts(runs_ * state.trials, 0.0);
+  if (cells_per_run_ == 0.0) return shifts;
+  std::vector<double> own(state.trials), noise_sd(state.trials);
+  for (std::size_t t = 0; t < state.trials; ++t) {
+    double scatter = 0.0;
+    for (std::size_t c = 0; c < cells_.size(); ++c) scatter += square(state.sd(c)[t]) / double(cells_.size());
+    const double measured = square(noise_.run) + square(noise_.reading) / cells_per_run_;
+    const double of_readings = share(scatter, square(noise_.reading)) * square(noise_.reading) / cells_per_run_;
+    own[t] = measured == 0.0 ? 1.0 : share(square(state.run_sds[t]) + scatter / cells_per_run_, measured);
+    noise_sd[t] = std::sqrt(std::max(0.0, own[t] * measured - of_readings));
+  }
   for (std::size_t j = 0; j < runs_; ++j) {
     const auto z = state.next_normals();
-    for (std::size_t t = 0; t < state.trials; ++t) {
-      const double own = noise_.run == 0.0 ? 1.0 : share(square(state.run_sds[t]), square(noise_.run));
-      shifts[j * state.trials + t] = own * run_shifts_[j] + std::sqrt(own) * noise_.run * z[t];
-    }
+    for (std::size_t t = 0; t < state.trials; ++t)
+      shifts[j * state.trials + t] = own[t] * run_shifts_[j] + noise_sd[t] * z[t];
   }
   return shifts;
 }
@@ -272,9 +298,9 @@ void ReadingPosterior::draw_cell(std::size_t index, std::span<const double> shif
     const auto z = state.next_normals();
     const auto row = readings.row(cell.place * runs_ + j, trials);
     for (std::size_t t = 0; t < trials; ++t) {
-      const double departure = shifts[j * trials + t] + noise_sd[t] * z[t];
-      about[t] += departure / static_cast<double>(cell.count);
-      row[t] = mean[t] + machine[t] * cell.residuals[j] + departure;
+      const double noise = noise_sd[t] * z[t];
+      about[t] += noise / static_cast<double>(cell.count);
+      row[t] = mean[t] + shifts[j * trials + t] + machine[t] * cell.residuals[j] + noise;
     }
   }
   for (std::size_t j = 0; j < runs_; ++j) {

@@ -56,9 +56,9 @@ class ReadingPosterior {
     std::size_t place = 0;  ///< direction × m + target
     std::size_t target = 0;
     std::size_t count = 0;          ///< n
-    double mean = 0.0;              ///< x̄
+    double mean = 0.0;              ///< x̄ without the shifts of the runs that it happens to have
     std::vector<double> readings;   ///< of each run, NaN where missing
-    std::vector<double> residuals;  ///< of each run: x − x̄ − shift of the run
+    std::vector<double> residuals;  ///< of each run: x less mean and shift of the run
   };
   /// A curve over the targets: the middle of ↑ and ↓, their difference, or one direction alone.
   struct Curve {
@@ -72,8 +72,10 @@ class ReadingPosterior {
   struct State;
 
   void find_run_shifts();
-  void find_spread(double cells_per_run);
-  void find_run_sds(double cells_per_run);
+  void take_run_shifts(std::span<const double> cells_of_run);
+  void take_cell_means();
+  void find_spread();
+  void find_run_sds();
   void find_curves(const Series& series);
   void add_curve(const Series& series, std::span<const double> values, double noise_variance, std::size_t trend_terms,
                  std::vector<Curve::Term> terms);
@@ -90,6 +92,7 @@ class ReadingPosterior {
   double down_sign_ = 1.0;
   bool exact_ = false;
   std::vector<Cell> cells_;
+  double cells_per_run_ = 0.0;      ///< C, on average; 0 where shifts of the runs are not followed
   std::vector<double> run_shifts_;  ///< observed ρ_j + d_j, about their mean
   std::vector<double> run_sds_;     ///< what the machine's own σ_ρ may be
   numeric::WeightedChoice run_choice_;

@@ -89,6 +89,45 @@ TEST(ReadingPosterior, SharesAShiftOfARunBetweenMachineAndMeasurement) {
   EXPECT_LT(scatter(3.0), 2.5);            // most of it may be the measurement's
 }
 
+TEST(ReadingPosterior, DoesNotTakeAMissingRunForAnErrorOfItsTarget) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<testing_support::RunDeviations> up;
+  for (double shift : {0.0, 0.0, 8.0}) {  // one run is far off, and one target lacks it
+    const double wiggle = 0.1 * (up.size() == 1 ? 1 : -1);
+    up.push_back({shift + wiggle, shift - wiggle, shift == 0.0 ? wiggle : none, shift, shift + wiggle});
+  }
+  const Series series = testing_support::make_series({0, 10, 20, 30, 40}, up, {});
+  std::vector<double> means(10 * Draws::trials), sds(10 * Draws::trials);
+  const numeric::Rows<double> mean_rows{means, Draws::trials}, sd_rows{sds, Draws::trials};
+  ReadingPosterior(series, {.reading = 0.05}).draw_long_run({1, 0, 0}, mean_rows, sd_rows);
+  const double with = numeric::moments(mean_rows.row(1, Draws::trials)).mean;
+  const double without = numeric::moments(mean_rows.row(2, Draws::trials)).mean;
+  EXPECT_NEAR(with, without, 0.3);  // as measured they differ by 8/3
+}
+
+TEST(ReadingPosterior, TakesNoiseOutOfWhatTheReadingsOfARunHaveInCommon) {
+  // Four targets share the noise of four readings in the mean of a run: no shift of the machine is left where
+  // all that is seen is smaller than the noise.
+  std::vector<testing_support::RunDeviations> up;
+  for (double shift : {-0.4, 0.3, 0.0, -0.2, 0.3}) up.push_back({shift, shift + 0.1, shift - 0.1, shift});
+  const Series series = testing_support::make_series({0, 10, 20, 30}, up, {});
+  Draws draws = readings_of(series, {.reading = 1.0});
+  double sum = 0.0;
+  std::vector<double> cell(5);
+  for (std::size_t t = 0; t < Draws::trials; ++t) {
+    for (std::size_t j = 0; j < 5; ++j) cell[j] = draws.rows().row(5 + j, Draws::trials)[t];
+    sum += numeric::moments(cell).standard_deviation / double(Draws::trials);
+  }
+  EXPECT_LT(sum, 0.25);  // 0.31 in the readings
+}
+
+TEST(ReadingPosterior, CountsADriftAsNoiseOfTheReadingsWhereItCannotBeTold) {
+  const Series series = testing_support::make_series({0, 50}, {{0, 1}, {1, 0.2}, {-1, 2}, {0.5, 1.5}}, {});
+  Draws with_drift = readings_of(series, {.run = 0.8});
+  Draws with_noise = readings_of(series, {.reading = 0.8});
+  EXPECT_EQ(with_drift.rows().row(1, Draws::trials)[5], with_noise.rows().row(1, Draws::trials)[5]);
+}
+
 TEST(ReadingPosterior, DrawsTheLongRunAboutWhatWasMeasured) {
   const Series series = table2::series();
   std::vector<double> means(22 * Draws::trials), sds(22 * Draws::trials);
