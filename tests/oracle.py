@@ -4,7 +4,7 @@
 
 Usage: tests/oracle.py PROGRAM [COUNT] [SEED]
 
-Everything is computed from the definitions of ISO 230-2:2014 clause 3 and Annex A with exact sums
+Everything is computed from the definitions of ISO 230-2:2014 clause 3 and Annex A, verdicts from ISO 14253-1, with exact sums
 (math.fsum), and shares nothing with the C++ code but the standard.
 """
 import json
@@ -140,7 +140,72 @@ def differs(found, expected):
     return not abs(found - expected) <= TOLERANCE * max(1.0, abs(expected) * 1e-3)
 
 
-def compare(result, targets, readings, rotary, inputs):
+def phi(z):
+    return 0.5 * math.erfc(-z / math.sqrt(2))
+
+
+def make_demands(rng, parameters):
+    """Limits about the measured magnitudes, and a rule."""
+    chosen = [key for key in parameters if rng.random() < 0.4]
+    limits = {}
+    for key in chosen:
+        magnitude = abs(parameters[key]) if parameters[key] is not None else 1.0
+        limits[key] = max(round(magnitude * rng.choice([0.3, 0.8, 1.0, 1.2, 3.0]), 3), 0.001)
+    return limits, rng.choice(["simple", "iso14253-1", "guard-band"]), round(rng.uniform(0, 3), 2)
+
+
+def demand_arguments(limits, rule, width):
+    arguments = [f"--set=tolerance.{key}={limit!r}" for key, limit in limits.items()]
+    arguments.append(f"--set=tolerance.rule={rule}")
+    return arguments + ([f"--set=tolerance.guard_band={width!r}"] if rule == "guard-band" else [])
+
+
+def decide(key, value, u, limit, rule, width):
+    """Verdict, guard band and probability of conformity: ISO 14253-1, JCGM 106."""
+    if value is None:
+        return "not applicable", None, None
+    y = abs(value)
+    p = None
+    if u:
+        p = phi((limit - y) / u) - (phi((-limit - y) / u) if key == "B_mean" else 0)
+    elif u == 0:
+        p = 1.0 if y <= limit else 0.0
+    if rule == "simple":
+        return ("conforms" if y <= limit else "does not conform"), 0.0, p
+    if u is None:
+        return "undecided", None, None
+    g = 1.65 * u if rule == "iso14253-1" else width
+    return ("conforms" if y <= limit - g else "does not conform" if y > limit + g else "undecided"), g, p
+
+
+def compare_verdicts(result, code, parameters, U, demands):
+    limits, rule, width = demands
+    expected = {}
+    for row in result.get("tolerances", []):
+        key = row["parameter"]
+        u = U[key] / 2 if U and U[key] is not None else None
+        y = abs(parameters[key]) if parameters[key] is not None else None
+        verdict, g, p = decide(key, parameters[key], u, limits[key], rule, width)
+        expected[key] = verdict
+        edges = [limits[key] - (g or 0), limits[key] + (g or 0)]
+        if y is not None and min(abs(y - edge) for edge in edges) < 1e-9:
+            expected[key] = verdict = row["verdict"]  # too near an edge for two ways of rounding to agree
+        risk = {"conforms": ("consumer_risk", None if p is None else 1 - p), "does not conform": ("producer_risk", p)}
+        named = risk.get(verdict, (None, None))
+        if row["verdict"] != verdict or row["limit"] != limits[key]:
+            yield f"{key} against {limits[key]}: found {row['verdict']}, expected {verdict}"
+        for name, value in {"guard_band": g, "probability_conforming": p, "consumer_risk": None, "producer_risk": None}.items():
+            value = named[1] if name == named[0] else value
+            if differs(row[name], value):
+                yield f"{name} of {key}: found {row[name]}, expected {value}"
+    if set(expected) != set(limits):
+        yield f"verdicts on {sorted(expected)}, expected {sorted(limits)}"
+    worst = [v for v in ("does not conform", "undecided", "conforms", "not applicable") if v in expected.values()][:1]
+    if (result.get("verdict"), code) != (worst[0], {"conforms": 0, "does not conform": 3}.get(worst[0], 4)) if worst else code:
+        yield f"verdict {result.get('verdict')} with exit code {code}, expected {worst}"
+
+
+def compare(result, targets, readings, rotary, inputs, code, demands):
     parameters, positions = evaluate(targets, readings)
     for key, expected in parameters.items():
         if differs(result["parameters"][key], expected):
@@ -151,12 +216,14 @@ def compare(result, targets, readings, rotary, inputs):
                 yield f"{key} at {expected['target']}: found {found[key]}, expected {value}"
     if result["unit"] != ("arcsec" if rotary else "um"):
         yield f"unit {result['unit']}"
+    U = None
     if inputs:
         n = min(sum(x is not None for x in row) for rows in readings.values() for row in rows)
         U = annex_a(parameters, (targets[-1] - targets[0]) / 1000, n, inputs)
         for key, expected in U.items():
             if differs(result["uncertainty"]["annex_a"][key], expected):
                 yield f"U({key}): found {result['uncertainty']['annex_a'][key]}, expected {expected}"
+    yield from compare_verdicts(result, code, parameters, U, demands)
 
 
 def main():
@@ -178,11 +245,12 @@ def main():
                 command += ["--device-error-range-um-per-m", str(inputs["range"]), "--misalignment-mm", str(inputs["misalignment"]),
                             "--machine-temperature-range-c", str(inputs["theta"]),
                             "--machine-temperature-difference-c", str(inputs["dT"]), "--environmental-variation", str(inputs["eve"])]
-            done = subprocess.run(command, capture_output=True)
-            if done.returncode:
+            demands = make_demands(rng, evaluate(targets, readings)[0])
+            done = subprocess.run(command + demand_arguments(*demands), capture_output=True)
+            if done.returncode not in (0, 3, 4):
                 faults = [done.stderr.decode()]
             else:
-                faults = list(compare(json.loads(done.stdout), targets, readings, rotary, inputs))
+                faults = list(compare(json.loads(done.stdout), targets, readings, rotary, inputs, done.returncode, demands))
             if faults:
                 failed += 1
                 print(f"test {k} of seed {seed}: " + "; ".join(faults[:3]))

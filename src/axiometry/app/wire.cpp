@@ -48,6 +48,7 @@ Value judgement_to_json(const iso230_2::Judgement& judgement) {
   const auto& known = judgement.uncertainty;
   row.add("u", known ? Value(known->u.in_native()) : Value());
   row.add("u_method", known ? Value(iso230_2::method_key(known->method)) : Value());
+  row.add("u_measurand", known && known->measurand ? Value(iso230_2::measurand_key(*known->measurand)) : Value());
   const bool judged = judgement.decision.verdict != uncertainty::Verdict::not_applicable;
   row.add("guard_band", judged && judgement.has_guard_band() ? Value(judgement.decision.guard_band) : Value());
   row.add("acceptance_limit", number_or_null(judged ? judgement.acceptance_limit() : std::nullopt));

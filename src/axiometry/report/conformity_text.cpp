@@ -16,7 +16,7 @@ using iso230_2::UncertaintyMethod;
 using uncertainty::DecisionRule;
 using uncertainty::Verdict;
 
-std::string_view origin_of(UncertaintyMethod method) {
+std::string origin_of(UncertaintyMethod method) {
   switch (method) {
     case UncertaintyMethod::annex_a: return "u = U/2 by Annex A";
     case UncertaintyMethod::gum: return "u by the GUM";
@@ -36,6 +36,14 @@ std::string symbols_of(std::span<const Judgement> judgements, std::optional<Unce
   return symbols;
 }
 
+/// " of this test": what u is the uncertainty of, where the methods ask.
+std::string measurand_of(std::span<const Judgement> judgements) {
+  for (const Judgement& j : judgements)
+    if (j.uncertainty && j.uncertainty->measurand)
+      return *j.uncertainty->measurand == Measurand::this_test ? " of this test" : " of this machine in the long run";
+  return "";
+}
+
 /// "u = U/2 by Annex A", or of which parameters it is what where they differ.
 std::string origins(std::span<const Judgement> judgements) {
   std::string all;
@@ -50,7 +58,7 @@ std::string origins(std::span<const Judgement> judgements) {
     all += count == judged ? std::string(what) : fmt::format("{} for {}", what, symbols_of(judgements, method));
   };
   for (UncertaintyMethod method : {UncertaintyMethod::annex_a, UncertaintyMethod::gum, UncertaintyMethod::monte_carlo})
-    add(origin_of(method), method);
+    add(origin_of(method) + (method == UncertaintyMethod::annex_a ? "" : measurand_of(judgements)), method);
   add("no u is known", std::nullopt);
   return all;
 }

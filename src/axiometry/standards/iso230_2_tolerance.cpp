@@ -111,10 +111,10 @@ ParameterUncertainties deciding_uncertainties(const Assessment& assessment) {
     if (assessment.monte_carlo && assessment.monte_carlo->distributions[k]) {
       const uncertainty::OutputSummary& summary = assessment.monte_carlo->distributions[k]->summary;
       const bool drawn = summary.distribution.trials() > 0;
-      all[k] = {{Deviation::native(summary.sd), UncertaintyMethod::monte_carlo},
+      all[k] = {{Deviation::native(summary.sd), UncertaintyMethod::monte_carlo, assessment.monte_carlo->measurand},
                 drawn ? &summary.distribution : nullptr};
     } else if (const GumParameter* gum = assessment.gum ? assessment.gum->find(parameter.key) : nullptr) {
-      all[k] = {{gum->uncertainty.u, UncertaintyMethod::gum}};
+      all[k] = {{gum->uncertainty.u, UncertaintyMethod::gum, assessment.gum->measurand}};
     } else if (assessment.annex_a && assessment.annex_a->U.*parameter.member) {
       const Deviation U = *(assessment.annex_a->U.*parameter.member);
       all[k] = {{Deviation::native(U.in_native() / annex_a_coverage_factor), UncertaintyMethod::annex_a}};

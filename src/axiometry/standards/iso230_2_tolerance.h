@@ -45,6 +45,7 @@ std::string_view method_title(UncertaintyMethod method);  ///< "Annex A"
 struct StandardUncertainty {
   Deviation u;
   UncertaintyMethod method = UncertaintyMethod::annex_a;
+  std::optional<Measurand> measurand{};  ///< whose uncertainty it is; absent for Annex A, which does not ask
 };
 
 /// What is known about a parameter's value, as far as a decision needs it.
