@@ -16,174 +16,15 @@
 #include "axiometry/model/fields.h"
 #include "axiometry/report/utf8.h"
 #include "commands.h"
-#include "progress.h"
-#include "summary.h"
-#include "terminal.h"
+#include "evaluate_run.h"
 #include "tolerance_flags.h"
 #include "uncertainty_flags.h"
 
 namespace axiometry::cli {
 namespace {
 
-struct Arguments {
-  std::vector<std::string> inputs;
-  app::EvaluateOptions evaluate;
-  app::OutputNames outputs;
-  report::Options report;
-  ColourChoice colour = ColourChoice::automatic;
-  std::string tolerance_table;  ///< file, perhaps with ":name"
-  bool quiet = false;
-  bool keep_going = false;
-};
-
-void complain(const Error& error) { fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string())); }
-
-/// One run of the verb: takes the tests as they come and decides, with the first one, whether there
-/// is one test or there are many.
-class Run {
- public:
-  explicit Run(Arguments& arguments) : arguments_(arguments), terminal_(arguments.colour) {
-    stdout_is_free_ = !arguments.quiet && arguments.outputs.json != "-";
-  }
-
-  int operator()() {
-    if (auto table = open_table(); !table) return failed(table.error(), exit_bad_input);
-    auto inputs = app::expand_inputs(arguments_.inputs);
-    if (!inputs) return failed(inputs.error(), exit_bad_input);
-    many_ = inputs->size() > 1 || (!inputs->empty() && inputs->front().from_folder);
-    if (inputs->empty())
-      return failed({"found no file in the folder, expected measured tests", arguments_.inputs.front(), {}},
-                    exit_bad_input);
-    arguments_.evaluate.tolerance.many_tests = many_;
-    std::vector<app::InputFile> all_read = *inputs;
-    if (const auto& table = arguments_.evaluate.tolerance.table) all_read.push_back({table->file, false});
-    arguments_.outputs.inputs = app::InputFiles(all_read);
-    if (auto spared = app::check_inputs_spared(arguments_.outputs); !spared) return failed(spared.error(), exit_usage);
-    for (const app::InputFile& input : *inputs) {
-      if (!evaluate(input) && !go_on()) return exit_code_;
-    }
-    return finish();
-  }
-
- private:
-  int failed(const Error& error, int code) {
-    complain(error);
-    exit_code_ = code;
-    return code;
-  }
-
-  Result<void> open_table() {
-    if (arguments_.tolerance_table.empty()) return {};
-    const auto [file, name] = app::parse_table_name(arguments_.tolerance_table);
-    AXIOMETRY_TRY(arguments_.evaluate.tolerance.table, app::open_tolerance_table(file));
-    arguments_.evaluate.tolerance.table_name = name;
-    return {};
-  }
-
-  bool go_on() const { return many_ && !output_failed_ && !InterruptGuard::interrupted(); }
-
-  /// False after an error, which has been reported.
-  bool evaluate(const app::InputFile& input) {
-    if (input.from_folder) {
-      auto known = app::is_test_file(input.name);
-      if (known && !*known) {
-        fmt::print(stderr, "axiometry: {}: passed over, no known format\n", report::printable(input.name));
-        return true;
-      }
-    }
-    auto result =
-        app::evaluate_file(input.name, arguments_.evaluate, [&](app::Evaluated&& e) { return take(std::move(e)); });
-    if (result) return true;
-    if (InterruptGuard::interrupted()) {
-      failed(result.error(), exit_interrupted);
-      return false;
-    }
-    failed(result.error(), output_failed_ == exit_usage ? exit_usage : exit_bad_input);
-    if (many_ && !output_failed_) add_to_outputs(input.name, result.error());
-    return false;
-  }
-
-  /// Also when it is the first of many: with --keep-going every bad input is named.
-  void add_to_outputs(const std::string& file, const Error& error) {
-    auto ready = prepare_outputs();
-    if (ready) ready = outputs_->add_error(file, error);
-    if (ready) return;
-    if (!output_failed_) output_failed_ = exit_bad_input;
-    failed(ready.error(), output_failed_);
-  }
-
-  /// Makes the outputs of many tests before the first of them.
-  Result<void> prepare_outputs() {
-    if (outputs_) return {};
-    auto outputs = app::ManyOutputs::create(arguments_.outputs, arguments_.report);
-    if (outputs) {
-      outputs_ = std::move(*outputs);
-      return {};
-    }
-    output_failed_ = outputs.error().file.empty() ? exit_usage : exit_bad_input;
-    return std::unexpected(at_outputs(outputs.error()));
-  }
-
-  Result<void> take(app::Evaluated&& evaluated) {
-    using enum uncertainty::Verdict;
-    const auto verdict = iso230_2::overall_verdict(evaluated.judgements);
-    exceeded_ = exceeded_ || verdict == does_not_conform;
-    undecided_ = undecided_ || verdict == undecided || verdict == not_applicable;
-    many_ = many_ || !evaluated.name.empty();
-    if (!many_) {
-      single_ = std::move(evaluated);
-      return {};
-    }
-    AXIOMETRY_TRY_VOID(prepare_outputs());
-    if (stdout_is_free_ && count_ == 0) fmt::print("{}", line_header(terminal_));
-    if (stdout_is_free_) fmt::print("{}", line(evaluated, arguments_.report, terminal_));
-    ++count_;
-    auto added = outputs_->add(evaluated);
-    if (added) return {};
-    output_failed_ = exit_bad_input;
-    return std::unexpected(at_outputs(added.error()));
-  }
-
-  /// So that an error of an output is not taken for one of the input that was being read.
-  static Error at_outputs(Error error) {
-    if (error.file.empty()) error.file = "output";
-    return error;
-  }
-
-  int finish() {
-    if (single_) {
-      if (stdout_is_free_) fmt::print("{}", summary(*single_, arguments_.report, terminal_));
-      auto written = app::write_outputs(*single_, arguments_.outputs, arguments_.report);
-      if (!written) return failed(written.error(), exit_bad_input);
-    }
-    const bool whole = exit_code_ == exit_done || arguments_.keep_going;
-    if (outputs_ && whole) {
-      auto committed = outputs_->commit();
-      if (!committed) return failed(committed.error(), exit_bad_input);
-    }
-    if (outputs_ && !whole && !(arguments_.outputs.json.empty() && arguments_.outputs.reports.empty()))
-      fmt::print(stderr,
-                 "axiometry: the combined outputs were not written; --keep-going writes them with the errors named\n");
-    if (exit_code_ == exit_done && count_ == 0 && !single_)
-      return failed({"found no measured test, expected at least one", "", {}}, exit_bad_input);
-    return exit_code_ != exit_done ? exit_code_ : exceeded_ ? exit_exceeded : undecided_ ? exit_undecided : exit_done;
-  }
-
-  Arguments& arguments_;
-  Terminal terminal_;
-  bool stdout_is_free_ = true;
-  bool many_ = false;
-  bool exceeded_ = false;
-  bool undecided_ = false;
-  int output_failed_ = 0;  // the exit code it asks for
-  int exit_code_ = exit_done;
-  std::size_t count_ = 0;
-  std::optional<app::Evaluated> single_;
-  std::optional<app::ManyOutputs> outputs_;
-};
-
 /// Remembers a metadata value and refuses at once what the vocabulary does not allow.
-void add_metadata(Arguments& arguments, const std::string& key, const std::string& value) {
+void add_metadata(EvaluateArguments& arguments, const std::string& key, const std::string& value) {
   Metadata trial;
   if (auto set = set_field_text(trial, key, value); !set) throw CLI::ValidationError(set.error().message);
   arguments.evaluate.metadata.emplace_back(key, value);
@@ -208,7 +49,7 @@ std::string describe(const Field& field) {
   return fmt::format("{}. {}", text, field.description);
 }
 
-void add_uncertainty_flags(CLI::App& verb, Arguments& arguments) {
+void add_uncertainty_flags(CLI::App& verb, EvaluateArguments& arguments) {
   for (const Field& field : metadata_fields()) {
     if (!field.key.starts_with("uncertainty.")) continue;
     const bool records = field.type == FieldType::records;
@@ -248,7 +89,7 @@ CLI::Option* add_choice(CLI::App& verb, const std::string& name, Value& target,
       description);
 }
 
-void add_number_flags(CLI::App& verb, Arguments& arguments) {
+void add_number_flags(CLI::App& verb, EvaluateArguments& arguments) {
   using enum report::DisplayUnit;
   constexpr const char* group = "Numbers in summary and reports";
   add_choice(verb, "--unit", arguments.report.unit,
@@ -271,7 +112,7 @@ void add_number_flags(CLI::App& verb, Arguments& arguments) {
       ->group(group);
 }
 
-void add_output_flags(CLI::App& verb, Arguments& arguments) {
+void add_output_flags(CLI::App& verb, EvaluateArguments& arguments) {
   constexpr const char* group = "Outputs";
   verb.add_option("--json", arguments.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
       ->check([](const std::string& name) {
@@ -296,7 +137,7 @@ void add_output_flags(CLI::App& verb, Arguments& arguments) {
       ->group(group);
 }
 
-void add_input_flags(CLI::App& verb, Arguments& arguments) {
+void add_input_flags(CLI::App& verb, EvaluateArguments& arguments) {
   constexpr const char* group = "Input";
   verb.add_option("FILE", arguments.inputs, "Measured tests: files, folders, or - for the standard input")->required();
   verb.add_option("--format", arguments.evaluate.format,
@@ -332,16 +173,7 @@ void add_input_flags(CLI::App& verb, Arguments& arguments) {
 
 namespace {
 
-/// With Ctrl-C and a bar where trials are run, which may take long.
-int run(Arguments& arguments) {
-  if (!arguments.evaluate.uncertainty.monte_carlo) return Run(arguments)();
-  const InterruptGuard guard;
-  ProgressBar bar(!arguments.quiet);
-  arguments.evaluate.uncertainty.trials.propagation.on_progress = std::ref(bar);
-  return Run(arguments)();
-}
-
-void add_flags(CLI::App& verb, const std::shared_ptr<Arguments>& arguments, int& exit_code) {
+void add_flags(CLI::App& verb, const std::shared_ptr<EvaluateArguments>& arguments, int& exit_code) {
   add_input_flags(verb, *arguments);
   add_tolerance_flags(verb, arguments->evaluate.tolerance, arguments->tolerance_table);
   add_output_flags(verb, *arguments);
@@ -352,7 +184,8 @@ void add_flags(CLI::App& verb, const std::shared_ptr<Arguments>& arguments, int&
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
       throw CLI::ValidationError("--report", outputs.error().message);
     arguments->evaluate.many_in_full = app::state_tests_in_full(arguments->outputs);
-    exit_code = run(*arguments);
+    arguments->outputs.uncertainty = arguments->evaluate.uncertainty;
+    exit_code = run_evaluation(*arguments);
   });
 }
 
@@ -360,7 +193,7 @@ void add_flags(CLI::App& verb, const std::shared_ptr<Arguments>& arguments, int&
 
 void add_evaluate(CLI::App& program, int& exit_code) {
   CLI::App* verb = program.add_subcommand("evaluate", "Evaluate measured tests after ISO 230-2:2014");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<EvaluateArguments>();
   add_flags(*verb, arguments, exit_code);
   verb->footer(R"(Examples:
   axiometry evaluate test.csv
@@ -375,7 +208,8 @@ void add_evaluate(CLI::App& program, int& exit_code) {
 void add_uncertainty(CLI::App& program, int& exit_code) {
   CLI::App* verb = program.add_subcommand(
       "uncertainty", "State the uncertainty of every parameter by all methods: Annex A, GUM, Monte Carlo");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<EvaluateArguments>();
+  arguments->detail = Detail::full;
   arguments->evaluate.uncertainty.gum = true;
   arguments->evaluate.uncertainty.monte_carlo = true;
   add_flags(*verb, arguments, exit_code);

@@ -29,9 +29,10 @@ class ProgressBar {
   /// To be called now and then; false once Ctrl-C was pressed.
   bool operator()(const uncertainty::Progress& progress);
 
- private:
+  /// Takes the bar off the line, before anything else is written.
   void clear();
 
+ private:
   bool shown_ = false;
   std::size_t width_ = 0;  ///< of what stands in the line now
   std::size_t last_trials_ = 0;

@@ -188,11 +188,24 @@ std::string conclusion(const app::Evaluated& e, const Terminal& terminal) {
   return text + "\n";
 }
 
+/// Who asks for the uncertainty in full is told when there is none.
+std::string uncertainty_text(const app::Evaluated& e, const report::Options& options, const Terminal& terminal,
+                             Detail detail) {
+  std::string text = method_tables(e, options, terminal, detail);
+  if (!text.empty() || detail != Detail::full) return text;
+  return wrapped(
+             "No input of the uncertainty was given, so that nothing is known about it. Give what is known in the file "
+             "or by flags such as --environmental-variation (all: 'axiometry uncertainty --help'); --measurand "
+             "this-machine needs none.",
+             terminal.width(), 0) +
+         "\n\n";
+}
+
 }  // namespace
 
-std::string summary(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+std::string summary(const app::Evaluated& e, const report::Options& options, const Terminal& terminal, Detail detail) {
   return heading(e, options, terminal) + parameter_table(e, options, terminal) + tolerance_table(e, options, terminal) +
-         findings_list(e, terminal) + conclusion(e, terminal);
+         uncertainty_text(e, options, terminal, detail) + findings_list(e, terminal) + conclusion(e, terminal);
 }
 
 namespace {

@@ -5,12 +5,15 @@
 
 #include "axiometry/app/evaluate.h"
 #include "axiometry/report/report.h"
+#include "method_text.h"
 #include "terminal.h"
 
 namespace axiometry::cli {
 
-/// What `axiometry evaluate FILE` prints: identification, parameters with U, findings, verdict.
-std::string summary(const app::Evaluated& evaluated, const report::Options& options, const Terminal& terminal);
+/// What `axiometry evaluate FILE` prints: identification, parameters with U, tolerances, the
+/// uncertainty by the methods that were run, findings, verdict.
+std::string summary(const app::Evaluated& evaluated, const report::Options& options, const Terminal& terminal,
+                    Detail detail);
 
 /// The same for many tests, one line each.
 std::string line_header(const Terminal& terminal);

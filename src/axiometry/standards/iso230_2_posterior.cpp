@@ -132,8 +132,8 @@ void ReadingPosterior::find_run_sds() {
     const double freedom = static_cast<double>(runs_ - 1);
     const double least = least_run_sd * std::sqrt(noise_variance);
     const double most = most_run_sd * std::sqrt(std::max(squares / freedom, noise_variance));
-    for (std::size_t k = 0; k < run_grid_size; ++k)
-      run_sds_.push_back(least * std::pow(most / least, double(k) / double(run_grid_size - 1)));
+    run_step_ = std::log(most / least) / double(run_grid_size - 1);
+    for (std::size_t k = 0; k < run_grid_size; ++k) run_sds_.push_back(least * std::exp(run_step_ * double(k)));
     log_weights.clear();
     for (double sd : run_sds_) {
       const double variance = square(sd) + noise_variance;
@@ -194,7 +194,7 @@ ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std
   const std::size_t rows_shared = targets_ + 2 * cells;
   const std::size_t rows_of_readings = runs_ + cells * runs_;
   state.normals.resize((rows_shared + rows_of_readings) * trials);
-  const std::size_t uniforms_each = 3 + curves_.size() + cells;
+  const std::size_t uniforms_each = 4 + curves_.size() + cells;
   std::vector<double> uniforms(uniforms_each * trials);
   std::vector<double> curve_normals(curve_values_ * trials);
   numeric::fill_uniform({key.seed, key.stream, 2 * key.block}, uniforms);
@@ -205,11 +205,11 @@ ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std
     const std::span<const double> u = std::span(uniforms).subspan(t * uniforms_each, uniforms_each);
     spread_->draw({u[0], u[1], u.last(cells)}, values);
     for (std::size_t c = 0; c < cells; ++c) state.sd(c)[t] = values[c];
-    state.run_sds[t] = run_sds_[run_choice_(u[2])];
+    state.run_sds[t] = run_sds_[run_choice_(u[2])] * std::exp(run_step_ * (u[3] - 0.5));
     std::span<const double> normals = std::span(curve_normals).subspan(t * curve_values_, curve_values_);
     for (std::size_t k = 0; k < curves_.size(); ++k) {
       const std::size_t size = curves_[k].posterior.size();
-      curves_[k].posterior.draw(u[3 + k], normals.first(size), values);
+      curves_[k].posterior.draw(u[4 + k], normals.first(size), values);
       normals = normals.subspan(size);
       for (const Curve::Term& term : curves_[k].terms) state.mean(term.cell)[t] += term.factor * values[term.place];
     }
@@ -226,9 +226,10 @@ void ReadingPosterior::share_means(State& state) const {
     return (square(sd) + u2) / static_cast<double>(cells_[cell].count);
   };
   const auto sign_of = [&](std::size_t cell) { return cells_[cell].place < targets_ ? 1.0 : down_sign_; };
+  const double least_variance = 1e-12 * shared_variance_;  // a single approach without noise of its own has none
   for (std::size_t c = 0; c < cells_.size() && shared_variance_ > 0.0; ++c) {
     for (std::size_t t = 0; t < state.trials; ++t) {
-      const double weight = 1.0 / (of_mean(c, state.sd(c)[t]) + own_variance_);
+      const double weight = 1.0 / std::max(of_mean(c, state.sd(c)[t]) + own_variance_, least_variance);
       precision[cells_[c].target * state.trials + t] += weight;
       pull[cells_[c].target * state.trials + t] += sign_of(c) * weight * (cells_[c].mean - state.mean(c)[t]);
     }

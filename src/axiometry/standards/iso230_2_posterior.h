@@ -94,7 +94,8 @@ class ReadingPosterior {
   std::vector<Cell> cells_;
   double cells_per_run_ = 0.0;      ///< C, on average; 0 where shifts of the runs are not followed
   std::vector<double> run_shifts_;  ///< observed ρ_j + d_j, about their mean
-  std::vector<double> run_sds_;     ///< what the machine's own σ_ρ may be
+  std::vector<double> run_sds_;     ///< what the machine's own σ_ρ may be, draws fill the steps between
+  double run_step_ = 0.0;           ///< of ln σ_ρ
   numeric::WeightedChoice run_choice_;
   std::optional<numeric::SpreadPosterior> spread_;
   std::vector<Curve> curves_;

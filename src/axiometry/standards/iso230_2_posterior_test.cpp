@@ -67,6 +67,14 @@ TEST(ReadingPosterior, GivesASingleApproachTheUncertaintyOfItsNoise) {
   EXPECT_NEAR(numeric::moments(draws.rows().row(1, Draws::trials)).standard_deviation, 0.5, 0.03);
 }
 
+TEST(ReadingPosterior, StaysFiniteWhereATargetsErrorIsAllThereIs) {
+  const Series series = testing_support::make_series({0, 50, 100}, {{0, 1, 3}}, {{1, 2, 4}});
+  for (double correlation : {1.0, -1.0, 0.0}) {
+    Draws draws = readings_of(series, {.target = 0.3, .up_down_correlation = correlation});
+    for (double x : draws.values) ASSERT_TRUE(std::isfinite(x));
+  }
+}
+
 TEST(ReadingPosterior, SharesAShiftOfARunBetweenMachineAndMeasurement) {
   std::vector<testing_support::RunDeviations> up, down;
   for (double shift : {-4.0, -2.0, 0.0, 2.0, 4.0}) {  // far more than the readings scatter otherwise

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "axiometry/app/evaluate.h"
+#include "axiometry/app/outputs.h"
+#include "method_text.h"
+#include "terminal.h"
+
+namespace axiometry::cli {
+
+/// What the command line of evaluate and uncertainty says.
+struct EvaluateArguments {
+  std::vector<std::string> inputs;
+  app::EvaluateOptions evaluate;
+  app::OutputNames outputs;
+  report::Options report;
+  ColourChoice colour = ColourChoice::automatic;
+  std::string tolerance_table;      ///< file, perhaps with ":name"
+  Detail detail = Detail::summary;  ///< of the uncertainty in the terminal
+  bool quiet = false;
+  bool keep_going = false;
+};
+
+/// Carries it out and gives the exit code. Ctrl-C ends running trials and leaves nothing half written.
+int run_evaluation(EvaluateArguments& arguments);
+
+}  // namespace axiometry::cli
