@@ -12,6 +12,9 @@ namespace axiometry::report {
 
 namespace {
 
+/// A spread below a picometre is what rounding leaves of none.
+constexpr double rounding_noise = 1e-6;
+
 using iso230_2::Contribution;
 using iso230_2::ParameterDistribution;
 
@@ -30,8 +33,8 @@ struct RowStyle {
 
   int decimals(double uncertainty) const {
     const double shown = uncertainty * scale.per_native;
-    return shown > 0.0 ? decimals_for(shown, options.uncertainty_digits)
-                       : std::max(0, *options.deviation_decimals + scale.further_decimals);
+    return shown > rounding_noise ? decimals_for(shown, options.uncertainty_digits)
+                                  : std::max(0, *options.deviation_decimals + scale.further_decimals);
   }
   std::string number(double native, int places) const {
     return format_fixed(native * scale.per_native, places, options.numbers);

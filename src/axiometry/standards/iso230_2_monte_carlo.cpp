@@ -10,6 +10,8 @@
 namespace axiometry::iso230_2 {
 namespace {
 
+constexpr double rounding_noise = 1e-9;  // µm or ″, the error bound of evaluate()
+
 constexpr std::string_view type_a_keys[] = {"pooled", "t-scaled", "resampled"};  // in the order of TypeA
 
 bool acts_as_noise(Effect effect) {
@@ -97,6 +99,7 @@ Result<std::optional<MonteCarlo>> monte_carlo(const Metadata& metadata, const Se
       {},        inputs.inputs,  {},           notes_on(inputs)};
   for (std::size_t k = 0; k < model.outputs().size(); ++k) {
     const ParameterInfo& parameter = *model.outputs()[k];
+    if (result.outputs[k].sd < rounding_noise) continue;  // no input acts on it: ±0 would be a false claim
     monte_carlo.stable = monte_carlo.stable && result.outputs[k].stable;
     monte_carlo.distributions[index_of(&parameter)] = {(evaluation.parameters.*parameter.member)->in_native(),
                                                        std::move(result.outputs[k])};

@@ -63,7 +63,8 @@ struct MonteCarlo {
   bool stable = false;  ///< every numerical tolerance is met (JCGM 101, 7.9)
   double coverage = 0.95;
   std::array<std::optional<ParameterDistribution>, std::size(parameters)>
-      distributions;  ///< in the order of `parameters`
+      distributions;  ///< in the order of `parameters`; absent where it
+                      ///< does not exist or no input acts on it
   std::vector<UncertaintyInput> inputs;
   std::vector<Contribution> contributions;
   std::vector<std::string> notes;

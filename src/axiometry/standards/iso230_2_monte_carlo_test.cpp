@@ -57,9 +57,9 @@ TEST(PositioningMonteCarlo, PropagatesAScaleErrorAsItIs) {
   EXPECT_NEAR(M.value, evaluate(series).parameters.M->in_native(), 1e-12);
   EXPECT_GT(M.summary.sd, 1.0);
   EXPECT_LT(M.summary.sd, 2.0 * 1.75);
-  // B and the repeatabilities do not feel it.
-  EXPECT_NEAR(result.distributions[B]->summary.sd, 0.0, 1e-9);
-  EXPECT_NEAR(result.distributions[R_up]->summary.sd, 0.0, 1e-9);
+  // B and the repeatabilities do not feel it: nothing is claimed about them.
+  EXPECT_FALSE(result.distributions[B]);
+  EXPECT_FALSE(result.distributions[R_up]);
 }
 
 TEST(PositioningMonteCarlo, IsTheSameToTheBitOnAnyNumberOfThreads) {
@@ -100,7 +100,8 @@ TEST(PositioningMonteCarlo, LetsDirectionsDifferWhereTheyAreNotCorrelated) {
   const auto u_of_B = [&](double correlation) {
     Metadata metadata = with_inputs({{"target", "normal 0 2"}});
     metadata.gum.up_down_correlation = correlation;
-    return run(metadata, series, options(5000)).distributions[B]->summary.sd;
+    const auto of_B = run(metadata, series, options(5000)).distributions[B];
+    return of_B ? of_B->summary.sd : 0.0;
   };
   EXPECT_NEAR(u_of_B(1.0), 0.0, 1e-9);
   EXPECT_GT(u_of_B(0.0), 0.3);
@@ -132,7 +133,7 @@ TEST(PositioningMonteCarlo, ResamplesWholeRuns) {
   MonteCarloOptions chosen = options(1000);
   chosen.type_a = TypeA::resampled;
   const MonteCarlo result = run(metadata, series, chosen);
-  EXPECT_NEAR(result.distributions[E]->summary.sd, 0.0, 1e-9);  // runs differ by shifts alone
+  EXPECT_FALSE(result.distributions[E]);  // runs differ by shifts alone
   EXPECT_GT(result.distributions[R_up]->summary.sd, 0.1);
 }
 
