@@ -7,6 +7,7 @@
 #include <iterator>
 #include <span>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -69,14 +70,19 @@ struct StripModel {
     AXIOMETRY_CONTRACT(layout.outputs().size() == std::size(iso230_2::parameters));
     numeric::RandomStream stream({seed, 0, block});
     numeric::RowBuffer<Number> draw_buffer(draws, strip), reading_buffer(readings, strip);
-    numeric::RowBuffer<Number> result_buffer(layout.outputs().size(), strip);
+    numeric::RowBuffer<Number> result_buffer(layout.outputs().size(), strip);  // of single precision
     for (std::size_t first = 0; first < outputs.trials; first += strip) {
       const std::size_t count = std::min(strip, outputs.trials - first);
       stream.fill_normal(draw_buffer.rows().values);
       rows.apply(draw_buffer.rows(), reading_buffer.rows(), count);
-      iso230_2::evaluate_batch(layout, reading_buffer.rows(), count, result_buffer.rows());
-      for (std::size_t k = 0; k < layout.outputs().size(); ++k)
-        std::ranges::copy(result_buffer.rows().row(k, count), outputs.row(k).begin() + first);
+      if constexpr (std::is_same_v<Number, double>) {  // straight to where they are wanted
+        const numeric::Rows<double> results{outputs.values.subspan(first), outputs.trials};
+        iso230_2::evaluate_batch(layout, reading_buffer.rows(), count, results);
+      } else {
+        iso230_2::evaluate_batch(layout, reading_buffer.rows(), count, result_buffer.rows());
+        for (std::size_t k = 0; k < layout.outputs().size(); ++k)
+          std::ranges::copy(result_buffer.rows().row(k, count), outputs.row(k).begin() + first);
+      }
     }
   }
 };

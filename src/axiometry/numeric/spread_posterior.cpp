@@ -82,6 +82,20 @@ std::vector<float> cumulative_by_cell(std::span<const double> likelihoods, const
   return table;
 }
 
+/// How many of the ascending numbers are at most x: std::upper_bound without a branch that depends on x, which half the
+/// time would be guessed wrong.
+std::size_t count_up_to(float x, std::span<const float> ascending) {
+  if (ascending.empty()) return 0;
+  const float* first = ascending.data();
+  std::size_t left = ascending.size();
+  while (left > 1) {
+    const std::size_t half = left / 2;
+    first += half * static_cast<std::size_t>(first[half - 1] <= x);
+    left -= half;
+  }
+  return static_cast<std::size_t>(first - ascending.data()) + static_cast<std::size_t>(*first <= x);
+}
+
 }  // namespace
 
 SpreadPosterior::SpreadPosterior(std::span<const CellScatter> cells, double noise_sd) : cells_(cells.size()) {
@@ -144,9 +158,8 @@ void SpreadPosterior::draw(const Randoms& randoms, std::span<double> sds) const 
     return;
   }
   for (std::size_t c = 0; c < cells_; ++c) {
-    const float* row = hypothesis.cumulative.data() + c * hypothesis.window;
-    const auto place = std::upper_bound(row, row + hypothesis.window - 1, static_cast<float>(randoms.cells[c])) - row;
-    sds[c] = grid_[hypothesis.window_begin + static_cast<std::size_t>(place)] * shift;
+    const auto row = std::span(hypothesis.cumulative).subspan(c * hypothesis.window, hypothesis.window - 1);
+    sds[c] = grid_[hypothesis.window_begin + count_up_to(static_cast<float>(randoms.cells[c]), row)] * shift;
   }
 }
 

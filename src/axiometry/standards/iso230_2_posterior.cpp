@@ -34,11 +34,13 @@ struct ReadingPosterior::State {
   std::vector<double> sds;       ///< σ
   std::vector<double> means;     ///< μ, then the true means of the cells' own approaches
   std::vector<double> run_sds;   ///< σ_ρ, one row
+  std::vector<double> machines;  ///< σ²/(σ² + u²), the machine's share of the scatter; from share_means()
   std::vector<double> normals;   ///< spare ones: rows for share_means() and the readings
   std::size_t normals_used = 0;  ///< rows
 
   std::span<double> sd(std::size_t cell) { return std::span(sds).subspan(cell * trials, trials); }
   std::span<double> mean(std::size_t cell) { return std::span(means).subspan(cell * trials, trials); }
+  std::span<double> machine(std::size_t cell) { return std::span(machines).subspan(cell * trials, trials); }
   std::span<const double> next_normals() { return std::span(normals).subspan(trials * normals_used++, trials); }
 };
 
@@ -69,8 +71,8 @@ ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noi
   find_curves(series);
 }
 
-/// Departure of each run, and the means without it: the additive model x̄_c + q_j, by alternating means. Without missing
-/// readings the first sweep is exact; with them each sweep leaves about the missing share of the error.
+/// Departure of each run, and the means without it: the additive model x̄_c + q_j, by alternating means. Without
+/// missing readings the first sweep is exact; with them each sweep leaves about the missing share of the error.
 void ReadingPosterior::find_run_shifts() {
   run_shifts_.assign(runs_, 0.0);
   std::vector<double> cells_of_run(runs_, 0.0);
@@ -190,6 +192,7 @@ ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std
               std::vector<double>(cells * trials, 0.0),
               std::vector<double>(trials),
               {},
+              {},
               0};
   const std::size_t rows_shared = targets_ + 2 * cells;
   const std::size_t rows_of_readings = runs_ + cells * runs_;
@@ -243,18 +246,22 @@ void ReadingPosterior::share_means(State& state) const {
       shift[k] = variance * pull[k] + std::sqrt(variance) * z[t];
     }
   }
+  state.machines.resize(cells_.size() * state.trials);
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const auto z_direction = state.next_normals();
     const auto z_reading = state.next_normals();
     const auto mean = state.mean(c);
     const auto sd = state.sd(c);
+    const auto machine = state.machine(c);
     for (std::size_t t = 0; t < state.trials; ++t) {
-      const double variance = of_mean(c, sd[t]);
       double left = cells_[c].mean - mean[t] - sign_of(c) * shift[cells_[c].target * state.trials + t];
-      const double own = share(own_variance_, variance);
-      left -= own * left + std::sqrt(own * variance) * z_direction[t];
-      const double machine = share(square(sd[t]), u2);
-      mean[t] += machine * left + std::sqrt(machine * u2 / static_cast<double>(cells_[c].count)) * z_reading[t];
+      if (own_variance_ > 0.0) {
+        const double variance = of_mean(c, sd[t]);
+        const double own = share(own_variance_, variance);
+        left -= own * left + std::sqrt(own * variance) * z_direction[t];
+      }
+      machine[t] = share(square(sd[t]), u2);
+      mean[t] += machine[t] * left + std::sqrt(machine[t] * u2 / static_cast<double>(cells_[c].count)) * z_reading[t];
     }
   }
 }
@@ -288,12 +295,9 @@ void ReadingPosterior::draw_cell(std::size_t index, std::span<const double> shif
   const Cell& cell = cells_[index];
   const std::size_t trials = state.trials;
   const auto mean = state.mean(index);
-  const auto sd = state.sd(index);
-  std::vector<double> machine(trials), noise_sd(trials), about(trials, 0.0);
-  for (std::size_t t = 0; t < trials; ++t) {
-    machine[t] = share(square(sd[t]), square(noise_.reading));
-    noise_sd[t] = std::sqrt(machine[t]) * noise_.reading;
-  }
+  const auto machine = state.machine(index);
+  std::vector<double> noise_sd(trials), about(trials, 0.0);
+  for (std::size_t t = 0; t < trials; ++t) noise_sd[t] = std::sqrt(machine[t]) * noise_.reading;
   for (std::size_t j = 0; j < runs_; ++j) {
     if (std::isnan(cell.residuals[j])) continue;
     const auto z = state.next_normals();

@@ -4,11 +4,19 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/kernel_table.h"
+#include "axiometry/uncertainty/summary_kernel_types.h"
 
 namespace axiometry::uncertainty {
+
+AXIOMETRY_KERNEL_TABLE(summary_kernel, SummaryKernel);
+
+const SummaryKernel& summary_kernel_of(numeric::VectorTarget target) { return summary_kernel_table.of(target); }
+
 namespace {
 
 constexpr std::size_t above = CoreLayout::cell_count + 1;
@@ -24,6 +32,30 @@ double tail_begin(std::int64_t number) {
 
 std::uint32_t sum(std::span<const std::uint32_t> counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint32_t{0});
+}
+
+SummarySums nothing_seen() {
+  SummarySums sums{};
+  std::ranges::fill(sums.min, std::numeric_limits<double>::infinity());
+  std::ranges::fill(sums.max, -std::numeric_limits<double>::infinity());
+  return sums;
+}
+
+/// By halves, as a tree.
+double sum_of_lanes(std::span<const double, summary_lanes> lanes) {
+  std::array<double, summary_lanes> sums;
+  std::ranges::copy(lanes, sums.begin());
+  for (std::size_t half = summary_lanes / 2; half > 0; half /= 2)
+    for (std::size_t k = 0; k < half; ++k) sums[k] += sums[k + half];
+  return sums[0];
+}
+
+ValueMoments moments_of(const SummarySums& sums, std::size_t count, double near_mean) {
+  const auto n = static_cast<double>(count);
+  const double s1 = sum_of_lanes(sums.first), s2 = sum_of_lanes(sums.second);
+  const double squares = s2 - s1 * s1 / n;
+  return {n, near_mean + s1 / n, std::isfinite(s2) ? std::max(squares, 0.0) : s2, std::ranges::min(sums.min),
+          std::ranges::max(sums.max)};
 }
 
 }  // namespace
@@ -48,34 +80,10 @@ CoreLayout CoreLayout::from_first(std::span<const double> values, double coverag
   return {begin - width / 2, cell, 1.0 / cell, ValueMoments::of(values, values[0]).mean};
 }
 
-ValueMoments ValueMoments::of(std::span<const double> values, double near_mean) {
-  // Four sums of each kind, so that the order of additions is the same on every processor.
-  constexpr std::size_t lanes = 4;
-  double first[lanes] = {}, second[lanes] = {}, min[lanes], max[lanes];
-  std::ranges::fill(min, values[0]);
-  std::ranges::fill(max, values[0]);
-  const std::size_t whole = values.size() / lanes * lanes;
-  for (std::size_t i = 0; i < whole; i += lanes)
-    for (std::size_t k = 0; k < lanes; ++k) {
-      const double x = values[i + k], d = x - near_mean;
-      first[k] += d;
-      second[k] += d * d;
-      min[k] = x < min[k] ? x : min[k];
-      max[k] = x > max[k] ? x : max[k];
-    }
-  for (std::size_t i = whole; i < values.size(); ++i) {
-    const double d = values[i] - near_mean;
-    first[0] += d;
-    second[0] += d * d;
-    min[0] = std::min(min[0], values[i]);
-    max[0] = std::max(max[0], values[i]);
-  }
-  const auto n = static_cast<double>(values.size());
-  const double s1 = (first[0] + first[1]) + (first[2] + first[3]);
-  const double s2 = (second[0] + second[1]) + (second[2] + second[3]);
-  const double squares = s2 - s1 * s1 / n;
-  return {n, near_mean + s1 / n, std::isfinite(s2) ? std::max(squares, 0.0) : s2, std::ranges::min(min),
-          std::ranges::max(max)};
+ValueMoments ValueMoments::of(std::span<const double> values, double near_mean, numeric::VectorTarget target) {
+  SummarySums sums = nothing_seen();
+  summary_kernel_of(target).moments(values.data(), values.size(), near_mean, sums);
+  return moments_of(sums, values.size(), near_mean);
 }
 
 void ValueMoments::add(const ValueMoments& other) {
@@ -93,28 +101,21 @@ void ValueMoments::add(const ValueMoments& other) {
 
 double ValueMoments::sd() const { return count < 2.0 ? 0.0 : std::sqrt(squares / (count - 1.0)); }
 
-void FineCounts::add(std::span<const double> values) {
+ValueMoments FineCounts::add(std::span<const double> values, numeric::VectorTarget target) {
   const std::uint32_t outside = core_[0] + core_[above];
-  // Apart from the counting so that the compiler makes vector instructions of it.
-  constexpr std::size_t group = 256;
-  std::array<std::int32_t, group> index;
-  for (std::size_t begin = 0; begin < values.size(); begin += group) {
-    const auto part = values.subspan(begin, std::min(group, values.size() - begin));
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      double place = (part[i] - layout_.lower) * layout_.cells_per_unit + 1.0;
-      place = place > 0.0 ? place : 0.0;
-      place = place < static_cast<double>(above) ? place : static_cast<double>(above);
-      index[i] = static_cast<std::int32_t>(place);
-    }
-    for (std::size_t i = 0; i < part.size(); ++i) ++core_[static_cast<std::size_t>(index[i])];
-  }
-  if (core_[0] + core_[above] != outside) add_tails(values);
+  SummarySums sums = nothing_seen();
+  summary_kernel_of(target).counts(values.data(), values.size(), layout_.near_mean, sums,
+                                   {layout_.lower, layout_.cells_per_unit, above, core_.data()});
+  const ValueMoments moments = moments_of(sums, values.size(), layout_.near_mean);
+  if (core_[0] + core_[above] != outside && std::isfinite(moments.squares)) add_tails(values);
+  return moments;
 }
 
+/// The same values that the kernel finds outside, which rounds ½ to 0 and 16 384½ to the even number below.
 void FineCounts::add_tails(std::span<const double> values) {
   for (const double x : values) {
-    const double place = (x - layout_.lower) * layout_.cells_per_unit + 1.0;
-    if (place >= 1.0 && place < static_cast<double>(above)) continue;
+    const double place = (x - layout_.lower) * layout_.cells_per_unit + 0.5;
+    if (place > 0.5 && place <= static_cast<double>(above) - 0.5) continue;
     const std::int64_t number = tail_number(std::abs(x - layout_.centre()));
     ++tails_[x < layout_.centre() ? -number : number];
   }

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "axiometry/numeric/vector_target.h"
 #include "axiometry/uncertainty/sampled_distribution.h"
 
 /// Counts of the values of one output in narrow cells, and their moments: what a Monte Carlo run keeps instead of the
@@ -41,7 +42,8 @@ struct ValueMoments {
   double min = 0.0;
   double max = 0.0;
 
-  static ValueMoments of(std::span<const double> values, double near_mean);
+  static ValueMoments of(std::span<const double> values, double near_mean,
+                         numeric::VectorTarget target = numeric::best_vector_target());  ///< the same on all targets
   void add(const ValueMoments& other);  ///< pairwise; the order counts in the last bits
   double sd() const;                    ///< divisor count − 1
 };
@@ -50,8 +52,9 @@ class FineCounts {
  public:
   explicit FineCounts(const CoreLayout& layout) : layout_(layout) {}
 
-  void add(std::span<const double> values);  ///< finite ones
-  void add(const FineCounts& other);         ///< contract: of the same layout
+  /// Returns the moments of these values alone; where their squares are not finite, the counts are of no use.
+  ValueMoments add(std::span<const double> values, numeric::VectorTarget target = numeric::best_vector_target());
+  void add(const FineCounts& other);  ///< contract: of the same layout
   void clear(const CoreLayout& layout);
 
   /// Cells in ascending order, cut at the extremes.

@@ -117,17 +117,19 @@ class Run {
     const auto n = static_cast<double>(values.trials);
     for (std::size_t k = 0; k < outputs_; ++k) {
       const auto row = values.row(k);
-      BlockFigures figures{ValueMoments::of(row, layouts_[k].near_mean), {}};
+      BlockFigures figures;
+      if (adaptive_) {
+        tally.block.clear(layouts_[k]);
+        figures.moments = tally.block.add(row);
+      } else {
+        figures.moments = tally.counts[k].add(row);
+      }
       if (!std::isfinite(figures.moments.squares)) return spoil(block, k, row);
       if (adaptive_) {
         const Interval extremes{figures.moments.min, figures.moments.max};
-        tally.block.clear(layouts_[k]);
-        tally.block.add(row);
         figures.symmetric = {tally.block.quantile(n * (1.0 - options_.coverage) / 2, extremes),
                              tally.block.quantile(n * (1.0 + options_.coverage) / 2, extremes)};
         tally.counts[k].add(tally.block);
-      } else {
-        tally.counts[k].add(row);
       }
       slots_[(block - done_) * outputs_ + k] = figures;
     }
