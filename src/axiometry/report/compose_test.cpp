@@ -204,6 +204,19 @@ TEST(ConformitySection, SaysWhereNoValueCouldBeAccepted) {
   EXPECT_THAT(plain_text(table.notes.at(2)), HasSubstr("g is larger than T"));
 }
 
+TEST(ConformitySection, SaysWhereAVerdictAndItsProbabilityDisagree) {
+  Reported table2 = reported_table2();
+  iso230_2::MonteCarlo trials;
+  auto& R_up = trials.distributions[8].emplace();  // all below what was measured, 2.99 µm
+  R_up.summary.sd = 0.1;
+  R_up.summary.distribution = uncertainty::SampledDistribution({{1.8, 2.2, 0, 1000}});
+  table2.assessment.monte_carlo = trials;
+  table2.judge({tolerance("R_up", 2.5), tolerance("A", 30)}, {uncertainty::DecisionRule::Kind::iso_14253_1});
+  const std::string statement = plain_text(tables(section(composed(table2), "conformity")).at(0).notes.at(0));
+  EXPECT_THAT(statement, HasSubstr("u = U/2 by Annex A (A); u by Monte Carlo, for this test (R↑)."));
+  EXPECT_THAT(statement, HasSubstr("R↑: the verdict rests on the measured value"));
+}
+
 TEST(ConformitySection, IsAbsentWithoutATolerance) {
   EXPECT_THAT(section_ids(composed(reported_table2())), Not(Contains("conformity")));
 }

@@ -36,11 +36,12 @@ std::string symbols_of(std::span<const Judgement> judgements, std::optional<Unce
   return symbols;
 }
 
-/// " of this test": what u is the uncertainty of, where the methods ask.
+/// ", for this test": what u is the uncertainty of, where the methods ask.
 std::string measurand_of(std::span<const Judgement> judgements) {
   for (const Judgement& j : judgements)
     if (j.uncertainty && j.uncertainty->measurand)
-      return *j.uncertainty->measurand == Measurand::this_test ? " of this test" : " of this machine in the long run";
+      return *j.uncertainty->measurand == Measurand::this_test ? ", for this test"
+                                                               : ", for this machine in the long run";
   return "";
 }
 
@@ -55,7 +56,7 @@ std::string origins(std::span<const Judgement> judgements) {
     }));
     if (count == 0) return;
     all += all.empty() ? "" : "; ";
-    all += count == judged ? std::string(what) : fmt::format("{} for {}", what, symbols_of(judgements, method));
+    all += count == judged ? std::string(what) : fmt::format("{} ({})", what, symbols_of(judgements, method));
   };
   for (UncertaintyMethod method : {UncertaintyMethod::annex_a, UncertaintyMethod::gum, UncertaintyMethod::monte_carlo})
     add(origin_of(method) + (method == UncertaintyMethod::annex_a ? "" : measurand_of(judgements)), method);
@@ -77,6 +78,20 @@ std::string_view distributions(std::span<const Judgement> judgements) {
   if (by_trials == 0) return "from a normal distribution about the value";
   return by_trials == known ? "from the Monte Carlo distribution"
                             : "from the Monte Carlo distribution where there is one, else a normal one";
+}
+
+/// Those whose verdict and probability point to different sides. A normal distribution about the value cannot do that;
+/// a Monte Carlo one can, where noise has raised the measured value above all that the parameter may be.
+std::string contradicted(std::span<const Judgement> judgements) {
+  std::string symbols;
+  for (const Judgement& j : judgements) {
+    const double p = j.decision.probability_conforming.value_or(0.5);
+    const bool conforms = j.decision.verdict == Verdict::conforms;
+    const bool rejected = j.decision.verdict == Verdict::does_not_conform;
+    if ((conforms && p < 0.5) || (rejected && p > 0.5))
+      symbols.append(symbols.empty() ? "" : ", ").append(j.tolerance.parameter->symbol);
+  }
+  return symbols;
 }
 
 }  // namespace
@@ -134,6 +149,11 @@ std::string rule_statement(std::span<const Judgement> judgements, AxisKind kind,
   if (any_probability(judgements))
     text += fmt::format(" p_c: probability of conformity (JCGM 106), {}{}.", distributions(judgements),
                         simple ? "; " + origins(judgements) : std::string());
+  if (const std::string symbols = contradicted(judgements); !symbols.empty())
+    text += fmt::format(
+        " {}: the verdict rests on the measured value, p_c on what remains of it without the bias that "
+        "noise has added; here they disagree.",
+        symbols);
   return text;
 }
 
