@@ -181,6 +181,7 @@ void add_flags(CLI::App& verb, const std::shared_ptr<EvaluateArguments>& argumen
   add_method_flags(verb, arguments->evaluate.uncertainty);
   add_uncertainty_flags(verb, *arguments);
   verb.callback([arguments, &exit_code] {
+    arguments->outputs.uncertainty = arguments->evaluate.uncertainty;
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
       throw CLI::ValidationError("--report", outputs.error().message);
     arguments->evaluate.many_in_full = app::state_tests_in_full(arguments->outputs);

@@ -40,7 +40,7 @@ std::size_t index_of(const ParameterInfo* parameter) { return static_cast<std::s
 Result<Contribution> contribution(const TrialModel& model, const MonteCarloOptions& options, std::string key,
                                   std::string title) {
   uncertainty::MonteCarloOptions alone = options.propagation;
-  alone.trials = options.contribution_trials;
+  alone.trials = std::min(options.contribution_trials, alone.trials.value_or(options.contribution_trials));
   AXIOMETRY_TRY(const auto result, uncertainty::propagate(std::ref(model), model.outputs().size(), alone));
   Contribution found{std::move(key), std::move(title), {}};
   for (std::size_t k = 0; k < model.outputs().size(); ++k) found.u[index_of(model.outputs()[k])] = result.outputs[k].sd;

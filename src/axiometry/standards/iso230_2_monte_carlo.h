@@ -36,7 +36,7 @@ struct MonteCarloOptions {
   uncertainty::MonteCarloOptions propagation;
   std::uint64_t seed = 1;
   TypeA type_a = TypeA::pooled;
-  std::size_t contribution_trials = 50'000;  ///< for each input alone; 0: no contributions
+  std::size_t contribution_trials = 50'000;  ///< for each input alone, at most what was asked for; 0: none
 };
 
 /// What an input, alone, contributes to the standard uncertainty of each parameter, the others at their
