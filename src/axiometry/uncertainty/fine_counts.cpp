@@ -151,10 +151,13 @@ SampledDistribution FineCounts::distribution(Interval extremes) const {
   for (; tail != tails_.end(); ++tail)
     append(std::max(centre + tail_begin(tail->first), core_end), centre + tail_begin(tail->first + 1), tail->second);
   if (cells.empty()) return {};
+  // An extreme on the edge between two cells may, by rounding, have been counted in the one that it is not in.
+  for (auto& cell : cells) {
+    cell.lower = std::clamp(cell.lower, extremes.lower, extremes.upper);
+    cell.upper = std::clamp(cell.upper, extremes.lower, extremes.upper);
+  }
   cells.front().lower = extremes.lower;
-  cells.front().upper = std::max(cells.front().upper, extremes.lower);
   cells.back().upper = extremes.upper;
-  cells.back().lower = std::min(cells.back().lower, extremes.upper);
   return SampledDistribution(std::move(cells));
 }
 

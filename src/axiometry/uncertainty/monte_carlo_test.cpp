@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <numeric>
@@ -149,6 +150,22 @@ TEST(MonteCarlo, TakesAnOutputWhoseFirstBlockTellsNothing) {
   EXPECT_NEAR(out.symmetric.upper, 39'000, 0.03 * 39'000);  // outside the core cells are 3 % wide
   EXPECT_EQ(out.distribution.quantile(1.0), 39'999);
   EXPECT_NEAR(out.distribution.quantile(0.1), 0.0, 1e-200);
+}
+
+TEST(MonteCarlo, TakesValuesThatLieOnTheEdgesOfItsCells) {
+  // As of resampled readings: few values, and beside them what the order of additions makes of them.
+  for (int place = 1; place <= 200; ++place) {
+    const double least = 0.1 * place, most = 0.3 * place;
+    const std::array few{least, std::nextafter(least, most), std::nextafter(most, least), most};
+    const BlockModel model = [&few](std::uint64_t, BlockOutputs outputs) {
+      const std::span<double> values = outputs.row(0);
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = few[i % few.size()];
+    };
+    const OutputSummary out = run(model, 1, {.trials = 400}).outputs[0];
+    EXPECT_EQ(out.distribution.trials(), 400u);
+    EXPECT_EQ(out.distribution.quantile(0.0), least);
+    EXPECT_EQ(out.distribution.quantile(1.0), most);
+  }
 }
 
 TEST(MonteCarlo, KeepsTailsThatAreFarAway) {
