@@ -50,14 +50,19 @@ bool ProgressBar::operator()(const uncertainty::Progress& progress) {
   if (InterruptGuard::interrupted()) return false;
   if (!shown_) return true;
   const auto now = std::chrono::steady_clock::now();
-  if (progress.trials <= last_trials_) begin_ = now;  // another run has begun
+  if (!begin_ || progress.trials <= last_trials_) {  // a run has begun, or another one
+    begin_ = now;
+    begin_trials_ = progress.trials;
+  }
   last_trials_ = progress.trials;
-  if (now - begin_ < quiet_time) return true;
+  if (now - *begin_ < quiet_time) return true;
   std::string line;
   if (progress.of && *progress.of > 0) {
     const double done = static_cast<double>(progress.trials) / static_cast<double>(*progress.of);
     const auto filled = std::min(bar_width, static_cast<std::size_t>(done * static_cast<double>(bar_width)));
-    const double seconds = std::chrono::duration<double>(now - begin_).count() * (1.0 / std::max(done, 1e-9) - 1.0);
+    const auto left_to_do = static_cast<double>(*progress.of - std::min(progress.trials, *progress.of));
+    const double seconds = std::chrono::duration<double>(now - *begin_).count() * left_to_do /
+                           static_cast<double>(progress.trials - begin_trials_);
     line = fmt::format("[{}{}] {:3.0f} %  {} of {} trials, {:.0f} s left", std::string(filled, '#'),
                        std::string(bar_width - filled, '-'), 100.0 * done, grouped(progress.trials),
                        grouped(*progress.of), seconds);

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 
 #include "axiometry/uncertainty/monte_carlo.h"
 
@@ -36,7 +37,8 @@ class ProgressBar {
   bool shown_ = false;
   std::size_t width_ = 0;  ///< of what stands in the line now
   std::size_t last_trials_ = 0;
-  std::chrono::steady_clock::time_point begin_;
+  std::size_t begin_trials_ = 0;  ///< when this run was first heard of, at `begin_`
+  std::optional<std::chrono::steady_clock::time_point> begin_;
 };
 
 }  // namespace axiometry::cli
