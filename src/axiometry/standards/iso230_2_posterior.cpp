@@ -18,6 +18,7 @@ constexpr int sweeps = 20;                       // leave 1e-20 with a tenth of 
 constexpr double least_run_sd = 0.1;             // of what noise alone would show, to ten times what was seen
 constexpr double most_run_sd = 10.0;
 constexpr std::size_t run_grid_size = 24;
+constexpr double exact_from = 1e-12;  // of the variance of δ, below which other noise is none
 
 double square(double x) { return x * x; }
 
@@ -229,10 +230,11 @@ void ReadingPosterior::share_means(State& state) const {
     return (square(sd) + u2) / static_cast<double>(cells_[cell].count);
   };
   const auto sign_of = [&](std::size_t cell) { return cells_[cell].place < targets_ ? 1.0 : down_sign_; };
-  const double least_variance = 1e-12 * shared_variance_;  // a single approach without noise of its own has none
   for (std::size_t c = 0; c < cells_.size() && shared_variance_ > 0.0; ++c) {
     for (std::size_t t = 0; t < state.trials; ++t) {
-      const double weight = 1.0 / std::max(of_mean(c, state.sd(c)[t]) + own_variance_, least_variance);
+      // Means without any noise of their own (n = 1, or all readings alike) tell δ all but exactly.
+      const double own = std::max(of_mean(c, state.sd(c)[t]) + own_variance_, exact_from * shared_variance_);
+      const double weight = 1.0 / own;
       precision[cells_[c].target * state.trials + t] += weight;
       pull[cells_[c].target * state.trials + t] += sign_of(c) * weight * (cells_[c].mean - state.mean(c)[t]);
     }
