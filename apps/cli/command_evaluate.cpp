@@ -180,7 +180,8 @@ void add_flags(CLI::App& verb, const std::shared_ptr<EvaluateArguments>& argumen
   add_number_flags(verb, *arguments);
   add_method_flags(verb, arguments->evaluate.uncertainty);
   add_uncertainty_flags(verb, *arguments);
-  verb.callback([arguments, &exit_code] {
+  verb.callback([&verb, arguments, &exit_code] {
+    check_method_flags(verb, arguments->evaluate.uncertainty);
     arguments->outputs.uncertainty = arguments->evaluate.uncertainty;
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
       throw CLI::ValidationError("--report", outputs.error().message);

@@ -75,4 +75,11 @@ void add_method_flags(CLI::App& verb, app::UncertaintyOptions& options) {
       ->group(group);
 }
 
+void check_method_flags(const CLI::App& verb, const app::UncertaintyOptions& options) {
+  if (options.monte_carlo) return;
+  for (const char* flag : {"--trials", "--seed", "--type-a", "--coverage", "--threads"})
+    if (verb.count(flag) > 0)
+      throw CLI::ValidationError(flag, "found it without the method it belongs to, expected --uncertainty monte-carlo");
+}
+
 }  // namespace axiometry::cli

@@ -10,4 +10,7 @@ namespace axiometry::cli {
 /// --uncertainty, --trials, --seed, --type-a, --coverage, --threads.
 void add_method_flags(CLI::App& verb, app::UncertaintyOptions& options);
 
+/// Refuses flags of the Monte Carlo method where that was not asked for.
+void check_method_flags(const CLI::App& verb, const app::UncertaintyOptions& options);
+
 }  // namespace axiometry::cli

@@ -72,6 +72,8 @@ Result<void> evaluate_source(Source& source, const EvaluateOptions& options, con
   if (holds_many(*format, head)) {
     using iso230_2::Depth;
     const Depth depth = options.many_in_full ? Depth::every_finding : Depth::departures_only;
+    EvaluateOptions of_each = options;
+    if (!options.many_in_full) of_each.uncertainty.trials.contribution_trials = 0;  // a table has no room for them
     EvaluateOptions for_many = options;
     for_many.tolerance.many_tests = true;
     return read_many(source, *format, options.many_in_full, [&](Test&& test, std::string name) -> Result<void> {

@@ -310,6 +310,12 @@ void write_text(std::string& out, std::string_view s) {
   out += '"';
 }
 
+/// Whole numbers as such: 1000000 and not 1e+06, which strict readers take for a fraction.
+std::string number_text(double x) {
+  constexpr double exact_to = 1e15;
+  return x == std::floor(x) && std::abs(x) < exact_to ? fmt::format("{:.0f}", x) : format_exact(x);
+}
+
 bool is_container(const Value& value) { return value.is(Kind::array) || value.is(Kind::object); }
 
 class Writer {
@@ -322,7 +328,7 @@ class Writer {
       case Kind::boolean: out_ += value.boolean() ? "true" : "false"; break;
       case Kind::number:
         AXIOMETRY_CONTRACT(std::isfinite(value.number()));
-        out_ += format_exact(value.number());
+        out_ += number_text(value.number());
         break;
       case Kind::text: write_text(out_, value.text()); break;
       case Kind::array: write_array(value.items(), level); break;

@@ -26,6 +26,9 @@ double half_width(const ParameterDistribution& d) {
   return (d.summary.symmetric.upper - d.summary.symmetric.lower) / 2.0;
 }
 
+/// U of Annex A and of the GUM are for 95 %: an interval for another probability says nothing about them.
+bool comparable(double coverage) { return std::abs(coverage - 0.95) < 1e-9; }
+
 /// How the numbers of one row are written.
 struct RowStyle {
   const Options& options;
@@ -69,7 +72,7 @@ MethodRow row(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessme
   if (assessment.monte_carlo) {
     if (const auto& d = assessment.monte_carlo->distributions[index_of(parameter)]) {
       row.monte_carlo = shown(*d, style);
-      half = half_width(*d);
+      if (comparable(assessment.monte_carlo->coverage)) half = half_width(*d);
       see(d->summary.sd);
     }
   }
@@ -77,7 +80,7 @@ MethodRow row(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessme
     const Deviation U = gum->uncertainty.U;
     row.gum_U = shown_uncertainty(U, style.scale, style.options);
     if (half) row.gum_width = width_words(U.in_native(), *half, style.options);
-    if (!half) half = U.in_native();
+    if (!half && !row.monte_carlo) half = U.in_native();
     see(U.in_native());
   }
   if (const auto U = assessment.annex_a ? assessment.annex_a->U.*parameter.member : std::nullopt) {
@@ -281,6 +284,7 @@ std::optional<Leading> leading(std::span<const Contribution> all, std::size_t pa
   if (largest == all.end() || largest->u[parameter] <= 0.0) return std::nullopt;
   const double part = share(all, static_cast<std::size_t>(largest - all.begin()), parameter);
   const double u = standard_uncertainty(assessment, parameter);
+  if (u <= 0.0) return std::nullopt;
   return Leading{&*largest, part, u, u * std::sqrt(std::max(0.0, 1.0 - part))};
 }
 

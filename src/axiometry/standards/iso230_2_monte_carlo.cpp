@@ -11,6 +11,8 @@
 namespace axiometry::iso230_2 {
 namespace {
 
+constexpr std::size_t least_runs_of_t = 4;  // variance (n − 1)/(n − 3) s²/n
+
 constexpr std::string_view type_a_keys[] = {"pooled", "t-scaled", "resampled"};  // in the order of TypeA
 
 bool acts_as_noise(Effect effect) {
@@ -21,16 +23,33 @@ bool acts_as_noise(Effect effect) {
 /// What the scatter of the approaches holds.
 bool in_scatter(Effect effect) { return effect == Effect::reading || effect == Effect::run; }
 
+/// Whether a run drawn anew would leave a cell with fewer readings.
+bool resampling_would_lose_readings(const Series& series) {
+  for (std::size_t i = 0; i < series.target_count(); ++i)
+    for (Direction direction : {Direction::up, Direction::down})
+      if (const std::size_t count = series.count(i, direction); count > 0 && count < series.run_count()) return true;
+  return false;
+}
+
 /// What the method cannot treat.
-Result<void> check(const Series& series, const UncertaintyInputs& inputs, Measurand measurand) {
+Result<void> check(const Series& series, const UncertaintyInputs& inputs, TypeA type_a, Measurand measurand) {
   for (const UncertaintyInput& input : inputs.inputs)
-    if (acts_as_noise(input.effect) && !input.distribution.standard_deviation())
+    if (!input.distribution.standard_deviation())
       return fail(fmt::format("found the distribution \"{}\" of {}, expected one with a standard deviation",
                               input.distribution.text(), input.key));
-  if (measurand == Measurand::this_machine && series.run_count() < 2)
+  if (measurand != Measurand::this_machine) return {};
+  if (series.run_count() < 2)
     return fail(
         "found a single approach per direction, expected at least two where the uncertainty of this machine is "
         "wanted: its scatter cannot be known (6.2)");
+  if (type_a == TypeA::t_scaled && series.run_count() < least_runs_of_t)
+    return fail(fmt::format(
+        "found {} approaches per direction, expected at least {} for the t distribution to have a standard deviation; "
+        "'pooled' needs two",
+        series.run_count(), least_runs_of_t));
+  if (type_a == TypeA::resampled && resampling_would_lose_readings(series))
+    return fail(
+        "found missing readings, expected every run at every target where runs are resampled; 'pooled' needs none");
   return {};
 }
 
@@ -136,7 +155,7 @@ Result<std::optional<MonteCarlo>> monte_carlo(const Metadata& metadata, const Se
   const Measurand measurand = measurand_of(metadata);
   AXIOMETRY_TRY(const UncertaintyInputs inputs, uncertainty_inputs(metadata, series));
   if (inputs.inputs.empty() && measurand == Measurand::this_test) return std::nullopt;
-  AXIOMETRY_TRY_VOID(check(series, inputs, measurand));
+  AXIOMETRY_TRY_VOID(check(series, inputs, options.type_a, measurand));
   const SettledTrials model({series, inputs, {measurand, options.type_a, options.seed, true, std::nullopt}}, series,
                             evaluation);
   AXIOMETRY_TRY(auto result, uncertainty::propagate(std::ref(model), model.outputs().size(), options.propagation));

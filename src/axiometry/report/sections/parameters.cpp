@@ -83,8 +83,10 @@ RichText uncertainty_head(const iso230_2::Assessment& assessment, const Options&
     case UncertaintyShown::gum: return joined({italic("U"), plain(" (GUM)")});
     case UncertaintyShown::monte_carlo:
       return plain(fmt::format("{} interval (Monte Carlo)", shown_percent(assessment.monte_carlo->coverage, options)));
-    default: return joined({italic("U"), plain(" ("), italic("k"), plain(" = 2)")});
+    default: break;
   }
+  if (assessment.gum || assessment.monte_carlo) return joined({italic("U"), plain(" (Annex A)")});
+  return joined({italic("U"), plain(" ("), italic("k"), plain(" = 2)")});
 }
 
 TableCell uncertainty_cell(const ShownParameter& shown) {
