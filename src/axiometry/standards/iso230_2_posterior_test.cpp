@@ -153,5 +153,25 @@ TEST(ReadingPosterior, DrawsTheLongRunAboutWhatWasMeasured) {
   }
 }
 
+/// Nothing but the error of a target: where readings do not scatter, and where there is one alone.
+TEST(ReadingPosterior, KnowsNoScatterBesideErrorsOfTargets) {
+  const std::vector<double> targets = {0, 10, 20, 30, 40};
+  const std::vector<double> run = {1, 2, 2, 3, 1};
+  for (std::size_t count : {1, 3}) {
+    const std::vector<std::vector<double>> runs(count, run);
+    const Series series = testing_support::make_series(targets, runs, runs);
+    const ReadingPosterior posterior(series, {.target = 0.3});
+    constexpr std::size_t trials = 64;
+    std::vector<double> readings(2 * targets.size() * runs.size() * trials);
+    posterior.draw_readings({1, 0, 0}, {readings, trials});
+    double squares = 0.0;
+    for (double x : readings) {
+      ASSERT_TRUE(std::isfinite(x));
+      squares += x * x;
+    }
+    EXPECT_NEAR(squares / double(readings.size()), 19.0 / 5.0, 1.0);
+  }
+}
+
 }  // namespace
 }  // namespace axiometry::iso230_2
