@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "axiometry/numeric/moments.h"
+#include "axiometry/standards/alignment.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 // Streams of random numbers; inputs take one each, from first_of_inputs on.
 constexpr std::uint64_t of_posterior = 0;
 constexpr std::uint64_t of_sampling = of_posterior + ReadingPosterior::streams;
-constexpr std::uint64_t first_of_inputs = of_sampling + 1;
+constexpr std::uint64_t first_of_inputs = of_sampling + 1;  // and after them the errors of targets
 
 constexpr double per_um_per_m = 1e-3;  // µm of deviation per mm of position
 
@@ -48,15 +49,6 @@ double cosine_error(double theta_deg) {
   return -2e6 * s * s;
 }
 
-/// Its mean, to the fourth order: −E[θ²]/2 + E[θ⁴]/24 with E[θ⁴] of a uniform distribution about zero, 9/5 σ⁴.
-/// For θ below 10° within 1e-4 of it.
-double mean_cosine_error(const uncertainty::Distribution& theta_deg) {
-  const double to_rad = std::numbers::pi / 180.0;
-  const double mean = theta_deg.mean() * to_rad;
-  const double variance = std::pow(theta_deg.standard_deviation().value_or(0.0) * to_rad, 2);
-  return 1e6 * (-0.5 * (mean * mean + variance) + 1.8 / 24.0 * variance * variance);
-}
-
 }  // namespace
 
 TrialModel::TrialModel(const Series& series, const UncertaintyInputs& inputs, const TrialModelOptions& options)
@@ -88,11 +80,11 @@ void TrialModel::find_length_errors() {
     return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
   };
   for (std::size_t k = 0; k < all.size(); ++k) {
-    LengthError error{all[k].effect, k, std::nullopt};
+    LengthError error{all[k].effect, k, std::nullopt, 0.0};
     switch (error.effect) {
       case Effect::machine_expansion: error.temperature = find(Effect::machine_temperature); break;
       case Effect::device_expansion: error.temperature = find(Effect::device_temperature); break;
-      case Effect::alignment: break;
+      case Effect::alignment: error.mean_cosine = alignment_moments(all[k].distribution).mean; break;
       case Effect::scale: break;
       default: continue;
     }
@@ -110,8 +102,9 @@ std::vector<double> TrialModel::draw(const LengthError& error, std::uint64_t pla
     const double dT_estimate = inputs_.inputs[*error.temperature].distribution.mean();
     for (std::size_t t = 0; t < chunk; ++t) values[t] = expansion_error(values[t], dT[t], own.mean(), dT_estimate);
   } else if (error.effect == Effect::alignment) {
-    const double mean = mean_cosine_error(own);
-    for (double& value : values) value = cosine_error(value) - mean;
+    // Its estimate is the mean cosine, not the cosine of the mean.
+    const bool varied = !options_.only_input || *options_.only_input == error.input;
+    for (double& value : values) value = varied ? cosine_error(value) - error.mean_cosine : 0.0;
   }
   return values;
 }
@@ -128,7 +121,8 @@ std::vector<double> TrialModel::length_errors(std::uint64_t place) const {
 
 /// Each cell for itself: σ² + u² from χ², μ from the normal distribution that follows (together Student's t).
 void TrialModel::draw_t_scaled(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> sds) const {
-  const double noise_variance = std::pow(noise_of(inputs_, options_).reading, 2);
+  const ReadingNoise noise = noise_of(inputs_, options_);
+  const double noise_variance = std::pow(noise.reading, 2) + std::pow(noise.run, 2);
   std::vector<double> normals(chunk * (series_.run_count() + 1));
   for (std::size_t c = 0; c < 2 * series_.target_count(); ++c) {
     const auto direction = static_cast<Direction>(c / series_.target_count());
@@ -175,6 +169,26 @@ void TrialModel::add_length_errors(std::uint64_t place, std::size_t rows_per_cel
   }
 }
 
+/// The errors of single targets, where no posterior has taken them out of the readings: rows of one cell move alike.
+void TrialModel::add_target_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const {
+  const ReadingNoise noise = noise_of(inputs_, options_);
+  if (noise.target == 0.0 && noise.target_direction == 0.0) return;
+  const std::size_t targets = series_.target_count();
+  const double r = noise.up_down_correlation;
+  const double own = std::hypot(std::sqrt(1.0 - std::abs(r)) * noise.target, noise.target_direction);
+  std::vector<double> normals(3 * targets * chunk);  // rows: what both directions share, then what each has of its own
+  numeric::fill_normal({options_.seed, first_of_inputs + inputs_.inputs.size(), place}, normals);
+  for (std::size_t c = 0; c < 2 * targets; ++c) {
+    const double shared = std::sqrt(std::abs(r)) * noise.target * (c >= targets && r < 0.0 ? -1.0 : 1.0);
+    const auto z_shared = std::span(normals).subspan(c % targets * chunk, chunk);
+    const auto z_own = std::span(normals).subspan((targets + c) * chunk, chunk);
+    for (std::size_t k = 0; k < rows_per_cell; ++k) {
+      const auto row = rows.row(c * rows_per_cell + k, chunk);
+      for (std::size_t t = 0; t < chunk; ++t) row[t] += shared * z_shared[t] + own * z_own[t];
+    }
+  }
+}
+
 void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const {
   const bool long_run = options_.sampling && options_.measurand == Measurand::this_machine;
   const numeric::RandomKey posterior_key{options_.seed, of_posterior, place};
@@ -185,6 +199,7 @@ void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) 
       posterior_.draw_long_run(posterior_key, mean_rows, estimator_rows);
     } else {
       draw_t_scaled(place, mean_rows, estimator_rows);
+      add_target_errors(place, 1, mean_rows);
     }
     add_length_errors(place, 1, mean_rows);
     evaluate_batch(layout_, CellMoments<double>{{means, chunk}, {estimators, chunk}}, chunk, outputs);
@@ -194,6 +209,7 @@ void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) 
   const numeric::Rows<double> rows{readings, chunk};
   if (long_run) {
     draw_resampled(place, rows);
+    add_target_errors(place, series_.run_count(), rows);
   } else {
     posterior_.draw_readings(posterior_key, rows);
   }

@@ -46,6 +46,7 @@ class TrialModel {
     Effect effect = Effect::scale;
     std::size_t input = 0;                   ///< of UncertaintyInputs; α where there are two
     std::optional<std::size_t> temperature;  ///< ΔT
+    double mean_cosine = 0.0;                ///< of the alignment: E cos θ − 1, µm/m
   };
 
   void find_length_errors();
@@ -53,6 +54,7 @@ class TrialModel {
   std::vector<double> draw(const LengthError& error, std::uint64_t place) const;
   std::vector<double> length_errors(std::uint64_t place) const;
   void add_length_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
+  void add_target_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
   void draw_t_scaled(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> sds) const;
   void draw_resampled(std::uint64_t place, numeric::Rows<double> readings) const;
   void draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const;
