@@ -212,8 +212,7 @@ void note_noise(GumUncertainty& result, const GumModel& model, const Evaluation&
   for (const PositionResult& p : evaluation.positions)
     for (const auto& s : {p.s_up, p.s_down}) largest = std::max(largest, s ? s->in_native() : 0.0);
   if (model.measurand == Measurand::this_machine) {
-    if (noise > 0.0)
-      result.notes.push_back("The known noise of readings and runs is part of the scatter and not counted again");
+    if (noise > 0.0) result.notes.emplace_back(scatter_note);
   } else if (noise > 0.5 * largest && largest > 0.0) {
     result.notes.push_back(
         fmt::format("The known noise of a reading (u = {:.2g}) is not small against the scatter (s up to {:.2g}): to "
@@ -238,13 +237,10 @@ void add_notes(GumUncertainty& result, const GumModel& model, const Evaluation& 
                                           [](const PositionResult& p) { return p.count_up == 1 || p.count_down == 1; });
   if (model.measurand == Measurand::this_machine && single)
     result.notes.push_back("A single approach has no scatter: there the known noise counts alone");
-  std::string without;
+  std::vector<std::string_view> without;
   for (const ParameterInfo& info : parameters)
-    if (evaluation.parameters.*info.member && result.find(info.key) == nullptr)
-      without += fmt::format("{}{}", without.empty() ? "" : ", ", info.symbol);
-  if (!without.empty())
-    result.notes.push_back(
-        fmt::format("No given input acts on {}: an uncertainty is not stated, rather than 0", without));
+    if (evaluation.parameters.*info.member && result.find(info.key) == nullptr) without.push_back(info.symbol);
+  if (!without.empty()) result.notes.push_back(no_claim_note(without));
   if (std::ranges::any_of(result.parameters,
                           [](const auto& p) { return p.uncertainty.coverage == Coverage::correlated; }))
     result.notes.push_back("Some sources are correlated: effective degrees of freedom are not defined, and k = 2");

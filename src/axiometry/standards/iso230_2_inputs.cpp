@@ -161,6 +161,11 @@ Result<UncertaintyInputs> uncertainty_inputs(const Metadata& metadata, const Ser
   return result;
 }
 
+std::string no_claim_note(std::span<const std::string_view> symbols) {
+  return fmt::format("No given input acts on {}: an uncertainty is not stated, rather than 0",
+                     fmt::join(symbols, ", "));
+}
+
 Measurand measurand_of(const Metadata& metadata) { return metadata.gum.measurand.value_or(Measurand::this_test); }
 
 std::string_view measurand_key(Measurand measurand) {

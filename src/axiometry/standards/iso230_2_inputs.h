@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,6 +78,13 @@ struct UncertaintyInputs {
 /// input (limits: |mean| + 10 sd up to 1 000 µm/(m·°C), 200 °C, 90°; 1e9 for others), on one given twice, and on a
 /// correlation outside −1 to 1.
 Result<UncertaintyInputs> uncertainty_inputs(const Metadata& metadata, const Series& series);
+
+/// Said of parameters, by their symbols, on which nothing that is known acts.
+std::string no_claim_note(std::span<const std::string_view> symbols);
+
+/// Said of known noise where the scatter of the approaches counts (this_machine).
+inline constexpr std::string_view scatter_note =
+    "The known noise of readings and runs is part of the scatter and not counted again";
 
 /// Which of two questions the uncertainty answers (model/metadata.h).
 using axiometry::Measurand;

@@ -40,7 +40,8 @@ struct MonteCarloOptions {
 };
 
 /// What an input, alone, contributes to the standard uncertainty of each parameter, the others at their
-/// estimates. Squares add up to u² only where the model is linear and the inputs are independent.
+/// estimates. Squares add up to u² only where the model is linear and the inputs are independent. For this_machine the
+/// noise of readings and runs is part of the sampling, and 0 here.
 struct Contribution {
   std::string key;  ///< of the input, or "sampling"
   std::string title;
@@ -62,9 +63,9 @@ struct MonteCarlo {
   bool adaptive = false;
   bool stable = false;  ///< every numerical tolerance is met (JCGM 101, 7.9)
   double coverage = 0.95;
-  std::array<std::optional<ParameterDistribution>, std::size(parameters)>
-      distributions;  ///< in the order of `parameters`; absent where it
-                      ///< does not exist or no input acts on it
+  /// In the order of `parameters`. Absent where the parameter does not exist, and where nothing that is known acts on
+  /// it: ±0 would be a false claim, as in iso230_2_gum.h.
+  std::array<std::optional<ParameterDistribution>, std::size(parameters)> distributions;
   std::vector<UncertaintyInput> inputs;
   std::vector<Contribution> contributions;
   std::vector<std::string> notes;

@@ -15,7 +15,7 @@ namespace {
 namespace table2 = testing_support::table2;
 using uncertainty::Distribution;
 
-constexpr std::size_t A = 0, E = 3, R_up = 8, B = 10;
+constexpr std::size_t A = 0, E = 3, R = 7, R_up = 8, B = 10;
 
 UncertaintyInput input(Effect effect, uncertainty::Distribution::Form form) {
   return {"x", "x", "x", "", effect, *Distribution::make(std::move(form)), "", ""};
@@ -57,9 +57,27 @@ TEST(PositioningMonteCarlo, PropagatesAScaleErrorAsItIs) {
   EXPECT_NEAR(M.value, evaluate(series).parameters.M->in_native(), 1e-12);
   EXPECT_GT(M.summary.sd, 1.0);
   EXPECT_LT(M.summary.sd, 2.0 * 1.75);
-  // B and the repeatabilities do not feel it: nothing is claimed about them.
-  EXPECT_FALSE(result.distributions[B]);
-  EXPECT_FALSE(result.distributions[R_up]);
+}
+
+/// A scale error has no part in B and R. What rounding makes of them is no uncertainty that a verdict could rest on.
+TEST(PositioningMonteCarlo, ClaimsNothingAboutParametersThatNoInputActsOn) {
+  const Series series = table2::series();
+  const MonteCarlo result = run(with_inputs({{"scale:laser", "normal 0 2"}}), series, options(20000));
+  for (std::size_t k : {R, R_up, B}) EXPECT_FALSE(result.distributions[k]) << parameters[k].key;
+  EXPECT_THAT(result.notes, testing::Contains(testing::HasSubstr("No given input acts on R, R↑, R↓, B, B̄")));
+  for (double u : {result.contributions[0].u[R], result.contributions[0].u[B]}) EXPECT_EQ(u, 0.0);
+}
+
+/// Before, rounding of B and R alone kept an adaptive run going to its last trial.
+TEST(PositioningMonteCarlo, StopsWhereOnlyRoundingIsNotStable) {
+  const Series series = table2::series();
+  MonteCarloOptions adaptive = options(0);
+  adaptive.propagation.trials.reset();
+  adaptive.propagation.trials_max = 400'000;
+  adaptive.propagation.digits = 1;
+  const MonteCarlo result = run(with_inputs({{"scale:laser", "normal 0 2"}}), series, adaptive);
+  EXPECT_TRUE(result.stable);
+  EXPECT_LT(result.trials, 400'000u);
 }
 
 TEST(PositioningMonteCarlo, IsTheSameToTheBitOnAnyNumberOfThreads) {
@@ -103,7 +121,7 @@ TEST(PositioningMonteCarlo, LetsDirectionsDifferWhereTheyAreNotCorrelated) {
     const auto of_B = run(metadata, series, options(5000)).distributions[B];
     return of_B ? of_B->summary.sd : 0.0;
   };
-  EXPECT_NEAR(u_of_B(1.0), 0.0, 1e-9);
+  EXPECT_EQ(u_of_B(1.0), 0.0);
   EXPECT_GT(u_of_B(0.0), 0.3);
   EXPECT_GT(u_of_B(-1.0), u_of_B(0.0));
 }
@@ -137,6 +155,38 @@ TEST(PositioningMonteCarlo, ResamplesWholeRuns) {
   EXPECT_GT(result.distributions[R_up]->summary.sd, 0.1);
 }
 
+/// u² of the difference of two targets' means: 2 u² on top of Student's own.
+TEST(PositioningMonteCarlo, KeepsErrorsOfTargetsInEveryWayOfSampling) {
+  const Series series = testing_support::make_series(
+      {0, 100}, {{0, 1000}, {1, 1001}, {2, 1003}, {3, 1003}, {4, 1003}, {5, 1005}, {6, 1006}}, {});
+  for (TypeA type_a : {TypeA::pooled, TypeA::t_scaled, TypeA::resampled}) {
+    MonteCarloOptions chosen = options(50000);
+    chosen.type_a = type_a;
+    const auto variance_of = [&](const Metadata& metadata) {
+      return std::pow(run(metadata, series, chosen).distributions[4]->summary.sd, 2);  // E↑
+    };
+    Metadata none;
+    none.gum.measurand = Measurand::this_machine;
+    for (std::string_view key : {"target", "target_direction"}) {
+      Metadata metadata = with_inputs({{std::string(key), "normal 0 3"}});
+      metadata.gum.measurand = Measurand::this_machine;
+      EXPECT_NEAR(variance_of(metadata), variance_of(none) + 2 * 9.0, 0.6) << type_a_key(type_a) << " " << key;
+    }
+  }
+}
+
+/// Where only a scale error varies, the angle stays at its estimate and moves nothing.
+TEST(PositioningMonteCarlo, KeepsTheAlignmentAtItsEstimateWhereAnotherInputVaries) {
+  const Series series = table2::series();
+  UncertaintyInputs inputs;
+  inputs.inputs.push_back(input(Effect::alignment, uncertainty::Uniform{-1.0, 1.0}));
+  inputs.inputs.push_back(input(Effect::scale, uncertainty::Constant{0.0}));
+  const TrialModel model(series, inputs, {Measurand::this_test, TypeA::pooled, 1, true, 1});
+  std::vector<double> outputs(std::size(parameters) * 100);
+  model(0, {outputs, 100});
+  EXPECT_NEAR(outputs[0], evaluate(series).parameters.A->in_native(), 1e-9);
+}
+
 TEST(PositioningMonteCarlo, ContributionsNameEveryInput) {
   const Series series = table2::series();
   Metadata metadata = with_inputs({{"reading", "normal 0 0.3"}, {"scale:laser", "normal 0 2"}});
@@ -145,6 +195,9 @@ TEST(PositioningMonteCarlo, ContributionsNameEveryInput) {
   ASSERT_EQ(result.contributions.size(), 3u);
   EXPECT_EQ(result.contributions.back().key, "sampling");
   EXPECT_GT(result.contributions.back().u[R_up], 0.0);
+  // The noise is in the scatter, which sampling counts.
+  EXPECT_EQ(result.contributions.front().u[R_up], 0.0);
+  EXPECT_THAT(result.notes, testing::Contains(std::string(scatter_note)));
 }
 
 TEST(PositioningMonteCarlo, RefusesThisMachineForASingleApproach) {
