@@ -69,7 +69,7 @@ ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noi
   find_curves(series);
 }
 
-/// Departure of each run, and the means without it: the additive model x̄_c + q_j, by alternating means. Without missing
+/// Departure of each run, and the means without it: the additive model x̄_c + q_j by alternating means. Without missing
 /// readings the first sweep is exact; with them each sweep leaves about the missing share of the error.
 void ReadingPosterior::find_run_shifts() {
   run_shifts_.assign(runs_, 0.0);
