@@ -4,12 +4,13 @@
 
 Usage: docs/studies/coverage.py PROGRAM [options]
 
-  --setting NAME    one setting (may be repeated); all when not given
+  --setting NAME    one setting (may be repeated); all but the population when not given
   --measurand WORD  this-test, this-machine; both when not given
   --tests N         simulated tests in each (10000)
   --trials N        of each Monte Carlo run (2000)
   --methods         the other methods instead
   --check           exits 1 where the mean coverage is off by more than chance and the width of --within (0.015)
+  --write           puts the tables into coverage.md
   --list            names of the settings
 
 Simulates tests of machines whose truth is known, writes their readings to a file, has the program evaluate it as a
@@ -21,6 +22,7 @@ import csv
 import dataclasses
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -30,6 +32,7 @@ import numpy as np
 
 import clause3
 
+DOCUMENT = pathlib.Path(__file__).with_name("coverage.md")
 SEED = 230_2
 TRAVEL = (50.0, 950.0)  # mm
 
@@ -261,9 +264,30 @@ def header(first):
     return "| " + " | ".join(names) + " |\n" + "|---" * len(names) + "|"
 
 
+class Table:
+    """Printed row by row, since a row may take a minute; then put into the document where asked for."""
+
+    def __init__(self, name, first):
+        self.name = name
+        self.lines = [header(first)]
+        print(f"\n{name}\n\n{self.lines[0]}", flush=True)
+
+    def add(self, line):
+        self.lines.append(line)
+        print(line, flush=True)
+
+    def write(self):
+        marks = rf"(<!-- results: {self.name} -->\n).*?(<!-- end -->)"
+        body = "\n".join(self.lines) + "\n"
+        text, count = re.subn(marks, lambda m: m.group(1) + body + m.group(2), DOCUMENT.read_text(encoding="utf-8"),
+                              flags=re.S)
+        assert count == 1, self.name
+        DOCUMENT.write_text(text, encoding="utf-8")
+
+
 def compare_methods(options):
     for measurand in options.measurand:
-        print(f"\n{measurand}\n\n{header('method')}", flush=True)
+        table = Table(f"methods {measurand}", "method")
         for ratio in (0.5, 1, 2, 4):
             groups = groups_of(f"s/u = {ratio:g}", options.tests)
             methods = {"Annex A": lambda: annex_a(groups, measurand)}
@@ -271,26 +295,31 @@ def compare_methods(options):
                 methods["noise added again"] = lambda: naive(groups, np.random.default_rng(SEED))
             else:
                 for key in ("t-scaled", "resampled"):
-                    methods[key] = lambda: coverage_of(options.program, groups, measurand, options.trials,
-                                                       ["--type-a", key])
+                    methods[key] = lambda key=key: coverage_of(options.program, groups, measurand, options.trials,
+                                                               ["--type-a", key])
             methods["this program"] = lambda: coverage_of(options.program, groups, measurand, options.trials)
             for name, method in methods.items():
-                print(row(f"{name}, s/u = {ratio:g}", percentages(method())), flush=True)
+                table.add(row(f"{name}, s/u = {ratio:g}", percentages(method())))
+        if options.write:
+            table.write()
 
 
 def study(options):
+    names = options.setting or [name for name in settings() if name != "population"]
     faults = 0
     for measurand in options.measurand:
-        print(f"\n{measurand}\n\n{header('setting')}", flush=True)
-        for name in options.setting or settings():
+        table = Table(f"population {measurand}" if names == ["population"] else measurand, "setting")
+        for name in names:
             groups = groups_of(name, options.tests)
             if measurand == "this-machine" and groups[0].readings.shape[-1] == 1:
                 continue  # the scatter of a machine cannot be known from one approach
             shown = percentages(coverage_of(options.program, groups, measurand, options.trials))
-            print(row(name, shown), flush=True)
+            table.add(row(name, shown))
             known = [p for p in shown if p is not None]
             allowed = 100 * (options.within + 4 * math.sqrt(0.95 * 0.05 / options.tests))
             faults += any(abs(p - 95) > allowed for p in known)
+        if options.write:
+            table.write()
     return 1 if options.check and faults else 0
 
 
@@ -304,6 +333,7 @@ def main():
     parser.add_argument("--within", type=float, default=0.015)
     parser.add_argument("--methods", action="store_true")
     parser.add_argument("--check", action="store_true")
+    parser.add_argument("--write", action="store_true")
     parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
     options.measurand = options.measurand or ["this-test", "this-machine"]

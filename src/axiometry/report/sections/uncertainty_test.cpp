@@ -154,8 +154,8 @@ TEST(UncertaintySections, GiveTheTablesOfTheGumAtEveryTarget) {
   EXPECT_THAT(groups(all.back()), ElementsAre("Target", "x̄i↑", "x̄i↓", "x̄i"));
 }
 
-TEST(ParameterTable, NamesTheMethodOfItsUncertaintyWhereItIsNotAnnexA) {
-  EXPECT_THAT(heads(tables(section(composed(with(gum | monte_carlo)), "parameters")).at(0)), Contains("U (k = 2)"));
+TEST(ParameterTable, NamesTheMethodOfItsUncertaintyWhereThereAreSeveral) {
+  EXPECT_THAT(heads(tables(section(composed(with(gum | monte_carlo)), "parameters")).at(0)), Contains("U (Annex A)"));
   Reported other = with(gum | monte_carlo);
   other.assessment.annex_a.reset();
   EXPECT_THAT(heads(tables(section(composed(other), "parameters")).at(0)), Contains("U (GUM)"));
