@@ -86,7 +86,8 @@ TEST(MethodValues, CompareAnnexAWithHalfTheSymmetricInterval) {
 TEST(MethodValues, CompareAnnexAWithTheGumWhereThereIsNoMonteCarlo) {
   Reported table2 = reported_table2();
   table2.assessment.gum = iso230_2::gum(table2.test.metadata, table2.test.series, table2.assessment.evaluation).value();
-  const MethodRow& a = row(rows(table2), "A");
+  const auto all = rows(table2);
+  const MethodRow& a = row(all, "A");
   EXPECT_FALSE(a.monte_carlo);
   EXPECT_NE(a.annex_a_width, "");
   EXPECT_EQ(a.gum_width, "");
