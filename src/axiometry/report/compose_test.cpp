@@ -9,6 +9,7 @@
 #include <set>
 
 #include "axiometry/model/fields.h"
+#include "tests/support/document_parts.h"
 #include "tests/support/report_subject.h"
 
 namespace axiometry::report {
@@ -25,28 +26,12 @@ using testing_support::Reported;
 using testing_support::reported;
 using testing_support::reported_table2;
 using testing_support::reported_without_metadata;
+using testing_support::section;
+using testing_support::section_ids;
+using testing_support::tables;
 using testing_support::tolerance;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-std::vector<std::string> section_ids(const Document& document) {
-  std::vector<std::string> ids;
-  for (const Section& section : document.sections) ids.push_back(section.id);
-  return ids;
-}
-
-const Section& section(const Document& document, std::string_view id) {
-  for (const Section& candidate : document.sections)
-    if (candidate.id == id) return candidate;
-  throw std::logic_error("no such section");
-}
-
-std::vector<Table> tables(const Section& section) {
-  std::vector<Table> all;
-  for (const Block& block : section.blocks)
-    if (const auto* table = std::get_if<Table>(&block)) all.push_back(*table);
-  return all;
-}
 
 std::vector<std::string> row_text(const std::vector<TableCell>& row) {
   std::vector<std::string> cells;

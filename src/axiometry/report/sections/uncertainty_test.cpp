@@ -4,6 +4,7 @@
 
 #include "axiometry/report/compose.h"
 #include "axiometry/report/sections/sections.h"
+#include "tests/support/document_parts.h"
 #include "tests/support/made_up_monte_carlo.h"
 #include "tests/support/report_subject.h"
 
@@ -19,6 +20,9 @@ using ::testing::Not;
 using testing_support::made_up_monte_carlo;
 using testing_support::Reported;
 using testing_support::reported_table2;
+using testing_support::section;
+using testing_support::section_ids;
+using testing_support::tables;
 
 enum Methods { gum = 1, monte_carlo = 2 };
 
@@ -31,25 +35,6 @@ Reported with(int methods, Reported reported = reported_table2()) {
 }
 
 Document composed(const Reported& reported) { return compose(reported.subject(), reported.options); }
-
-std::vector<std::string> section_ids(const Document& document) {
-  std::vector<std::string> ids;
-  for (const Section& section : document.sections) ids.push_back(section.id);
-  return ids;
-}
-
-const Section& section(const Document& document, std::string_view id) {
-  for (const Section& candidate : document.sections)
-    if (candidate.id == id) return candidate;
-  throw std::logic_error("no such section");
-}
-
-std::vector<Table> tables(const Section& section) {
-  std::vector<Table> all;
-  for (const Block& block : section.blocks)
-    if (const auto* table = std::get_if<Table>(&block)) all.push_back(*table);
-  return all;
-}
 
 std::vector<std::string> heads(const Table& table) {
   std::vector<std::string> all;
