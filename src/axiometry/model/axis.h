@@ -65,6 +65,7 @@ struct Axis {
   std::optional<ExpansionCoefficient> scale_expansion;
   std::string compensation;                 ///< built-in compensation during the test; "none" is an answer
   std::vector<double> compensation_points;  ///< sampling points (3.28), mm or °
+  std::optional<Position> expected_period;  ///< of a periodic error (5.2, Annex C): pitch of screw or scale, mm or °
 };
 
 }  // namespace axiometry

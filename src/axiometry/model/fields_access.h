@@ -24,6 +24,7 @@ struct InUnit {
   double (T::*read)() const;
 };
 
+inline constexpr InUnit<Length> nm{&Length::nm, &Length::in_nm};
 inline constexpr InUnit<Length> mm{&Length::mm, &Length::in_mm};
 inline constexpr InUnit<Temperature> celsius{&Temperature::celsius, &Temperature::in_celsius};
 inline constexpr InUnit<TemperatureDifference> kelvin{&TemperatureDifference::kelvin,

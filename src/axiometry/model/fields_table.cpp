@@ -13,7 +13,7 @@ using Wanted = Field::Wanted;
 
 constexpr std::string_view kind_words[] = {"linear", "rotary"};
 constexpr std::string_view rule_words[] = {"simple", "iso14253-1", "guard-band"};
-constexpr std::string_view cycle_words[] = {"standard", "step", "pilgrim", "unidirectional"};
+constexpr std::string_view cycle_words[] = {"standard", "step", "pilgrim", "unidirectional", "user-defined"};
 constexpr std::string_view measurand_words[] = {"this-test", "this-machine"};
 
 constexpr RecordColumn equipment_columns[] = {
@@ -99,6 +99,14 @@ using TestText = TextAt<&Metadata::conditions, Member>;
 template <auto Member, const auto& Unit>
 using AirQuantity = QuantityAt<&Metadata::environment, Member, Unit>;
 template <auto Member, const auto& Unit>
+using InstrumentQuantity = QuantityAt<&Metadata::instrument, Member, Unit>;
+template <auto Member, typename T>
+using InstrumentPlain = PlainAccess<At<&Metadata::instrument, Member>, T>;
+template <auto Member>
+using ArtefactText = TextAt<&Metadata::artefact, Member>;
+template <auto Member, const auto& Unit>
+using ArtefactQuantity = QuantityAt<&Metadata::artefact, Member, Unit>;
+template <auto Member, const auto& Unit>
 using AnnexAQuantity = QuantityAt<&Metadata::uncertainty, Member, Unit>;
 template <auto Member, const auto& Unit>
 using GumQuantity = QuantityAt<&Metadata::gum, Member, Unit>;
@@ -150,9 +158,12 @@ constexpr std::array fields = {
     numbers_field<NumbersAccess<At<&Metadata::axis, &Axis::compensation_points>>>(
         "axis.compensation_points", "Sampling points of the compensation", "mm", "°", "5.2", Wanted::no,
         "Positions of the compensation table, which the targets must not repeat."),
+    number_field<QuantityAt<&Metadata::axis, &Axis::expected_period, position>>(
+        "axis.expected_period", "Expected period of a periodic error", "mm", "°", "5.2", Wanted::no, 0, any,
+        "Pitch of the screw or of the scale, when known."),
     choice_field<ChoiceAccess<At<&Metadata::conditions, &Conditions::cycle>, cycle_words>>(
         "test.cycle", "Test cycle", "5.3.2", cycle_words,
-        "Standard test cycle (Figure 1), step cycle (Annex B), pilgrim or unidirectional."),
+        "Standard test cycle (Figure 1), step cycle (Annex B), pilgrim, unidirectional or user-defined."),
     number_field<PlainAccess<At<&Metadata::conditions, &Conditions::feed>, double>>(
         "test.feed", "Feed speed", "mm/min", "°/min", "8.1", Wanted::always, 0, 1e7, "Feed speed between targets."),
     number_field<QuantityAt<&Metadata::conditions, &Conditions::dwell, seconds>>(
@@ -220,6 +231,53 @@ constexpr std::array fields = {
     number_field<AirQuantity<&Environment::air_humidity_end, percent>>("environment.air_humidity_end_percent",
                                                                        "Air humidity at the end", "%", "%", "8.1",
                                                                        Wanted::linear, 0, 100, "Near the laser beam."),
+    number_field<InstrumentQuantity<&InstrumentSettings::vacuum_wavelength, nm>>(
+        "instrument.vacuum_wavelength_nm", "Vacuum wavelength", "nm", "nm", "", Wanted::no, 100, 20000,
+        "Of the laser, for the correction of readings for the refractive index of air; 632.9909 when not given."),
+    number_field<InstrumentPlain<&InstrumentSettings::refractive_index, double>>(
+        "instrument.refractive_index", "Refractive index assumed by the instrument", "", "", "", Wanted::no, 1, 1.01,
+        "1 when the instrument shows lengths in vacuum wavelengths; wanted for the correction for the air."),
+    number_field<InstrumentQuantity<&InstrumentSettings::dead_path, mm>>(
+        "instrument.dead_path_mm", "Dead path", "mm", "mm", "", Wanted::no, -any, any,
+        "Distance between the fixed and the moving optics at the datum that the instrument does not compensate."),
+    number_field<InstrumentPlain<&InstrumentSettings::air_co2_ppm, double>>(
+        "instrument.air_co2_ppm", "Carbon dioxide in the air", "ppm", "ppm", "", Wanted::no, 0, 20000,
+        "By volume; 450 when not given."),
+    number_field<InstrumentPlain<&InstrumentSettings::gain, double>>(
+        "instrument.gain", "Gain of the sensor", "", "", "", Wanted::no, -any, any,
+        "True change of position per change shown; applied to the readings only on request."),
+    Field{"instrument.sign_reversed",
+          "Sign reversed",
+          FieldType::boolean,
+          "",
+          "",
+          "",
+          Wanted::no,
+          0,
+          0,
+          {},
+          {},
+          "Whether the instrument counts up when the axis moves in the negative direction.",
+          &InstrumentPlain<&InstrumentSettings::sign_reversed, bool>::get,
+          &InstrumentPlain<&InstrumentSettings::sign_reversed, bool>::put},
+    text_field<ArtefactText<&Artefact::type>>("artefact.type", "Artefact", "Annex D", Wanted::no,
+                                              "Ball array or step gauge."),
+    text_field<ArtefactText<&Artefact::serial_number>>("artefact.serial_number", "Serial number of the artefact",
+                                                       "Annex D", Wanted::no, "Serial number of the artefact."),
+    text_field<ArtefactText<&Artefact::certificate>>("artefact.certificate", "Calibration certificate", "Annex D",
+                                                     Wanted::no, "Number and date of the certificate."),
+    numbers_field<NumbersAccess<At<&Metadata::artefact, &Artefact::calibrated_positions>>>(
+        "artefact.calibrated_positions", "Calibrated positions", "mm", "mm", "Annex D", Wanted::no,
+        "Of the balls or faces at 20 °C, one per target and in their order."),
+    number_field<ArtefactQuantity<&Artefact::calibration_uncertainty, deviation>>(
+        "artefact.calibration_uncertainty", "Calibration uncertainty of the artefact", "µm", "″", "Annex D", Wanted::no,
+        0, any, "U, k = 2, of every calibrated position."),
+    number_field<ArtefactQuantity<&Artefact::calibration_uncertainty_per_length, per_m>>(
+        "artefact.calibration_uncertainty_um_per_m", "Calibration uncertainty of the artefact, by length", "µm/m",
+        "µm/m", "Annex D", Wanted::no, 0, any, "U, k = 2, in proportion to the length."),
+    number_field<ArtefactQuantity<&Artefact::probing_uncertainty, deviation>>(
+        "artefact.probing_uncertainty", "Probing uncertainty", "µm", "″", "Annex D", Wanted::no, 0, any,
+        "U, k = 2, of one probing."),
     tolerance_field<&StatedTolerances::A>("tolerance.A", "Tolerance of A"),
     tolerance_field<&StatedTolerances::A_up>("tolerance.A_up", "Tolerance of A↑"),
     tolerance_field<&StatedTolerances::A_down>("tolerance.A_down", "Tolerance of A↓"),

@@ -20,7 +20,7 @@ FieldValue sample(const Field& field) {
   switch (field.type) {
     case FieldType::text: return std::string("some text");
     case FieldType::choice: return std::string(field.choices.back());
-    case FieldType::number: return field.maximum / 2;
+    case FieldType::number: return field.minimum + (field.maximum - field.minimum) / 4;
     case FieldType::boolean: return true;
     case FieldType::numbers: return std::vector<double>{0.5, 2.0};
     case FieldType::records: {

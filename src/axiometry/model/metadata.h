@@ -57,7 +57,29 @@ struct Environment {
   std::vector<TemperatureSensor> sensors;
 };
 
-enum class TestCycle { standard, step, pilgrim, unidirectional };
+/// What the correction of raw readings takes (standards/reading_correction.h): how the instrument got from what it
+/// counts to what it shows.
+struct InstrumentSettings {
+  std::optional<Length> vacuum_wavelength;
+  std::optional<double> refractive_index;  ///< of air that the instrument assumed; 1 when it shows lengths in vacuum
+  std::optional<Length> dead_path;         ///< between the fixed and the moving optics at the datum, uncompensated
+  std::optional<double> air_co2_ppm;       ///< carbon dioxide in the air, by volume
+  std::optional<double> gain;              ///< true change of length per change shown, of the sensor
+  std::optional<bool> sign_reversed;       ///< whether it counts up when the axis moves down
+};
+
+/// The artefact of Annex D, when one takes the place of the instrument.
+struct Artefact {
+  std::string type;  ///< "ball array", "step gauge"
+  std::string serial_number;
+  std::string certificate;
+  std::vector<double> calibrated_positions;                          ///< mm, one per target, in their order
+  std::optional<Deviation> calibration_uncertainty;                  ///< U, k = 2, of each position
+  std::optional<RelativeLength> calibration_uncertainty_per_length;  ///< U, k = 2, proportional to the length
+  std::optional<Deviation> probing_uncertainty;                      ///< U, k = 2, of one probing
+};
+
+enum class TestCycle { standard, step, pilgrim, unidirectional, user_defined };
 
 struct TestConditions {
   std::string date;
@@ -147,6 +169,8 @@ struct Metadata {
   std::vector<Equipment> equipment;
   NdeCorrection nde;
   Environment environment;
+  InstrumentSettings instrument;
+  Artefact artefact;
   StatedTolerances tolerance;
   AnnexAInputs uncertainty;
   GumInputs gum;

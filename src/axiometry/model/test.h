@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "axiometry/model/metadata.h"
 #include "axiometry/model/series.h"
@@ -26,12 +27,34 @@ struct AppliedExpansionCorrection {
   Deviation largest;
 };
 
+/// One correction that this program has applied to the readings, in words and figures that let it be done again.
+struct AppliedCorrection {
+  /// One input or intermediate result: "Refractive index of air", "1.000271 (Ciddor)".
+  struct Detail {
+    std::string name;
+    std::string value;
+  };
+  std::string id;     ///< "air", as asked for on the command line
+  std::string title;  ///< "Refractive index of air"
+  std::vector<Detail> details;
+  Deviation smallest;  ///< of what was added to single readings
+  Deviation largest;
+};
+
+/// What a reader must know about how a file was understood: it becomes a finding of the assessment.
+struct SourceRemark {
+  bool departs = false;  ///< such a test is none of ISO 230-2: "averages only"
+  std::string message;   ///< what was found and how it was taken; a sentence without full stop
+};
+
 /// Where a test's readings come from, so that a result can be traced to the byte.
 struct Provenance {
-  std::string file;    ///< name as the user gave it; "-" for the standard input
-  std::string sha256;  ///< of the source file's bytes, lower-case hexadecimal
-  std::string format;  ///< id of the format that read it, "csv-long"
-  std::optional<AppliedExpansionCorrection> expansion_correction{};  ///< what was done to the readings since
+  std::string file;                              ///< name as the user gave it; "-" for the standard input
+  std::string sha256;                            ///< of the source file's bytes, lower-case hexadecimal
+  std::string format;                            ///< id of the format that read it, "csv-long"
+  std::vector<SourceRemark> remarks{};           ///< of the reader
+  std::vector<AppliedCorrection> corrections{};  ///< what was done to the readings since, in this order, and then
+  std::optional<AppliedExpansionCorrection> expansion_correction{};
 };
 
 /// One positioning test: what was tested, how, and the readings. The readings are valid by
@@ -40,7 +63,10 @@ struct Test {
   Metadata metadata;
   Series series;
   Provenance provenance;
-  std::optional<Series> as_measured{};  ///< the readings before a correction by this program; never changed
+  std::optional<Series> as_measured{};  ///< the readings before any correction by this program; never changed
+  /// When each reading was taken, s since some beginning; dense as in Series::make_dense(), NaN where not known; empty
+  /// when no time is known.
+  std::vector<double> times_s{};
 };
 
 }  // namespace axiometry

@@ -108,6 +108,7 @@ struct Section {
 };
 
 struct Document {
+  std::string kind = "Test report";  ///< above the title, with the edition
   std::string title;
   std::string edition;         ///< "ISO 230-2:2014", or "Formulas of …" where the test departs from it
   std::vector<Fact> identity;  ///< axis, machine, date, … below the title

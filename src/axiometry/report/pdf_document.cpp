@@ -16,6 +16,13 @@ namespace axiometry::report::pdf {
 
 namespace {
 
+/// ASCII letters only, as the kinds of documents have.
+std::string upper_case(std::string text) {
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return text;
+}
+
 constexpr double body_size = 9.0;
 constexpr double first_page_top = 36.0;  // no running head above the title
 constexpr double fact_size = 8.5;
@@ -276,7 +283,8 @@ PageFlow set_document(const Document& document, const Typesetter& typesetter) {
   const Setter setter{typesetter, flow};
   place_rule(flow, margin_side, body_width, 3.0, accent);
   flow.advance(12.0);
-  place_row(flow, {{setter.text(strong("TEST REPORT · " + document.edition), 8.0, accent, body_width), margin_side}});
+  place_row(flow, {{setter.text(strong(upper_case(document.kind) + " · " + document.edition), 8.0, accent, body_width),
+                    margin_side}});
   flow.advance(4.0);
   place_row(flow, {{setter.text(strong(document.title), 17.0, ink, body_width), margin_side}});
   flow.advance(12.0);

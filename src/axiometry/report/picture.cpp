@@ -48,20 +48,35 @@ Text text(std::string_view line, Point at, double size, Colour colour, bool bold
           .degrees = 0.0};
 }
 
-Figure heading(const Subject& subject) {
+struct Heading {
+  std::string title;
+  std::string status;
+  std::string date;
+};
+
+Figure heading(const Heading& lines) {
   constexpr double date_room = 90.0;
   constexpr double title_size = 11.0;
-  const std::string line = subject_line(subject.test.metadata);
   Figure figure{.width = plot::plate_width, .height = 40.0, .title = {}, .description = {}, .operations = {}};
-  figure.operations.push_back(
-      text(plot::shortened(line, plot::plate_width - date_room, title_size), {0.0, 10.0}, title_size, black, true));
-  figure.operations.push_back(text(status_line(subject.assessment), {0.0, 22.0}, 8.0, grey, false));
-  Text date =
-      text(plot::shortened(subject.test.metadata.conditions.date, date_room, 8.0), {0.0, 10.0}, 8.0, grey, false);
+  figure.operations.push_back(text(plot::shortened(lines.title, plot::plate_width - date_room, title_size), {0.0, 10.0},
+                                   title_size, black, true));
+  figure.operations.push_back(text(lines.status, {0.0, 22.0}, 8.0, grey, false));
+  Text date = text(plot::shortened(lines.date, date_room, 8.0), {0.0, 10.0}, 8.0, grey, false);
   date.at.x = plot::plate_width;
   date.anchor = Anchor::end;
   if (!date.runs.front().text.empty()) figure.operations.push_back(date);
   return figure;
+}
+
+Figure on_paper(std::vector<Figure> parts, const Heading& lines) {
+  parts.insert(parts.begin(), heading(lines));
+  Figure page = stacked(parts);
+  const Path paper{.points = {{0, 0}, {page.width, 0}, {page.width, page.height}, {0, page.height}},
+                   .closed = true,
+                   .stroke = {.colour = white, .width = 0.0, .dashes = {}},
+                   .fill = white};
+  page.operations.insert(page.operations.begin(), paper);
+  return page;
 }
 
 }  // namespace
@@ -71,14 +86,17 @@ Figure picture(const Subject& subject, const Options& options) {
   if (auto conformity = conformity_figure(subject, options)) parts.push_back(*std::move(conformity));
   if (auto distributions = distribution_figure(subject, options)) parts.push_back(*std::move(distributions));
   if (auto contributions = contribution_figure(subject, options)) parts.push_back(*std::move(contributions));
-  parts.insert(parts.begin(), heading(subject));
-  Figure page = stacked(parts);
-  const Path paper{.points = {{0, 0}, {page.width, 0}, {page.width, page.height}, {0, page.height}},
-                   .closed = true,
-                   .stroke = {.colour = white, .width = 0.0, .dashes = {}},
-                   .fill = white};
-  page.operations.insert(page.operations.begin(), paper);
-  return page;
+  return on_paper(std::move(parts), {subject_line(subject.test.metadata), status_line(subject.assessment),
+                                     subject.test.metadata.conditions.date});
+}
+
+Figure picture(const Document& document) {
+  std::vector<Figure> parts;
+  for (const Section& section : document.sections)
+    for (const Block& block : section.blocks)
+      if (const auto* figure = std::get_if<Figure>(&block)) parts.push_back(*figure);
+  return on_paper(std::move(parts),
+                  {document.title, fmt::format("{} · {}", document.kind, document.edition), document.date});
 }
 
 }  // namespace axiometry::report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "axiometry/report/document.h"
 #include "axiometry/report/figure.h"
 #include "axiometry/report/report.h"
 
@@ -9,5 +10,8 @@ namespace axiometry::report {
 /// All figures of a subject as one picture on white, headed by what was tested and whether the result
 /// may be called an ISO 230-2 result: a picture travels without its report.
 Figure picture(const Subject& subject, const Options& options);
+
+/// The figures of a document in the same way.
+Figure picture(const Document& document);
 
 }  // namespace axiometry::report

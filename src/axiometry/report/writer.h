@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "axiometry/base/result.h"
+#include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
 
 namespace axiometry::report {
@@ -15,6 +16,10 @@ struct Writer {
   std::string_view extension;  ///< "html"
   std::string_view title;      ///< "Web page, self-contained, prints on A4"
   Result<std::string> (*write)(const Subject& subject, const Options& options);  ///< the whole file's bytes
+
+  /// The same of a document that is not the report of a test: a plan's sheet, a periodic error. Pages are set whole;
+  /// pictures show the document's figures; CSV holds its tables, each with its head, parted by blank lines.
+  Result<std::string> (*set)(const Document& document, const Options& options);
 };
 
 std::span<const Writer* const> writer_table();  ///< generated

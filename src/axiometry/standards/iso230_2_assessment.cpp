@@ -3,17 +3,14 @@
 
 #include <algorithm>
 
+#include "axiometry/model/plan.h"
+
 namespace axiometry::iso230_2 {
 namespace {
 
 /// Results of another cycle than the standard one never stand without saying so (1, Annex B).
 std::string_view label_of(const Metadata& metadata, const Series& series) {
-  switch (metadata.conditions.cycle) {
-    case TestCycle::step: return "step cycle (Annex B), not for acceptance";
-    case TestCycle::pilgrim: return "pilgrim cycle, not for acceptance";
-    case TestCycle::unidirectional: return "unidirectional cycle, not for acceptance";
-    case TestCycle::standard: break;
-  }
+  if (const std::string_view label = cycle_label(metadata.conditions.cycle); !label.empty()) return label;
   const bool both = series.has(Direction::up) && series.has(Direction::down);
   return both ? "" : "one direction of approach only, not for acceptance";
 }

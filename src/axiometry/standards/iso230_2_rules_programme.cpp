@@ -202,6 +202,9 @@ std::optional<Finding> cycle_declared_otherwise(const Case& c) {
     case TestCycle::pilgrim:
       return departure(programme_clause(c.programme),
                        "found the pilgrim cycle, expected the standard test cycle (Figure 1)");
+    case TestCycle::user_defined:
+      return departure(programme_clause(c.programme),
+                       "found a user-defined cycle, expected the standard test cycle (Figure 1)");
     case TestCycle::unidirectional:
       if (!both) return std::nullopt;  // directions_of_approach speaks
       return departure(programme_clause(c.programme),

@@ -25,6 +25,8 @@ constexpr Group groups[] = {
     {"nde", "Correction for nominal differential expansion (NDE)"},
     {"sensors", "Temperature sensors"},
     {"environment", "Air near the measurement line"},
+    {"instrument", "Settings of the instrument"},
+    {"artefact", "Calibrated artefact"},
 };
 /// Groups that have sections of their own.
 constexpr std::string_view shown_elsewhere[] = {"uncertainty", "tolerance"};

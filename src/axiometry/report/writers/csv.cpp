@@ -164,9 +164,40 @@ Result<std::string> write(const Subject& subject, const Options& options) {
   return csv.take();
 }
 
+void append_row(std::string& out, std::span<const std::string> cells, char separator) {
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (k > 0) out += separator;
+    out += text::csv_cell(text::no_formula(cells[k]), separator);
+  }
+  out += "\r\n";
+}
+
+std::string cells_of(const Table& table, char separator) {
+  std::string out;
+  std::vector<std::string> head;
+  for (const Column& column : table.columns) head.push_back(plain_text(column.head));
+  append_row(out, head, separator);
+  for (const auto& row : table.rows) {
+    std::vector<std::string> cells;
+    for (const TableCell& cell : row) cells.push_back(plain_text(cell.text));
+    append_row(out, cells, separator);
+  }
+  return out;
+}
+
+Result<std::string> set(const Document& document, const Options& options) {
+  const char separator = options.numbers.decimal_mark == ',' ? ';' : ',';
+  std::string out;
+  for (const Section& section : document.sections)
+    for (const Block& block : section.blocks)
+      if (const auto* table = std::get_if<Table>(&block))
+        out += (out.empty() ? "" : "\r\n") + cells_of(*table, separator);
+  return out;
+}
+
 }  // namespace
 
 extern const Writer csv_writer;
-const Writer csv_writer = {"csv", "Parameters and positions as CSV", &write};
+const Writer csv_writer = {"csv", "Parameters and positions as CSV", &write, &set};
 
 }  // namespace axiometry::report

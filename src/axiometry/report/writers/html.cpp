@@ -205,8 +205,7 @@ std::string page_rules(const Document& document) {
       css_string(document.running_head), css_string(document.running_number), css_string(document.running_status));
 }
 
-Result<std::string> write(const Subject& subject, const Options& options) {
-  const Document document = compose(subject, options);
+Result<std::string> set(const Document& document, const Options&) {
   std::string out;
   out.reserve(1 << 17);
   out +=
@@ -217,8 +216,8 @@ Result<std::string> write(const Subject& subject, const Options& options) {
   out += html_style;
   out += page_rules(document);
   out += "</style>\n</head>\n<body>\n<div class=\"sheet\">\n<header>\n";
-  out += fmt::format("<p class=\"kicker\">Test report · {}</p>\n<h1>{}</h1>\n", escaped(document.edition),
-                     escaped(document.title));
+  out += fmt::format("<p class=\"kicker\">{} · {}</p>\n<h1>{}</h1>\n", escaped(document.kind),
+                     escaped(document.edition), escaped(document.title));
   append(out, document.identity, "identity");
   for (const Notice& notice : document.status) append(out, notice);
   out += "</header>\n<main>\n";
@@ -227,9 +226,13 @@ Result<std::string> write(const Subject& subject, const Options& options) {
   return out;
 }
 
+Result<std::string> write(const Subject& subject, const Options& options) {
+  return set(compose(subject, options), options);
+}
+
 }  // namespace
 
 extern const Writer html_writer;
-const Writer html_writer = {"html", "Web page, self-contained, prints on A4", &write};
+const Writer html_writer = {"html", "Web page, self-contained, prints on A4", &write, &set};
 
 }  // namespace axiometry::report

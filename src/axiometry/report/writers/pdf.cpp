@@ -95,8 +95,7 @@ void draw_pages(cairo_surface_t* surface, cairo_t* cairo, const PageFlow& flow, 
   }
 }
 
-Result<std::string> write(const Subject& subject, const Options& options) {
-  const Document document = compose(subject, options);
+Result<std::string> set(const Document& document, const Options&) {
   const Typesetter typesetter;
   const PageFlow flow = set_document(document, typesetter);
   std::string bytes;
@@ -113,9 +112,13 @@ Result<std::string> write(const Subject& subject, const Options& options) {
   return bytes;
 }
 
+Result<std::string> write(const Subject& subject, const Options& options) {
+  return set(compose(subject, options), options);
+}
+
 }  // namespace
 
 extern const Writer pdf_writer;
-const Writer pdf_writer = {"pdf", "PDF, A4", &write};
+const Writer pdf_writer = {"pdf", "PDF, A4", &write, &set};
 
 }  // namespace axiometry::report

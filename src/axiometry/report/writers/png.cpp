@@ -54,8 +54,7 @@ std::string with_resolution(std::string png) {
   return png;
 }
 
-Result<std::string> write(const Subject& subject, const Options& options) {
-  const Figure page = picture(subject, options);
+Result<std::string> painted(const Figure& page) {
   const double scale = dots_per_inch / points_per_inch;
   const std::unique_ptr<cairo_surface_t, Destroy> surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(page.width * scale)),
@@ -74,6 +73,10 @@ Result<std::string> write(const Subject& subject, const Options& options) {
   return with_resolution(std::move(png));
 }
 
+Result<std::string> write(const Subject& subject, const Options& options) { return painted(picture(subject, options)); }
+
+Result<std::string> set(const Document& document, const Options&) { return painted(picture(document)); }
+
 }  // namespace
 
 extern const Writer png_writer;
@@ -81,6 +84,7 @@ const Writer png_writer = {
     .extension = "png",
     .title = "All figures as one picture, 200 dots per inch on white",
     .write = write,
+    .set = set,
 };
 
 }  // namespace axiometry::report

@@ -7,9 +7,11 @@
 namespace axiometry::report {
 namespace {
 
-Result<std::string> write(const Subject& subject, const Options& options) {
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + to_svg(picture(subject, options));
-}
+std::string file(const Figure& figure) { return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + to_svg(figure); }
+
+Result<std::string> write(const Subject& subject, const Options& options) { return file(picture(subject, options)); }
+
+Result<std::string> set(const Document& document, const Options&) { return file(picture(document)); }
 
 }  // namespace
 
@@ -18,6 +20,7 @@ const Writer svg_writer = {
     .extension = "svg",
     .title = "All figures as one scalable drawing, for word processors and drawing programs",
     .write = write,
+    .set = set,
 };
 
 }  // namespace axiometry::report

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "axiometry/base/json.h"
+#include "axiometry/base/result.h"
+#include "axiometry/model/plan.h"
+
+/// Plans as JSON: what `axiometry plan` writes and `nc`, `capture` and `simulate` read. Members at the top: `targets`
+/// (mm or °, in order), `cycle`, `runs`, `overrun`, `feed`, `dwell_s`, …; the schema says all.
+namespace axiometry::formats {
+
+/// Ends with a line break; read_plan(write_plan(p)) == p.
+std::string write_plan(const Plan& plan);
+
+/// Fails, with line and column, on what is no JSON, on members that are unknown, missing or of another kind, and as
+/// check_sound() does. Targets may stand in any order, since people edit them; they are sorted. Unknown members of the
+/// name "findings" and "duration_s", which write_plan()'s caller may add for people, are passed over.
+Result<Plan> read_plan(std::string_view bytes);
+
+/// JSON Schema of the above.
+json::Value plan_schema();
+
+}  // namespace axiometry::formats

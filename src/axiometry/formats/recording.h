@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "axiometry/base/result.h"
+#include "axiometry/model/axis.h"
+#include "axiometry/model/recording.h"
+
+/// Continuous recordings: what instruments send line by line. One .cpp in recordings/ per layout, each with one `const
+/// Recording <stem>_recording = {…}`; the build collects them (docs/howto/add-a-format.md).
+namespace axiometry::formats {
+
+/// What the user must say because the stream does not.
+struct RecordingOptions {
+  AxisKind kind = AxisKind::linear;
+  std::optional<double> units_per_count;  ///< mm or ° per count, for streams of counts
+  std::optional<double> rate_hz;          ///< samples per second, for streams without time stamps
+  std::size_t axis = 0;                   ///< of a stream of several: 0 is the first
+};
+
+/// Takes the bytes of one recording as they arrive, cut anywhere, and hands samples on. Never keeps more than a line.
+class RecordingReader {
+ public:
+  virtual ~RecordingReader() = default;
+
+  /// Fails, with the line, on what is no sample where one must be, on time running backwards and on numbers that are
+  /// not finite. Gaps (lost samples that the stream itself shows, such as a jump of its counter) are told by gaps().
+  virtual Result<void> feed(std::string_view bytes, const SampleSink& sink) = 0;
+
+  /// The last line, when it has no line break.
+  virtual Result<void> finish(const SampleSink& sink) = 0;
+
+  /// How many samples the stream itself shows to be lost so far.
+  virtual std::size_t lost() const = 0;
+};
+
+struct Recording {
+  std::string_view id;          ///< "umd", for --stream
+  std::string_view title;       ///< "µMD0/1/2 serial stream"
+  std::string_view extensions;  ///< ".txt", a hint for people
+  std::string_view manual;      ///< Markdown: grammar, units, what is refused, an example
+
+  /// How well the beginning (at most 64 KiB, cut anywhere) fits: 0 not at all, 100 surely.
+  int (*recognise)(std::string_view head);
+
+  /// A reader for one recording. Fails when an option is missing that the stream needs.
+  Result<std::unique_ptr<RecordingReader>> (*open)(const RecordingOptions& options);
+};
+
+/// Every layout, in alphabetical order of the source files (generated).
+std::span<const Recording* const> recording_table();
+
+/// nullptr when there is none of that id.
+const Recording* find_recording(std::string_view id);
+
+}  // namespace axiometry::formats

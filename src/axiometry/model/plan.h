@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/quantity.h"
+#include "axiometry/base/result.h"
+#include "axiometry/model/axis.h"
+#include "axiometry/model/metadata.h"
+#include "axiometry/model/series.h"
+
+/// What shall be measured, before it is: the test programme of clause 5 as a value. standards/iso230_2_plan makes and
+/// checks it, formats/plan_json keeps it, nc programs it, capture waits for it, simulation walks it.
+namespace axiometry {
+
+/// One approach to a target, at the end of which a reading is taken.
+struct Approach {
+  std::size_t target = 0;  ///< index i − 1
+  Direction direction = Direction::up;
+  std::size_t run = 0;  ///< index j − 1
+
+  friend bool operator==(const Approach&, const Approach&) = default;
+};
+
+/// A test programme of one axis. A plain value that people may edit; check_sound() says whether it can be walked.
+struct Plan {
+  std::string standard = "ISO 230-2:2014";
+  std::string clause;   ///< "5.3.2", "Annex B"; empty when no clause describes the test
+  std::string title;    ///< of one among several: "2 000 mm of the normal working area"
+  std::string machine;  ///< name, for comments in programs and the printed sheet; may be empty
+  std::string date;     ///< on which it was made, "2026-11-21"; may be empty
+  Axis axis;            ///< name, kind, travel, expected period, sampling points of the compensation
+  TestCycle cycle = TestCycle::standard;
+  std::vector<Position> targets;      ///< P_i, strictly ascending
+  std::size_t runs = 5;               ///< n, approaches to each target from each direction the cycle has
+  Position overrun;                   ///< distance beyond a target before the direction changes, mm or °
+  double feed = 0.0;                  ///< mm/min or °/min, after the kind of the axis
+  Duration dwell;                     ///< at rest on every target
+  std::size_t warm_up_runs = 0;       ///< there and back over the measurement travel before the first reading
+  std::optional<std::uint64_t> seed;  ///< of the random part of the targets; absent when they were given
+  std::vector<Approach> sequence;     ///< of the user-defined cycle, in order; empty otherwise
+  std::vector<Plan> further;          ///< tests that belong to it: the 2 000 mm or 360° test (5.3.3, 5.3.5)
+};
+
+/// One positioning command.
+struct PlannedMove {
+  Position to;
+  /// The reading taken there after the dwell; absent on overruns, warm-up and the way back, where nothing waits.
+  std::optional<Approach> approach;
+
+  friend bool operator==(const PlannedMove&, const PlannedMove&) = default;
+};
+
+/// Fails, naming what is wrong, when the plan cannot be walked: no target, targets not finite or not strictly
+/// ascending, |P| beyond 1e9, no run or more than 10 000, an overrun or a feed that is not finite and positive, a dwell
+/// that is negative or not finite, a sequence missing in (or given without) the user-defined cycle, an approach of the
+/// sequence that is given twice or names a target or run that does not exist; also when this holds for a further plan.
+/// Whether it satisfies the standard is another question (standards/iso230_2_plan.h).
+Result<void> check_sound(const Plan& plan);
+
+/// Every reading of the plan in the order in which it is taken. Needs a sound plan.
+///
+/// - standard (Figure 1): run by run, ↑ over all targets, then ↓ over all.
+/// - step (Annex B): target by target, run by run ↑ and ↓ in turn.
+/// - pilgrim: target by target, all runs ↑; then from the last target to the first, all runs ↓.
+/// - unidirectional: run by run, ↑ over all targets.
+/// - user-defined: `sequence`.
+std::vector<Approach> approaches(const Plan& plan);
+
+/// Every positioning command of the plan, in order: warm-up, approaches, and the overruns that make each approach come
+/// from its direction. Needs a sound plan. The first command goes to the overrun before the first target (from wherever
+/// the axis stands), the last to where it began. Before an approach ↑ the axis is at most at P_i − overrun, unless it
+/// comes straight from a lower target of the same pass; likewise ↓. No command is given where the axis is already.
+std::vector<PlannedMove> moves(const Plan& plan);
+
+/// Lowest and highest position that moves() reaches: P_1 − overrun and P_m + overrun. Needs a sound plan.
+struct Reach {
+  Position lowest;
+  Position highest;
+};
+Reach reach(const Plan& plan);
+
+/// "standard", "step", "pilgrim", "unidirectional", "user-defined".
+std::string_view cycle_name(TestCycle cycle);
+
+/// What must stand wherever results of such a test do: "step cycle (Annex B), not for acceptance"; "" for the standard
+/// test cycle.
+std::string_view cycle_label(TestCycle cycle);
+
+}  // namespace axiometry

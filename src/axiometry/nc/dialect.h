@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "axiometry/base/result.h"
+#include "axiometry/model/plan.h"
+
+/// Part programs that walk a plan. One .cpp in dialects/ per control, each with one `const Dialect <stem>_dialect =
+/// {…}`; the build collects them (docs/howto/add-a-dialect.md).
+namespace axiometry::nc {
+
+enum class LengthUnit { mm, inch };
+
+/// How the program is to be written; the plan says what it does.
+struct ProgramOptions {
+  LengthUnit unit = LengthUnit::mm;        ///< of linear axes; angles are in degrees always
+  bool unrolled = false;                   ///< no loops and variables even where the control has them
+  std::optional<unsigned> trigger_m_code;  ///< M code put out at each target after half the dwell
+  std::optional<unsigned> number;          ///< program number where the control has one
+  int decimals = 4;                        ///< of coordinates, in the program's unit
+  bool block_numbers = true;
+};
+
+struct Dialect {
+  std::string_view id;         ///< "linuxcnc", for --dialect
+  std::string_view title;      ///< "LinuxCNC"
+  std::string_view extension;  ///< of its program files: ".ngc"
+  std::string_view manual;     ///< Markdown: what the program assumes of the control, an example
+  /// The axis names the control knows, as a person reads them: "X Y Z A B C U V W".
+  std::string_view axes;
+  bool has_loops = false;  ///< whether loops and variables are written unless unrolled
+
+  /// The program. Needs a sound plan. Fails on an axis that the control cannot name, a feed or dwell beyond its
+  /// range, and an option that it does not know, saying what it has instead.
+  Result<std::string> (*write)(const Plan& plan, const ProgramOptions& options);
+};
+
+/// Every dialect, in alphabetical order of the source files (generated).
+std::span<const Dialect* const> dialect_table();
+
+/// nullptr when there is none of that id.
+const Dialect* find_dialect(std::string_view id);
+
+}  // namespace axiometry::nc
