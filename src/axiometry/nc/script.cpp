@@ -94,7 +94,10 @@ std::string loop_remark(const Stretch& stretch) {
     one_target = one_target && move.approach->target == first->target;
   }
   if (!first) return fmt::format("{} TIMES THERE AND BACK WITHOUT READINGS", stretch.times);
-  const std::string runs = fmt::format("RUNS {} TO {}", first->run + 1, stretch.last_run + 1);
+  // The runs of a user-defined cycle may come in any order.
+  const bool in_order = stretch.last_run + 1 == first->run + stretch.times;
+  const std::string runs = in_order ? fmt::format("RUNS {} TO {}", first->run + 1, stretch.last_run + 1)
+                                    : fmt::format("{} RUNS", stretch.times);
   return one_target ? fmt::format("TARGET {}, {}", first->target + 1, runs) : runs;
 }
 
