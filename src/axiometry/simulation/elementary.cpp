@@ -7,20 +7,34 @@
 namespace axiometry::simulation {
 namespace {
 
-/// Of |x| ≤ π/4: the first term left out is below 1e-17 of the sum.
-double sine_of(double x) {
-  const double y = x * x;
-  double sum = 1.0;
-  for (int k = 17; k >= 3; k -= 2) sum = 1.0 - y / static_cast<double>(k * (k - 1)) * sum;
-  return x * sum;
+/// 1/((k − 1)·k), and 1/n: the quotients of neighbouring terms of Taylor's series. Products of them are within 1e-17 of
+/// the coefficients relative to the sum, and take a fifth of the time of divisions.
+constexpr double pair_quotient(int k) { return 1.0 / static_cast<double>((k - 1) * k); }
+constexpr double quotient(int n) { return 1.0 / static_cast<double>(n); }
+
+/// 1 − y·q_first(1 − y·q_(first+2)(1 − …)) up to the last term.
+template <int first, int last>
+double alternating(double y) {
+  if constexpr (first > last) {
+    return 1.0;
+  } else {
+    return 1.0 - y * pair_quotient(first) * alternating<first + 2, last>(y);
+  }
 }
 
-double cosine_of(double x) {
-  const double y = x * x;
-  double sum = 1.0;
-  for (int k = 18; k >= 2; k -= 2) sum = 1.0 - y / static_cast<double>(k * (k - 1)) * sum;
-  return sum;
+/// 1 + r/first·(1 + r/(first + 1)·(1 + …)).
+template <int first, int last>
+double growing(double r) {
+  if constexpr (first > last) {
+    return 1.0;
+  } else {
+    return 1.0 + r * quotient(first) * growing<first + 1, last>(r);
+  }
 }
+
+/// Of |x| ≤ π/4: the first term left out is below 1e-17 of the sum.
+double sine_of(double x) { return x * alternating<3, 17>(x * x); }
+double cosine_of(double x) { return alternating<2, 18>(x * x); }
 
 }  // namespace
 
@@ -42,9 +56,7 @@ double exponential(double x) {
   constexpr double ln2_high = 0x1.62e42fefap-1, ln2_low = 0x1.cf79abc9e3b3ap-40;  // the first times k is exact
   const double k = std::nearbyint(x / std::numbers::ln2);
   const double r = (x - k * ln2_high) - k * ln2_low;
-  double sum = 1.0;
-  for (int n = 14; n >= 1; --n) sum = 1.0 + r / static_cast<double>(n) * sum;
-  return std::ldexp(sum, static_cast<int>(k));
+  return std::ldexp(growing<1, 14>(r), static_cast<int>(k));
 }
 
 }  // namespace axiometry::simulation
