@@ -32,7 +32,7 @@ struct Moments {
 TestConditions conditions_of(const Request& request) {
   const Plan& plan = request.plan;
   TestConditions c;
-  c.date = plan.date;
+  c.date = plan.date.empty() ? "None: simulated" : plan.date;
   c.inspector = "axiometry simulate";
   c.purpose = "simulation";
   c.comment = fmt::format("Simulated, not measured{}; seed {}",
@@ -74,6 +74,8 @@ Metadata metadata_of(const Request& request) {
     m.nde.datum = plan.targets.front();
   }
   m.environment.air_temperature_start = m.environment.air_temperature_end = expansion.machine;
+  m.environment.air_pressure_start = m.environment.air_pressure_end = Pressure::kPa(101.325);
+  m.environment.air_humidity_start = m.environment.air_humidity_end = RelativeHumidity::percent(50.0);
   m.environment.sensors = {{"machine", "Simulated", expansion.machine, expansion.machine}};
   return m;
 }
