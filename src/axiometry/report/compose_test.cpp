@@ -308,7 +308,7 @@ TEST(InformationSection, StatesTheDriftOfTheReadings) {
                "readings equally far apart in the order of the standard cycle). Information only: nothing was "
                "removed."));
   EXPECT_THAT(facts(section(composed(corrected_table2()), "information")),
-              Contains(HasSubstr("What the correction for drift left.")));
+              Contains("Drift: taken out by the correction for drift, see Provenance"));
   const Reported single = reported({{}, testing_support::make_series({0, 100}, {{1, 2}}, {{2, 3}}), {}});
   EXPECT_THAT(facts(section(composed(single), "information")),
               Contains("Drift: not applicable: one approach from each direction"));

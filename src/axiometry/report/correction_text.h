@@ -17,7 +17,7 @@ std::string correction_statement(std::span<const AppliedCorrection> corrections)
 /// "−24.76 to 0.00 µm": what was added to single readings.
 std::string correction_extent(const AppliedCorrection& correction, AxisKind kind, const Options& options);
 
-/// The value of a detail, whose numbers have a decimal point, with the decimal mark that was asked for.
+/// The value of a detail, whose numbers have a decimal point, with a true minus sign and the decimal mark asked for.
 std::string detail_value(const AppliedCorrection::Detail& detail, const Options& options);
 
 /// "0.42 µm/h, standard uncertainty 0.05 µm/h, that is 0.3 µm over the test"; per reading where no times are known.

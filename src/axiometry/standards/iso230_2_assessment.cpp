@@ -19,11 +19,11 @@ std::string_view label_of(const Metadata& metadata, const Series& series) {
   return both ? "" : "one direction of approach only, not for acceptance";
 }
 
-/// What the reader of the file had to say and what was left as it was read, each among its like. They rest on no
-/// clause.
+/// What the reader of the file had to say and what else must be known of the readings, each among its like. They rest
+/// on no clause.
 void add_remarks(std::vector<Finding>& findings, const Test& test, Depth depth) {
   std::vector<SourceRemark> remarks = test.provenance.remarks;
-  std::ranges::move(remarks_of_uncorrected(test), std::back_inserter(remarks));
+  std::ranges::move(remarks_on_readings(test), std::back_inserter(remarks));
   std::size_t departures = 0;
   for (SourceRemark& remark : remarks) {
     if (remark.departs)

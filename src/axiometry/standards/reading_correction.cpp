@@ -176,7 +176,7 @@ Result<Test> correct_readings(Test test, const CorrectionRequest& request) {
   return test;
 }
 
-std::vector<SourceRemark> remarks_of_uncorrected(const Test& test) {
+std::vector<SourceRemark> remarks_on_readings(const Test& test) {
   const InstrumentSettings& instrument = test.metadata.instrument;
   std::vector<SourceRemark> remarks;
   if (instrument.sign_reversed == true && !was_applied(test, "sign"))
@@ -186,6 +186,10 @@ std::vector<SourceRemark> remarks_of_uncorrected(const Test& test) {
     remarks.push_back(
         {false, fmt::format("a gain of {} of the sensor was given, and its readings were taken as they are",
                             format_exact(*instrument.gain))});
+  if (was_applied(test, "drift"))
+    remarks.push_back({false,
+                       "a drift was taken out that was estimated from the readings themselves: what the machine "
+                       "does while it warms up is gone with it"});
   return remarks;
 }
 

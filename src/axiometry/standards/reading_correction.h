@@ -48,8 +48,9 @@ struct CorrectionRequest {
 /// from one direction at any target.
 Result<Test> correct_readings(Test test, const CorrectionRequest& request);
 
-/// What the source tells about its readings that has not been corrected for: a sensor that counts the other way, a gain
-/// other than 1. Notes for the assessment.
-std::vector<SourceRemark> remarks_of_uncorrected(const Test& test);
+/// What must be known of the readings beside the provenance: that the sensor counts the other way or has a gain other
+/// than 1 and was not corrected for it, or that a drift was taken out which was estimated from the readings themselves.
+/// Notes for the assessment.
+std::vector<SourceRemark> remarks_on_readings(const Test& test);
 
 }  // namespace axiometry

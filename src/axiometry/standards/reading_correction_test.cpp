@@ -282,15 +282,17 @@ TEST(DriftCorrection, IsRefusedWithASingleApproach) {
   EXPECT_THAT(refusal_of(in_air(), {.drift = true}), HasSubstr("expected n of 2 or more"));
 }
 
-TEST(ReadingCorrection, TellsWhatTheSourceSaidAndNobodyCorrected) {
+TEST(ReadingCorrection, TellsWhatMustBeKnownOfTheReadings) {
   Measured test = table2();
   test.metadata.instrument.sign_reversed = true;
   test.metadata.instrument.gain = 2.0;
-  EXPECT_EQ(remarks_of_uncorrected(test).size(), 2u);
-  EXPECT_TRUE(remarks_of_uncorrected(correct_readings(test, {.sign = true, .gain = true}).value()).empty());
+  EXPECT_EQ(remarks_on_readings(test).size(), 2u);
+  EXPECT_TRUE(remarks_on_readings(correct_readings(test, {.sign = true, .gain = true}).value()).empty());
   test.metadata.instrument.gain = 1.0;
   test.metadata.instrument.sign_reversed = false;
-  EXPECT_TRUE(remarks_of_uncorrected(test).empty());
+  EXPECT_TRUE(remarks_on_readings(test).empty());
+  const auto without_drift = correct_readings(test, {.drift = true}).value();
+  EXPECT_THAT(remarks_on_readings(without_drift).at(0).message, HasSubstr("warms up"));
 }
 
 TEST(Assessment, ListsTheRemarksOfTheReader) {

@@ -34,11 +34,11 @@ Fact drift_fact(const Subject& subject, const Options& options) {
   if (!drift) return {plain("Drift"), quiet_cell("not applicable: one approach from each direction")};
   const auto& corrections = subject.test.provenance.corrections;
   const bool removed = std::ranges::find(corrections, "drift", &AppliedCorrection::id) != corrections.end();
-  return {plain("Drift"),
-          text_cell(
-              fmt::format("{} (least-squares line in time with a constant per target and direction; {}). {}",
-                          drift_statement(*drift, subject.test.metadata.axis.kind, options), drift->course.basis,
-                          removed ? "What the correction for drift left." : "Information only: nothing was removed."))};
+  if (removed) return {plain("Drift"), quiet_cell("taken out by the correction for drift, see Provenance")};
+  return {plain("Drift"), text_cell(fmt::format(
+                              "{} (least-squares line in time with a constant per target and direction; {}). "
+                              "Information only: nothing was removed.",
+                              drift_statement(*drift, subject.test.metadata.axis.kind, options), drift->course.basis))};
 }
 
 }  // namespace
