@@ -21,6 +21,7 @@ enum ExitCode : int {
 void add_evaluate(CLI::App& program, int& exit_code);
 void add_uncertainty(CLI::App& program, int& exit_code);
 void add_plan(CLI::App& program, int& exit_code);
+void add_air(CLI::App& program, int& exit_code);
 void add_formats(CLI::App& program, int& exit_code);
 void add_schema(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);

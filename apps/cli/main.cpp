@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
   add_evaluate(program, exit_code);
   add_uncertainty(program, exit_code);
   add_plan(program, exit_code);
+  add_air(program, exit_code);
   add_formats(program, exit_code);
   add_schema(program, exit_code);
   add_check(program, exit_code);

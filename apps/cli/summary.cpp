@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/report/conformity_text.h"
+#include "axiometry/report/correction_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/utf8.h"
 #include "findings_text.h"
@@ -46,6 +47,8 @@ std::string heading(const app::Evaluated& e, const report::Options& options, con
   const Provenance& p = e.test.provenance;
   text += terminal.faint(fmt::format("{} ({}{})", p.file == "-" ? "standard input" : report::printable(p.file),
                                      p.format, p.sha256.empty() ? "" : ", SHA-256 " + p.sha256.substr(0, 12) + "…"));
+  if (const std::string corrected = report::correction_statement(p.corrections); !corrected.empty())
+    text += "\n" + wrapped(corrected, terminal.width(), 0);
   return text + "\n\n";
 }
 

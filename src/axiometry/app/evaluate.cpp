@@ -8,7 +8,6 @@
 
 #include "axiometry/app/source.h"
 #include "axiometry/model/fields.h"
-#include "axiometry/standards/nde_correction.h"
 
 namespace axiometry::app {
 namespace {
@@ -46,7 +45,7 @@ bool holds_many(const formats::Format& format, std::string_view head) {
 Result<Test> read_single(Source& source, const formats::Format& format) {
   AXIOMETRY_TRY(const std::string bytes, source.read_all(single_test_limit));
   AXIOMETRY_TRY(Test test, format.read(bytes));
-  test.provenance = {source.name(), sha256(bytes), std::string(format.id)};
+  test.provenance = {source.name(), sha256(bytes), std::string(format.id), std::move(test.provenance.remarks)};
   return test;
 }
 
@@ -109,9 +108,7 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
 
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
   AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options));
-  if (options.nde_correct) {
-    AXIOMETRY_TRY(test, correct_expansion(std::move(test)));
-  }
+  AXIOMETRY_TRY(test, correct_readings(std::move(test), options.corrections));
   iso230_2::Assessment assessment = iso230_2::assess(test, depth);
   const iso230_2::AxisParameters& measured = assessment.evaluation.parameters;
   AXIOMETRY_TRY(Requirements demanded, requirements_for(test, measured, options.tolerance));

@@ -13,6 +13,7 @@
 #include "axiometry/model/test.h"
 #include "axiometry/standards/iso230_2_assessment.h"
 #include "axiometry/standards/iso230_2_tolerance.h"
+#include "axiometry/standards/reading_correction.h"
 
 /// The use case "from a measured file to its evaluation".
 namespace axiometry::app {
@@ -27,7 +28,7 @@ struct UncertaintyOptions {
 struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
-  bool nde_correct = false;  ///< bring the readings to 20 °C first (standards/nde_correction.h)
+  CorrectionRequest corrections;                              ///< of the readings, before they are evaluated
   ToleranceOptions tolerance;
   UncertaintyOptions uncertainty;
   /// Whether the tests of a file of many are stated in full: every finding, and the hash of the file by a
@@ -44,7 +45,7 @@ struct Evaluated {
   std::optional<AppliedBand> tolerance_band;  ///< of the tolerance table, when there is one
 };
 
-/// Metadata over what the file says, the correction for expansion where it is asked for, then assessment and
+/// Metadata over what the file says, the corrections of readings that are asked for, then assessment and
 /// verdicts. Fails on a key or value that the vocabulary does not allow, on a correction that cannot be made and as
 /// requirements_for() does.
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options,
