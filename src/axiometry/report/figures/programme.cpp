@@ -132,11 +132,12 @@ class Drawing {
   }
 
   void draw_targets() {
+    const double last = x_(plan_.targets.back().in_native());
     double free_from = -1.0;
     for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
       const double x = x_(plan_.targets[i].in_native());
       operations_.push_back(plot::line({x, top_}, {x, bottom_}, ink::solid(ink::grid_grey, 0.5)));
-      if (x < free_from) continue;
+      if (x < free_from || (x > last - number_width && i + 1 < plan_.targets.size())) continue;
       operations_.push_back(label({plot::plain(fmt::format("{}", i + 1))}, {x, top_ - 4.0}, ink::tick_text_size,
                                   Anchor::middle, ink::grey));
       free_from = x + number_width;
@@ -179,8 +180,7 @@ class Drawing {
   }
 
   static Stroke pen(const Leg& leg) {
-    if (leg.warm_up) return ink::solid(ink::extension_grey, 0.6);
-    return ink::solid(ink::of(leg.to.position > leg.from.position ? Direction::up : Direction::down), 0.8);
+    return leg.approach ? ink::solid(ink::of(leg.approach->direction), 0.8) : ink::solid(ink::extension_grey, 0.6);
   }
 
   /// One line for each stretch of one colour.
@@ -241,7 +241,7 @@ class Drawing {
       if (std::ranges::find(all, direction, &Approach::direction) != all.end())
         entry(ink::of(direction), true,
               direction == Direction::up ? "Approach ↑ and reading" : "Approach ↓ and reading");
-    if (plan_.warm_up_runs > 0) entry(ink::extension_grey, false, "Warm-up");
+    entry(ink::extension_grey, false, "Way without reading");
     entries.push_back({std::nullopt, ink::grid_grey, std::nullopt, {plot::plain("Overrun")}});
     plot::draw_legend(operations_, entries, {left_edge, bottom_ + foot}, right_edge - left_edge);
   }
