@@ -92,7 +92,7 @@ struct PlanRequest {
 ///
 /// Fails, with the numbers, on a travel that is missing, reversed or empty, on numbers that are not finite or not
 /// positive, on targets, overruns or stretches beyond the travel or the soft limits, on a travel too short for the
-/// targets, on more than 10 000 targets or 1 000 000 approaches, on a period that is missing or does not fit, and as
+/// targets, on more than 10 000 targets, on a period that is missing or does not fit, and as
 /// check_sound() does.
 Result<Plan> make_plan(const PlanRequest& request);
 

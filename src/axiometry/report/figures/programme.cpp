@@ -30,6 +30,7 @@ constexpr double most_height = 320.0;
 constexpr double least_pitch = 9.0;          // between labels
 constexpr double number_width = 11.0;        // of a target's number
 constexpr std::size_t most_readings = 1500;  // that are drawn as dots
+constexpr std::size_t most_legs = 20'000;    // beyond which a picture would be a black box of many megabytes
 constexpr double pad = 0.03;                 // of the reach, beside it
 
 Text label(plot::Runs runs, Point at, double size, Anchor anchor, Colour colour = ink::black) {
@@ -185,6 +186,12 @@ class Drawing {
 
   /// One line for each stretch of one colour.
   void draw_way() {
+    if (legs_.size() > most_legs) {
+      operations_.push_back(label({plot::plain(fmt::format("{} moves: too many to draw", legs_.size()))},
+                                  {0.5 * (left_edge + right_edge), 0.5 * (top_ + bottom_)}, ink::text_size,
+                                  Anchor::middle, ink::grey));
+      return;
+    }
     const bool dots = approaches(plan_).size() <= most_readings;
     std::vector<Operation> readings;
     Path path;
