@@ -200,7 +200,7 @@ TargetGrid grid_over(const Frame& frame, Programme programme, const Stretch& str
         std::min(grid.shift_inwards, 0.4 * (stretch.length() - normal_stretch(frame.kind()).in_native()));
   grid.step = frame.step;
   grid.principal_positions = programme == Programme::one_turn;
-  grid.segment = programme == Programme::long_linear ? spacing.segment.value_or(0.0) : 0.0;
+  grid.segment = frame.without_end ? 0.0 : spacing.segment.value_or(0.0);
   grid.segments_from = spacing.segments_from;
   return grid;
 }
@@ -230,6 +230,7 @@ Result<Plan> plan_over(const Frame& frame, const Stretch& stretch, const Spacing
                        std::uint64_t stream) {
   const Programme programme = programme_of(frame.kind(), Position::native(stretch.length()));
   if (spacing.interval) AXIOMETRY_TRY_VOID(check_count(frame, stretch, stretch.length() / *spacing.interval + 1.0));
+  if (spacing.segment) AXIOMETRY_TRY_VOID(check_count(frame, stretch, stretch.length() / *spacing.segment));
   const TargetGrid grid = grid_over(frame, programme, stretch, spacing);
   AXIOMETRY_TRY_VOID(check_count(frame, stretch, static_cast<double>(grid.count)));
   Plan plan = frame.plan;
@@ -286,6 +287,10 @@ Result<Plan> plan_of_given_targets(const Frame& frame, const PlanRequest& reques
   }()));
   const Stretch stretch{plan.targets.front(), plan.targets.back()};
   AXIOMETRY_TRY_VOID(check_room(frame, "targets from", stretch));
+  if (const auto& within = request.measurement; within && (stretch.from < within->from || stretch.to > within->to))
+    return fail(fmt::format("found targets from {}, expected them within the measurement travel {}",
+                            span_text(frame, stretch.from.in_native(), stretch.to.in_native()),
+                            span_text(frame, within->from.in_native(), within->to.in_native())));
   const Programme programme = programme_of(frame.kind(), Position::native(stretch.length()));
   plan.clause = clause_of(plan.cycle, programme);
   plan.runs = required_approaches(programme);

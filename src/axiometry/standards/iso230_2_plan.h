@@ -84,8 +84,8 @@ struct PlanRequest {
 /// Measurement travel: all that the overruns leave of the axis travel (and of the soft limits); of a rotary axis at
 /// most five revolutions in its middle.
 ///
-/// m: what the clause asks for; a mean interval of 250 mm (or one segment, if that is less) above 2 000 mm, where each
-/// segment of the scale is given a target.
+/// m: what the clause asks for; a mean interval of 250 mm (or one segment, if that is less) above 2 000 mm. Each
+/// segment of the scale that is left without a target is given one more.
 ///
 /// `further` (of tests above 2 000 mm or 360°): five approaches over each stretch of the normal working area, by
 /// default one in the middle of the measurement travel.
