@@ -88,14 +88,15 @@ Result<TestCycle> read_cycle(const std::string& text) {
       fmt::format("found {}, expected standard, step, pilgrim, unidirectional or user-defined", text::quoted(text)));
 }
 
+auto into(std::optional<iso230_2::Stretch>& target) {
+  return [&target](const std::string& text) -> Result<void> {
+    AXIOMETRY_TRY(target, app::parse_stretch(text));
+    return {};
+  };
+}
+
 std::vector<CLI::Option*> add_axis_flags(CLI::App& verb, PlanArguments& arguments) {
   iso230_2::PlanRequest& request = arguments.request;
-  const auto stretch = [](std::optional<iso230_2::Stretch>& target) {
-    return [&target](const std::string& text) -> Result<void> {
-      AXIOMETRY_TRY(target, app::parse_stretch(text));
-      return {};
-    };
-  };
   std::vector<CLI::Option*> options = {
       verb.add_option("--axis", request.axis.name, "Name of the axis")->type_name("NAME"),
       add_read(verb, "--kind", "KIND", "linear (mm) or rotary (°); linear when not given",
@@ -115,7 +116,7 @@ std::vector<CLI::Option*> add_axis_flags(CLI::App& verb, PlanArguments& argument
                  return {};
                }),
       add_read(verb, "--soft-limits", "FROM:TO", "Of the control, where they are narrower than the travel",
-               stretch(request.soft_limits)),
+               into(request.soft_limits)),
       add_number(
           verb, "--period", "PERIOD",
           "Expected period of a periodic error, such as the pitch of the screw: targets shift by up to one period",
@@ -135,10 +136,6 @@ std::vector<CLI::Option*> add_axis_flags(CLI::App& verb, PlanArguments& argument
       verb.add_option("--date", request.date, "Date of the plan, such as 2026-11-21")->type_name("DATE"),
   };
   for (CLI::Option* option : options) option->group("Axis");
-  const std::size_t first = options.size();
-  options.push_back(add_read(verb, "--measure", "FROM:TO", "Measurement travel (3.2); all that the overruns leave",
-                             stretch(request.measurement)));
-  for (std::size_t k = first; k < options.size(); ++k) options[k]->group("Targets");
   return options;
 }
 
@@ -168,6 +165,8 @@ std::vector<CLI::Option*> add_target_flags(CLI::App& verb, PlanArguments& argume
       add_number(verb, "--at", "POSITION", "Middle of that test; of the travel",
                  [&](double x) { arguments.periodic_at = Position::native(x); }),
   };
+  options.push_back(add_read(verb, "--measure", "FROM:TO", "Measurement travel (3.2); all that the overruns leave",
+                             into(request.measurement)));
   for (CLI::Option* option : options) option->group("Targets");
   options[6]->needs(options[5]);
   options[5]->excludes(verb.get_option("--period"));
@@ -272,8 +271,13 @@ int run_plan(PlanArguments& arguments) {
   return checks && !planned.conforming() ? exit_exceeded : exit_done;
 }
 
-void settle(CLI::App& verb, PlanArguments& arguments) {
+/// What is asked of a plan that is made says nothing about one that is checked.
+void settle(CLI::App& verb, PlanArguments& arguments, const std::vector<CLI::Option*>& making) {
   const bool checks = !arguments.check.empty();
+  for (const CLI::Option* option : making)
+    if (checks && option->count() > 0)
+      throw CLI::ValidationError(
+          "--check", fmt::format("found {} beside it, expected a plan and its outputs only", option->get_name()));
   if (!checks && verb.count("--travel") == 0)
     throw CLI::ValidationError(
         "found neither --travel nor --check, expected the travel of the axis or a plan to check");
@@ -291,18 +295,16 @@ void add_plan(CLI::App& program, int& exit_code) {
   std::vector<CLI::Option*> making = add_axis_flags(*verb, *arguments);
   for (CLI::Option* option : add_target_flags(*verb, *arguments)) making.push_back(option);
   for (CLI::Option* option : add_programme_flags(*verb, *arguments)) making.push_back(option);
-  CLI::Option* check =
-      verb->add_option("--check", arguments->check,
-                       "Check this plan, as made or edited, instead of making one; exit code 3 when it "
-                       "departs from the standard")
-          ->type_name("FILE")
-          ->group("Outputs");
-  for (CLI::Option* option : making)
-    if (option->get_name() != "--acceleration") check->excludes(option);
+  std::erase(making, verb->get_option("--acceleration"));
+  verb->add_option("--check", arguments->check,
+                   "Check this plan, as made or edited, instead of making one; exit code 3 when it "
+                   "departs from the standard")
+      ->type_name("FILE")
+      ->group("Outputs");
   add_output_flags(*verb, *arguments);
-  check->excludes(verb->get_option("--out"));
-  verb->callback([verb, arguments, &exit_code] {
-    settle(*verb, *arguments);
+  making.push_back(verb->get_option("--out"));
+  verb->callback([verb, arguments, making, &exit_code] {
+    settle(*verb, *arguments, making);
     exit_code = run_plan(*arguments);
   });
   verb->footer(R"(Examples:

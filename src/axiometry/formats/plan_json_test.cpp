@@ -197,6 +197,25 @@ TEST(PlanJson, NamesTheApproachThatDoesNotFit) {
   EXPECT_EQ(of(R"([[1, "up"]])"), "line 2:2: expected [number of the target, \"up\" or \"down\", number of the run]");
 }
 
+TEST(PlanJson, DamagedFilesGiveASoundPlanOrAReason) {
+  AnyPlan any(5);
+  std::mt19937 random(6);
+  std::size_t read = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::string text = write_plan(any.make(true));
+    for (int change = 0; change < 3; ++change) {
+      constexpr std::string_view bytes = "0123456789-.eE[]{},:\"nultrefas \xff";
+      char& byte = text[random() % text.size()];
+      const bool digit = byte >= '0' && byte <= '9';
+      if (digit || trial % 2) byte = bytes[random() % (trial % 2 ? bytes.size() : 10)];
+    }
+    const auto plan = read_plan(text);
+    read += plan.has_value();
+    EXPECT_TRUE(plan ? check_sound(*plan).has_value() : !plan.error().message.empty()) << text;
+  }
+  EXPECT_GT(read, 100u);
+}
+
 TEST(PlanJson, RefusesFurtherPlansOfFurtherPlans) {
   Plan plan = AnyPlan(3).make(false);
   plan.further = {AnyPlan(4).make(false)};

@@ -70,7 +70,8 @@ Facts programme_facts(const Plan& plan, Duration duration, double acceleration, 
                                                     with_unit(highest.in_native(), plan, options))));
   list.push_back(fact("Warm-up", plan.warm_up_runs == 0
                                      ? std::string("none in the programme")
-                                     : fmt::format("{} there and back at the feed speed", plan.warm_up_runs)));
+                                     : fmt::format("{} run{} there and back at the feed speed", plan.warm_up_runs,
+                                                   plan.warm_up_runs == 1 ? "" : "s")));
   list.push_back(
       fact("Duration, about", fmt::format("{} (at {}\u00a0{}/s²)", duration_text(duration),
                                           shown_short(acceleration, options), position_unit(plan.axis.kind))));

@@ -124,12 +124,13 @@ TEST(PlanSheet, StaysInsideThePaperAndBelowItsLabelAtEveryCount) {
     r.cycle = TestCycle::pilgrim;
     const Figure figure = figures_of(sheet(iso230_2::make_plan(r).value())).at(0);
     for (const Operation& operation : figure.operations) {
-      if (const auto* path = std::get_if<Path>(&operation))
+      if (const auto* path = std::get_if<Path>(&operation)) {
         for (const Point& p : path->points)
           EXPECT_TRUE(p.x >= 0.0 && p.x <= figure.width && p.y >= 0.0 && p.y <= figure.height);
-      if (const auto* text = std::get_if<Text>(&operation);
-          text && text->anchor == Anchor::start && text->degrees == 0.0)
-        EXPECT_LE(text->at.x + text_width(text->runs, text->size), figure.width);
+      }
+      const auto* text = std::get_if<Text>(&operation);
+      if (text == nullptr || text->anchor != Anchor::start || text->degrees != 0.0) continue;
+      EXPECT_LE(text->at.x + text_width(text->runs, text->size), figure.width);
     }
   }
 }

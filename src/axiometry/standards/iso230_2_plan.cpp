@@ -16,7 +16,6 @@ namespace axiometry::iso230_2 {
 namespace {
 
 constexpr std::size_t most_targets = 10'000;
-constexpr std::size_t most_approaches = 1'000'000;
 constexpr double most = 1e6;            // mm or °: no axis is longer
 constexpr double overrun_least = 1.0;   // mm or °
 constexpr double overrun_usual = 10.0;  // up to which 1 % of the travel is enough
@@ -173,7 +172,7 @@ struct Spacing {
 std::size_t target_count(const Frame& frame, Programme programme, const Stretch& stretch, const Spacing& spacing) {
   const double length = stretch.length();
   const auto intervals = [&](double p) {
-    return static_cast<std::size_t>(std::clamp(std::ceil(length / p - 1e-9), 1.0, 2.0 * most_targets));
+    return static_cast<std::size_t>(std::clamp(std::ceil(length / p - 1e-9), 1.0, 1e9));
   };
   const std::size_t closing = frame.without_end ? 0 : 1;
   if (spacing.count) return *spacing.count;
@@ -201,7 +200,7 @@ TargetGrid grid_over(const Frame& frame, Programme programme, const Stretch& str
         std::min(grid.shift_inwards, 0.4 * (stretch.length() - normal_stretch(frame.kind()).in_native()));
   grid.step = frame.step;
   grid.principal_positions = programme == Programme::one_turn;
-  grid.segment = programme == Programme::long_linear ? spacing.segment.value_or(0.0) : 0.0;
+  grid.segment = frame.without_end ? 0.0 : spacing.segment.value_or(0.0);
   grid.segments_from = spacing.segments_from;
   return grid;
 }
@@ -220,24 +219,20 @@ std::size_t last_run(const std::vector<Approach>& sequence) {
   return runs;
 }
 
-Result<void> check_size(const Plan& plan) {
-  const std::size_t m = plan.targets.size();
-  if (m > most_targets) return fail(fmt::format("found {} targets, expected at most {}", m, most_targets));
-  AXIOMETRY_TRY_VOID(check_sound(plan));
-  if (2 * m * (plan.runs + plan.warm_up_runs) > most_approaches)
-    return fail(fmt::format("found {} targets in {} runs, expected at most {} approaches in all", m, plan.runs,
-                            most_approaches));
-  return {};
+Result<void> check_count(const Frame& frame, const Stretch& stretch, double count) {
+  if (count <= static_cast<double>(most_targets)) return {};
+  return fail(fmt::format("found {:.4g} targets over {}, expected at most {}", count, frame.text(stretch.length()),
+                          most_targets));
 }
 
 /// One test over one stretch. `stream` parts the tests of a plan.
 Result<Plan> plan_over(const Frame& frame, const Stretch& stretch, const Spacing& spacing, std::uint64_t seed,
                        std::uint64_t stream) {
   const Programme programme = programme_of(frame.kind(), Position::native(stretch.length()));
+  if (spacing.interval) AXIOMETRY_TRY_VOID(check_count(frame, stretch, stretch.length() / *spacing.interval + 1.0));
+  if (spacing.segment) AXIOMETRY_TRY_VOID(check_count(frame, stretch, stretch.length() / *spacing.segment));
   const TargetGrid grid = grid_over(frame, programme, stretch, spacing);
-  if (grid.count > most_targets)
-    return fail(fmt::format("found {} targets over {}, expected at most {}", grid.count, frame.text(stretch.length()),
-                            most_targets));
+  AXIOMETRY_TRY_VOID(check_count(frame, stretch, static_cast<double>(grid.count)));
   Plan plan = frame.plan;
   plan.clause = clause_of(plan.cycle, programme);
   plan.runs = required_approaches(programme);
@@ -292,6 +287,10 @@ Result<Plan> plan_of_given_targets(const Frame& frame, const PlanRequest& reques
   }()));
   const Stretch stretch{plan.targets.front(), plan.targets.back()};
   AXIOMETRY_TRY_VOID(check_room(frame, "targets from", stretch));
+  if (const auto& within = request.measurement; within && (stretch.from < within->from || stretch.to > within->to))
+    return fail(fmt::format("found targets from {}, expected them within the measurement travel {}",
+                            span_text(frame, stretch.from.in_native(), stretch.to.in_native()),
+                            span_text(frame, within->from.in_native(), within->to.in_native())));
   const Programme programme = programme_of(frame.kind(), Position::native(stretch.length()));
   plan.clause = clause_of(plan.cycle, programme);
   plan.runs = required_approaches(programme);
@@ -313,10 +312,9 @@ Result<Plan> plan_for_period(const Frame& frame, const PlanRequest& request) {
   const double length = std::min(periods * period, room);
   TargetGrid grid;
   const double wanted = request.interval ? request.interval->in_native() : period / targets_per_period;
-  const double intervals = std::min(std::ceil(length / wanted - 1e-9), 2.0 * most_targets);
-  grid.count = request.count.value_or(static_cast<std::size_t>(intervals) + 1);
-  if (grid.count < 2 || grid.count > most_targets)
-    return fail(fmt::format("found {} targets, expected 2 to {}", grid.count, most_targets));
+  const double count = request.count ? static_cast<double>(*request.count) : std::ceil(length / wanted - 1e-9) + 1.0;
+  AXIOMETRY_TRY_VOID(check_count(frame, {Position::native(0.0), Position::native(length)}, count));
+  grid.count = std::max<std::size_t>(static_cast<std::size_t>(count), 2);
   grid.first = middle - 0.5 * length;
   grid.interval = length / static_cast<double>(grid.count - 1);
   grid.shift = random_part * grid.interval;
@@ -346,7 +344,9 @@ Result<Plan> make_plan(const PlanRequest& request) {
   plan.sequence = request.sequence;
   if (plan.cycle == TestCycle::user_defined) plan.runs = last_run(plan.sequence);
   if (request.runs) plan.runs = *request.runs;
-  AXIOMETRY_TRY_VOID(check_size(plan));
+  if (plan.targets.size() > most_targets)
+    return fail(fmt::format("found {} targets, expected at most {}", plan.targets.size(), most_targets));
+  AXIOMETRY_TRY_VOID(check_sound(plan));
   const double measured = plan.targets.back().in_native() - plan.targets.front().in_native();
   const bool needs_further = !request.periodic && plan.cycle != TestCycle::user_defined &&
                              required_approaches(programme_of(frame.kind(), Position::native(measured))) == 1;

@@ -84,15 +84,15 @@ struct PlanRequest {
 /// Measurement travel: all that the overruns leave of the axis travel (and of the soft limits); of a rotary axis at
 /// most five revolutions in its middle.
 ///
-/// m: what the clause asks for; a mean interval of 250 mm (or one segment, if that is less) above 2 000 mm, where each
-/// segment of the scale is given a target.
+/// m: what the clause asks for; a mean interval of 250 mm (or one segment, if that is less) above 2 000 mm. Each
+/// segment of the scale that is left without a target is given one more.
 ///
 /// `further` (of tests above 2 000 mm or 360°): five approaches over each stretch of the normal working area, by
 /// default one in the middle of the measurement travel.
 ///
 /// Fails, with the numbers, on a travel that is missing, reversed or empty, on numbers that are not finite or not
 /// positive, on targets, overruns or stretches beyond the travel or the soft limits, on a travel too short for the
-/// targets, on more than 10 000 targets or 1 000 000 approaches, on a period that is missing or does not fit, and as
+/// targets, on more than 10 000 targets, on a period that is missing or does not fit, and as
 /// check_sound() does.
 Result<Plan> make_plan(const PlanRequest& request);
 

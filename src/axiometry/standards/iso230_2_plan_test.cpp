@@ -206,11 +206,12 @@ TEST(Plan230, StretchesOfTheNormalWorkingAreaAreTheUsersChoice) {
 TEST(Plan230, EverySegmentOfAScaleHasATarget) {
   for (double segment : {90.0, 170.0, 333.0, 1000.0})
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      PlanRequest r = request(0, 3000);
+      const double travel = seed % 2 ? 3000.0 : 1600.0;
+      PlanRequest r = request(0, travel);
       r.seed = seed;
       r.segment = at(segment);
       const Plan plan = make_plan(r).value();
-      for (double from = 0.0; from < 2990.0 - 1e-9; from += segment)
+      for (double from = 0.0; from < travel - 10.0 - 1e-9; from += segment)
         EXPECT_TRUE(std::ranges::any_of(
             plan.targets, [&](Position p) { return p.in_native() >= from && p.in_native() <= from + segment; }))
             << segment << " from " << from;
@@ -396,6 +397,10 @@ TEST(Plan230, RefusesWhatCannotBePlannedWithTheNumbers) {
   r = request(0, 500);
   r.targets = {at(100), at(600)};
   EXPECT_THAT(reason(r), HasSubstr("found the targets from 100 to 600 mm"));
+  r.targets = {at(100), at(300)};
+  r.measurement = Stretch{at(150), at(400)};
+  EXPECT_EQ(reason(r), "found targets from 100 to 300 mm, expected them within the measurement travel 150 to 400 mm");
+  r.measurement.reset();
   r.targets = {at(100), at(100)};
   EXPECT_THAT(reason(r), HasSubstr("expected ascending targets"));
   r.targets = {at(nan), at(100)};
@@ -405,11 +410,14 @@ TEST(Plan230, RefusesWhatCannotBePlannedWithTheNumbers) {
   EXPECT_EQ(reason(r), "found 1000000000 targets, expected 2 to 10000");
   r.count.reset();
   r.interval = at(1e-6);
-  EXPECT_THAT(reason(r), HasSubstr("expected at most 10000"));
+  EXPECT_EQ(reason(r), "found 4.9e+08 targets over 490 mm, expected at most 10000");
   r.interval.reset();
+  r.segment = at(1e-9);
+  EXPECT_THAT(reason(r), HasSubstr("expected at most 10000"));
+  r.segment.reset();
   r.count = 9000;
   r.runs = 10'000;
-  EXPECT_THAT(reason(r), HasSubstr("expected at most 1000000 approaches"));
+  EXPECT_THAT(reason(r), HasSubstr("approaches, expected at most 1000000"));
   for (double bad : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()}) {
     r = request(0, 500);
     r.feed = bad;

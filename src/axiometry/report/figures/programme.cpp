@@ -30,6 +30,7 @@ constexpr double most_height = 320.0;
 constexpr double least_pitch = 9.0;          // between labels
 constexpr double number_width = 11.0;        // of a target's number
 constexpr std::size_t most_readings = 1500;  // that are drawn as dots
+constexpr std::size_t most_legs = 20'000;    // beyond which a picture would be a black box of many megabytes
 constexpr double pad = 0.03;                 // of the reach, beside it
 
 Text label(plot::Runs runs, Point at, double size, Anchor anchor, Colour colour = ink::black) {
@@ -132,11 +133,12 @@ class Drawing {
   }
 
   void draw_targets() {
+    const double last = x_(plan_.targets.back().in_native());
     double free_from = -1.0;
     for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
       const double x = x_(plan_.targets[i].in_native());
       operations_.push_back(plot::line({x, top_}, {x, bottom_}, ink::solid(ink::grid_grey, 0.5)));
-      if (x < free_from) continue;
+      if (x < free_from || (x > last - number_width && i + 1 < plan_.targets.size())) continue;
       operations_.push_back(label({plot::plain(fmt::format("{}", i + 1))}, {x, top_ - 4.0}, ink::tick_text_size,
                                   Anchor::middle, ink::grey));
       free_from = x + number_width;
@@ -179,12 +181,17 @@ class Drawing {
   }
 
   static Stroke pen(const Leg& leg) {
-    if (leg.warm_up) return ink::solid(ink::extension_grey, 0.6);
-    return ink::solid(ink::of(leg.to.position > leg.from.position ? Direction::up : Direction::down), 0.8);
+    return leg.approach ? ink::solid(ink::of(leg.approach->direction), 0.8) : ink::solid(ink::extension_grey, 0.6);
   }
 
   /// One line for each stretch of one colour.
   void draw_way() {
+    if (legs_.size() > most_legs) {
+      operations_.push_back(label({plot::plain(fmt::format("{} moves: too many to draw", legs_.size()))},
+                                  {0.5 * (left_edge + right_edge), 0.5 * (top_ + bottom_)}, ink::text_size,
+                                  Anchor::middle, ink::grey));
+      return;
+    }
     const bool dots = approaches(plan_).size() <= most_readings;
     std::vector<Operation> readings;
     Path path;
@@ -241,7 +248,7 @@ class Drawing {
       if (std::ranges::find(all, direction, &Approach::direction) != all.end())
         entry(ink::of(direction), true,
               direction == Direction::up ? "Approach ↑ and reading" : "Approach ↓ and reading");
-    if (plan_.warm_up_runs > 0) entry(ink::extension_grey, false, "Warm-up");
+    entry(ink::extension_grey, false, "Way without reading");
     entries.push_back({std::nullopt, ink::grid_grey, std::nullopt, {plot::plain("Overrun")}});
     plot::draw_legend(operations_, entries, {left_edge, bottom_ + foot}, right_edge - left_edge);
   }
