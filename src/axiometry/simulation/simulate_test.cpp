@@ -278,6 +278,20 @@ TEST(Simulate, TheSameSeedGivesTheSameBitsAndAnotherOneOthers) {
   }
 }
 
+TEST(Simulate, EveryPresetIsAnAxisOfEitherKindButForTheExpansion) {
+  for (const Preset& preset : presets())
+    for (const AxisKind kind : {AxisKind::linear, AxisKind::rotary}) {
+      Request request = request_of({});
+      request.plan.axis.kind = kind;
+      request.axis = preset.make(request.plan);
+      const bool expands = request.axis.instrument.expansion.has_value();
+      EXPECT_EQ(simulate(request).has_value(), kind == AxisKind::linear || !expands) << preset.id;
+      EXPECT_EQ(expands, preset.id == "wrong-expansion-coefficient");
+      EXPECT_EQ(find_preset(preset.id), &preset);
+    }
+  EXPECT_EQ(find_preset("nonsense"), nullptr);
+}
+
 TEST(Simulate, TheBitsAreThoseOfEverySystem) {  // regression: of our own making
   Request request = request_of({});
   request.axis = find_preset("mixed")->make(request.plan);
