@@ -27,7 +27,6 @@ constexpr const char* examples = R"(Examples:
 Sizes are in um, mm and so on, on a rotary axis in arcsec or deg. Without --fault only what is given is wrong.)";
 
 struct SimulateArguments {
-  std::string plan;
   std::string fault;
   std::string pitch_table;
   std::uint64_t seed = 1;
@@ -113,7 +112,7 @@ int simulate(const SimulateArguments& arguments) {
     throw CLI::ValidationError(checked.error().to_string());
   app::SimulationRequest request;
   request.simulate.seed = arguments.seed;
-  auto plan = app::simulation_plan(arguments.plan);
+  auto plan = app::simulation_plan(out.plan);
   if (!plan) return failed(plan.error());
   request.simulate.plan = std::move(*plan);
   choose_fault(arguments, request);
@@ -151,7 +150,7 @@ void add_simulate(CLI::App& program, int& exit_code) {
   CLI::App* verb = program.add_subcommand("simulate", "Make readings and recordings of an axis with known faults");
   verb->footer(examples);
   auto arguments = std::make_shared<SimulateArguments>();
-  verb->add_option("--plan", arguments->plan, "Plan to walk (a standard one of 500 mm when there is none)")
+  verb->add_option("--plan", arguments->outputs.plan, "Plan to walk (a standard one of 500 mm when there is none)")
       ->type_name("FILE");
   verb->add_option("--fault", arguments->fault, "Axis in good order but for this fault (see --list-faults)")
       ->type_name("ID");

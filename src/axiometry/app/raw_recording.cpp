@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -14,18 +16,29 @@
 namespace axiometry::app {
 namespace {
 
-constexpr int decimals = 7;
 constexpr double fractions_per_count = 256.0;
 
+void append_whole(std::string& text, long long x) {
+  char digits[24];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, x).ptr);
+}
+
+/// Seven decimals, as whole ten millionths; |x| up to 1e9 s, mm or ° gives 1e16 of them, which a double nearly holds.
 void append_fixed(std::string& text, double x) {
-  char digits[64];
-  const auto end = std::to_chars(digits, digits + sizeof digits, x, std::chars_format::fixed, decimals).ptr;
-  text.append(digits, end);
+  constexpr long long one = 10'000'000;
+  const long long whole = std::llround(std::abs(x) * static_cast<double>(one));
+  if (x < 0.0 && whole > 0) text += '-';
+  append_whole(text, whole / one);
+  char decimals[8] = {'.'};
+  long long rest = whole % one;
+  for (int k = 7; k > 0; --k, rest /= 10) decimals[k] = static_cast<char>('0' + rest % 10);
+  text.append(decimals, sizeof decimals);
 }
 
 void append_bytes(std::string& text, double x) {
-  auto bits = std::bit_cast<std::uint64_t>(x);
-  for (int k = 0; k < 8; ++k, bits >>= 8) text += static_cast<char>(bits & 0xff);
+  auto bits = std::bit_cast<std::array<char, 8>>(x);
+  if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(bits);
+  text.append(bits.data(), bits.size());
 }
 
 /// Version 1.0: magic, length of the header, a Python literal padded to a multiple of 64.
@@ -97,10 +110,18 @@ void RawRecording::append_counts(const Sample& sample) {
   const auto displacement = static_cast<long long>(std::floor(static_cast<double>(fractions) / fractions_per_count));
   const auto phase = fractions - displacement * static_cast<long long>(fractions_per_count);
   const bool tells = written_ % rate_every == 0;
-  fmt::format_to(std::back_inserter(text_), "0 0 {} {} {} {} {} {}\r\n", displacement,
-                 written_ == 0 ? 0 : displacement - displacement_, phase,
-                 std::llround(sample.time_s * setting_.rate) + 1, tells ? rate_code : 0,
-                 tells ? std::llround(setting_.rate * 100.0) : 0);
+  const long long columns[] = {displacement,
+                               written_ == 0 ? 0 : displacement - displacement_,
+                               phase,
+                               std::llround(sample.time_s * setting_.rate) + 1,
+                               tells ? rate_code : 0,
+                               tells ? std::llround(setting_.rate * 100.0) : 0};
+  text_ += "0 0";
+  for (const long long column : columns) {
+    text_ += ' ';
+    append_whole(text_, column);
+  }
+  text_ += "\r\n";
   displacement_ = displacement;
 }
 

@@ -80,7 +80,7 @@ VirtualAxis thermal(const Plan& plan) {
 
 VirtualAxis stick_slip(const Plan& plan) {
   VirtualAxis axis = good(plan);
-  axis.stick_slip = {size(3.0), size(1.0)};
+  axis.stick_slip = {size(2.0), size(0.7)};
   return axis;
 }
 
@@ -99,7 +99,7 @@ VirtualAxis outliers(const Plan& plan) {
 
 VirtualAxis loose_optics(const Plan& plan) {
   VirtualAxis axis = good(plan);
-  axis.instrument.slip_probability = 0.06;
+  axis.instrument.slip_probability = 0.03;
   axis.instrument.slip_size = size(3.0);
   return axis;
 }

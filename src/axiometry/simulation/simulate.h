@@ -74,7 +74,7 @@ struct RecordingRequest {
 struct TrueStandstill {
   Approach approach;
   bool extra = false;
-  Duration begin;                 ///< settled to 0.01 µm or ″ of the command; `end` when it never did
+  Duration begin;                 ///< the servo is within 0.01 µm or ″; `end` when it never was
   Duration end;                   ///< the next move begins
   std::size_t samples = 0;        ///< recorded in between
   std::optional<Deviation> mean;  ///< true deviation (no instrument) over these samples; absent without one

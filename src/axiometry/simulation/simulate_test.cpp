@@ -230,6 +230,40 @@ TEST(Simulate, DriftWalksWithTheRootOfTime) {
   EXPECT_NEAR(std::sqrt(squares / hours), 6.0, 5.0 * 6.0 / std::sqrt(2000.0) + 6.0 / 60.0);
 }
 
+TEST(Simulate, AirActsOnTheBeamFromTheDeadPathOn) {
+  VirtualAxis axis;
+  axis.instrument.air.slow = RelativeLength::um_per_m(10.0);
+  axis.instrument.air.random = RelativeLength::um_per_m(4.0);
+  axis.instrument.air.random_time = Duration::s(0.5);  // independent from reading to reading
+  axis.instrument.air.dead_path = Position::native(100.0);
+  double squares = 0.0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const auto simulated = simulate(request_of(axis, seed));
+    for (const TrueReading& r : simulated->readings) {
+      const double beam_m = (request_of(axis).plan.targets[r.approach.target].in_native() + 100.0) / 1000.0;
+      squares += std::pow(r.instrument.in_native() / beam_m, 2) / (300.0 * 24.0);
+      EXPECT_EQ(r.deviation.in_native(), 0.0);
+    }
+  }
+  // A wave of random phase, and 0.96 of the variance of the random part (as for the pitch's). The wave is nearly the
+  // same in all readings of a test: 300 values of 100·sin², whose mean is known to 100/√8/√300.
+  EXPECT_NEAR(squares, 50.0 + 0.96 * 16.0, 5.0 * 100.0 / std::sqrt(8.0 * 300.0));
+}
+
+TEST(Simulate, VibrationHasItsAmplitude) {
+  VirtualAxis axis;
+  axis.instrument.vibration = um(0.6);
+  double largest = 0.0, squares = 0.0;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    const double x = simulate(request_of(axis, seed))->readings[3].instrument.in_native();
+    largest = std::max(largest, std::abs(x));
+    squares += x * x / 2000.0;
+  }
+  EXPECT_LE(largest, 0.6);
+  EXPECT_GT(largest, 0.599);
+  EXPECT_NEAR(squares, 0.18, 5.0 * 0.36 / std::sqrt(8.0 * 2000.0));
+}
+
 TEST(Simulate, OutliersComeAsOftenAndAsLargeAsToldAndAreMarked) {
   VirtualAxis axis;
   axis.instrument.outlier_probability = 0.1;
@@ -276,6 +310,20 @@ TEST(Simulate, TheSameSeedGivesTheSameBitsAndAnotherOneOthers) {
     }
     EXPECT_EQ(different, first->readings.size()) << preset.id;
   }
+}
+
+TEST(Simulate, EveryPresetIsAnAxisOfEitherKindButForTheExpansion) {
+  for (const Preset& preset : presets())
+    for (const AxisKind kind : {AxisKind::linear, AxisKind::rotary}) {
+      Request request = request_of({});
+      request.plan.axis.kind = kind;
+      request.axis = preset.make(request.plan);
+      const bool expands = request.axis.instrument.expansion.has_value();
+      EXPECT_EQ(simulate(request).has_value(), kind == AxisKind::linear || !expands) << preset.id;
+      EXPECT_EQ(expands, preset.id == "wrong-expansion-coefficient");
+      EXPECT_EQ(find_preset(preset.id), &preset);
+    }
+  EXPECT_EQ(find_preset("nonsense"), nullptr);
 }
 
 TEST(Simulate, TheBitsAreThoseOfEverySystem) {  // regression: of our own making
