@@ -8,6 +8,7 @@
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/utf8.h"
+#include "findings_text.h"
 
 namespace axiometry::cli {
 namespace {
@@ -82,21 +83,6 @@ std::string parameter_table(const app::Evaluated& e, const report::Options& opti
   if (const auto footnote = uncertainty_footnote(e.assessment); !footnote.empty())
     text += terminal.faint(footnote) + "\n";
   return text + "\n";
-}
-
-std::string severity_text(Severity severity, const Terminal& terminal) {
-  const std::string name = left(iso230_2::severity_name(severity), 10);
-  return severity == Severity::departure ? terminal.red(name)
-         : severity == Severity::missing ? terminal.yellow(name)
-                                         : terminal.faint(name);
-}
-
-std::string findings_list(const app::Evaluated& e, const Terminal& terminal) {
-  std::string text;
-  for (const auto& finding : e.assessment.findings)
-    text += severity_text(finding.severity, terminal) + left(finding.clause, 8) +
-            wrapped(report::printable(finding.message), terminal.width(), 18) + "\n";
-  return text.empty() ? text : text + "\n";
 }
 
 std::string verdict_text(Verdict verdict, const Terminal& terminal) {
@@ -205,7 +191,8 @@ std::string uncertainty_text(const app::Evaluated& e, const report::Options& opt
 
 std::string summary(const app::Evaluated& e, const report::Options& options, const Terminal& terminal, Detail detail) {
   return heading(e, options, terminal) + parameter_table(e, options, terminal) + tolerance_table(e, options, terminal) +
-         uncertainty_text(e, options, terminal, detail) + findings_list(e, terminal) + conclusion(e, terminal);
+         uncertainty_text(e, options, terminal, detail) + findings_text(e.assessment.findings, terminal) +
+         conclusion(e, terminal);
 }
 
 namespace {

@@ -364,19 +364,23 @@ Position distance_to_feed(const Plan& plan, double acceleration) {
   return Position::native(feed_per_s * feed_per_s / acceleration);
 }
 
-Duration estimated_duration(const Plan& plan, double acceleration) {
-  AXIOMETRY_CONTRACT(acceleration > 0.0);
-  const double feed_per_s = plan.feed / 60.0;
-  const double to_feed = distance_to_feed(plan, acceleration).in_native();
-  const std::vector<PlannedMove> list = moves(plan);
-  double seconds = 0.0;
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    if (list[k].approach) seconds += plan.dwell.in_s();
-    if (k == 0) continue;  // from wherever the axis stood
+std::vector<Duration> move_durations(const std::vector<PlannedMove>& list, double feed, double acceleration) {
+  AXIOMETRY_CONTRACT(feed > 0.0 && acceleration > 0.0);
+  const double feed_per_s = feed / 60.0;
+  const double to_feed = feed_per_s * feed_per_s / acceleration;
+  std::vector<Duration> durations(list.size());
+  for (std::size_t k = 1; k < list.size(); ++k) {
     const double way = std::abs(list[k].to.in_native() - list[k - 1].to.in_native());
-    seconds += way < to_feed ? 2.0 * std::sqrt(way / acceleration) : way / feed_per_s + feed_per_s / acceleration;
+    durations[k] =
+        Duration::s(way < to_feed ? 2.0 * std::sqrt(way / acceleration) : way / feed_per_s + feed_per_s / acceleration);
   }
-  return Duration::s(seconds);
+  return durations;
+}
+
+Duration estimated_duration(const Plan& plan, double acceleration) {
+  Duration sum = static_cast<double>(approaches(plan).size()) * plan.dwell;
+  for (Duration d : move_durations(moves(plan), plan.feed, acceleration)) sum = sum + d;
+  return sum;
 }
 
 }  // namespace axiometry::iso230_2

@@ -21,6 +21,7 @@
 /// plan_findings() says so. The first and the last target shift inwards only, by at most R and 5 % of the measurement
 /// travel (and so that a travel above 2 000 mm or 360° stays above), because the overruns beyond them must fit.
 /// Targets are rounded to a step that controls take, 0.001 mm or 0.0001° unless told otherwise.
+/// Since r is uniform over whole periods, it samples them evenly even where p is a multiple of the period.
 ///
 /// **Compensation**: a target on a sampling point (3.28) is drawn again, at first until it is R/20 away from all, then
 /// until it is no longer within 0.001 mm or °; plan_findings() names those for which there is no such place.
@@ -111,6 +112,9 @@ double usual_acceleration(AxisKind kind);
 /// and slowing down) and the distance d, d/v + v/a, or 2·√(d/a) where d < v²/a; and a dwell at each approach. Without
 /// the further plans. Needs a sound plan and a > 0.
 Duration estimated_duration(const Plan& plan, double acceleration);
+
+/// How long each of moves(plan) takes, without the dwell at its end; 0 for the first, which comes from anywhere.
+std::vector<Duration> move_durations(const std::vector<PlannedMove>& moves, double feed, double acceleration);
 
 /// The least distance from rest to rest on which the feed is reached: v²/a.
 Position distance_to_feed(const Plan& plan, double acceleration);

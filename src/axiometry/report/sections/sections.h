@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +31,7 @@ Section parameter_section(const Subject& subject, const Options& options);
 /// Figures 2 and 3.
 Section figure_section(const Subject& subject, const Options& options);
 
-Section finding_section(const Subject& subject);
+Section finding_section(std::span<const iso230_2::Finding> findings);
 
 /// Clause 8.1, read from the table of metadata fields.
 Section identification_section(const Subject& subject, const Options& options);
