@@ -54,7 +54,7 @@ int run(const NcArguments& arguments) {
   if (!arguments.manual.empty()) {
     const auto dialect = app::dialect_of(arguments.manual);
     if (!dialect) throw CLI::ValidationError("--manual", dialect.error().message);
-    fmt::print("{}\n", (*dialect)->manual);
+    fmt::print("{}\n\nAxes: {}\n", (*dialect)->manual, (*dialect)->axes);
     return exit_done;
   }
   if (arguments.request.plan.empty()) throw CLI::RequiredError("PLAN.json");

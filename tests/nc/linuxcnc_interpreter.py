@@ -7,6 +7,7 @@ Usage: linuxcnc_interpreter.py PROGRAM [--runs N]
 PROGRAM is axiometry. Plans of every cycle, linear and rotary, become programs in mm and inches, looped and written out,
 with and without a trigger; `rs274` (Debian package linuxcnc-uspace) interprets them without a machine or a display and
 prints the canonical commands. The plans are walked here a second time, from their JSON and the meaning of the cycles.
+Programs for grbl, whose words are a part of LinuxCNC's, go the same way.
 """
 import argparse
 import itertools
@@ -98,7 +99,7 @@ def interpret(folder, program):
     return [match.groups() for match in commands if match]
 
 
-def drive(commands, axis):
+def drive(commands, axis, exact):
     """What the axis does: position in mm or degrees, feed, dwell, what was put out before which dwell, stops."""
     column, visits, unit, feed, ended = AXES.index(axis), [], 1.0, 0.0, False
     exact_stop = False
@@ -107,7 +108,7 @@ def drive(commands, axis):
         if name == "USE_LENGTH_UNITS":
             unit = INCH if text == "CANON_UNITS_INCHES" and axis in "XYZUVW" else 1.0
         elif name == "SET_MOTION_CONTROL_MODE":
-            exact_stop = text == "CANON_EXACT_STOP"
+            exact_stop = text == exact
         elif name == "SET_FEED_RATE":
             feed = float(text) * unit
         elif name == "STRAIGHT_FEED":
@@ -134,8 +135,9 @@ def compare(plan, visits, unit, trigger, stop):
     assert len(visits) == len(path), f"{len(visits)} moves, expected {len(path)}"
     for number, (visit, (position, reading)) in enumerate(zip(visits, path)):
         where = f"move {number + 1} to {position}"
-        # In inches the program has 0.5e-6 in of its own.
-        assert abs(visit["at"] - position) <= (PRINTED + 1e-6) * unit + 1e-9, f"{where}: went to {visit['at']}"
+        # What the program may round by itself in inches: a target by 0.05 µm, an overrun by half of its fourth decimal.
+        own = 0.0 if unit == 1.0 else 0.5e-4 if reading else PRINTED * unit
+        assert abs(visit["at"] - position) <= PRINTED * unit + own + 1e-9, f"{where}: went to {visit['at']}"
         assert abs(visit["feed"] - plan["feed"]) <= 1e-4 * plan["feed"] + PRINTED * unit, f"{where}: feed {visit['feed']}"
         assert visit["stops"] == (1 if stop and number == 0 else 0), f"{where}: {visit['stops']} stops"
         dwell = plan["dwell_s"] if reading else 0.0
@@ -162,7 +164,7 @@ def targets_in_text(plan, program, inch):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program", type=pathlib.Path)
-    parser.add_argument("--runs", type=int, default=3, help="plans for each combination")
+    parser.add_argument("--runs", type=int, default=2, help="plans for each combination")
     arguments = parser.parse_args()
     if not shutil.which("rs274"):
         sys.exit("found no rs274, expected the Debian package linuxcnc-uspace (scripts/packages test)")
@@ -174,23 +176,24 @@ def main():
         (folder / "tool.tbl").write_text("T1 P1 D0.125 Z0.5\n", encoding="ascii")
         (folder / "test.var").write_text("", encoding="ascii")
         cycles = ("standard", "step", "pilgrim", "unidirectional", "user-defined")
-        for cycle, kind, inch, unrolled, trigger in itertools.product(
-                cycles, ("linear", "rotary"), (False, True), (False, True), (False, True)):
+        modes = {"linuxcnc": "CANON_EXACT_STOP", "grbl": "CANON_EXACT_PATH"}  # grbl stops by its dwells
+        for (dialect, exact), cycle, kind, inch, unrolled, trigger in itertools.product(
+                modes.items(), cycles, ("linear", "rotary"), (False, True), (False, True), (False, True)):
             for _ in range(arguments.runs):
                 plan = make_plan(rng, cycle, kind)
                 stop = rng.random() < 0.5
                 (folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
                 options = ["--inch"] * inch + ["--unrolled"] * unrolled + ["--trigger", "8"] * trigger
                 options += ["--stop-at-start"] * stop + ["--no-block-numbers"] * (rng.random() < 0.3)
-                command = [program, "nc", folder / "plan.json", "--dialect", "linuxcnc", *options]
+                command = [program, "nc", folder / "plan.json", "--dialect", dialect, *options]
                 done = subprocess.run(command, capture_output=True, text=True)
                 try:
                     assert done.returncode == 0, done.stderr
-                    visits, unit = drive(interpret(folder, done.stdout), plan["axis"]["name"])
+                    visits, unit = drive(interpret(folder, done.stdout), plan["axis"]["name"], exact)
                     compare(plan, visits, unit, trigger, stop)
                     targets_in_text(plan, done.stdout, inch)
                 except AssertionError as error:
-                    sys.exit(f"{error}\n{' '.join(map(str, options))}\n{json.dumps(plan)}\n{done.stdout}")
+                    sys.exit(f"{error}\n{dialect} {' '.join(map(str, options))}\n{json.dumps(plan)}\n{done.stdout[:3000]}")
                 count += 1
                 moves += len(visits)
     print(f"{count} programs, {moves} moves: as LinuxCNC's interpreter drives them, so are they planned")

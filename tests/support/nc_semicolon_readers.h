@@ -8,7 +8,7 @@ namespace axiometry::testing_support {
 
 inline std::string without_semicolon_comment(std::string_view line) {
   const std::size_t at = line.find(';');
-  if (at != std::string_view::npos) check_characters(line.substr(at + 1), ".,+-/=[]:");
+  if (at != std::string_view::npos) check_characters(line.substr(at + 1), ".,+-/=[]():");
   return std::string(trimmed(line.substr(0, at)));
 }
 
@@ -38,7 +38,7 @@ inline Trace run_siemens(std::string_view program, const WordRules& rules) {
       take_until(line, "MSG(");
       if (line == ")") continue;
       take_until(line, "\"");
-      check_characters(take_until(line, "\""), ".,+-/=[]:");
+      check_characters(take_until(line, "\""), ".,+-/=[]():");
       if (line != ")") throw std::runtime_error("a message that ends early");
     } else {
       machine.block(line);

@@ -15,7 +15,7 @@ struct NcRequest {
   std::string plan;      ///< file, "-" for the standard input
   std::string dialect;   ///< id
   std::size_t part = 1;  ///< 1 is the plan itself, 2 and more its further ones
-  nc::ProgramOptions options;
+  nc::ProgramOptions options = {};
 };
 
 /// Fails, naming those there are, when no dialect has that id.

@@ -271,8 +271,13 @@ TEST(Dialects, RefusePlansBeyondTheirControls) {
   EXPECT_EQ(refusal("fanuc", plan), "");
   plan = small_plan();
   plan.targets[1] = Position::native(1e-8);
-  EXPECT_NE(refusal("fanuc", plan).find("found targets or an overrun less than a unit of the 6th decimal apart"),
-            std::string::npos);
+  EXPECT_EQ(
+      refusal("fanuc", plan),
+      "found targets, or target and overrun, that are alike with 6 decimals, expected positions that the program can "
+      "tell apart");
+  plan = small_plan();
+  plan.overrun = Position::native(1e-6);
+  EXPECT_NE(refusal("fanuc", plan), "");
   plan = small_plan();
   plan.runs = 10'000;
   plan.targets.clear();
@@ -288,6 +293,9 @@ TEST(Dialects, WriteAsManyDecimalsAsTheTargetsNeedAndSaySo) {
   EXPECT_NE(program.find("(COORDINATES WITH 5 DECIMALS, 3 WOULD MOVE TARGETS)"), std::string::npos);
   plan.targets[1] = Position::native(100.0 / 9.0);
   EXPECT_NE(write(*find_dialect("fanuc"), plan).find("ROUNDED BY UP TO 0.0001 UM"), std::string::npos);
+  plan.targets = {Position::native(1), Position::native(2), Position::native(3)};
+  plan.overrun = Position::native(0.5);
+  EXPECT_NE(write(*find_dialect("fanuc"), plan, {.decimals = 0}).find(" X0.5 "), std::string::npos);
   plan.targets = {Position::native(0), Position::native(25.4), Position::native(50.8)};
   EXPECT_NE(write(*find_dialect("fanuc"), plan, {.unit = LengthUnit::inch}).find(" X2.0000 F39.3701 "),
             std::string::npos);

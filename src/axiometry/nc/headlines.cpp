@@ -43,7 +43,7 @@ std::vector<std::string> headlines(const Plan& plan) {
   lines.push_back(plan.clause.empty() ? "TEST " + plan.standard
                                       : fmt::format("TEST {}, {}", plan.standard, plan.clause));
   if (!cycle_label(plan.cycle).empty()) lines.emplace_back(cycle_label(plan.cycle));
-  if (!plan.title.empty()) lines.push_back("PART " + plan.title);
+  if (!plan.title.empty()) lines.push_back("TITLE " + plan.title);
   if (!plan.machine.empty()) lines.push_back("MACHINE " + plan.machine);
   if (!plan.date.empty()) lines.push_back("DATE " + plan.date);
   lines.push_back(fmt::format("AXIS {}, {}", plan.axis.name, axis_kind_name(plan.axis.kind)));

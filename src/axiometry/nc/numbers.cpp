@@ -41,20 +41,20 @@ Result<Coordinates> Coordinates::make(const Plan& plan, const ProgramOptions& op
   const bool in_inch = options.unit == LengthUnit::inch && plan.axis.kind == AxisKind::linear;
   const double tolerance = in_inch ? inch_within_mm : exact_within;
   Coordinates coordinates(in_inch, options.decimals);
+  // Target and overrun may both be rounded by half a unit, so two of them keep the way to a target from vanishing.
   const auto told_apart = [&] {
-    const std::vector<Position>& t = plan.targets;
-    const Reach ends = reach(plan);
-    for (std::size_t i = 1; i < t.size(); ++i)
-      if (coordinates.text(t[i - 1]) == coordinates.text(t[i])) return false;
-    return coordinates.text(ends.lowest) != coordinates.text(t.front()) &&
-           coordinates.text(ends.highest) != coordinates.text(t.back());
+    const double overrun = plan.overrun.in_native() / (in_inch ? mm_per_inch : 1.0);
+    if (overrun * std::pow(10.0, coordinates.decimals_) < 2.0 - exact_within) return false;
+    for (std::size_t i = 1; i < plan.targets.size(); ++i)
+      if (coordinates.text(plan.targets[i - 1]) == coordinates.text(plan.targets[i])) return false;
+    return true;
   };
   while (coordinates.decimals_ < decimals_highest &&
          (coordinates.target_error(plan).in_native() > tolerance || !told_apart()))
     ++coordinates.decimals_;
   if (!told_apart())
     return fail(
-        fmt::format("found targets or an overrun less than a unit of the {}th decimal apart, expected positions "
+        fmt::format("found targets, or target and overrun, that are alike with {} decimals, expected positions "
                     "that the program can tell apart",
                     decimals_highest));
   return coordinates;

@@ -18,8 +18,8 @@ constexpr int decimals_highest = 6;
 class Coordinates {
  public:
   /// The unit of `options`, and at least its decimals: more as the targets need them, at most decimals_highest. Fails
-  /// when the options ask for fewer than 0 or more than that, and when two positions of the plan that follow one
-  /// another would be the same in print.
+  /// when the options ask for fewer than 0 or more than that, when two targets would be the same in print, or the
+  /// overrun is less than two units of the last decimal.
   static Result<Coordinates> make(const Plan& plan, const ProgramOptions& options);
 
   int decimals() const { return decimals_; }

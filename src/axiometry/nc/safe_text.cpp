@@ -38,8 +38,6 @@ CodePoint first_code_point(std::string_view s) {
 /// In ASCII, before it is looked at whether that is allowed.
 std::string plain(char32_t c) {
   if (c >= 'a' && c <= 'z') return {static_cast<char>(c - 'a' + 'A')};
-  if (c == '(') return "[";
-  if (c == ')') return "]";
   if (c == '\n' || c == '\r' || c == '\t') return " ";
   if (c < 0x80) return {static_cast<char>(c)};
   if (c == 0xB0) return " DEG";
@@ -56,6 +54,7 @@ std::string safe_text(std::string_view utf8, std::string_view allowed) {
     const CodePoint c = first_code_point(utf8);
     utf8.remove_prefix(c.bytes);
     for (char ascii : plain(c.value)) {
+      if (allowed.find(ascii) == std::string_view::npos) ascii = ascii == '(' ? '[' : ascii == ')' ? ']' : ascii;
       const bool harmless = (ascii >= 'A' && ascii <= 'Z') || (ascii >= '0' && ascii <= '9') || ascii == ' ' ||
                             allowed.find(ascii) != std::string_view::npos;
       safe += harmless ? ascii : '-';

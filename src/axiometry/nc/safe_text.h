@@ -10,7 +10,8 @@
 namespace axiometry::nc {
 
 /// Capital letters A to Z, digits, blanks and the characters of `allowed`, nothing else: accents are taken off Latin
-/// letters ("Ä" is "AE"), round brackets become square ones, a line break a blank, anything that is left a hyphen.
+/// letters ("Ä" is "AE"), round brackets become square ones where they are not allowed, a line break a blank, anything
+/// that is left a hyphen.
 std::string safe_text(std::string_view utf8, std::string_view allowed);
 
 /// Parts of at most `width` bytes, parted at blanks; a longer word is cut. At least one part. `width` is above 0.

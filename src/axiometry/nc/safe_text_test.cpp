@@ -12,6 +12,7 @@ TEST(SafeText, KeepsWhatAControlCanRead) {
   EXPECT_EQ(safe_text("Mill 3, X-axis.", ".,-"), "MILL 3, X-AXIS.");
   EXPECT_EQ(safe_text("Fräse Größe 5 µm 20°", ""), "FRAESE GROESSE 5 UM 20 DEG");
   EXPECT_EQ(safe_text("(new)", "[]"), "[NEW]");
+  EXPECT_EQ(safe_text("(new)", "()"), "(NEW)");
   EXPECT_EQ(safe_text("(new)", ""), "-NEW-");
 }
 

@@ -41,7 +41,8 @@ Result<std::string> axis_word(const Axis& axis, const ControlLimits& limits) {
 
 Result<std::string> feed_word(const Plan& plan, bool in_inch, const ControlLimits& limits) {
   const double feed = in_inch ? plan.feed / mm_per_inch * limits.feed_per_inch : plan.feed;
-  const std::string text = trimmed_number(feed, limits.feed_decimals + (in_inch ? 1 : 0));
+  const std::string text =
+      trimmed_number(feed, limits.feed_decimals + (in_inch && limits.feed_per_inch == 1.0 ? 1 : 0));
   const auto printed = parse_number(text);
   const bool right = printed && std::abs(*printed - feed) <= 0.001 * feed;
   if (right && plan.feed <= limits.feed_highest) return text;

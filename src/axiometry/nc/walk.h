@@ -17,9 +17,9 @@ struct Stretch {
 
 /// moves(plan) with what repeats folded into stretches of several times: runs of the standard and the unidirectional
 /// cycle and warm-up runs whole; of the step and pilgrim cycles the runs at a target, but mostly not the last of them,
-/// which ends elsewhere; of a user-defined cycle what happens to repeat likewise. The first move, from wherever the axis
-/// stands, is a stretch of its own. At most `loop_limit` stretches have more than one time; 0 folds nothing. Needs a
-/// sound plan.
+/// which ends elsewhere; of a user-defined cycle what happens to repeat likewise. The first move, from wherever the
+/// axis stands, is a stretch of its own. At most `loop_limit` stretches have more than one time; 0 folds nothing. Needs
+/// a sound plan.
 std::vector<Stretch> walk(const Plan& plan, std::size_t loop_limit);
 
 }  // namespace axiometry::nc

@@ -12,7 +12,7 @@ B or C.
 
 - Program: `%`, `O2302` or `--number N` (1 to 9999), `M30`, `%`
 - Loops: custom macro B, `WHILE [#1 LE 5] DO1` … `END1`, with the local variable #1. An option on older
-  controls: without it, alarm 115 or 128 comes at once; use `--unrolled`
+  controls, which stop with an alarm without it: use `--unrolled`
 - Start: `G21` or `G20` in a block of its own, `G17 G40 G49 G80 G90 G94`, `G61` (exact stop, so that every
   target is reached)
 - Dwell: `G4 X3.0`, seconds
@@ -23,10 +23,10 @@ Try in single block first: the start blocks, the first two targets, and the firs
 `END1`).
 
 - Lathes with G code system A know neither G90 nor G94: put G98 in their place, and use an axis name that is
-  absolute there (X, Z, not U, W). Where X is programmed as a
-  diameter the axis would move half as far as planned: switch to radius programming.
+  absolute there (X, Z, not U, W). Where X is programmed as a diameter the axis would move half as far as
+  planned: switch to radius programming.
 - With increment system IS-B the control has 3 decimals in mm (4 in inches) and drops more: targets of the plan
-  should be multiples of 0.001 mm. IS-C has one more.
+  should be multiples of 0.001 mm, and the program written with `--decimals 3`. IS-C has one more.
 - A rotary axis with rollover (parameter 1008) goes to an absolute position the short way round, or as the sign
   says. Switch rollover off for the test, or stay within half a turn, or it will not come from the planned
   direction [inferred].

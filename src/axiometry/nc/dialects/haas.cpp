@@ -21,8 +21,8 @@ Haas checks setting 9: a program in inches stops with an alarm on a machine in m
 Setting 9 decides how many decimals are kept: 3 in mm, 4 in inches.
 
 Try in single block first: the start blocks, the first target with its dwell, the first turn of the loop. A
-rotary axis with setting 30 or 58 in a mode of shortest way does not come from the planned direction [inferred]:
-check at 0° and 360°.)manual";
+rotary axis that is set to take the shortest way, or to count to 360° only, does not come from the planned
+direction [inferred]: look at the first move beyond 0° and 360°.)manual";
 
 constexpr WordControl control = {
     .limits = {.loops = 10'000},

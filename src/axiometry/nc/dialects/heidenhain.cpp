@@ -30,8 +30,9 @@ For TNC 426, 430, iTNC 530, TNC 320, 620, 640 and TNC7.
 
 Try in single block first: the first target with its dwell (time it), and the first repeat.
 
-- The names of cycle 9 are English. A control that is set to another language translates them as it reads the
-  file [inferred].
+- The names in cycle 9 are English; a control with another dialog language shows its own.
+- Coordinates are taken with 4 decimals, with an option 5. In inches they mostly have 6: give the plan targets
+  that are multiples of 0.0001 in, or test in mm [inferred].
 - Datum shift, mirroring, rotation, scaling, tilted plane and M128 must be off: they are not reset by the
   program.
 - Rotary axes: M126 (shortest way) must be off, and an axis with a display that is reduced below 360° is driven
@@ -77,7 +78,7 @@ class Sentences {
   std::string finish() && { return std::move(text_); }
 
  private:
-  static std::string safe(std::string_view text) { return safe_text(text, ".,+-/=:"); }
+  static std::string safe(std::string_view text) { return safe_text(text, ".,+-/=():"); }
 
   const Script& script_;
   std::size_t number_ = 0;

@@ -17,7 +17,7 @@ For Mazatrol controls of machining centres that run EIA/ISO programs (Fusion 640
 
 Try in single block first: the start blocks, the first target with its dwell, the first turn of the loop.
 
-- Inch needs the inch option, and a parameter (F91 bit 4 on many) decides what is active at power on [inferred].
+- Inch needs the inch option, and a parameter decides what is active at power on [inferred].
 - High-speed modes (G5 P2, G61.1) must be off [inferred].
 - Rotary axes: the shortest-way parameter must be off, or the axis does not come from the planned direction
   [inferred].)manual";

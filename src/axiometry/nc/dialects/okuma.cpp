@@ -13,7 +13,7 @@ For OSP controls of machining centres (OSP-E100M, P200M, P300M and relatives).
 - Loops: user task: the common variable VC1 counts, `IF [VC1 LT 5] NR1` jumps back to the block of the name NR1.
   VC1 is overwritten: see that nothing else on the machine keeps a value there. `--unrolled` uses no variable
 - Start: `G21` or `G20` (they only confirm the unit: the control stops with an alarm when it is set to the other
-  one), `G17 G40 G80 G90 G94`, `G61` (exact stop)
+  one [inferred]), `G17 G40 G80 G90 G94`, `G61` (exact stop)
 - Dwell: `G4 F3.0`, seconds
 - Trigger: an M code between two halves of the dwell
 

@@ -32,7 +32,7 @@ constexpr WordControl control = {
     .limits = {.numbered_axes = true, .loops = 10'000},
     .comment_begin = "; ",
     .comment_end = "",
-    .comment_characters = ".,+-/=[]:",
+    .comment_characters = ".,+-/=[]():",
     .start_mm = {"G710", "G17 G40 G90 G94", "G60 G601"},
     .start_inch = {"G700", "G17 G40 G90 G94", "G60 G601"},
     .feed_point = false,
