@@ -33,9 +33,12 @@ std::string name_of(const testing::TestParamInfo<BadInput>& input) { return inpu
 TEST_P(BadInputs, AreRefusedWithPlaceAndReason) { EXPECT_EQ(message_for(GetParam().bytes), GetParam().message); }
 
 const std::string header = "target_mm,direction,run,deviation_um\n";
-const std::string titles =
-    "json (Axiometry test, JSON); csv-long (CSV, one reading per row); csv-wide (CSV, one column per run); "
-    "ecmc-dat (ecmc ISO 230 data); a CSV file begins with a header such as target_mm,direction,run,deviation_um";
+const std::string titles = [] {
+  std::string list;
+  for (const Format* format : format_table())
+    list += std::string(list.empty() ? "" : "; ") + std::string(format->id) + " (" + std::string(format->title) + ")";
+  return list + "; a CSV file begins with a header such as target_mm,direction,run,deviation_um";
+}();
 
 INSTANTIATE_TEST_SUITE_P(
     Files, BadInputs,
