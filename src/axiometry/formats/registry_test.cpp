@@ -26,8 +26,8 @@ TEST(Registry, EveryFormatDescribesItself) {
     EXPECT_NE(format->read, nullptr);
     EXPECT_EQ(format->holds_many == nullptr, format->read_many == nullptr) << format->id;
   }
-  EXPECT_EQ(ids, (std::set<std::string_view>{"api-pos", "csv-long", "csv-wide", "ecmc-cfg-csv", "ecmc-cfg-md",
-                                             "ecmc-dat", "json", "renishaw-rtl"}));
+  EXPECT_EQ(ids, (std::set<std::string_view>{"api-pos", "camonitor", "csv-long", "csv-wide", "ecmc-cfg-csv",
+                                             "ecmc-cfg-md", "ecmc-dat", "json", "renishaw-rtl"}));
 }
 
 TEST(Registry, RecognisesTheExampleOfEveryManual) {
