@@ -27,7 +27,7 @@ TEST(Registry, EveryFormatDescribesItself) {
     EXPECT_EQ(format->holds_many == nullptr, format->read_many == nullptr) << format->id;
   }
   EXPECT_EQ(ids, (std::set<std::string_view>{"api-pos", "camonitor", "csv-long", "csv-wide", "ecmc-cfg-csv",
-                                             "ecmc-cfg-md", "ecmc-dat", "json", "renishaw-rtl"}));
+                                             "ecmc-cfg-md", "ecmc-dat", "heidenhain-nd", "json", "renishaw-rtl"}));
 }
 
 TEST(Registry, RecognisesTheExampleOfEveryManual) {
