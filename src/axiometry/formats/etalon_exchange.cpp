@@ -137,8 +137,8 @@ Gridpoints = {
 ```
 
 - Read are the positioning errors `[EXX]`, `[EYY]` and `[EZZ]`: rows of position and error in mm below `Gridpoints`.
-  Each is a test of its own, named like its block. Other blocks are passed over: straightness, angles, squareness and the
-  errors of rotary axes, whose units differ between programs.
+  Each is a test of its own, named like its block. Other blocks are passed over: straightness, angles, squareness and
+  the errors of rotary axes, whose units differ between programs.
 - `//` begins a comment.
 - The errors stand under ↑ as the only run, with the sign as found. They are computed values, no measured approaches, so
   the tests are none of ISO 230-2.
