@@ -220,5 +220,12 @@ TEST(Camonitor, ReadsLogsOfWindowsShells) {
   expect_known_deviations((*format)->read(utf16), recording);
 }
 
+TEST(Camonitor, LeavesLogsOfOtherProgramsAlone) {
+  const Format& format = *find_format("camonitor");
+  EXPECT_EQ(format.recognise("server 2026-01-31 10:00:00 started\nserver 2026-01-31 10:00:01 stopped\n"), 0);
+  EXPECT_EQ(format.recognise("a:b 2026-01-31 10:00:00 started\n"), 0);
+  EXPECT_EQ(format.recognise("A:Pos 2026-01-31 10:00:00.5 1.25\n"), 40);
+}
+
 }  // namespace
 }  // namespace axiometry::formats

@@ -104,5 +104,10 @@ TEST(IsgCsv, RefusesWhatIsBroken) {
             "found no positioning error of a linear axis, expected one of EXX, EYY and EZZ");
 }
 
+TEST(IsgCsv, TakesNoOtherTextForErrors) {
+  for (const char* text : {"ABC\n1\n", "CAB X\n1 2\n", "X Y Z\n1 2 3\n", "#\n", "//\n"})
+    EXPECT_EQ(find_format("isg-csv")->recognise(text), 0) << text;
+}
+
 }  // namespace
 }  // namespace axiometry::formats

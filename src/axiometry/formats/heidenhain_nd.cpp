@@ -241,14 +241,18 @@ Result<Test> read(std::string_view bytes) {
   return test;
 }
 
+/// "ND-280", "ND 231 B".
+bool is_model(std::string_view line) {
+  const std::string name = text::to_lower(line.substr(0, 4));
+  return name.size() == 4 && name.starts_with("nd") && (name[2] == '-' || name[2] == ' ') && name[3] >= '0' &&
+         name[3] <= '9';
+}
+
 int recognise(std::string_view head) {
   bool marked = false;
   for (const TextLine& line : content_lines(head)) {
-    if (is_mark(line.text)) {
-      marked = true;
-    } else {
-      return marked && text::to_lower(line.text).starts_with("nd") ? 96 : 0;
-    }
+    if (!is_mark(line.text)) return marked && is_model(line.text) ? 96 : 0;
+    marked = true;
   }
   return 0;
 }

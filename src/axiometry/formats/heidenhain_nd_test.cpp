@@ -81,5 +81,12 @@ TEST(HeidenhainNd, RefusesWhatIsBroken) {
             "line 3:15: found \"0.75.00\", expected degrees.minutes.seconds");
 }
 
+TEST(HeidenhainNd, IsRecognisedByMarkAndModel) {
+  const Format& format = *find_format("heidenhain-nd");
+  EXPECT_EQ(format.recognise("#\nND 231 B MM\n"), 96);
+  EXPECT_EQ(format.recognise("#\nNDA agreement\n"), 0);
+  EXPECT_EQ(format.recognise("ND-280 MM\n"), 0);
+}
+
 }  // namespace
 }  // namespace axiometry::formats

@@ -23,11 +23,11 @@ bool is_argument(std::string_view name) {
   return name.size() == 1 && std::string_view("XYZABCUVW").contains(name.front());
 }
 
-/// "EXX", "A0B": an error of a machine after ISO 230-1.
+/// "EXX", "A0B": an error of a machine after ISO 230-1. Words of three such letters are none.
 bool is_error(std::string_view name) {
   const auto is_axis = [](char c) { return std::string_view("XYZABCUVW").contains(c); };
-  if (name.size() != 3) return false;
-  return (name[0] == 'E' || is_axis(name[0])) && (is_axis(name[1]) || name[1] == '0') && is_axis(name[2]);
+  if (name.size() != 3 || !is_axis(name[2])) return false;
+  return (name[0] == 'E' && is_axis(name[1])) || (is_axis(name[0]) && name[1] == '0');
 }
 
 /// A line of names alone.

@@ -71,7 +71,7 @@ Result<bool> is_rotary(const Sections& sections) {
   if (const auto header = sections.find("header"); header != sections.end())
     for (const TextLine& line : header->second) {
       const auto item = tagged_value(line.text);
-      if (!item || item->tag != "file type") continue;
+      if (!item || (item->tag != "file type" && item->tag != "filetype")) continue;
       if (text::equal_ignoring_case(item->value, "rtl")) return false;
       if (text::equal_ignoring_case(item->value, "rta")) return true;
       return fail(
