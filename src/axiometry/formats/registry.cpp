@@ -9,10 +9,9 @@
 namespace axiometry::formats {
 namespace {
 
-std::string titles() {
+std::string ids() {
   std::string list;
-  for (const Format* format : format_table())
-    list += fmt::format("{}{} ({})", list.empty() ? "" : "; ", format->id, format->title);
+  for (const Format* format : format_table()) list += fmt::format("{}{}", list.empty() ? "" : ", ", format->id);
   return list;
 }
 
@@ -56,9 +55,9 @@ Result<const Format*> recognise(std::string_view head) {
   constexpr std::size_t longest_character = 4;  // the head may end within one
   if (const auto bad = text::invalid_utf8(text); bad && *bad + longest_character < text.size())
     AXIOMETRY_TRY_VOID(check_utf8(text));
-  return fail(fmt::format("found text that begins with {}, expected one of: {}; a CSV file begins with a header "
-                          "such as target_mm,direction,run,deviation_um",
-                          text::quoted(first_line(text)), titles()),
+  return fail(fmt::format("found text that begins with {}, expected one of the formats {}; a CSV file "
+                          "begins with a header such as target_mm,direction,run,deviation_um",
+                          text::quoted(first_line(text)), ids()),
               {1, 1});
 }
 
