@@ -15,7 +15,7 @@ namespace {
 
 void list_formats() {
   for (const formats::Format* format : formats::format_table())
-    fmt::print("{}{}  {}\n", left(format->id, 12), left(format->extensions, 16), format->title);
+    fmt::print("{}{}  {}\n", left(format->id, 17), left(format->extensions, 16), format->title);
   fmt::print(
       "\n'axiometry formats ID' explains one; 'axiometry formats metadata' lists the keys of `# key: value` lines.\n");
 }

@@ -12,7 +12,7 @@
 namespace axiometry::app {
 namespace {
 
-constexpr std::size_t single_test_limit = std::size_t{256} << 20;
+constexpr std::size_t single_test_limit = std::size_t{2} << 30;  // logs of controls have gigabytes
 
 std::unexpected<Error> in_file(Error error, const std::string& name) {
   if (error.file.empty() || error.file == name) error.file = name == "-" ? "(standard input)" : name;
@@ -45,7 +45,9 @@ bool holds_many(const formats::Format& format, std::string_view head) {
 Result<Test> read_single(Source& source, const formats::Format& format) {
   AXIOMETRY_TRY(const std::string bytes, source.read_all(single_test_limit));
   AXIOMETRY_TRY(Test test, format.read(bytes));
-  test.provenance = {source.name(), sha256(bytes), std::string(format.id), std::move(test.provenance.remarks)};
+  test.provenance.file = source.name();
+  test.provenance.sha256 = sha256(bytes);
+  test.provenance.format = format.id;
   return test;
 }
 

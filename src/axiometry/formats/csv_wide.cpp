@@ -11,6 +11,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv_preamble.h"
+#include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/series_order.h"
 #include "axiometry/formats/target_index.h"
@@ -208,7 +209,8 @@ Result<void> take_row(WideRows& rows, const Preamble& preamble, std::string_view
 }
 
 Result<Test> read(std::string_view bytes) {
-  AXIOMETRY_TRY(std::string_view text, utf8_text(bytes));
+  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
+  std::string_view text = decoded.text;
   AXIOMETRY_TRY(Preamble preamble, read_preamble(text));
   if (preamble.columns.empty()) return fail("found no header, expected a line that names the columns");
   AXIOMETRY_TRY(WideLayout layout, layout_of(preamble));
@@ -226,7 +228,9 @@ Result<Test> read(std::string_view bytes) {
   AXIOMETRY_TRY(Series series, rows.series());
   AXIOMETRY_TRY(Metadata metadata,
                 metadata_of(preamble, kind, rows.mark().value_or(preamble.delimiter == ',' ? '.' : ',')));
-  return Test{std::move(metadata), std::move(series), {}};
+  Test test{std::move(metadata), std::move(series), {}};
+  test.provenance.remarks = encoding_remarks(decoded);
+  return test;
 }
 
 int recognise(std::string_view head) {
@@ -239,7 +243,7 @@ int recognise(std::string_view head) {
   return target && runs ? 95 : 0;
 }
 
-constexpr std::string_view manual = R"(Delimited text, UTF-8, one column per run. Either one row per target:
+constexpr std::string_view manual = R"(Delimited text, one column per run. Either one row per target:
 
 ```
 target_mm,up1_um,up2_um,down1_um,down2_um
