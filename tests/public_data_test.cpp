@@ -25,6 +25,7 @@ std::filesystem::path data_folder() {
 
 struct Published {
   const char* file;
+  const char* format;
   double A, E, M, R, B;  // mm
   double half_digit;     // mm
 };
@@ -41,7 +42,7 @@ TEST_P(PublicData, GivesTheFiguresOfTheOracle) {
   bytes << std::ifstream(path, std::ios::binary).rdbuf();
   const auto format = formats::recognise(bytes.str().substr(0, 65536));
   ASSERT_TRUE(format) << format.error().to_string();
-  EXPECT_EQ((*format)->id, "ecmc-dat");
+  EXPECT_EQ((*format)->id, expected.format);
   const auto test = (*format)->read(bytes.str());
   ASSERT_TRUE(test) << test.error().to_string();
   const AxisParameters p = assess(*test).evaluation.parameters;
@@ -54,11 +55,15 @@ TEST_P(PublicData, GivesTheFiguresOfTheOracle) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Ecmc, PublicData,
-    testing::Values(Published{"ecmc/psi_stage.dat", .00008881, .00003680, .00002770, .00006882, .00001220, 0.51e-8},
-                    Published{"ecmc/slit.dat", .021969, .012940, .009242, .014336, .004485, 0.51e-6},
-                    Published{"ecmc/slit_other_header.dat", .021969, .012940, .009242, .014336, .004485, 0.51e-6},
-                    Published{"ecmc/target_z.dat", .036853, .035279, .033364, .006418, .002364, 0.51e-6}),
+    Instruments, PublicData,
+    testing::Values(
+        Published{"ecmc/psi_stage.dat", "ecmc-dat", .00008881, .00003680, .00002770, .00006882, .00001220, 0.51e-8},
+        Published{"ecmc/slit.dat", "ecmc-dat", .021969, .012940, .009242, .014336, .004485, 0.51e-6},
+        Published{"ecmc/slit_other_header.dat", "ecmc-dat", .021969, .012940, .009242, .014336, .004485, 0.51e-6},
+        Published{"ecmc/target_z.dat", "ecmc-dat", .036853, .035279, .033364, .006418, .002364, 0.51e-6},
+        Published{"ecmc/cfg_tool_demo_raw.csv", "ecmc-cfg-csv", .007776, .006558, .004087, .004461, .003206, 0.51e-6},
+        Published{"formats/renishaw_like_SYNTHETIC.rtl", "renishaw-rtl", .135271, .122847, .093653, .055161, .033576,
+                  0.51e-6}),
     [](const auto& of) { return std::filesystem::path(of.param.file).stem().string(); });
 
 }  // namespace

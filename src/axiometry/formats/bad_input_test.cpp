@@ -218,6 +218,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "line 4:1: found REF_DATA_FWD[1,1] again, expected only that on line 3"},
         BadInput{"NoTarget", "TGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_FWD[3,1]=0\n",
                  "line 3:19: found a reading of position 3, expected TGT_DATA[3] to say its target"},
+        BadInput{"TargetsAlone", "TGT_DATA[1]=5\nTGT_DATA[2]=0\n",
+                 "found no reading at target 0, expected at least one"},
         BadInput{"NotANumber", "TGT_DATA[1]=0\nREF_DATA_FWD[1,1]=\n",
                  "line 2:19: found \"\", expected a finite number"},
         BadInput{"Unit", "UNIT=furlong\nTGT_DATA[1]=0\n",

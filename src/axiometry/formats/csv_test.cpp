@@ -231,5 +231,12 @@ TEST(Csv, MayBeTheUnicodeTextOfASpreadsheetOrHaveOldLineEnds) {
   EXPECT_EQ(old.provenance.remarks.size(), 1u);
 }
 
+TEST(Csv, HeadersMayHaveGoneThroughAWrongCodePage) {
+  const auto test =
+      read_as("csv-long", "Target (\u00C2\u00B0),Direction,Run,Deviation (\u00C2\u00B5rad)\n0,up,1,1\n90,up,1,2\n");
+  EXPECT_EQ(test.metadata.axis.kind, AxisKind::rotary);
+  EXPECT_NEAR(at(test, 1, Direction::up, 0), 2 * 0.20626480624709636, 1e-12);
+}
+
 }  // namespace
 }  // namespace axiometry::formats

@@ -23,7 +23,7 @@ Result<Series> sorted_series(std::vector<Position> targets, std::size_t runs, st
   for (std::size_t i = 0; i < m; ++i) {
     sorted_targets[i] = targets[order[i]];
     for (std::size_t d = 0; d < 2; ++d)
-      std::copy_n(&deviations[(d * m + order[i]) * runs], runs, &sorted[(d * m + i) * runs]);
+      std::copy_n(deviations.data() + (d * m + order[i]) * runs, runs, sorted.data() + (d * m + i) * runs);
   }
   return Series::make_dense(std::move(sorted_targets), runs, std::move(sorted));
 }

@@ -35,13 +35,17 @@ struct Spelling {
   std::string_view name;
 };
 
+// The three with Â went through a wrong code page: UTF-8 that was read as Latin-1 and written again.
 constexpr Spelling spellings[] = {
-    {"\u03BCm", "um"},        {"micron", "um"},      {"microns", "um"},     {"micrometre", "um"},
-    {"micrometres", "um"},    {"micrometer", "um"},  {"micrometers", "um"}, {"millimetre", "mm"},
-    {"millimetres", "mm"},    {"millimeter", "mm"},  {"millimeters", "mm"}, {"inch", "in"},
-    {"inches", "in"},         {"\u03BCin", "uin"},   {"\"", "arcsec"},      {"arcsecond", "arcsec"},
-    {"arcseconds", "arcsec"}, {"arc-sec", "arcsec"}, {"arc sec", "arcsec"}, {"degree", "deg"},
-    {"degrees", "deg"},       {"\u03BCrad", "urad"},
+    {"\u00C2\u00B5m", "um"}, {"\u00C2\u00B0", "deg"},  {"\u00C2\u00B5rad", "urad"},
+    {"\u03BCm", "um"},       {"micron", "um"},         {"microns", "um"},
+    {"micrometre", "um"},    {"micrometres", "um"},    {"micrometer", "um"},
+    {"micrometers", "um"},   {"millimetre", "mm"},     {"millimetres", "mm"},
+    {"millimeter", "mm"},    {"millimeters", "mm"},    {"inch", "in"},
+    {"inches", "in"},        {"\u03BCin", "uin"},      {"\"", "arcsec"},
+    {"arcsecond", "arcsec"}, {"arcseconds", "arcsec"}, {"arc-sec", "arcsec"},
+    {"arc sec", "arcsec"},   {"degree", "deg"},        {"degrees", "deg"},
+    {"\u03BCrad", "urad"},
 };
 
 constexpr double deviation_limit = 1e9;  // the Series' own, checked here to name line and column

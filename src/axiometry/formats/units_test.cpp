@@ -7,13 +7,19 @@ namespace axiometry::formats {
 namespace {
 
 TEST(Units, AreFoundByNameSymbolAndUsualSpelling) {
-  for (std::string_view spelling : {"um", "UM", "µm", "\u03BCm", "micron", "Micrometres"}) {
+  for (std::string_view spelling : {"um", "UM", "µm", "\u03BCm", "micron", "Micrometres", "\u00C2\u00B5m"}) {
     ASSERT_NE(find_unit(spelling), nullptr) << spelling;
     EXPECT_EQ(find_unit(spelling)->name, "um") << spelling;
   }
   EXPECT_EQ(find_unit("°")->name, "deg");
   EXPECT_EQ(find_unit("″")->name, "arcsec");
   EXPECT_EQ(find_unit("furlong"), nullptr);
+}
+
+TEST(Units, AreUnderstoodAfterAWrongCodePage) {
+  ASSERT_NE(find_unit("\u00C2\u00B0"), nullptr);
+  EXPECT_EQ(find_unit("\u00C2\u00B0")->name, "deg");
+  EXPECT_EQ(find_unit("\u00C2"), nullptr);
 }
 
 TEST(Units, KeepNativeNumbersAsTheyWereWritten) {
