@@ -49,7 +49,7 @@ std::vector<std::string> headlines(const Plan& plan) {
   lines.push_back(fmt::format("AXIS {}, {}", plan.axis.name, axis_kind_name(plan.axis.kind)));
   lines.push_back(fmt::format("{} TARGETS FROM {} TO {} {}", plan.targets.size(), native(plan.targets.front()),
                               native(plan.targets.back()), unit));
-  lines.push_back(fmt::format("{} RUNS{}{}", plan.runs, directions(plan),
+  lines.push_back(fmt::format("{} RUN{}{}{}", plan.runs, plan.runs == 1 ? "" : "S", directions(plan),
                               plan.warm_up_runs > 0 ? fmt::format(" AFTER {} FOR WARM-UP", plan.warm_up_runs) : ""));
   const Reach ends = reach(plan);
   lines.push_back(

@@ -176,7 +176,8 @@ Result<Script> make_script(const Plan& plan, const ProgramOptions& options, cons
   const std::vector<Stretch> stretches = walk(plan, loop_limit);
   const auto loops =
       static_cast<std::size_t>(std::ranges::count_if(stretches, [](const Stretch& s) { return s.times > 1; }));
-  if (loop_limit > 0 && loops == 0) writer.remark("WRITTEN OUT, THE ORDER OF APPROACHES DOES NOT REPEAT");
+  if (loop_limit > 0 && loops == 0 && plan.cycle == TestCycle::user_defined)
+    writer.remark("WRITTEN OUT, THE ORDER OF APPROACHES DOES NOT REPEAT");
   if (loop_limit > 0 && loops == loop_limit)
     writer.remark(fmt::format("AT MOST {} LOOPS, WHAT IS LEFT IS WRITTEN OUT", loops));
   for (std::size_t k = 0; k < stretches.size(); ++k) {

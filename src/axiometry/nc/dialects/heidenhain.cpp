@@ -23,7 +23,7 @@ For TNC 426, 430, iTNC 530, TNC 320, 620, 640 and TNC7.
   the oldest of these controls have them; what comes after is written out
 - Moves: `L X+100.0000 R0 F1000`. In inch programs F is in tenths of an inch per minute, of rotary axes in
   degrees per minute always
-- Dwell: cycle 9, `CYCL DEF 9.0 DWELL TIME` and `CYCL DEF 9.1 DWELL 3.0`, seconds, up to 3600. It also brings
+- Dwell: cycle 9, `CYCL DEF 9.0 DWELL TIME` and `CYCL DEF 9.1 DWELL 3`, seconds, up to 3600. It also brings
   the axis to rest, and is written for 0 s too
 - Trigger: an M code between two halves of the dwell
 - Stop: with `--stop-at-start`, a comment says what to do, and `STOP` waits
