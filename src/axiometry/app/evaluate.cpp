@@ -8,6 +8,7 @@
 
 #include "axiometry/app/source.h"
 #include "axiometry/model/fields.h"
+#include "axiometry/standards/iso230_2_artefact.h"
 #include "axiometry/standards/nde_correction.h"
 
 namespace axiometry::app {
@@ -107,11 +108,19 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
 
 }  // namespace
 
-Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
+Result<Test> prepare_test(Test test, const EvaluateOptions& options) {
   AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options));
+  if (options.artefact.value_or(!test.metadata.artefact.calibrated_positions.empty())) {
+    AXIOMETRY_TRY(test, iso230_2::apply_artefact(std::move(test)));
+  }
   if (options.nde_correct) {
     AXIOMETRY_TRY(test, correct_expansion(std::move(test)));
   }
+  return test;
+}
+
+Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
+  AXIOMETRY_TRY(test, prepare_test(std::move(test), options));
   iso230_2::Assessment assessment = iso230_2::assess(test, depth);
   const iso230_2::AxisParameters& measured = assessment.evaluation.parameters;
   AXIOMETRY_TRY(Requirements demanded, requirements_for(test, measured, options.tolerance));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "axiometry/model/plan.h"
+#include "axiometry/standards/iso230_2_artefact.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -35,6 +36,10 @@ Assessment assess(const Test& test, Depth depth) {
   result.evaluation = evaluate(test.series);
   result.annex_a = annex_a(test.metadata, test.series, result.evaluation);
   result.findings = find_departures(test.metadata, test.series, result.evaluation, result.annex_a, depth);
+  if (depth == Depth::every_finding) {
+    for (Finding& finding : artefact_findings(test)) result.findings.push_back(std::move(finding));
+    std::ranges::stable_sort(result.findings, {}, &Finding::severity);
+  }
   result.label = label_of(test.metadata, test.series);
   return result;
 }

@@ -16,7 +16,8 @@ namespace axiometry {
 /// machine's part was longer than at 20 °C, and so was the scale that read it.
 ///
 /// - Coefficients: `nde.machine_expansion`, else that of the scale; `nde.equipment_expansion`. An interferometer has
-///   none (0 or not given): its own compensation is not touched.
+///   none (0 or not given): its own compensation is not touched. Nor has an artefact whose calibrated positions were
+///   brought to its temperature (iso230_2_artefact.h).
 /// - Temperatures: the mean of the sensors with role `machine` (`equipment`), interpolated from start to end over
 ///   the course of the test, readings being equally far apart in time: run by run up and back in the standard and the
 ///   unidirectional cycle; target by target in the step and pilgrim cycles, each with all its runs. A reading that is
