@@ -152,7 +152,7 @@ void add_flags(CLI::App& verb, const std::shared_ptr<Arguments>& arguments) {
   add_period(verb, "--period", a.options.period,
              "The period, where it is known (pitch of the screw); else it is searched");
   add_period(verb, "--min-period", a.options.shortest,
-             "Shortest period searched (twice the mean spacing of the targets)");
+             "Shortest period searched (2.1 times the mean spacing of the targets)");
   add_period(verb, "--max-period", a.options.longest, "Longest period searched (half the measured travel)");
   verb.add_option("--json", a.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
       ->check([](const std::string& name) {
@@ -194,8 +194,8 @@ void add_periodic(CLI::App& program, int& exit_code) {
     exit_code = run(*arguments);
   });
   verb->footer(
-      R"(Each direction is evaluated for itself; a straight line is fitted along with the period and removed in this view
-only. Examples:
+      R"(Each direction is evaluated for itself. A straight line is fitted along with the period and removed in this
+view only. Examples:
   axiometry periodic screw.csv
   axiometry periodic screw.csv --period 10 --report screw.pdf
   axiometry periodic scale.csv --min-period 0.01 --max-period 0.1 --json -)");

@@ -12,9 +12,9 @@
 ///
 /// over a list of orders h, such as 1, 2, 4.
 ///
-/// Least squares with equal weights, line and curve at once: a line taken off first would take a part of the curve with
-/// it wherever the places do not cover whole periods. By QR with column pivoting; the line's columns are centred and
-/// scaled, so that places far from zero cost no digits.
+/// Least squares with equal weights, line and curve at once: a line taken off first is tilted by the curve and takes a
+/// part of it along (up to 15 % of the amplitude over two periods). By QR with column pivoting; the line's columns are
+/// centred and scaled, so that places far from zero cost no digits.
 ///
 /// The spectrum is that of Lomb and Scargle in its generalised form, with the line in place of the constant (M.
 /// Zechmeister, M. Kürster, Astron. Astrophys. 496 (2009) 577: "floating mean"): for each period the part of the sum of

@@ -25,6 +25,8 @@ constexpr double significance = 0.01;
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double deg = 180.0 / std::numbers::pi;
 constexpr double nothing_known_deg = 103.92304845413264;  // 360/√12: sd of an angle that may be any
+// At twice the spacing equal steps show a cosine and no sine.
+constexpr double shortest_spacings = 2.1;
 constexpr double most_lines = 1e7;
 constexpr double most_steps = 1e11;
 
@@ -75,7 +77,7 @@ Result<void> check_options(const PeriodicOptions& options, std::string_view unit
 
 /// What is searched; for a known period what the spectrum shows.
 Result<PeriodBand> band_of(const Means& means, const PeriodicOptions& options, std::string_view unit) {
-  PeriodBand band{2.0 * means.spacing(), means.travel() / 2.0};
+  PeriodBand band{shortest_spacings * means.spacing(), means.travel() / 2.0};
   if (options.shortest) band.shortest = options.shortest->in_native();
   if (options.longest) band.longest = options.longest->in_native();
   if (options.period) {

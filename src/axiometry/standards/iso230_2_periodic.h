@@ -31,9 +31,9 @@ struct Estimate {
 };
 
 struct PeriodicOptions {
-  std::optional<Position> period;    ///< λ, when it is known; else it is searched
-  std::optional<Position> shortest;  ///< of the band that is searched; twice the mean spacing when not given
-  std::optional<Position> longest;   ///< half the measured travel when not given, so that two periods are covered
+  std::optional<Position> period{};    ///< λ, when it is known; else it is searched
+  std::optional<Position> shortest{};  ///< of the band that is searched; 2.1 times the mean spacing when not given
+  std::optional<Position> longest{};   ///< half the measured travel when not given, so that two periods are covered
 };
 
 /// One sinusoid of the curve.

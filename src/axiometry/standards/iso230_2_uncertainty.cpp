@@ -339,32 +339,6 @@ AxisParameters combine(const std::vector<Contributor>& budget, std::size_t runs,
   return U;
 }
 
-/// A.10. U_EVE is expanded, its half the standard uncertainty that the readings' scatter contains.
-CorrectedRepeatability correct(const Evaluation& evaluation, Deviation U_eve) {
-  const double u = U_eve.in_native() / 2.0;
-  CorrectedRepeatability result;
-  for (std::size_t i = 0; i < evaluation.positions.size(); ++i) {
-    const PositionResult& measured = evaluation.positions[i];
-    bool floored = false;
-    const auto without_environment = [&](std::optional<Deviation> s) -> std::optional<Deviation> {
-      if (!s) return std::nullopt;
-      const double variance = s->in_native() * s->in_native() - u * u;
-      floored = floored || variance < 0.0;
-      return Deviation::native(std::sqrt(std::max(variance, 0.0)));
-    };
-    const auto s_up = without_environment(measured.s_up);
-    const auto s_down = without_environment(measured.s_down);
-    result.positions.push_back(with_estimators(measured, s_up, s_down));
-    if (floored) result.floored.push_back(i);
-  }
-  const AxisParameters corrected = evaluate_axis(result.positions);
-  result.parameters = evaluation.parameters;
-  result.parameters.R = corrected.R;
-  result.parameters.R_up = corrected.R_up;
-  result.parameters.R_down = corrected.R_down;
-  return result;
-}
-
 std::vector<std::string> general_notes(const AnnexA& annex, const Metadata& metadata) {
   std::vector<std::string> notes;
   if (metadata.axis.kind == AxisKind::rotary)
@@ -405,7 +379,7 @@ std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, co
   for (std::string& note : general_notes(result, metadata)) result.notes.push_back(std::move(note));
   const auto eve = find_U(result.budget, "eve");
   const bool repeats = evaluation.parameters.R_up || evaluation.parameters.R_down;
-  if (eve && repeats && !too_long) result.corrected = correct(evaluation, *eve);
+  if (eve && repeats && !too_long) result.corrected = corrected_repeatability(evaluation, *eve);
   if (eve && repeats && too_long)
     result.notes.push_back(
         "Above 2 000 mm the annex has no formula for repeatability: (A.11) and (A.14) are used all the same, and "

@@ -42,6 +42,9 @@ struct CorrectedRepeatability {
   std::vector<std::size_t> floored;       ///< targets (index) where s_i² < (U_EVE/2)² and 0 was taken
 };
 
+/// (A.10): s_i² less (U_EVE/2)², never below 0, and R_i, R, R↑ and R↓ from it.
+CorrectedRepeatability corrected_repeatability(const Evaluation& evaluation, Deviation U_eve);
+
 struct AnnexA {
   std::vector<Contributor> budget;  ///< always all seven, in the order of A.2; then that of probing, if given
   AxisParameters U;                 ///< expanded uncertainty, k = 2, of each parameter that exists (but see below)

@@ -130,7 +130,7 @@ class Drawing {
                      .logarithmic = true};
     ChartAxis up = deviation_axis(y, "Amplitude");
     up.low = 0.0;
-    up.high = 1.08 * y.high;
+    up.high = 1.15 * y.high;  // room for the label of the period above the peak
     Figure figure = sheet();
     const Chart chart = begin(figure, spectrum_legend(), across, up);
     const double level = chart.y(d_.noise_level.in_native());
@@ -253,7 +253,7 @@ class Drawing {
     const auto rows = periodic_rows(d_, kind_, options_);
     const std::string unit = rows.front().unit == "°" ? "°" : "\u2009" + rows.front().unit;
     operations.push_back(Text{.runs = {plot::italic("λ"), plot::plain(" = " + rows.front().value + unit)},
-                              .at = {x + (on_left ? -5.0 : 5.0), std::max(y + 2.5, chart.top + 7.0)},
+                              .at = {x + (on_left ? -5.0 : 5.0), std::max(y - 4.0, chart.top + 7.0)},
                               .size = ink::text_size,
                               .colour = ink::black,
                               .anchor = on_left ? Anchor::end : Anchor::start,
