@@ -165,6 +165,14 @@ void add_input_flags(CLI::App& verb, EvaluateArguments& arguments) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->group(group);
+  verb.add_flag_function(
+          "--artefact,!--no-artefact", [&arguments](std::int64_t count) { arguments.evaluate.artefact = count > 0; },
+          "Take the readings for positions that the machine indicated at the balls or faces of an artefact, and "
+          "compare "
+          "them with artefact.calibrated_positions (Annex D). Done of itself where these are given; --no-artefact "
+          "keeps "
+          "the readings as deviations")
+      ->group(group);
 }
 
 void add_correction_flags(CLI::App& verb, EvaluateArguments& arguments) {

@@ -22,6 +22,7 @@ void add_evaluate(CLI::App& program, int& exit_code);
 void add_uncertainty(CLI::App& program, int& exit_code);
 void add_plan(CLI::App& program, int& exit_code);
 void add_air(CLI::App& program, int& exit_code);
+void add_periodic(CLI::App& program, int& exit_code);
 void add_formats(CLI::App& program, int& exit_code);
 void add_schema(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);

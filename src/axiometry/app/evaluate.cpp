@@ -8,6 +8,7 @@
 
 #include "axiometry/app/source.h"
 #include "axiometry/model/fields.h"
+#include "axiometry/standards/iso230_2_artefact.h"
 
 namespace axiometry::app {
 namespace {
@@ -108,9 +109,16 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
 
 }  // namespace
 
-Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
+Result<Test> prepare_test(Test test, const EvaluateOptions& options) {
   AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options));
-  AXIOMETRY_TRY(test, correct_readings(std::move(test), options.corrections));
+  if (options.artefact.value_or(!test.metadata.artefact.calibrated_positions.empty())) {
+    AXIOMETRY_TRY(test, iso230_2::apply_artefact(std::move(test)));
+  }
+  return correct_readings(std::move(test), options.corrections);
+}
+
+Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
+  AXIOMETRY_TRY(test, prepare_test(std::move(test), options));
   iso230_2::Assessment assessment = iso230_2::assess(test, depth);
   const iso230_2::AxisParameters& measured = assessment.evaluation.parameters;
   AXIOMETRY_TRY(Requirements demanded, requirements_for(test, measured, options.tolerance));

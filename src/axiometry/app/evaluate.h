@@ -29,6 +29,9 @@ struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
   CorrectionRequest corrections;                              ///< of the readings, before they are evaluated
+  /// Whether the readings are indicated positions of an artefact's probing (standards/iso230_2_artefact.h). When not
+  /// said: where the test states the artefact's calibrated positions.
+  std::optional<bool> artefact{};
   ToleranceOptions tolerance;
   UncertaintyOptions uncertainty;
   /// Whether the tests of a file of many are stated in full: every finding, and the hash of the file by a
@@ -45,9 +48,13 @@ struct Evaluated {
   std::optional<AppliedBand> tolerance_band;  ///< of the tolerance table, when there is one
 };
 
-/// Metadata over what the file says, the corrections of readings that are asked for, then assessment and
-/// verdicts. Fails on a key or value that the vocabulary does not allow, on a correction that cannot be made and as
-/// requirements_for() does.
+/// Metadata over what the file says, then what is done to the readings: the artefact's calibrated positions, the
+/// corrections that are asked for. Fails on a key or value that the vocabulary does not allow and on what cannot be
+/// done.
+Result<Test> prepare_test(Test test, const EvaluateOptions& options);
+
+/// prepare_test(), then assessment and verdicts. Fails on a key or value that the vocabulary does not allow, on a
+/// correction that cannot be made and as requirements_for() does.
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options,
                                 iso230_2::Depth depth = iso230_2::Depth::every_finding);
 

@@ -28,17 +28,6 @@ Value position_to_json(const iso230_2::PositionResult& p) {
   return object;
 }
 
-Value findings_to_json(const iso230_2::Assessment& assessment) {
-  Value list = Value::array();
-  for (const auto& finding : assessment.findings) {
-    Value& row = list.push(Value::object());
-    row.add("clause", finding.clause);
-    row.add("severity", iso230_2::severity_name(finding.severity));
-    row.add("message", finding.message);
-  }
-  return list;
-}
-
 Value judgement_to_json(const iso230_2::Judgement& judgement) {
   Value row = Value::object();
   row.add("parameter", judgement.tolerance.parameter->key);
@@ -76,23 +65,6 @@ void add_conformity(Value& object, const Evaluated& evaluated) {
   table.add("travel_up_to", band.travel_max ? Value(band.travel_max->in_native()) : Value());
 }
 
-Value source_to_json(const Evaluated& evaluated) {
-  const Provenance& provenance = evaluated.test.provenance;
-  Value object = Value::object();
-  object.add("file", provenance.file);
-  if (!evaluated.name.empty()) object.add("test", evaluated.name);
-  object.add("sha256", provenance.sha256.empty() ? Value() : Value(provenance.sha256));
-  object.add("format", provenance.format);
-  return object;
-}
-
-Value program_to_json() {
-  Value object = Value::object();
-  object.add("name", "axiometry");
-  object.add("version", version);
-  return object;
-}
-
 std::string csv_text(std::string_view s) { return text::csv_cell(text::no_formula(s)); }
 
 void append_parameters(std::string& row, const iso230_2::AxisParameters* parameters) {
@@ -120,6 +92,33 @@ std::string verdict_cells(const std::vector<iso230_2::Judgement>& judgements) {
 
 }  // namespace
 
+json::Value findings_to_json(std::span<const iso230_2::Finding> findings) {
+  Value list = Value::array();
+  for (const auto& finding : findings) {
+    Value& row = list.push(Value::object());
+    row.add("clause", finding.clause);
+    row.add("severity", iso230_2::severity_name(finding.severity));
+    row.add("message", finding.message);
+  }
+  return list;
+}
+
+json::Value source_to_json(const Provenance& provenance, const std::string& test_name) {
+  Value object = Value::object();
+  object.add("file", provenance.file);
+  if (!test_name.empty()) object.add("test", test_name);
+  object.add("sha256", provenance.sha256.empty() ? Value() : Value(provenance.sha256));
+  object.add("format", provenance.format);
+  return object;
+}
+
+json::Value program_to_json() {
+  Value object = Value::object();
+  object.add("name", "axiometry");
+  object.add("version", version);
+  return object;
+}
+
 json::Value to_json(const Evaluated& evaluated) {
   const Metadata& metadata = evaluated.test.metadata;
   Value axis = Value::object();
@@ -141,9 +140,9 @@ json::Value to_json(const Evaluated& evaluated) {
   add_conformity(object, evaluated);
   object.add("positions", std::move(positions));
   object.add("drift", drift_to_json(evaluated.test));
-  object.add("findings", findings_to_json(evaluated.assessment));
+  object.add("findings", findings_to_json(evaluated.assessment.findings));
   object.add("metadata", std::move(metadata_object));
-  object.add("source", source_to_json(evaluated));
+  object.add("source", source_to_json(evaluated.test.provenance, evaluated.name));
   add_corrections(object, evaluated.test);
   object.add("program", program_to_json());
   return object;
@@ -162,7 +161,7 @@ std::string combined_csv_header(const UncertaintyOptions& asked) {
   std::string header = "file,test,axis,kind,unit,conforming";
   for (const auto& p : iso230_2::parameters) header += fmt::format(",{}", p.key);
   for (const auto& p : iso230_2::parameters) header += fmt::format(",U_{}", p.key);
-  return header + ",error,verdict,does_not_conform,undecided" + method_csv_header(asked) + "\r\n";
+  return header + ",error,verdict,does_not_conform,undecided" + method_csv_header(asked) + ",label" + "\r\n";
 }
 
 std::string combined_csv_row(const Evaluated& evaluated, const UncertaintyOptions& asked) {
@@ -172,14 +171,15 @@ std::string combined_csv_row(const Evaluated& evaluated, const UncertaintyOption
                                 evaluated.assessment.conforming() ? "yes" : "no");
   append_parameters(row, &evaluated.assessment.evaluation.parameters);
   append_parameters(row, evaluated.assessment.annex_a ? &evaluated.assessment.annex_a->U : nullptr);
-  return row + "," + verdict_cells(evaluated.judgements) + method_csv_cells(asked, &evaluated) + "\r\n";
+  return row + "," + verdict_cells(evaluated.judgements) + method_csv_cells(asked, &evaluated) + "," +
+         csv_text(evaluated.assessment.label) + "\r\n";
 }
 
 std::string combined_csv_error_row(const std::string& file, const Error& error, const UncertaintyOptions& asked) {
   std::string row = csv_text(file) + ",,,,,";
   append_parameters(row, nullptr);
   append_parameters(row, nullptr);
-  return row + "," + csv_text(error.to_string()) + verdict_cells({}) + method_csv_cells(asked, nullptr) + "\r\n";
+  return row + "," + csv_text(error.to_string()) + verdict_cells({}) + method_csv_cells(asked, nullptr) + ",\r\n";
 }
 
 }  // namespace axiometry::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "axiometry/app/evaluate.h"
@@ -14,13 +15,18 @@ namespace axiometry::app {
 /// what does not exist is null.
 json::Value to_json(const Evaluated& evaluated);
 
+/// Members that every result has: "findings", "source" (`test_name` for one of many in its file), "program".
+json::Value findings_to_json(std::span<const iso230_2::Finding> findings);
+json::Value source_to_json(const Provenance& provenance, const std::string& test_name = {});
+json::Value program_to_json();
+
 /// What stands in a combined JSON for an input that could not be read.
 json::Value error_to_json(const std::string& file, const Error& error);
 
 /// Header and rows of the table of many evaluations: file, test, axis, kind, unit, conforming, the
 /// twelve parameters, their U, error, verdict, keys of the parameters that do not conform and of those undecided, and
-/// what wire_uncertainty.h adds for the methods that were asked for; RFC 4180, full precision, empty where null. The
-/// same methods must be given for all rows of a table.
+/// what wire_uncertainty.h adds for the methods that were asked for, label; RFC 4180, full precision, empty where null.
+/// The same methods must be given for all rows of a table.
 std::string combined_csv_header(const UncertaintyOptions& asked = {});
 std::string combined_csv_row(const Evaluated& evaluated, const UncertaintyOptions& asked = {});
 std::string combined_csv_error_row(const std::string& file, const Error& error, const UncertaintyOptions& asked = {});

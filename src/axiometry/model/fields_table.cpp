@@ -268,7 +268,8 @@ constexpr std::array fields = {
                                                      Wanted::no, "Number and date of the certificate."),
     numbers_field<NumbersAccess<At<&Metadata::artefact, &Artefact::calibrated_positions>>>(
         "artefact.calibrated_positions", "Calibrated positions", "mm", "mm", "Annex D", Wanted::no,
-        "Of the balls or faces at 20 °C, one per target and in their order."),
+        "Of the balls or faces at 20 °C, one per target and in their order; the readings are then positions that the "
+        "machine indicated at them."),
     number_field<ArtefactQuantity<&Artefact::calibration_uncertainty, deviation>>(
         "artefact.calibration_uncertainty", "Calibration uncertainty of the artefact", "µm", "″", "Annex D", Wanted::no,
         0, any, "U, k = 2, of every calibrated position."),

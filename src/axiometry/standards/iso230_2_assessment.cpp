@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "axiometry/model/plan.h"
+#include "axiometry/standards/iso230_2_artefact.h"
 #include "axiometry/standards/reading_correction.h"
 
 namespace axiometry::iso230_2 {
@@ -54,7 +55,10 @@ Assessment assess(const Test& test, Depth depth) {
   result.evaluation = evaluate(test.series);
   result.annex_a = annex_a(test.metadata, test.series, result.evaluation);
   result.findings = find_departures(test.metadata, test.series, result.evaluation, result.annex_a, depth);
+  if (depth == Depth::every_finding)
+    for (Finding& finding : artefact_findings(test)) result.findings.push_back(std::move(finding));
   add_remarks(result.findings, test, depth);
+  std::ranges::stable_sort(result.findings, {}, &Finding::severity);
   result.label = label_of(test.metadata, test.series);
   return result;
 }

@@ -66,6 +66,10 @@ struct UncertaintyInputs {
 /// - alignment: θ uniform up to ± θ_max; given, else the angle of R_MISALIGNMENT over L.
 /// - device: linear, ε normal with U/2L (A.1) or U/2 (A.2) or uniform over the error range (A.3); rotary, normal
 ///   with U/2 at each target.
+/// - artefact (Annex D), in place of the device: artefact_calibration, normal with U/2 at each target, the same in both
+///   directions; artefact_calibration_length, ε normal with U/2; probing, normal with U/2 at each target and direction:
+///   what the runs share, since what differs between them is part of their scatter. Its temperature counts where α and
+///   sensors are known.
 /// - environment: ε normal with K·ΔT_e (24); ΔT_e given, else the mean air temperature less 20 °C.
 /// - axis_resolution, instrument_resolution: uniform of that width at each target (22, 23).
 /// - environmental_variation: uniform of width E_VE at each reading. run_drift: normal.

@@ -14,6 +14,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/text.h"
+#include "axiometry/standards/iso230_2_artefact.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -38,6 +39,10 @@ constexpr std::array catalogue = {
                Effect::device_temperature, "°C", ""},
     KnownInput{"alignment", "θ", "Misalignment of the measuring device", "18, A.4", Effect::alignment, "°", ""},
     KnownInput{"device", "c_c", "Calibration of the measuring device", "23, A.1 to A.3", Effect::scale, "µm/m", "″"},
+    KnownInput{"artefact_calibration", "c_a", "Calibration of the artefact", "Annex D, A.1", Effect::target, "µm", ""},
+    KnownInput{"artefact_calibration_length", "c_al", "Calibration of the artefact, by length", "Annex D, A.2",
+               Effect::scale, "µm/m", ""},
+    KnownInput{"probing", "c_p", "Probing of the artefact", "Annex D", Effect::target_direction, "µm", ""},
     KnownInput{"environment", "c_e", "Instrument away from standard conditions", "24", Effect::scale, "µm/m", ""},
     KnownInput{"axis_resolution", "c_r", "Resolution of the axis", "22", Effect::target, "µm", "″"},
     KnownInput{"instrument_resolution", "c_sr", "Resolution of the measuring instrument", "23", Effect::target, "µm",
@@ -122,8 +127,21 @@ ThermalItems device_items(const Metadata& metadata) {
   return items;
 }
 
-bool device_has_temperature(const AnnexAInputs& annex) {
-  return annex.device_temperature_range || annex.device_temperature_difference || annex.device_expansion_range;
+/// What an artefact is made of expands in any case; what is said of an interferometer often includes it.
+bool device_has_temperature(const Metadata& metadata) {
+  const AnnexAInputs& annex = metadata.uncertainty;
+  if (annex.device_temperature_range || annex.device_temperature_difference || annex.device_expansion_range)
+    return true;
+  const auto items = device_items(metadata);
+  return artefact_takes_place_of_device(metadata) && items.alpha && items.alpha->value != 0.0 && items.difference;
+}
+
+/// What stands for the measuring device is an artefact.
+std::string_view title_with_artefact(std::string_view key) {
+  if (key == "device_expansion") return "Expansion coefficient of the artefact";
+  if (key == "device_temperature") return "Temperature of the artefact, less 20 °C";
+  if (key == "alignment") return "Misalignment of the artefact";
+  return "";
 }
 
 /// Whether somebody asked for an uncertainty: sensors and coefficients alone are items of clause 8.1.
@@ -132,9 +150,11 @@ bool any_given(const Metadata& metadata) {
   const GumInputs& gum = metadata.gum;
   return annex.device_calibration || annex.device_calibration_per_length || annex.device_error_range ||
          annex.misalignment || annex.machine_expansion || annex.machine_temperature_range ||
-         annex.machine_temperature_difference || annex.machine_expansion_range || device_has_temperature(annex) ||
-         annex.environmental_variation || gum.axis_resolution || gum.instrument_resolution ||
-         gum.environment_sensitivity || gum.alignment_angle || gum.run_drift || !gum.distributions.empty();
+         annex.machine_temperature_difference || annex.machine_expansion_range || device_has_temperature(metadata) ||
+         metadata.artefact.calibration_uncertainty || metadata.artefact.calibration_uncertainty_per_length ||
+         metadata.artefact.probing_uncertainty || annex.environmental_variation || gum.axis_resolution ||
+         gum.instrument_resolution || gum.environment_sensitivity || gum.alignment_angle || gum.run_drift ||
+         !gum.distributions.empty();
 }
 
 /// Adds to the inputs of one test.
@@ -145,6 +165,8 @@ class Collector {
   void add(std::string_view key, Distribution distribution, std::string note = {}) {
     result_.inputs.push_back(
         make_input(*find_known_input(key), metadata_.axis.kind, std::move(distribution), std::move(note)));
+    if (!artefact_takes_place_of_device(metadata_)) return;
+    if (const std::string_view title = title_with_artefact(key); !title.empty()) result_.inputs.back().title = title;
   }
   void note(std::string text) { result_.notes.push_back(std::move(text)); }
   UncertaintyInputs take() && { return std::move(result_); }
@@ -208,6 +230,20 @@ class Collector {
       add("environment", valid(Normal{0.0, std::abs(K->in_um_per_m_K() * difference->value)}), difference->note);
     else
       note("K of the instrument is left out because the air temperature was not given");
+  }
+
+  /// U of a certificate is normal with k = 2: a constant part at each place of the artefact for itself, a part in
+  /// proportion to the length for all of them together. What probing does in the same way in every run.
+  void add_artefact() {
+    const Artefact& artefact = metadata_.artefact;
+    if (const auto& U = artefact.calibration_uncertainty)
+      add("artefact_calibration", valid(Normal{0.0, U->in_native() / 2.0}));
+    if (const auto& U = artefact.calibration_uncertainty_per_length)
+      add("artefact_calibration_length", valid(Normal{0.0, U->in_um_per_m() / 2.0}));
+    if (const auto& U = artefact.probing_uncertainty) add("probing", valid(Normal{0.0, U->in_native() / 2.0}));
+    const AnnexAInputs& annex = metadata_.uncertainty;
+    if (annex.device_calibration || annex.device_calibration_per_length || annex.device_error_range)
+      note("The artefact takes the place of the measuring device, whose calibration and error range are left out");
   }
 
   void add_device_linear(double length_m) {
@@ -303,9 +339,12 @@ UncertaintyInputs inputs_of_items(const Metadata& metadata, const Series& series
   const double length_m = (length ? length->in_mm() : series.travel_native()) / 1000.0;
   if (metadata.axis.kind == AxisKind::linear) {
     collector.add_thermal(machine_items(metadata));
-    if (device_has_temperature(metadata.uncertainty)) collector.add_thermal(device_items(metadata));
+    if (device_has_temperature(metadata)) collector.add_thermal(device_items(metadata));
     collector.add_alignment(length_m);
-    collector.add_device_linear(length_m);
+    if (artefact_takes_place_of_device(metadata))
+      collector.add_artefact();
+    else
+      collector.add_device_linear(length_m);
     collector.add_environment();
   } else {
     collector.add_device_rotary();

@@ -144,7 +144,10 @@ std::optional<Finding> straight_slope(const Case& c) {
 
 std::optional<Finding> temperature_without_correction(const Case& c) {
   if (!c.linear() || c.metadata.nde.applied == true) return std::nullopt;
-  const auto thermometers = material(c.metadata.environment);
+  auto thermometers = material(c.metadata.environment);
+  // An artefact's calibrated positions are brought to its temperature; what remains is that of the machine.
+  const auto machine = sensors_of(c.metadata.environment, "machine");
+  if (!c.metadata.artefact.calibrated_positions.empty() && !machine.empty()) thermometers = machine;
   if (thermometers.empty()) return std::nullopt;
   const auto distance = [](const Thermometer& t) { return std::abs(t.worst() - 20.0); };
   const Thermometer& worst = *std::ranges::max_element(thermometers, {}, distance);

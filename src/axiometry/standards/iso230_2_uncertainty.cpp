@@ -9,9 +9,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
+#include "axiometry/standards/iso230_2_artefact.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -83,10 +85,14 @@ Input magnitude(Input input) {
 /// Whether anything of Annex A was given. L alone says nothing about an uncertainty, and what has no clause
 /// belongs to other methods.
 bool any_given(const Metadata& metadata) {
-  return std::ranges::any_of(metadata_fields(), [&](const Field& field) {
-    return field.key.starts_with("uncertainty.") && field.key != "uncertainty.length_mm" && !field.clause.empty() &&
-           is_given(field, metadata);
-  });
+  return std::ranges::any_of(metadata_fields(),
+                             [&](const Field& field) {
+                               return field.key.starts_with("uncertainty.") && field.key != "uncertainty.length_mm" &&
+                                      !field.clause.empty() && is_given(field, metadata);
+                             }) ||
+         (artefact_takes_place_of_device(metadata) &&
+          (metadata.artefact.calibration_uncertainty || metadata.artefact.calibration_uncertainty_per_length ||
+           metadata.artefact.probing_uncertainty));
 }
 
 std::size_t smallest_count(const Series& series) {
@@ -117,6 +123,7 @@ class Budget {
  public:
   Budget(const Metadata& metadata, const Series& series) : metadata_(metadata), in_(metadata.uncertainty) {
     linear_ = metadata.axis.kind == AxisKind::linear;
+    artefact_ = artefact_takes_place_of_device(metadata);
     length_ = first_of({given(in_.length), Known{series.travel_native(), "measured travel"}});
     length_->value /= 1000.0;
   }
@@ -124,6 +131,7 @@ class Budget {
   std::vector<Contributor> rows() {
     std::vector<Contributor> rows = {device(),   misalignment(),           m_machine(), m_device(), e_machine(),
                                      e_device(), environmental_variation()};
+    if (metadata_.artefact.probing_uncertainty && artefact_) rows.push_back(probing());
     for (Contributor& row : rows) leave_out_absurd(row);
     return rows;
   }
@@ -141,7 +149,34 @@ class Budget {
   Term L() const { return {"L", "m", length_}; }
   std::string_view deviation() const { return deviation_unit(metadata_.axis.kind); }
 
+  /// A constant part and one in proportion to the length, independent of each other.
+  Contributor artefact() {
+    const Input constant = given(metadata_.artefact.calibration_uncertainty);
+    const Input per_length = given(metadata_.artefact.calibration_uncertainty_per_length);
+    Contributor row{"device", "U_DEVICE", "Calibration of the artefact", "A.1", {}, {}};
+    if (in_.device_calibration || in_.device_calibration_per_length || in_.device_error_range)
+      notes_.push_back(
+          "The artefact takes the place of the measuring device, whose calibration and error range are "
+          "left out");
+    if (!constant && !per_length) return row;
+    if (constant) row.inputs.push_back({"U_CALIBRATION", constant->value, deviation(), ""});
+    if (per_length) {
+      row.formula = constant ? "A.1, A.2" : "A.2";
+      row.inputs.push_back({"U_CALIBRATION", per_length->value, "µm/m", ""});
+      row.inputs.push_back({"L", length_->value, "m", length_->note});
+    }
+    row.U = Deviation::native(
+        std::hypot(constant ? constant->value : 0.0, per_length ? per_length->value * length_->value : 0.0));
+    return row;
+  }
+
+  Contributor probing() {
+    return product({"probing", "U_PROBING", "Probing of the artefact", "Annex D", {}, {}}, 1.0,
+                   {{"U_PROBING", deviation(), given(metadata_.artefact.probing_uncertainty)}});
+  }
+
   Contributor device() {
+    if (artefact_) return artefact();
     const Input absolute = given(in_.device_calibration);
     const Input per_length = linear_ ? given(in_.device_calibration_per_length) : std::nullopt;
     const Input range = linear_ ? given(in_.device_error_range) : std::nullopt;
@@ -157,7 +192,12 @@ class Budget {
   }
 
   Contributor misalignment() {
-    Contributor row{"misalignment", "U_MISALIGNMENT", "Misalignment of the measuring device", "A.4", {}, {}};
+    Contributor row{"misalignment",
+                    "U_MISALIGNMENT",
+                    artefact_ ? "Misalignment of the artefact" : "Misalignment of the measuring device",
+                    "A.4",
+                    {},
+                    {}};
     if (!linear_) return row;
     const Input range = given(in_.misalignment);
     const double L_m = length_m();
@@ -193,7 +233,13 @@ class Budget {
   }
 
   Contributor m_device() {
-    const Contributor row{"m_device", "U_M,DEVICE", "Temperature measurement of the measuring device", "A.6", {}, {}};
+    const Contributor row{
+        "m_device",
+        "U_M,DEVICE",
+        artefact_ ? "Temperature measurement of the artefact" : "Temperature measurement of the measuring device",
+        "A.6",
+        {},
+        {}};
     const Input range = linear_ ? given(in_.device_temperature_range) : std::nullopt;
     if (!range) return row;
     const Input alpha = first_of(
@@ -211,9 +257,18 @@ class Budget {
   }
 
   Contributor e_device() {
-    const Contributor row{"e_device", "U_E,DEVICE", "Expansion coefficient of the measuring device", "A.8", {}, {}};
-    if (!linear_ || !(in_.device_temperature_difference || in_.device_expansion_range)) return row;
-    return expansion_term(row, "measuring device", in_.device_expansion_range,
+    const Contributor row{
+        "e_device",
+        "U_E,DEVICE",
+        artefact_ ? "Expansion coefficient of the artefact" : "Expansion coefficient of the measuring device",
+        "A.8",
+        {},
+        {}};
+    // What an artefact is made of expands; what is said of an interferometer often includes it.
+    const auto& alpha = in_.device_expansion ? in_.device_expansion : metadata_.nde.equipment_expansion;
+    const bool expands = artefact_ && alpha && alpha->in_um_per_m_K() != 0.0;
+    if (!linear_ || !(in_.device_temperature_difference || in_.device_expansion_range || expands)) return row;
+    return expansion_term(row, artefact_ ? "artefact" : "measuring device", in_.device_expansion_range,
                           first_of({given(in_.device_temperature_difference),
                                     sensor_difference(metadata_.environment, "equipment", "largest of the sensors")}));
   }
@@ -238,12 +293,14 @@ class Budget {
   const Metadata& metadata_;
   const AnnexAInputs& in_;
   bool linear_ = true;
+  bool artefact_ = false;  // in place of the device (Annex D)
   Input length_;
   std::vector<std::string> notes_;
 };
 
 std::optional<Deviation> find_U(const std::vector<Contributor>& budget, std::string_view key) {
-  return std::ranges::find(budget, key, &Contributor::key)->U;
+  const auto row = std::ranges::find(budget, key, &Contributor::key);
+  return row == budget.end() ? std::nullopt : row->U;
 }
 
 /// (A.11) to (A.19) for the parameters that exist. A parameter of whose contributors none is known has no U.
@@ -258,12 +315,15 @@ AxisParameters combine(const std::vector<Contributor>& budget, std::size_t runs,
     any = true;
     if (row.key != "eve") squares += row.U->in_native() * row.U->in_native();
   }
-  const double R_unidirectional = 2.0 * U_eve;                             // A.11
-  const double reversal = (runs == 5 ? 0.9 : 2.0 / std::sqrt(n)) * U_eve;  // A.12, A.13
-  const double R = 2.2 * U_eve;                                            // A.14
-  const double E = std::sqrt(squares + U_eve * U_eve / n);                 // A.15, A.17
-  const double M = std::sqrt(squares + U_eve * U_eve / (2.0 * n));         // A.16, A.18
-  const double A = std::hypot(E, R_unidirectional);                        // A.19
+  const double R_unidirectional = 2.0 * U_eve;  // A.11
+  // Both sides of a place are probed with errors of their own, the same in every run.
+  const auto probing = find_U(budget, "probing");
+  const double probed = probing ? std::numbers::sqrt2 * probing->in_native() : 0.0;
+  const double reversal = std::hypot((runs == 5 ? 0.9 : 2.0 / std::sqrt(n)) * U_eve, probed);  // A.12, A.13
+  const double R = 2.2 * U_eve;                                                                // A.14
+  const double E = std::sqrt(squares + U_eve * U_eve / n);                                     // A.15, A.17
+  const double M = std::sqrt(squares + U_eve * U_eve / (2.0 * n));                             // A.16, A.18
+  const double A = std::hypot(E, R_unidirectional);                                            // A.19
 
   AxisParameters U;
   const auto state = [&](std::optional<Deviation> AxisParameters::*member, bool known, double value) {
@@ -274,34 +334,9 @@ AxisParameters combine(const std::vector<Contributor>& budget, std::size_t runs,
   state(&AxisParameters::M, any, M);
   state(&AxisParameters::R, eve.has_value(), R);
   for (auto member : {&AxisParameters::R_up, &AxisParameters::R_down}) state(member, eve.has_value(), R_unidirectional);
-  for (auto member : {&AxisParameters::B, &AxisParameters::B_mean}) state(member, eve.has_value(), reversal);
+  for (auto member : {&AxisParameters::B, &AxisParameters::B_mean})
+    state(member, eve.has_value() || probing.has_value(), reversal);
   return U;
-}
-
-/// A.10. U_EVE is expanded, its half the standard uncertainty that the readings' scatter contains.
-CorrectedRepeatability correct(const Evaluation& evaluation, Deviation U_eve) {
-  const double u = U_eve.in_native() / 2.0;
-  CorrectedRepeatability result;
-  for (std::size_t i = 0; i < evaluation.positions.size(); ++i) {
-    const PositionResult& measured = evaluation.positions[i];
-    bool floored = false;
-    const auto without_environment = [&](std::optional<Deviation> s) -> std::optional<Deviation> {
-      if (!s) return std::nullopt;
-      const double variance = s->in_native() * s->in_native() - u * u;
-      floored = floored || variance < 0.0;
-      return Deviation::native(std::sqrt(std::max(variance, 0.0)));
-    };
-    const auto s_up = without_environment(measured.s_up);
-    const auto s_down = without_environment(measured.s_down);
-    result.positions.push_back(with_estimators(measured, s_up, s_down));
-    if (floored) result.floored.push_back(i);
-  }
-  const AxisParameters corrected = evaluate_axis(result.positions);
-  result.parameters = evaluation.parameters;
-  result.parameters.R = corrected.R;
-  result.parameters.R_up = corrected.R_up;
-  result.parameters.R_down = corrected.R_down;
-  return result;
 }
 
 std::vector<std::string> general_notes(const AnnexA& annex, const Metadata& metadata) {
@@ -311,6 +346,10 @@ std::vector<std::string> general_notes(const AnnexA& annex, const Metadata& meta
         "Annex A is written for linear axes: of its contributors the device (A.1) and the environmental variation "
         "(A.9) "
         "are combined in ″, the terms in µm/m do not apply");
+  else if (artefact_takes_place_of_device(metadata) && !find_U(annex.budget, "m_device"))
+    notes.push_back(
+        "The artefact takes the place of the measuring device (Annex D); R(θ) of its temperature was not given, and "
+        "U_M,DEVICE counts as zero");
   else if (!find_U(annex.budget, "m_device") && !find_U(annex.budget, "e_device"))
     notes.push_back(
         "U_M,DEVICE and U_E,DEVICE count as zero: right if the statement about the device includes its temperature, or "
@@ -340,7 +379,7 @@ std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, co
   for (std::string& note : general_notes(result, metadata)) result.notes.push_back(std::move(note));
   const auto eve = find_U(result.budget, "eve");
   const bool repeats = evaluation.parameters.R_up || evaluation.parameters.R_down;
-  if (eve && repeats && !too_long) result.corrected = correct(evaluation, *eve);
+  if (eve && repeats && !too_long) result.corrected = corrected_repeatability(evaluation, *eve);
   if (eve && repeats && too_long)
     result.notes.push_back(
         "Above 2 000 mm the annex has no formula for repeatability: (A.11) and (A.14) are used all the same, and "

@@ -26,7 +26,8 @@ struct BudgetInput {
 
 /// One line of the budget.
 struct Contributor {
-  std::string_view key;      ///< "device", "misalignment", "m_machine", "m_device", "e_machine", "e_device", "eve"
+  /// "device", "misalignment", "m_machine", "m_device", "e_machine", "e_device", "eve"; of an artefact "probing"
+  std::string_view key;
   std::string_view symbol;   ///< "U_M,MACHINE TOOL"
   std::string_view title;    ///< "Temperature measurement of the machine tool"
   std::string_view formula;  ///< "A.5"
@@ -41,8 +42,11 @@ struct CorrectedRepeatability {
   std::vector<std::size_t> floored;       ///< targets (index) where s_i² < (U_EVE/2)² and 0 was taken
 };
 
+/// (A.10): s_i² less (U_EVE/2)², never below 0, and R_i, R, R↑ and R↓ from it.
+CorrectedRepeatability corrected_repeatability(const Evaluation& evaluation, Deviation U_eve);
+
 struct AnnexA {
-  std::vector<Contributor> budget;  ///< always all seven, in the order of A.2
+  std::vector<Contributor> budget;  ///< always all seven, in the order of A.2; then that of probing, if given
   AxisParameters U;                 ///< expanded uncertainty, k = 2, of each parameter that exists (but see below)
   std::size_t runs = 0;             ///< n used: the smallest number of approaches in any measured cell
   std::vector<std::string> notes;   ///< what was assumed or generalised
@@ -63,6 +67,10 @@ struct AnnexA {
 ///   one of ΔT and R(α) was given: without, its statement is taken to include its temperature.
 /// - Of several statements about the device: calibration in µm (A.1), else in µm/m (A.2), else the error
 ///   range (A.3), noted.
+/// - An artefact (Annex D) takes the place of the device: U_DEVICE is the root of the squares of its constant U and of
+///   that in proportion to L, whatever is said of another device; it counts as expanding where its α is known and not
+///   0. U of one probing is the same in every run: it counts as one more contributor to E, M and A and, since both
+///   sides of a place are probed, √2 times to B.
 /// - (A.10), (A.11) and (A.14) are given up to L = 2 000 mm. Above, nothing is corrected, and U of an R that
 ///   exists all the same follows (A.11) and (A.14), noted.
 /// - Rotary axes: the annex is written for linear ones; (A.1) and (A.9) apply with ″, the terms in µm/m

@@ -124,8 +124,9 @@ std::vector<Fact> facts_of_readings(const Subject& subject, const Options& optio
                                                                   : " from above (↓) only";
   return {{joined({plain("Number of approaches "), italic("n")}), text_cell(fmt::format("{}{}", runs, directions))},
           {plain("Target positions"),
-           text_cell(fmt::format("{} from {} to {}, listed in Table 2", series.target_count(),
-                                 place(series.targets().front()), place(series.targets().back())))}};
+           text_cell(fmt::format("{} from {} to {}{}", series.target_count(), place(series.targets().front()),
+                                 place(series.targets().back()),
+                                 subject.assessment.evaluation.positions.empty() ? "" : ", listed in Table 2"))}};
 }
 
 /// What the section shows: groups of facts that stand in columns, and what needs the whole width below.

@@ -176,14 +176,17 @@ void append_row(std::string& out, std::span<const std::string> cells, char separ
   out += "\r\n";
 }
 
-std::string cells_of(const Table& table, char separator) {
+/// With a label, each row says it in a column of its own.
+std::string cells_of(const Table& table, const std::string& label, char separator) {
   std::string out;
   std::vector<std::string> head;
   for (const Column& column : table.columns) head.push_back(plain_text(column.head));
+  if (!label.empty()) head.push_back("remark");
   append_row(out, head, separator);
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
     for (const TableCell& cell : row) cells.push_back(plain_text(cell.text));
+    if (!label.empty()) cells.push_back(label);
     append_row(out, cells, separator);
   }
   return out;
@@ -195,7 +198,7 @@ Result<std::string> set(const Document& document, const Options& options) {
   for (const Section& section : document.sections)
     for (const Block& block : section.blocks)
       if (const auto* table = std::get_if<Table>(&block))
-        out += (out.empty() ? "" : "\r\n") + cells_of(*table, separator);
+        out += (out.empty() ? "" : "\r\n") + cells_of(*table, document.label, separator);
   return out;
 }
 

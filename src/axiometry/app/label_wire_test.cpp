@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "axiometry/app/periodic.h"
+#include "axiometry/app/wire.h"
+#include "tests/support/series.h"
+
+namespace axiometry::app {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+const std::string label = "step cycle (Annex B), not for acceptance";
+
+Evaluated step_cycle() {
+  axiometry::Test test = testing_support::table2::complete_test();
+  test.metadata.conditions.cycle = TestCycle::step;
+  return evaluate_test(std::move(test), {}).value();
+}
+
+TEST(LabelOnTheWire, IsAMemberOfTheJson) {
+  const auto value = to_json(step_cycle());
+  ASSERT_NE(value.find("label"), nullptr);
+  EXPECT_EQ(value.find("label")->text(), label);
+}
+
+TEST(LabelOnTheWire, IsTheLastColumnOfTheCombinedTable) {
+  EXPECT_THAT(combined_csv_header(), EndsWith(",label\r\n"));
+  EXPECT_THAT(combined_csv_row(step_cycle()), EndsWith(",\"" + label + "\"\r\n"));
+  const UncertaintyOptions all{.gum = true, .monte_carlo = true, .trials = {}};
+  const auto columns = [](const std::string& row) { return std::count(row.begin(), row.end(), ','); };
+  EXPECT_EQ(columns(combined_csv_header(all)), columns(combined_csv_error_row("f", {"x", "", {}}, all)));
+}
+
+TEST(LabelOnTheWire, IsAMemberOfThePeriodicErrorsJson) {
+  std::vector<double> targets;
+  testing_support::RunDeviations run;
+  for (int k = 0; k < 40; ++k) targets.push_back(k), run.push_back(k % 10);
+  axiometry::Test test{{}, testing_support::make_series(targets, {run}, {}), {}};
+  test.metadata.conditions.cycle = TestCycle::pilgrim;
+  auto result = iso230_2::periodic_error(test).value();
+  const auto value = to_json(EvaluatedPeriodic{test, result});
+  ASSERT_NE(value.find("label"), nullptr);
+  EXPECT_EQ(value.find("label")->text(), "pilgrim cycle, not for acceptance");
+}
+
+}  // namespace
+}  // namespace axiometry::app
