@@ -125,6 +125,7 @@ class Rows {
       remarks.push_back({false, fmt::format("found errors of the reference that differ from its mean minus the target "
                                             "by up to {:.4g} mm; the errors were taken",
                                             largest_difference_)});
+    if (result.remark) remarks.push_back(*std::move(result.remark));
     return test;
   }
 
