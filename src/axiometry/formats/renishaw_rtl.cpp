@@ -292,7 +292,7 @@ EOF::
 - `Target-count` and `Run-count`, when they stand in the file, must agree with the data.
 - Machine, Serial No, Date, By, Axis, Location and TITLE, the equipment, and from `ENVIRONMENT::` Air temp (°C), Air
   Press (mbar, or with a unit), Air Humid, Mat temp, Exp coeff and Date Time go into the metadata; what stands behind
-  `Final Data` is taken as the end of the test.
+  `Final Data` is taken as the end of the test. A sensor that shows 0 is taken as not connected, with a remark.
 - Encodings: UTF-8, UTF-16, GBK, Windows-1252, Latin-1. Decimal point or comma.
 - Refused: an unknown file type, targets in no order, a target without readings, a reading given twice, runs whose order
   contradicts their number.

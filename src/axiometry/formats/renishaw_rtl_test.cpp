@@ -99,6 +99,24 @@ TEST(RenishawRtl, TellsTheAirInAnyOfItsUnits) {
             "found \"Air humid: high\" on line 54, which was not understood and is left out");
 }
 
+TEST(RenishawRtl, LeavesOutSensorsThatShowZero) {
+  const auto test = read(text_of(
+      {.rows = two_way_rows,
+       .others = "ENVIRONMENT::\nAir temp: 0.0\nAir Press: 0\nAir Humid: 0 %\nMat temp 1: 20.4\nMat temp 2: 0.00\n"
+                 "Mat temp 3: 32 F\nExp coeff: 0\n"}));
+  ASSERT_TRUE(test) << test.error().to_string();
+  const Environment& air = test->metadata.environment;
+  EXPECT_FALSE(air.air_temperature_start);
+  EXPECT_FALSE(air.air_pressure_start);
+  EXPECT_FALSE(air.air_humidity_start);
+  ASSERT_EQ(air.sensors.size(), 2u);
+  EXPECT_EQ(air.sensors[0].location, "mat temp 1");
+  EXPECT_EQ(air.sensors[1].location, "mat temp 3");
+  ASSERT_EQ(test->provenance.remarks.size(), 4u);
+  EXPECT_TRUE(test->provenance.remarks[3].message.contains(
+      "found \"Mat temp 2: 0.00\" on line 44; it was taken as a sensor that is not connected"));
+}
+
 TEST(RenishawRtl, TurnsRunsAroundWhenTheTargetsDescend) {
   const auto test = read(text_of({.targets = "100 50 0", .rows = two_way_rows}));
   ASSERT_TRUE(test) << test.error().to_string();
