@@ -145,8 +145,9 @@ class ContentReader {
   }
 
   Result<void> take_deviation_line(const TextLine& line) {
-    if (tagged_value(line.text)) return {};  // the names of the columns
-    const auto words = text::words(line.text);
+    const auto names = tagged_value(line.text);  // of the columns; some go on with the first reading
+    if (names && names->value.find_first_of("0123456789") != 0) return {};
+    const auto words = text::words(names ? std::string_view(names->value) : line.text);
     if (words.size() != 3)
       return fail(fmt::format("found {}, expected three numbers: run, target and deviation{}", text::quoted(line.text),
                               line.has_break ? "" : "; the file ends here, is it cut off?"),

@@ -154,6 +154,34 @@ TEST(RenishawRtl, LeavesOutTheZerosOfAUnidirectionalFile) {
   EXPECT_EQ(one_way->provenance.remarks.size() + two_way->provenance.remarks.size(), 2u);
 }
 
+TEST(RenishawRtl, TellsOfFlagsThatTheRunsContradict) {
+  const auto test = read(text_of({.flags = "Flags: 0 1 2 0", .rows = two_way_rows}));
+  ASSERT_TRUE(test) << test.error().to_string();
+  EXPECT_EQ(reading(*test, 0, Direction::down, 0), -.6);
+  ASSERT_EQ(test->provenance.remarks.size(), 1u);
+  EXPECT_EQ(test->provenance.remarks[0].message,
+            "found flags of a unidirectional test, but even runs that go back along the list of targets; they were "
+            "taken as return runs");
+}
+
+TEST(RenishawRtl, TellsOfZerosInRunsOfEitherDirection) {
+  const auto test =
+      read(text_of({.rows = "1 1 1\n1 2 2\n1 3 3\n2 3 4\n2 2 5\n2 1 6\n3 1 0\n3 2 0\n3 3 0\n4 3 0\n4 2 0\n"
+                            "4 1 0\n"}));
+  ASSERT_TRUE(test) << test.error().to_string();
+  ASSERT_EQ(test->provenance.remarks.size(), 1u);
+  EXPECT_EQ(test->provenance.remarks[0].message, "found runs whose readings are all zero; they were taken as measured");
+}
+
+TEST(RenishawRtl, ReadsAFirstReadingBesideTheNamesOfTheColumns) {
+  std::string text = text_of({.rows = two_way_rows});
+  text.erase(text.find("Data: \n") + 6, 1);
+  const auto test = read(text);
+  ASSERT_TRUE(test) << test.error().to_string();
+  EXPECT_TRUE(test->series.complete());
+  EXPECT_EQ(reading(*test, 0, Direction::up, 0), .1);
+}
+
 TEST(RenishawRtl, KeepsMissingReadingsMissing) {
   const auto test = read(text_of({.run_count = 3, .rows = "1 1 1\n1 2 2\n1 3 3\n2 3 4\n3 1 5\n3 3 6\n"}));
   ASSERT_TRUE(test) << test.error().to_string();
