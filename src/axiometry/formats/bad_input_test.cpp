@@ -35,7 +35,8 @@ TEST_P(BadInputs, AreRefusedWithPlaceAndReason) { EXPECT_EQ(message_for(GetParam
 const std::string header = "target_mm,direction,run,deviation_um\n";
 const std::string titles =
     "json (Axiometry test, JSON); csv-long (CSV, one reading per row); csv-wide (CSV, one column per run); "
-    "ecmc-dat (ecmc ISO 230 data); a CSV file begins with a header such as target_mm,direction,run,deviation_um";
+    "ecmc-dat (ecmc ISO 230 data); generic (Any table of numbers, by a guess); a CSV file begins with a header such as "
+    "target_mm,direction,run,deviation_um";
 
 INSTANTIATE_TEST_SUITE_P(
     Files, BadInputs,
@@ -277,6 +278,18 @@ INSTANTIATE_TEST_SUITE_P(
                  "line 2:66: found the target 0 a second time, expected each once"},
         BadInput{"NoRuns", json_test("\"unit\": \"um\", \"target_unit\": \"mm\", \"targets\": [0, 1]"),
                  "line 2:12: found no runs, expected readings in \"up\" or \"down\" or both"},
+        BadInput{"TimesOfAnotherShape",
+                 json_test("\"unit\": \"um\", \"target_unit\": \"mm\", \"targets\": [0, 1], \"up\": [[1, 1]]",
+                           " \"times_s\": {\"up\": [[1, 2], [3, 4]]},\n"),
+                 "line 2:13: found times of 2 runs, expected at most 1 as there are readings of"},
+        BadInput{"TimesOfAnUnknownDirection",
+                 json_test("\"unit\": \"um\", \"target_unit\": \"mm\", \"targets\": [0, 1], \"up\": [[1, 1]]",
+                           " \"times_s\": {\"left\": [[1, 2]]},\n"),
+                 "line 2:22: found the unknown member \"left\" in times_s, expected up and down"},
+        BadInput{"SourceWithoutItsFile",
+                 json_test("\"unit\": \"um\", \"target_unit\": \"mm\", \"targets\": [0, 1], \"up\": [[1, 1]]",
+                           " \"source\": {\"sha256\": \"\"},\n"),
+                 "line 2:12: found no member \"file\", expected a string"},
         BadInput{"CutOff", "{\"format\": \"axiometry-test/1\", \"series\": {\"unit\"",
                  "line 1:49: found the end of the text, expected ':'"},
         BadInput{"NestedDeeply", "{\"a\":" + std::string(100000, '['),

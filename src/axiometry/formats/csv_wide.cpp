@@ -11,6 +11,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv_preamble.h"
+#include "axiometry/formats/csv_values.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/series_order.h"
 #include "axiometry/formats/target_index.h"
@@ -229,6 +230,30 @@ Result<Test> read(std::string_view bytes) {
   return Test{std::move(metadata), std::move(series), {}};
 }
 
+/// One row per target; directions without any reading have no columns.
+std::string write(const Test& test) {
+  const bool linear = test.metadata.axis.kind == AxisKind::linear;
+  const Series& series = test.series;
+  std::string text = metadata_lines(test) + (linear ? "target_mm" : "target_deg");
+  const auto for_each_run = [&](auto act) {
+    for (const Direction direction : {Direction::up, Direction::down})
+      for (std::size_t j = 0; series.has(direction) && j < series.run_count(); ++j) act(direction, j);
+  };
+  for_each_run([&](Direction direction, std::size_t j) {
+    text += fmt::format(",{}{}_{}", direction == Direction::up ? "up" : "down", j + 1, linear ? "um" : "arcsec");
+  });
+  text += '\n';
+  for (std::size_t i = 0; i < series.target_count(); ++i) {
+    text += format_exact(series.targets()[i].in_native());
+    for_each_run([&](Direction direction, std::size_t j) {
+      const auto reading = series.reading(i, direction, j);
+      text += "," + (reading ? format_exact(reading->in_native()) : std::string());
+    });
+    text += '\n';
+  }
+  return text;
+}
+
 int recognise(std::string_view head) {
   bool target = false;
   bool runs = false;
@@ -273,6 +298,7 @@ const Format csv_wide_format = {
     .manual = manual,
     .recognise = recognise,
     .read = read,
+    .write = write,
 };
 
 }  // namespace axiometry::formats

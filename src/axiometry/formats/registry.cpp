@@ -3,6 +3,7 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
+#include "axiometry/formats/generic_delimited.h"
 #include "axiometry/formats/text_source.h"
 
 namespace axiometry::formats {
@@ -43,6 +44,7 @@ Result<const Format*> recognise(std::string_view head) {
   constexpr std::size_t longest_character = 4;  // the head may end within one
   if (const auto bad = text::invalid_utf8(text); bad && *bad + longest_character < text.size())
     AXIOMETRY_TRY_VOID(check_utf8(text));
+  if (const std::string question = open_question(text); !question.empty()) return fail(question, {1, 1});
   return fail(fmt::format("found text that begins with {}, expected one of: {}; a CSV file begins with a header "
                           "such as target_mm,direction,run,deviation_um",
                           text::quoted(first_line(text)), titles()),

@@ -26,7 +26,7 @@ TEST(Registry, EveryFormatDescribesItself) {
     EXPECT_NE(format->read, nullptr);
     EXPECT_EQ(format->holds_many == nullptr, format->read_many == nullptr) << format->id;
   }
-  EXPECT_EQ(ids, (std::set<std::string_view>{"json", "csv-long", "csv-wide", "ecmc-dat"}));
+  EXPECT_EQ(ids, (std::set<std::string_view>{"json", "csv-long", "csv-wide", "ecmc-dat", "generic"}));
 }
 
 TEST(Registry, RecognisesTheExampleOfEveryManual) {
