@@ -23,7 +23,8 @@ struct ColumnFacts {
 
   double range() const { return largest - least; }
   double magnitude() const;  ///< largest absolute number
-  bool numeric() const { return numbers > 0 && words == 0; }
+  /// A few cells that are no numbers do not make it a column of words: the reader refuses them.
+  bool numeric() const { return numbers > 4 * words; }
 };
 
 /// `from`: the first row that counts.

@@ -90,6 +90,7 @@ void take_header_from_rows(Draft& draft) {
   if (!header) return;
   shape.names = shape.rows.front();
   shape.rows.erase(shape.rows.begin());
+  shape.row_lines.erase(shape.row_lines.begin());
   shape.header_lines = 1;
   --shape.row_count;
   ++shape.first_line;
@@ -98,6 +99,23 @@ void take_header_from_rows(Draft& draft) {
   for (const std::string& name : shape.names) draft.heads.push_back(head_of(name));
   draft.guess.row_count = shape.row_count;
   draft.guess.preview.erase(draft.guess.preview.begin());
+}
+
+/// Text where numbers must be, before anything is asked that follows from it.
+Result<void> check_numbers(const Draft& draft) {
+  const TableShape& shape = draft.shape;
+  if (!draft.guess.questions.empty() && draft.guess.questions.front().key == "decimal_mark") return {};
+  for (std::size_t r = 0; r < shape.rows.size(); ++r)
+    for (std::size_t c = 0; c < shape.columns; ++c) {
+      const ImportRole role = draft.guess.profile.columns[c].role;
+      const bool reading = role == ImportRole::deviation || role == ImportRole::position;
+      if (!reading && role != ImportRole::target) continue;
+      if (reading && is_missing(shape.rows[r][c])) continue;
+      if (number_in(shape.rows[r][c], shape.decimal_mark)) continue;
+      AXIOMETRY_TRY(const std::vector<CsvCell> cells, cells_of(shape.row_lines[r], shape.rule));
+      if (c < cells.size()) AXIOMETRY_TRY_VOID(number_at(cells[c], shape.decimal_mark, shape.row_lines[r].number));
+    }
+  return {};
 }
 
 Result<Guess> guess_text(const DecodedText& decoded) {
@@ -114,6 +132,7 @@ Result<Guess> guess_text(const DecodedText& decoded) {
     draft.guess.profile.columns.assign(draft.shape.columns, {});
     for (std::size_t c = 0; c < draft.shape.names.size(); ++c) draft.column(c).name = draft.shape.names[c];
     decide_columns(draft);
+    AXIOMETRY_TRY_VOID(check_numbers(draft));
     decide_units(draft);
     decide_rules(draft);
   }

@@ -150,6 +150,7 @@ class Roles {
       std::erase_if(kept, predicate);
       if (!kept.empty()) found = kept;
     };
+    drop([&](std::size_t c) { return draft_.facts[c].distinct * 2 > draft_.facts[c].numbers; });
     drop([&](std::size_t c) { return counts_rows(draft_.facts[c]); });
     drop([&](std::size_t c) { return counts_runs(draft_.facts[c]); });
     drop([&](std::size_t c) {  // a measured position beside its target
@@ -167,7 +168,8 @@ class Roles {
   bool find_wide() {
     const auto named = [&](auto accept) {
       return columns_where(draft_, [&](std::size_t c) {
-        return !taken_[c] && draft_.facts[c].words == 0 && accept(draft_.heads[c], draft_.shape.names);
+        return !taken_[c] && (draft_.facts[c].words == 0 || draft_.facts[c].numeric()) &&
+               accept(draft_.heads[c], draft_.shape.names);
       });
     };
     Columns found = named([](const Head& h, const auto&) {

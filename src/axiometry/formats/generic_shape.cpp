@@ -104,6 +104,10 @@ std::optional<Block> block_of(std::span<const TextLine> lines, const Split& spli
   return block;
 }
 
+std::unexpected<Error> another_length(std::size_t found, std::size_t expected, TextPosition at) {
+  return fail(fmt::format("found {}, expected {} as in the rest of the table", counted(found, "field"), expected), at);
+}
+
 /// Rows of numbers below the table would be lost with what stands there.
 Result<void> check_below(std::span<const TextLine> below, const Split& split, std::string_view comment) {
   for (const TextLine& line : below) {
@@ -111,9 +115,7 @@ Result<void> check_below(std::span<const TextLine> below, const Split& split, st
     AXIOMETRY_TRY(const std::vector<CsvCell> cells, cells_of(line, {split.delimiter, false}));
     const Census census = census_of(cells);
     if (census.numbers >= 2 && census.numbers > census.words)
-      return fail(fmt::format("found {}, expected {} as in the rest of the table", counted(cells.size(), "field"),
-                              split.columns),
-                  {line.number, 1});
+      return another_length(cells.size(), split.columns, {line.number, 1});
   }
   return {};
 }
@@ -235,6 +237,31 @@ void find_pairs(TableShape& shape, std::span<const TextLine> above) {
          "as well as delimiters: save the file with semicolons or tabs between the columns"});
 }
 
+/// The cells of the block. Fails on rows of another length; spreadsheets cut off empty cells, but no numbers.
+Result<void> take_rows(TableShape& shape, std::span<const TextLine> block) {
+  std::size_t widest_needed = 0;  // columns up to the last one with a number
+  std::vector<std::pair<TextLine, std::size_t>> short_rows;
+  for (const TextLine& line : block) {
+    if (is_blank(line) || is_comment(line.text, shape.comment)) continue;
+    ++shape.row_count;
+    if (shape.rows.size() >= rows_looked_at) continue;
+    AXIOMETRY_TRY(const std::vector<CsvCell> cells, cells_of(line, shape.rule));
+    std::size_t count = cells.size();
+    while (count > shape.columns && cells[count - 1].text.empty()) --count;
+    if (count > shape.columns) return another_length(count, shape.columns, {line.number, cells[shape.columns].column});
+    if (count < shape.columns) short_rows.emplace_back(line, count);
+    auto& row = shape.rows.emplace_back(shape.columns);
+    shape.row_lines.push_back(line);
+    for (std::size_t c = 0; c < count; ++c) {
+      row[c] = cells[c].text;
+      if (is_number(row[c])) widest_needed = std::max(widest_needed, c + 1);
+    }
+  }
+  for (const auto& [line, count] : short_rows)
+    if (count < widest_needed) return another_length(count, shape.columns, {line.number, 1});
+  return {};
+}
+
 /// What a line below the rows begins with and no row does: its first cell, or all of it.
 std::string end_of_table(const TextLine& line, const TableShape& shape) {
   const auto cells = cells_of(line, shape.rule);
@@ -256,22 +283,17 @@ Result<TableShape> find_shape(std::span<const TextLine> lines) {
   const auto block = split.score > 0.0 ? block_of(lines, split, shape.comment) : std::nullopt;
   if (!block) {
     for (const TextLine& line : lines)
-      if (const auto cells = cells_of(line, {Delimiter::comma, false}); !cells) return std::unexpected(cells.error());
+      for (const char delimiter : {';', '\t', ',', ' '})
+        if (const auto count = std::ranges::count(line.text, delimiter);
+            count >= static_cast<std::ptrdiff_t>(column_limit))
+          return fail(fmt::format("found {} columns, expected at most {}", count + 1, column_limit), {line.number, 1});
     return fail("found no table of numbers, expected at least two columns of them");
   }
   AXIOMETRY_TRY_VOID(check_below(lines.subspan(block->last + 1), split, shape.comment));
   shape.rule = {split.delimiter, false};
   shape.columns = split.columns;
   shape.first_line = lines[block->first].number;
-  for (std::size_t k = block->first; k <= block->last; ++k) {
-    if (is_blank(lines[k]) || is_comment(lines[k].text, shape.comment)) continue;
-    ++shape.row_count;
-    if (shape.rows.size() >= rows_looked_at) continue;
-    const auto cells = cells_of(lines[k], shape.rule);
-    if (!cells || cells->size() != shape.columns) continue;  // told by the reader
-    auto& row = shape.rows.emplace_back();
-    for (const CsvCell& cell : *cells) row.push_back(cell.text);
-  }
+  AXIOMETRY_TRY_VOID(take_rows(shape, lines.subspan(block->first, block->last - block->first + 1)));
   for (const TextLine& line : lines.subspan(block->last + 1)) {
     if (is_blank(line) || is_comment(line.text, shape.comment)) continue;
     shape.end = end_of_table(line, shape);

@@ -20,6 +20,7 @@ struct TableShape {
   std::size_t first_line = 0;                  ///< of the rows, number in the file
   std::size_t row_count = 0;                   ///< up to the last row
   std::vector<std::vector<std::string>> rows;  ///< the first of them, at most rows_looked_at, without blank lines
+  std::vector<TextLine> row_lines;             ///< theirs
   std::vector<std::string> names;              ///< one per column; empty without a header
   std::vector<const Unit*> units;              ///< of a line of units below the names; empty without one
   std::span<const TextLine> above;             ///< lines above header and rows
