@@ -10,6 +10,7 @@ GENERATED = {
     "docs/man/axiometry.1": ["manual"],
     "schema/axiometry-test.schema.json": ["schema"],
     "schema/axiometry-import-profile.schema.json": ["schema", "import-profile"],
+    "schema/axiometry-plan.schema.json": ["schema", "plan"],
 }
 
 

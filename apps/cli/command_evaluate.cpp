@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/app/correction_text.h"
 #include "axiometry/app/evaluate.h"
 #include "axiometry/app/outputs.h"
 #include "axiometry/base/text.h"
@@ -167,9 +169,28 @@ void add_input_flags(CLI::App& verb, EvaluateArguments& arguments) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->group(group);
-  verb.add_flag("--nde-correct", arguments.evaluate.nde_correct,
-                "Correct the readings for nominal differential expansion, from the temperatures of the sensors and the "
-                "expansion coefficients; refused where the instrument has done it")
+}
+
+void add_correction_flags(CLI::App& verb, EvaluateArguments& arguments) {
+  constexpr const char* group = "Corrections of the readings, none unasked";
+  CorrectionRequest& request = arguments.evaluate.corrections;
+  verb.add_option_function<std::vector<std::string>>(
+          "--correct",
+          [&request](const std::vector<std::string>& lists) {
+            for (const std::string& list : lists)
+              if (auto chosen = app::choose_corrections(list, request); !chosen)
+                throw CLI::ValidationError("--correct", chosen.error().message);
+          },
+          "Correct the readings, by a list of: sign (the instrument's is reversed), gain (instrument.gain), air=ciddor "
+          "or air=edlen (refractive index of air), dead-path (instrument.dead_path_mm), nde (expansion), drift (a "
+          "straight line in time); made in this order, may be repeated")
+      ->type_name("LIST")
+      ->allow_extra_args(false)
+      ->group(group);
+  verb.add_flag_function(
+          "--nde-correct", [&request](std::int64_t) { request.expansion = true; },
+          "As --correct nde: correct the readings for nominal differential expansion, from the temperatures of the "
+          "sensors and the expansion coefficients; refused where the instrument has done it")
       ->group(group);
 }
 
@@ -179,6 +200,7 @@ namespace {
 
 void add_flags(CLI::App& verb, const std::shared_ptr<EvaluateArguments>& arguments, int& exit_code) {
   add_input_flags(verb, *arguments);
+  add_correction_flags(verb, *arguments);
   add_tolerance_flags(verb, arguments->evaluate.tolerance, arguments->tolerance_table);
   add_output_flags(verb, *arguments);
   add_number_flags(verb, *arguments);
@@ -206,6 +228,7 @@ void add_evaluate(CLI::App& program, int& exit_code) {
   axiometry evaluate test.csv --report report.html --report report.pdf
   axiometry evaluate test.csv --device-error-range-um-per-m 3.4 --misalignment-mm 1 --environmental-variation 1.7
   axiometry evaluate test.csv --tolerance A=10um --tolerance R_up=4um --rule iso14253-1
+  axiometry evaluate test.csv --correct air=ciddor,dead-path,nde
   axiometry evaluate machines/ --tolerance-table limits.csv:'Machining centre' --report all.csv
   axiometry evaluate machines/ --json all.json --report all.csv --report 'reports/{name}.pdf'
   zcat big.csv.gz | axiometry evaluate - --quiet --report all.csv)");

@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "axiometry/base/json.h"
 #include "axiometry/formats/import_profile.h"
+#include "axiometry/formats/plan_json.h"
 #include "axiometry/formats/test_schema.h"
 #include "commands.h"
 
@@ -22,6 +24,7 @@ struct Schema {
 
 constexpr Schema schemas[] = {
     {"test", formats::test_schema},
+    {"plan", [] { return json::dump(formats::plan_schema()) + "\n"; }},
     {"import-profile", formats::profile_schema},
 };
 

@@ -59,9 +59,13 @@ int run(int argc, char** argv) {
   add_evaluate(program, exit_code);
   add_uncertainty(program, exit_code);
   add_convert(program, exit_code);
+  add_plan(program, exit_code);
+  add_air(program, exit_code);
   add_formats(program, exit_code);
   add_schema(program, exit_code);
   add_check(program, exit_code);
+  add_nc(program, exit_code);
+  add_simulate(program, exit_code);
   add_bench(program, exit_code);
   add_completion(program, exit_code);
   add_manual(program, exit_code);

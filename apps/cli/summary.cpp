@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include "axiometry/report/conformity_text.h"
+#include "axiometry/report/correction_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/utf8.h"
+#include "findings_text.h"
 
 namespace axiometry::cli {
 namespace {
@@ -45,6 +47,8 @@ std::string heading(const app::Evaluated& e, const report::Options& options, con
   const Provenance& p = e.test.provenance;
   text += terminal.faint(fmt::format("{} ({}{})", p.file == "-" ? "standard input" : report::printable(p.file),
                                      p.format, p.sha256.empty() ? "" : ", SHA-256 " + p.sha256.substr(0, 12) + "…"));
+  if (const std::string corrected = report::correction_statement(p.corrections); !corrected.empty())
+    text += "\n" + wrapped(corrected, terminal.width(), 0);
   return text + "\n\n";
 }
 
@@ -82,21 +86,6 @@ std::string parameter_table(const app::Evaluated& e, const report::Options& opti
   if (const auto footnote = uncertainty_footnote(e.assessment); !footnote.empty())
     text += terminal.faint(footnote) + "\n";
   return text + "\n";
-}
-
-std::string severity_text(Severity severity, const Terminal& terminal) {
-  const std::string name = left(iso230_2::severity_name(severity), 10);
-  return severity == Severity::departure ? terminal.red(name)
-         : severity == Severity::missing ? terminal.yellow(name)
-                                         : terminal.faint(name);
-}
-
-std::string findings_list(const app::Evaluated& e, const Terminal& terminal) {
-  std::string text;
-  for (const auto& finding : e.assessment.findings)
-    text += severity_text(finding.severity, terminal) + left(finding.clause, 8) +
-            wrapped(report::printable(finding.message), terminal.width(), 18) + "\n";
-  return text.empty() ? text : text + "\n";
 }
 
 std::string verdict_text(Verdict verdict, const Terminal& terminal) {
@@ -205,7 +194,8 @@ std::string uncertainty_text(const app::Evaluated& e, const report::Options& opt
 
 std::string summary(const app::Evaluated& e, const report::Options& options, const Terminal& terminal, Detail detail) {
   return heading(e, options, terminal) + parameter_table(e, options, terminal) + tolerance_table(e, options, terminal) +
-         uncertainty_text(e, options, terminal, detail) + findings_list(e, terminal) + conclusion(e, terminal);
+         uncertainty_text(e, options, terminal, detail) + findings_text(e.assessment.findings, terminal) +
+         conclusion(e, terminal);
 }
 
 namespace {

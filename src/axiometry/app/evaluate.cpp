@@ -10,7 +10,6 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/generic_delimited.h"
 #include "axiometry/model/fields.h"
-#include "axiometry/standards/nde_correction.h"
 
 namespace axiometry::app {
 namespace {
@@ -131,9 +130,7 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
 
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
   AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options.metadata));
-  if (options.nde_correct) {
-    AXIOMETRY_TRY(test, correct_expansion(std::move(test)));
-  }
+  AXIOMETRY_TRY(test, correct_readings(std::move(test), options.corrections));
   iso230_2::Assessment assessment = iso230_2::assess(test, depth);
   const iso230_2::AxisParameters& measured = assessment.evaluation.parameters;
   AXIOMETRY_TRY(Requirements demanded, requirements_for(test, measured, options.tolerance));

@@ -14,6 +14,7 @@
 #include "axiometry/model/test.h"
 #include "axiometry/standards/iso230_2_assessment.h"
 #include "axiometry/standards/iso230_2_tolerance.h"
+#include "axiometry/standards/reading_correction.h"
 
 /// The use case "from a measured file to its evaluation".
 namespace axiometry::app {
@@ -29,7 +30,7 @@ struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
   std::string profile;                                        ///< file of an import profile to read after; or empty
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
-  bool nde_correct = false;  ///< bring the readings to 20 °C first (standards/nde_correction.h)
+  CorrectionRequest corrections;                              ///< of the readings, before they are evaluated
   ToleranceOptions tolerance;
   UncertaintyOptions uncertainty;
   /// Whether the tests of a file of many are stated in full: every finding, and the hash of the file by a
@@ -46,7 +47,7 @@ struct Evaluated {
   std::optional<AppliedBand> tolerance_band;  ///< of the tolerance table, when there is one
 };
 
-/// Metadata over what the file says, the correction for expansion where it is asked for, then assessment and
+/// Metadata over what the file says, the corrections of readings that are asked for, then assessment and
 /// verdicts. Fails on a key or value that the vocabulary does not allow, on a correction that cannot be made and as
 /// requirements_for() does.
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "axiometry/app/wire_corrections.h"
 #include "axiometry/app/wire_uncertainty.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -85,25 +86,6 @@ Value source_to_json(const Evaluated& evaluated) {
   return object;
 }
 
-Value part_to_json(const AppliedExpansionCorrection::Part& part) {
-  Value object = Value::object();
-  object.add("expansion_um_per_m_C", part.expansion.in_um_per_m_K());
-  object.add("start_C", part.start.in_celsius());
-  object.add("end_C", part.end.in_celsius());
-  object.add("sensors", part.sensors);
-  return object;
-}
-
-Value correction_to_json(const AppliedExpansionCorrection& correction) {
-  Value object = Value::object();
-  object.add("machine", part_to_json(correction.machine));
-  object.add("equipment", correction.equipment ? part_to_json(*correction.equipment) : Value());
-  object.add("datum_mm", correction.datum.in_native());
-  object.add("smallest_um", correction.smallest.in_native());
-  object.add("largest_um", correction.largest.in_native());
-  return object;
-}
-
 Value program_to_json() {
   Value object = Value::object();
   object.add("name", "axiometry");
@@ -158,11 +140,11 @@ json::Value to_json(const Evaluated& evaluated) {
   object.add("uncertainty", uncertainty_to_json(evaluated.assessment));
   add_conformity(object, evaluated);
   object.add("positions", std::move(positions));
+  object.add("drift", drift_to_json(evaluated.test));
   object.add("findings", findings_to_json(evaluated.assessment));
   object.add("metadata", std::move(metadata_object));
   object.add("source", source_to_json(evaluated));
-  if (const auto& correction = evaluated.test.provenance.expansion_correction)
-    object.add("expansion_correction", correction_to_json(*correction));
+  add_corrections(object, evaluated.test);
   object.add("program", program_to_json());
   return object;
 }

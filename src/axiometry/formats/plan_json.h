@@ -12,7 +12,10 @@
 /// (mm or °, in order), `cycle`, `runs`, `overrun`, `feed`, `dwell_s`, …; the schema says all.
 namespace axiometry::formats {
 
-/// Ends with a line break; read_plan(write_plan(p)) == p.
+/// The plan as an object. Needs a sound plan.
+json::Value plan_value(const Plan& plan);
+
+/// The same as text. Ends with a line break; read_plan(write_plan(p)) == p.
 std::string write_plan(const Plan& plan);
 
 /// Fails, with line and column, on what is no JSON, on members that are unknown, missing or of another kind, and as

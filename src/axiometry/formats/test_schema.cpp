@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "axiometry/base/json.h"
 #include "axiometry/formats/units.h"
 #include "axiometry/model/fields.h"
 
@@ -93,13 +92,7 @@ void add_groups(Value& properties) {
     }
     if (std::ranges::find(done, group) != done.end()) continue;
     done.push_back(group);
-    Value members = Value::object();
-    for (const Field& field : metadata_fields())
-      if (field.key.starts_with(fmt::format("{}.", group)))
-        members.add(field.key.substr(group.size() + 1), field_schema(field));
-    properties.add(
-        group,
-        object({{"type", or_null("object")}, {"properties", std::move(members)}, {"additionalProperties", false}}));
+    properties.add(group, metadata_group_schema(group));
   }
 }
 
@@ -166,6 +159,14 @@ Value source_schema() {
 }
 
 }  // namespace
+
+Value metadata_group_schema(std::string_view group) {
+  Value members = Value::object();
+  for (const Field& field : metadata_fields())
+    if (field.key.starts_with(fmt::format("{}.", group)))
+      members.add(field.key.substr(group.size() + 1), field_schema(field));
+  return object({{"type", or_null("object")}, {"properties", std::move(members)}, {"additionalProperties", false}});
+}
 
 std::string test_schema() {
   Value properties = Value::object();

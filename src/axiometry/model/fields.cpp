@@ -71,9 +71,11 @@ bool has_type(const FieldValue& value, FieldType type) {
 }
 
 Result<void> check_number(const Field& field, double x) {
-  if (std::isfinite(x) && x >= field.minimum && x <= field.maximum) return {};
-  return fail(fmt::format("found {} = {}, expected a number from {} to {}", field.key, format_exact(x),
-                          format_exact(field.minimum), format_exact(field.maximum)));
+  const auto within = [&](double y) { return std::isfinite(y) && y >= field.minimum && y <= field.maximum; };
+  if (within(x)) return {};
+  const bool hectopascal = field.key.ends_with("_kPa") && within(x / 10.0);
+  return fail(fmt::format("found {} = {}, expected a number from {} to {}{}", field.key, format_exact(x),
+                          format_exact(field.minimum), format_exact(field.maximum), hectopascal ? ": is it hPa?" : ""));
 }
 
 Result<void> check_choice(const Field& field, const std::string& word) {

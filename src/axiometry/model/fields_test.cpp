@@ -76,6 +76,8 @@ TEST(Fields, SayWhatWasFoundAndExpected) {
   EXPECT_THAT(message("machin.name", "x"), HasSubstr("perhaps machine.name"));
   EXPECT_EQ(message("test.dwell_s", "5 s"), "found test.dwell_s = \"5 s\", expected a number");
   EXPECT_EQ(message("test.dwell_s", "-1"), "found test.dwell_s = -1, expected a number from 0 to 1e+06");
+  EXPECT_EQ(message("environment.air_pressure_end_kPa", "1013"),
+            "found environment.air_pressure_end_kPa = 1013, expected a number from 20 to 150: is it hPa?");
   EXPECT_EQ(message("nde.applied", "maybe"), "found nde.applied = \"maybe\", expected yes or no");
   EXPECT_EQ(message("axis.kind", "curved"), "found axis.kind = \"curved\", expected one of linear, rotary");
   EXPECT_EQ(message("equipment", "a|b|c|d|e"), "found 5 cells in equipment, expected at most 4 separated by |");

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double position_limit = 1e9;
 constexpr std::size_t run_limit = 10'000;
+constexpr std::size_t approach_limit = 1'000'000;  // a plan is walked in memory
 
 bool positive(double x) { return std::isfinite(x) && x > 0.0; }
 
@@ -108,6 +109,10 @@ Result<void> check_sound(const Plan& plan) {
   if (plan.warm_up_runs > run_limit)
     return fail(fmt::format("found {} warm-up runs, expected at most {}", plan.warm_up_runs, run_limit));
   AXIOMETRY_TRY_VOID(check_sequence(plan));
+  const std::size_t passes = plan.cycle == TestCycle::unidirectional ? plan.runs : 2 * plan.runs;
+  const std::size_t count = plan.cycle == TestCycle::user_defined ? plan.sequence.size() : plan.targets.size() * passes;
+  if (count > approach_limit)
+    return fail(fmt::format("found {} approaches, expected at most {}", count, approach_limit));
   for (const Plan& part : plan.further) {
     if (!part.further.empty()) return fail("found a further plan with further plans, expected one level");
     AXIOMETRY_TRY_VOID(check_sound(part));

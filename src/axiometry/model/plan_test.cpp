@@ -101,6 +101,11 @@ TEST(Plan, RefusesWhatCannotBeWalkedAndSaysWhy) {
   EXPECT_NE(reason([](Plan& p) { p.overrun = Position::native(0); }), "");
   EXPECT_NE(reason([](Plan& p) { p.feed = -1; }), "");
   EXPECT_NE(reason([](Plan& p) { p.dwell = Duration::s(-1); }), "");
+  EXPECT_EQ(reason([](Plan& p) {
+              for (int k = 21; k < 200; ++k) p.targets.push_back(Position::native(k));
+              p.runs = 10'000;
+            }),
+            "found 3640000 approaches, expected at most 1000000");
   EXPECT_NE(reason([](Plan& p) { p.cycle = TestCycle::user_defined; }), "");
   EXPECT_NE(reason([](Plan& p) { p.sequence = {{0, Direction::up, 0}}; }), "");
   EXPECT_EQ(reason([](Plan& p) {

@@ -18,12 +18,13 @@ enum class LengthUnit { mm, inch };
 
 /// How the program is to be written; the plan says what it does.
 struct ProgramOptions {
-  LengthUnit unit = LengthUnit::mm;        ///< of linear axes; angles are in degrees always
-  bool unrolled = false;                   ///< no loops and variables even where the control has them
-  std::optional<unsigned> trigger_m_code;  ///< M code put out at each target after half the dwell
-  std::optional<unsigned> number;          ///< program number where the control has one
-  int decimals = 4;                        ///< of coordinates, in the program's unit
+  LengthUnit unit = LengthUnit::mm;             ///< of linear axes; angles are in degrees always
+  bool unrolled = false;                        ///< no loops and variables even where the control has them
+  std::optional<unsigned> trigger_m_code = {};  ///< M code put out at each target after half the dwell
+  std::optional<unsigned> number = {};          ///< program number where the control has one
+  int decimals = 4;  ///< of coordinates, in the program's unit, 0 to 6; more where targets need them
   bool block_numbers = true;
+  bool stop_at_start = false;  ///< a stop for the operator to set the instrument, before the first target
 };
 
 struct Dialect {
@@ -43,7 +44,7 @@ struct Dialect {
 /// Every dialect, in alphabetical order of the source files (generated).
 std::span<const Dialect* const> dialect_table();
 
-/// nullptr when there is none of that id.
+/// nullptr when there is none of that id; capitals do not matter, and "_" is as good as "-".
 const Dialect* find_dialect(std::string_view id);
 
 }  // namespace axiometry::nc

@@ -24,7 +24,7 @@ Document compose(const Subject& subject, const Options& asked) {
     sections.push_back(contribution_section(subject, options));
   }
   sections.push_back(figure_section(subject, options));
-  sections.push_back(finding_section(subject));
+  sections.push_back(finding_section(subject.assessment.findings));
   sections.push_back(identification_section(subject, options));
   sections.push_back(position_section(subject, options));
   sections.push_back(uncertainty_section(subject, options));

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "axiometry/model/fields.h"
+#include "axiometry/standards/reading_correction.h"
 #include "tests/support/document_parts.h"
 #include "tests/support/report_subject.h"
 
@@ -267,6 +268,61 @@ TEST(IdentificationSection, HonoursTheDecimalComma) {
       Contains("Air temperature: 20,6\u00a0°C\u00a0at\u00a0the\u00a0start, 20,9\u00a0°C\u00a0at\u00a0the\u00a0end"));
 }
 
+Reported corrected_table2() {
+  Test test = testing_support::table2::complete_test();
+  test.metadata.instrument.gain = 1.000001;
+  return reported(correct_readings(std::move(test), {.gain = true, .drift = true}).value());
+}
+
+TEST(Corrections, StandOnTheFirstPageAndInProvenance) {
+  const Document document = composed(corrected_table2());
+  EXPECT_EQ(plain_text(document.status.at(1).heading), "Readings corrected by this program: gain of the sensor, drift");
+  const Section provenance = section(document, "provenance");
+  EXPECT_THAT(facts(provenance), AllOf(Contains("Gain: 1.000001"), Contains("Datum: 6.711 mm"),
+                                       Contains("Readings: applied by this program to the readings of the source, 0.00 "
+                                                "to 1.74\u00a0µm each")));
+  EXPECT_EQ(std::get<Facts>(provenance.blocks.at(2)).title, "Correction 2: Drift");
+}
+
+TEST(Corrections, HonourTheDecimalComma) {
+  Reported table2 = corrected_table2();
+  table2.options.numbers = {','};
+  EXPECT_THAT(facts(section(composed(table2), "provenance")), Contains("Gain: 1,000001"));
+}
+
+TEST(Corrections, LeaveTheReadingsAsMeasuredInTheReport) {
+  const auto all = tables(section(composed(corrected_table2()), "positions"));
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_THAT(plain_text(all[0].caption), HasSubstr("corrected"));
+  EXPECT_THAT(plain_text(all[2].caption), HasSubstr("as measured"));
+  EXPECT_THAT(row_text(all[2].rows[10]), ElementsAre("11", "1750.920", "−3.6", "−4.0", "−4.5", "−3.2", "−4.5", "−0.1",
+                                                     "−0.6", "−1.2", "0.4", "−0.9"));
+  EXPECT_EQ(row_text(all[0].rows[10])[2], "−1.8") << "1.74 µm of gain and 0.03 µm of drift";
+}
+
+TEST(InformationSection, StatesTheDriftOfTheReadings) {
+  EXPECT_THAT(
+      facts(section(composed(reported_table2()), "information")),
+      Contains("Drift: −0.00258\u00a0µm per reading, standard uncertainty 0.00149\u00a0µm per reading, that is "
+               "−0.3\u00a0µm over the test (least-squares line in time with a constant per target and direction; "
+               "readings equally far apart in the order of the standard cycle). Information only: nothing was "
+               "removed."));
+  EXPECT_THAT(facts(section(composed(corrected_table2()), "information")),
+              Contains("Drift: taken out by the correction for drift, see Provenance"));
+  const Reported single = reported({{}, testing_support::make_series({0, 100}, {{1, 2}}, {{2, 3}}), {}});
+  EXPECT_THAT(facts(section(composed(single), "information")),
+              Contains("Drift: not applicable: one approach from each direction"));
+}
+
+TEST(FindingSection, ShowsRemarksOfTheReaderWithoutAClauseOfTheStandard) {
+  auto test = testing_support::table2::complete_test();
+  test.provenance.remarks = {{true, "found averages only"}};
+  const Document document = composed(reported(std::move(test)));
+  EXPECT_EQ(plain_text(document.status[0].lines[0]), "Found averages only (source).");
+  EXPECT_THAT(row_text(tables(section(document, "findings")).at(0).rows.at(0)),
+              ElementsAre("Departure", "source", "Found averages only."));
+}
+
 TEST(PositionSection, PutsBothDirectionsSideBySideWhileTheyFit) {
   const auto all = tables(section(composed(reported_table2()), "positions"));
   ASSERT_EQ(all.size(), 2u);
@@ -324,7 +380,7 @@ TEST(UncertaintySection, SaysThatNoneWasEstimated) {
 TEST(InformationSection, GivesTheSlopeAndSaysThatItWasNotRemoved) {
   const auto series = testing_support::make_series({0, 500, 1000}, {{0, 5, 10}, {0, 5, 10}}, {{1, 6, 11}, {1, 6, 11}});
   const auto all = facts(section(composed(reported({{}, series, {}})), "information"));
-  ASSERT_EQ(all.size(), 1u);
+  ASSERT_EQ(all.size(), 2u);
   EXPECT_THAT(all[0], HasSubstr("10.00\u00a0µm/m, that is 10.0\u00a0µm over the measured travel"));
   EXPECT_THAT(all[0], HasSubstr("nothing was removed"));
 }

@@ -2,8 +2,12 @@
 #include "axiometry/standards/iso230_2_assessment.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
 
 #include "axiometry/model/plan.h"
+#include "axiometry/standards/reading_correction.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -13,6 +17,21 @@ std::string_view label_of(const Metadata& metadata, const Series& series) {
   if (const std::string_view label = cycle_label(metadata.conditions.cycle); !label.empty()) return label;
   const bool both = series.has(Direction::up) && series.has(Direction::down);
   return both ? "" : "one direction of approach only, not for acceptance";
+}
+
+/// What the reader of the file had to say and what else must be known of the readings, each among its like. They rest
+/// on no clause.
+void add_remarks(std::vector<Finding>& findings, const Test& test, Depth depth) {
+  std::vector<SourceRemark> remarks = test.provenance.remarks;
+  std::ranges::move(remarks_on_readings(test), std::back_inserter(remarks));
+  std::size_t departures = 0;
+  for (SourceRemark& remark : remarks) {
+    if (remark.departs)
+      findings.insert(findings.begin() + static_cast<std::ptrdiff_t>(departures++),
+                      {source_clause, Severity::departure, std::move(remark.message)});
+    else if (depth == Depth::every_finding)
+      findings.push_back({source_clause, Severity::note, std::move(remark.message)});
+  }
 }
 
 }  // namespace
@@ -35,6 +54,7 @@ Assessment assess(const Test& test, Depth depth) {
   result.evaluation = evaluate(test.series);
   result.annex_a = annex_a(test.metadata, test.series, result.evaluation);
   result.findings = find_departures(test.metadata, test.series, result.evaluation, result.annex_a, depth);
+  add_remarks(result.findings, test, depth);
   result.label = label_of(test.metadata, test.series);
   return result;
 }

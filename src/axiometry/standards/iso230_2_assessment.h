@@ -22,9 +22,12 @@ enum class Severity {
 
 std::string_view severity_name(Severity severity);  ///< "departure", "missing", "note"
 
+/// In place of a clause, of what the reader of the file found (Provenance::remarks) and not of a rule of the standard.
+inline constexpr const char* source_clause = "source";
+
 /// One departure, omission or remark, with the clause it rests on.
 struct Finding {
-  std::string clause;  ///< "5.3.2"
+  std::string clause;  ///< "5.3.2"; "source"
   Severity severity = Severity::note;
   std::string message;  ///< what was found and what the clause expects; a whole sentence without full stop
 };
@@ -39,7 +42,8 @@ enum class Depth {
 std::vector<Finding> find_departures(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
                                      const std::optional<AnnexA>& uncertainty, Depth depth = Depth::every_finding);
 
-/// The whole answer to one test: everything a report shows.
+/// The whole answer to one test: everything a report shows. The findings are those of find_departures() with the
+/// remarks of the test's source among them.
 struct Assessment {
   Evaluation evaluation;
   std::optional<AnnexA> annex_a;

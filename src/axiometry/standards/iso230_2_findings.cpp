@@ -14,14 +14,6 @@ namespace axiometry::iso230_2 {
 namespace rules {
 namespace {
 
-constexpr double travel_slack = 1e-6;  // mm or °: a sum of rounded targets is not a longer axis
-
-Programme programme_of(AxisKind kind, double travel) {
-  if (kind == AxisKind::linear)
-    return travel > 2000.0 + travel_slack ? Programme::long_linear : Programme::short_linear;
-  return travel > 360.0 + travel_slack ? Programme::many_turns : Programme::one_turn;
-}
-
 std::size_t runs_in(const Series& series, Direction direction) {
   if (series.complete()) return series.run_count();
   std::vector<bool> made(series.run_count(), false);
@@ -77,7 +69,7 @@ Case make_case(const Metadata& metadata, const Series& series, const Evaluation&
           series,
           evaluation,
           uncertainty,
-          programme_of(metadata.axis.kind, series.travel_native()),
+          programme_of(metadata.axis.kind, Position::native(series.travel_native())),
           {runs_in(series, Direction::up), runs_in(series, Direction::down)}};
 }
 
@@ -87,16 +79,6 @@ std::string position_text(const Case& c, double position) { return figure(positi
 
 std::string target_text(const Case& c, std::size_t target) {
   return fmt::format("target {} ({})", target + 1, position_text(c, c.target(target)));
-}
-
-const char* programme_clause(Programme programme) {
-  switch (programme) {
-    case Programme::short_linear: return "5.3.2";
-    case Programme::long_linear: return "5.3.3";
-    case Programme::one_turn: return "5.3.4";
-    case Programme::many_turns: return "5.3.5";
-  }
-  return "";
 }
 
 }  // namespace rules

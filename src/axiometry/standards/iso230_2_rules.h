@@ -6,18 +6,11 @@
 #include <string>
 
 #include "axiometry/standards/iso230_2_assessment.h"
+#include "axiometry/standards/iso230_2_programme.h"
 
 /// The rules behind find_departures(), one function each, in files by group of clauses. A rule looks at
 /// one test and has one finding or none. Everything here is private to standards/.
 namespace axiometry::iso230_2::rules {
-
-/// Which of the four tests of clause 5.3 the measured travel calls for.
-enum class Programme {
-  short_linear,  ///< up to 2 000 mm: 5.3.2
-  long_linear,   ///< above: 5.3.3
-  one_turn,      ///< up to 360°: 5.3.4
-  many_turns,    ///< above: 5.3.5
-};
 
 /// How often a direction was run: runs in which at least one target has a reading.
 struct Runs {
@@ -83,8 +76,6 @@ std::string figure(double x);
 std::string position_text(const Case& c, double position);
 /// "target 3 (353.834 mm)".
 std::string target_text(const Case& c, std::size_t target);
-/// Clause of the programme: "5.3.2".
-const char* programme_clause(Programme programme);
 
 inline Finding departure(std::string clause, std::string message) {
   return {std::move(clause), Severity::departure, std::move(message)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Clause 5: the test programme, and Annex B. Clauses 5.3.3 and 5.3.4 follow general knowledge.
+// Clause 5: the test programme, and Annex B.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,41 +13,12 @@
 namespace axiometry::iso230_2::rules {
 namespace {
 
-constexpr double same_position = 1e-3;        // mm or °
-constexpr double equal_interval = 1e-3;       // of the interval: r below this samples no periodic error
-constexpr double interval_long_axis = 250.0;  // mm, mean interval (5.3.3)
-constexpr double about = 1.2;                 // "about 250 mm" is met up to 300 mm
-constexpr std::size_t named_at_most = 5;      // of a list in a message
+constexpr double equal_interval = 1e-3;   // of the interval: r below this samples no periodic error
+constexpr std::size_t named_at_most = 5;  // of a list in a message
 
-bool many_approaches(Programme p) { return p == Programme::short_linear || p == Programme::one_turn; }
+bool many_approaches(Programme p) { return required_approaches(p) > 1; }
 
 double mean_interval(const Case& c) { return c.travel() / static_cast<double>(c.series.target_count() - 1); }
-
-/// Whole number at or above x, forgiving the rounding of x itself. No test has more than a billion targets.
-std::size_t at_least(double x) { return static_cast<std::size_t>(std::ceil(std::min(x, 1e9) - 1e-9)); }
-
-struct Requirement {
-  std::size_t targets = 0;
-  std::string reason;
-};
-
-Requirement required_targets(const Case& c) {
-  const double travel = c.travel();
-  switch (c.programme) {
-    case Programme::short_linear: {
-      const std::size_t per_metre = at_least(5.0 * travel / 1000.0);
-      return per_metre > 5 ? Requirement{per_metre, "5 per metre"} : Requirement{5, "at any length"};
-    }
-    case Programme::long_linear:
-      return {at_least(travel / (about * interval_long_axis)) + 1, "a mean interval of about 250 mm"};
-    case Programme::one_turn:
-      return travel <= 90.0    ? Requirement{3, "Table 1, up to 90°"}
-             : travel <= 180.0 ? Requirement{5, "Table 1, up to 180°"}
-                               : Requirement{8, "Table 1, above 180°"};
-    case Programme::many_turns: return {at_least(8.0 * travel / 360.0), "8 per revolution"};
-  }
-  return {};
-}
 
 std::string listed(const std::vector<std::string>& items) {
   const std::size_t shown = items.size() <= named_at_most + 1 ? items.size() : named_at_most;
@@ -98,7 +69,7 @@ std::optional<Finding> targets_on_compensation(const Case& c) {
   const auto& points = c.metadata.axis.compensation_points;
   std::vector<std::string> same;
   for (std::size_t i = 0; i < c.series.target_count(); ++i)
-    if (std::ranges::any_of(points, [&](double x) { return std::abs(x - c.target(i)) <= same_position; }))
+    if (std::ranges::any_of(points, [&](double x) { return std::abs(x - c.target(i)) <= same_position.in_native(); }))
       same.push_back(target_text(c, i));
   if (same.empty()) return std::nullopt;
   const std::string message = fmt::format("found {} of {} targets on sampling points of the compensation: {}",
@@ -110,11 +81,11 @@ std::optional<Finding> targets_on_compensation(const Case& c) {
 
 std::optional<Finding> number_of_targets(const Case& c) {
   const std::size_t m = c.series.target_count();
-  const Requirement required = required_targets(c);
-  if (m >= required.targets) return std::nullopt;
+  const RequiredTargets required = required_targets(c.programme, Position::native(c.travel()));
+  if (m >= required.count) return std::nullopt;
   return departure(programme_clause(c.programme),
                    fmt::format("found {} targets over {}, expected at least {} ({})", m, position_text(c, c.travel()),
-                               required.targets, required.reason));
+                               required.count, required.reason));
 }
 
 std::optional<Finding> principal_positions(const Case& c) {
@@ -126,8 +97,9 @@ std::optional<Finding> principal_positions(const Case& c) {
     for (double turn : {-360.0, 0.0, 360.0}) {
       const double x = principal + turn;
       inside = inside || (x >= c.target(0) && x <= c.target(c.series.target_count() - 1));
-      measured = measured || std::ranges::any_of(c.series.targets(),
-                                                 [&](Position p) { return std::abs(p.in_native() - x) <= 0.1; });
+      measured = measured || std::ranges::any_of(c.series.targets(), [&](Position p) {
+                   return std::abs(p.in_native() - x) <= at_principal.in_native();
+                 });
     }
     if (inside && !measured) absent.push_back(figure(principal) + "°");
   }
@@ -148,7 +120,7 @@ std::optional<Finding> directions_of_approach(const Case& c) {
 }
 
 std::optional<Finding> number_of_approaches(const Case& c) {
-  const std::size_t expected = many_approaches(c.programme) ? 5 : 1;
+  const std::size_t expected = required_approaches(c.programme);
   const auto [up, down] = c.runs;
   const bool both = up > 0 && down > 0;
   const std::size_t either = std::max(up, down);

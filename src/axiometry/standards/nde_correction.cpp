@@ -5,11 +5,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include <string>
+#include <utility>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/standards/reading_change.h"
+#include "axiometry/standards/test_course.h"
 
 namespace axiometry {
 namespace {
@@ -17,7 +19,6 @@ namespace {
 using Part = AppliedExpansionCorrection::Part;
 
 constexpr double reference_temperature = 20.0;
-constexpr double um_per_mm = 1000.0;
 constexpr double per_um_per_m = 1e-6;
 
 /// The mean of the sensors of a role at the start and the end; nothing without one that was read.
@@ -76,40 +77,27 @@ double strain(const Part& part, double time) {
   return part.expansion.in_um_per_m_K() * per_um_per_m * (temperature - reference_temperature);
 }
 
-/// When a reading was taken, as a share of the whole test.
-class Clock {
- public:
-  Clock(const Series& series, TestCycle cycle)
-      : targets_(series.target_count()), runs_(series.run_count()), from_below_(series.has(Direction::up)) {
-    directions_ = from_below_ && series.has(Direction::down) ? 2 : 1;
-    target_by_target_ = cycle == TestCycle::step || cycle == TestCycle::pilgrim;
-  }
-
-  double time(std::size_t target, Direction direction, std::size_t run) const {
-    const std::size_t way = direction == Direction::down && from_below_ ? 1 : 0;
-    std::size_t place = (target * runs_ + run) * directions_ + way;
-    if (!target_by_target_) {
-      const std::size_t along = direction == Direction::up ? target : targets_ - 1 - target;
-      place = (run * directions_ + way) * targets_ + along;
-    }
-    const std::size_t last = targets_ * runs_ * directions_ - 1;
-    return static_cast<double>(place) / static_cast<double>(last);  // m ≥ 2, so last ≥ 1
-  }
-
- private:
-  std::size_t targets_;
-  std::size_t runs_;
-  bool from_below_;
-  std::size_t directions_ = 1;
-  bool target_by_target_ = false;
-};
-
-/// What is added to a reading x at a target, µm.
-double correction_um(const AppliedExpansionCorrection& record, double target_mm, double x_um, double time) {
+/// What is added to a reading at a displayed length from the datum, µm.
+double correction_um(const AppliedExpansionCorrection& record, double length_um, double time) {
   const double machine = strain(record.machine, time);
   const double equipment = record.equipment ? strain(*record.equipment, time) : 0.0;
-  const double length_um = (target_mm - record.datum.in_native()) * um_per_mm + x_um;
   return length_um * (equipment - machine) / (1.0 + machine);
+}
+
+AppliedCorrection::Detail detail_of(std::string name, const Part& part) {
+  return {std::move(name),
+          fmt::format("{} µm/(m·°C), {:.2f} °C at the start, {:.2f} °C at the end{}",
+                      format_exact(part.expansion.in_um_per_m_K()), part.start.in_celsius(), part.end.in_celsius(),
+                      part.sensors > 1 ? fmt::format(" (mean of {} sensors)", part.sensors) : "")};
+}
+
+AppliedCorrection listed(const AppliedExpansionCorrection& record, std::string course) {
+  AppliedCorrection entry{"nde", "Nominal differential expansion", {}, record.smallest, record.largest};
+  entry.details = {detail_of("Expansion of the machine", record.machine)};
+  if (record.equipment) entry.details.push_back(detail_of("Expansion of the equipment", *record.equipment));
+  entry.details.push_back({"Datum", format_exact(record.datum.in_native()) + " mm"});
+  entry.details.push_back({"Course of the test", std::move(course)});
+  return entry;
 }
 
 }  // namespace
@@ -123,33 +111,19 @@ Result<Test> correct_expansion(Test test) {
   AppliedExpansionCorrection record;
   AXIOMETRY_TRY(record.machine, machine_part(metadata));
   AXIOMETRY_TRY(record.equipment, equipment_part(metadata));
-  const Series& series = test.series;
-  record.datum = metadata.nde.datum.value_or(series.targets().front());
-
-  const Clock clock(series, metadata.conditions.cycle);
-  std::vector<double> deviations;
-  deviations.reserve(2 * series.target_count() * series.run_count());
-  std::vector<double> added;
-  for (Direction direction : {Direction::up, Direction::down})
-    for (std::size_t i = 0; i < series.target_count(); ++i) {
-      const double target_mm = series.targets()[i].in_native();
-      const auto readings = series.cell(i, direction);
-      for (std::size_t j = 0; j < readings.size(); ++j) {
-        const double correction = correction_um(record, target_mm, readings[j], clock.time(i, direction, j));
-        deviations.push_back(readings[j] + correction);
-        if (!std::isnan(correction)) added.push_back(correction);
-      }
-    }
-  record.smallest = Deviation::native(*std::ranges::min_element(added));
-  record.largest = Deviation::native(*std::ranges::max_element(added));
-  AXIOMETRY_TRY(Series result, Series::make_dense({series.targets().begin(), series.targets().end()},
-                                                  series.run_count(), std::move(deviations)));
-  test.as_measured = std::move(test.series);
-  test.series = std::move(result);
+  record.datum = datum_of(test);
+  std::string course = course_of(test).basis;
+  AXIOMETRY_TRY(ChangedTest changed, change_readings(std::move(test), [&](const ReadingAt& reading) {
+                  return correction_um(record, reading.length, reading.share);
+                }));
+  record.smallest = changed.smallest;
+  record.largest = changed.largest;
+  test = std::move(changed.test);
   metadata.nde.applied = true;
   metadata.nde.machine_expansion = record.machine.expansion;
   metadata.nde.routine = "by this program from start and end temperatures (see Provenance)";
   test.provenance.expansion_correction = record;
+  test.provenance.corrections.push_back(listed(record, std::move(course)));
   return test;
 }
 

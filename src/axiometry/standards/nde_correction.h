@@ -18,9 +18,7 @@ namespace axiometry {
 /// - Coefficients: `nde.machine_expansion`, else that of the scale; `nde.equipment_expansion`. An interferometer has
 ///   none (0 or not given): its own compensation is not touched.
 /// - Temperatures: the mean of the sensors with role `machine` (`equipment`), interpolated from start to end over
-///   the course of the test, readings being equally far apart in time: run by run up and back in the standard and the
-///   unidirectional cycle; target by target in the step and pilgrim cycles, each with all its runs. A reading that is
-///   missing keeps its time. A sensor read only once counts as constant.
+///   the course of the test (test_course.h). A sensor read only once counts as constant.
 /// - Datum: `nde.datum`, else the first target.
 ///
 /// In the result `as_measured` has the readings as they were, provenance what was done, and the metadata say that the

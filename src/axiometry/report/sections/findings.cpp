@@ -18,9 +18,9 @@ TableCell severity_cell(Severity severity) {
 
 }  // namespace
 
-Section finding_section(const Subject& subject) {
+Section finding_section(std::span<const iso230_2::Finding> findings) {
   Section section{"findings", "Findings", false, {}};
-  if (subject.assessment.findings.empty()) {
+  if (findings.empty()) {
     section.blocks.emplace_back(
         Paragraph{plain("None: nothing departs from clauses 4 to 8, and nothing they ask for is missing.")});
     return section;
@@ -29,7 +29,7 @@ Section finding_section(const Subject& subject) {
   table.columns = {
       {plain("Kind"), Align::start, true}, {plain("Clause")}, {plain("Finding"), Align::start, false, true}};
   for (Severity severity : {Severity::departure, Severity::missing, Severity::note})
-    for (const auto& finding : subject.assessment.findings)
+    for (const auto& finding : findings)
       if (finding.severity == severity)
         table.rows.push_back(
             {severity_cell(severity), text_cell(finding.clause), TableCell{sentence(finding.message)}});

@@ -1,33 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "axiometry/report/correction_text.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/standards/drift.h"
 #include "axiometry/standards/iso230_2_slope.h"
 
 namespace axiometry::report {
 
-Section information_section(const Subject& subject, const Options& options) {
-  Section section{"information", "For information", true, {}};
+namespace {
+
+Fact slope_fact(const Subject& subject, const Options& options) {
   const auto slope = iso230_2::slope_of_means(subject.assessment.evaluation.positions);
-  if (!slope) {
-    section.blocks.emplace_back(Paragraph{plain("Slope of the means: not applicable."), Tone::quiet});
-    return section;
-  }
+  if (!slope) return {plain("Slope of the means"), quiet_cell("not applicable")};
   const AxisKind kind = subject.test.metadata.axis.kind;
   const double slope_native = slope->per_position_native;
   const std::string shown = kind == AxisKind::linear
                                 ? fmt::format("{}\u00a0µm/m", format_fixed(1000.0 * slope_native, 2, options.numbers))
                                 : fmt::format("{}\u00a0″/360°", format_fixed(360.0 * slope_native, 2, options.numbers));
   const auto over_travel = Deviation::native(slope_native * subject.test.series.travel_native());
+  return {plain("Slope of the means"),
+          text_cell(fmt::format(
+              "{}, that is {}\u00a0{} over the measured travel (least-squares line). Information only: nothing "
+              "was removed, and all results above contain it.",
+              shown, shown_deviation(over_travel, options), deviation_unit(kind)))};
+}
+
+Fact drift_fact(const Subject& subject, const Options& options) {
+  const auto drift = drift_of(subject.test);
+  if (!drift) return {plain("Drift"), quiet_cell("not applicable: one approach from each direction")};
+  const auto& corrections = subject.test.provenance.corrections;
+  const bool removed = std::ranges::find(corrections, "drift", &AppliedCorrection::id) != corrections.end();
+  if (removed) return {plain("Drift"), quiet_cell("taken out by the correction for drift, see Provenance")};
+  return {plain("Drift"), text_cell(fmt::format(
+                              "{} (least-squares line in time with a constant per target and direction; {}). "
+                              "Information only: nothing was removed.",
+                              drift_statement(*drift, subject.test.metadata.axis.kind, options), drift->course.basis))};
+}
+
+}  // namespace
+
+Section information_section(const Subject& subject, const Options& options) {
   Facts facts;
-  facts.facts = {{plain("Slope of the means"),
-                  text_cell(fmt::format(
-                      "{}, that is {}\u00a0{} over the measured travel (least-squares line). Information only: nothing "
-                      "was removed, and all results above contain it.",
-                      shown, shown_deviation(over_travel, options), deviation_unit(kind)))}};
-  section.blocks.emplace_back(std::move(facts));
-  return section;
+  facts.facts = {slope_fact(subject, options), drift_fact(subject, options)};
+  return {"information", "For information", true, {std::move(facts)}};
 }
 
 }  // namespace axiometry::report

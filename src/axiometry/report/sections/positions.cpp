@@ -113,8 +113,15 @@ Table result_table(const Subject& subject, const Options& options) {
 
 Section position_section(const Subject& subject, const Options& options) {
   Section section{"positions", "Deviations and results at the target positions", true, {}};
-  for (Table& table : reading_tables(subject, options)) section.blocks.emplace_back(std::move(table));
+  const Test& test = subject.test;
+  const AxisKind kind = test.metadata.axis.kind;
+  const std::string_view title =
+      test.as_measured ? "Table 2 – Positioning deviations, corrected," : "Table 2 – Positioning deviations";
+  for (Table& table : reading_tables(test.series, kind, title, options)) section.blocks.emplace_back(std::move(table));
   section.blocks.emplace_back(result_table(subject, options));
+  if (test.as_measured)
+    for (Table& table : reading_tables(*test.as_measured, kind, "Positioning deviations as measured,", options))
+      section.blocks.emplace_back(std::move(table));
   return section;
 }
 

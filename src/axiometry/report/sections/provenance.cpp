@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "axiometry/base/version.h"
+#include "axiometry/report/correction_text.h"
 #include "axiometry/report/sections/sections.h"
-#include "axiometry/report/shown_number.h"
 
 namespace axiometry::report {
 
@@ -15,28 +15,17 @@ std::string_view file_name(std::string_view path) {
   return path.substr(path.find_last_of("/\\") + 1);  // npos + 1 is 0
 }
 
-/// "11 µm/(m·°C), 21.8 °C at the start to 22.9 °C at the end (mean of 2 sensors)"
-std::string part_text(const AppliedExpansionCorrection::Part& part, const Options& options) {
-  return fmt::format("{}\u00a0µm/(m·°C), {}\u00a0°C at the start to {}\u00a0°C at the end{}",
-                     shown_exact(part.expansion.in_um_per_m_K(), options),
-                     format_fixed(part.start.in_celsius(), 2, options.numbers),
-                     format_fixed(part.end.in_celsius(), 2, options.numbers),
-                     part.sensors > 1 ? fmt::format(" (mean of {} sensors)", part.sensors) : "");
-}
-
 /// What the program did to the readings, so that a reader can do it again.
-void add_correction(Facts& facts, const AppliedExpansionCorrection& correction, const Options& options) {
+Facts correction_facts(const AppliedCorrection& correction, std::size_t number, const Subject& subject,
+                       const Options& options) {
+  Facts facts{fmt::format("Correction {}: {}", number, correction.title), {}};
   facts.facts.push_back(
-      {plain("Correction for expansion"),
-       text_cell(fmt::format(
-           "applied by this program to the readings of the source, {} to {}\u00a0µm each; none at {}\u00a0mm; "
-           "temperatures interpolated over the course of the test",
-           format_fixed(correction.smallest.in_native(), 2, options.numbers),
-           format_fixed(correction.largest.in_native(), 2, options.numbers),
-           shown_exact(correction.datum.in_native(), options)))});
-  facts.facts.push_back({plain("Expansion of the machine"), text_cell(part_text(correction.machine, options))});
-  if (correction.equipment)
-    facts.facts.push_back({plain("Expansion of the equipment"), text_cell(part_text(*correction.equipment, options))});
+      {plain("Readings"),
+       text_cell(fmt::format("applied by this program to the readings of the source, {} each",
+                             correction_extent(correction, subject.test.metadata.axis.kind, options)))});
+  for (const auto& detail : correction.details)
+    facts.facts.push_back({plain(detail.name), text_cell(detail_value(detail, options))});
+  return facts;
 }
 
 TableCell or_not_recorded(std::string_view text) { return text.empty() ? quiet_cell("not recorded") : text_cell(text); }
@@ -54,8 +43,11 @@ Section provenance_section(const Subject& subject, const Options& options) {
       {plain("Edition of the standard"),
        text_cell(fmt::format("{}; Amendment 1:2016 has not been taken into account", iso230_2::edition))},
   };
-  if (source.expansion_correction) add_correction(facts, *source.expansion_correction, options);
-  return {"provenance", "Provenance", false, {std::move(facts)}};
+  Section section{"provenance", "Provenance", false, {std::move(facts)}};
+  std::size_t number = 0;
+  for (const AppliedCorrection& correction : source.corrections)
+    section.blocks.emplace_back(correction_facts(correction, ++number, subject, options));
+  return section;
 }
 
 }  // namespace axiometry::report

@@ -50,17 +50,15 @@ std::string_view direction_text(Direction direction) {
 
 }  // namespace
 
-std::vector<Table> reading_tables(const Subject& subject, const Options& options) {
-  const Series& series = subject.test.series;
-  const AxisKind kind = subject.test.metadata.axis.kind;
+std::vector<Table> reading_tables(const Series& series, AxisKind kind, std::string_view title, const Options& options) {
   const int decimals = position_decimals(series.targets());
   std::vector<Table> tables;
   for (const auto& strips : layout(series)) {
     Table table;
     table.dense = true;
     table.caption =
-        joined({plain("Table 2 – Positioning deviations "), symbol("x_ij"),
-                plain(fmt::format(", {}", deviation_unit(kind))), plain(tables.empty() ? "" : " (continued)")});
+        joined({plain(fmt::format("{} ", title)), symbol("x_ij"), plain(fmt::format(", {}", deviation_unit(kind))),
+                plain(tables.empty() ? "" : " (continued)")});
     table.groups = {{plain("Target"), 2}};
     table.columns = {{italic("i"), Align::decimal, true},
                      {joined({symbol("P_i"), plain(fmt::format(", {}", position_unit(kind)))}), Align::decimal}};

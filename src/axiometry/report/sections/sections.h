@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,14 +31,14 @@ Section parameter_section(const Subject& subject, const Options& options);
 /// Figures 2 and 3.
 Section figure_section(const Subject& subject, const Options& options);
 
-Section finding_section(const Subject& subject);
+Section finding_section(std::span<const iso230_2::Finding> findings);
 
 /// Clause 8.1, read from the table of metadata fields.
 Section identification_section(const Subject& subject, const Options& options);
 
-/// Table 2: every reading, and the results at every target.
+/// Table 2: every reading, before and after a correction where there was one, and the results at every target.
 Section position_section(const Subject& subject, const Options& options);
-std::vector<Table> reading_tables(const Subject& subject, const Options& options);
+std::vector<Table> reading_tables(const Series& series, AxisKind kind, std::string_view title, const Options& options);
 
 /// Annex A. Nothing but a remark when no input of it was given.
 Section uncertainty_section(const Subject& subject, const Options& options);
@@ -55,7 +56,7 @@ Table input_table(const Subject& subject, const Options& options);
 /// The GUM's budget of the parameters and its components at every target. Only where it was run.
 Section gum_section(const Subject& subject, const Options& options);
 
-/// The slope of the means, which the evaluation leaves where it is.
+/// The slope of the means and the drift of the readings, which the evaluation leaves where they are.
 Section information_section(const Subject& subject, const Options& options);
 
 /// Where the readings come from and what was done to them.

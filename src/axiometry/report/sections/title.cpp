@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "axiometry/base/version.h"
+#include "axiometry/report/correction_text.h"
 #include "axiometry/report/sections/sections.h"
 
 namespace axiometry::report {
@@ -95,6 +96,11 @@ Document title_page(const Subject& subject, const Options& options) {
   for (const auto& [name, key] : identity_fields) document.identity.push_back({plain(name), stated(key, metadata)});
   document.status.push_back(assessment.conforming() ? conforming_notice(assessment.findings)
                                                     : departing_notice(assessment.findings));
+  if (const std::string corrected = correction_statement(subject.test.provenance.corrections); !corrected.empty())
+    document.status.push_back(
+        {Tone::normal,
+         plain(corrected),
+         {plain("What was done stands in Provenance, the readings as measured behind the results at the targets.")}});
   if (!assessment.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + assessment.label), {}});
   if (auto notice = tolerance_notice(subject, options)) document.status.push_back(*std::move(notice));
   document.label = assessment.label;

@@ -11,7 +11,8 @@
 //   U            expanded uncertainty, of "parameter" after Annex A, k = 2; empty where none was estimated
 //   unit         "um", "mm", "nm", "arcsec", "deg"; empty for counts
 //   clause       of ISO 230-2:2014
-//   remark       what the result must not be mistaken for: not an ISO 230-2 result, the label; else empty
+//   remark       what the result must not be mistaken for: not an ISO 230-2 result, the label, which corrections of
+//                the readings it contains; else empty
 //   limit        of a parameter with a tolerance, in `unit`; else empty
 //   verdict      "conforms", "does not conform", "undecided" or "not applicable"; empty without a limit
 //
@@ -20,6 +21,7 @@
 #include <fmt/format.h>
 
 #include "axiometry/base/text.h"
+#include "axiometry/report/correction_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/writer.h"
 
@@ -55,6 +57,8 @@ class Csv {
     axis_ = text::no_formula(subject.test.metadata.axis.name);
     if (!subject.assessment.conforming()) remark_ = "not an ISO 230-2 result";
     if (!subject.assessment.label.empty()) remark_ += (remark_.empty() ? "" : "; ") + subject.assessment.label;
+    if (const std::string corrected = correction_statement(subject.test.provenance.corrections); !corrected.empty())
+      remark_ += (remark_.empty() ? "" : "; ") + corrected;
     append_cells({"axis", "record", "target", "target_unit", "name", "value", "U", "unit", "clause", "remark", "limit",
                   "verdict"});
   }

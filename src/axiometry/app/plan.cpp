@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/plan.h"
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "axiometry/app/output.h"
+#include "axiometry/app/plan_text.h"
+#include "axiometry/app/source.h"
+#include "axiometry/formats/plan_json.h"
+#include "axiometry/report/plan_sheet.h"
+#include "axiometry/report/writer.h"
+
+namespace axiometry::app {
+namespace {
+
+constexpr std::size_t file_limit = std::size_t{64} << 20;
+
+Result<std::string> whole_file(const std::string& name) {
+  AXIOMETRY_TRY(Source source, Source::open(name));
+  return source.read_all(file_limit);
+}
+
+/// So that an error names the file, also where a part that knows none found it.
+template <typename T>
+Result<T> in_file(Result<T> result, const std::string& file) {
+  if (!result && result.error().file.empty()) result.error().file = file;
+  return result;
+}
+
+json::Value plan_value(const PlannedTest& planned) {
+  json::Value root = formats::plan_value(planned.plan);
+  json::Value& findings = root.add("findings", json::Value::array());
+  for (const iso230_2::Finding& finding : planned.findings) {
+    json::Value& item = findings.push(json::Value::object());
+    item.add("clause", finding.clause);
+    item.add("severity", iso230_2::severity_name(finding.severity));
+    item.add("message", finding.message);
+  }
+  root.add("duration_s", std::round(planned.duration_in_all.in_s() * 10.0) / 10.0);
+  return root;
+}
+
+}  // namespace
+
+PlannedTest planned(Plan plan, std::optional<double> acceleration) {
+  PlannedTest result;
+  result.acceleration = acceleration.value_or(iso230_2::usual_acceleration(plan.axis.kind));
+  result.findings = iso230_2::plan_findings(plan);
+  result.duration = iso230_2::estimated_duration(plan, result.acceleration);
+  result.duration_in_all = result.duration;
+  for (const Plan& part : plan.further)
+    result.duration_in_all = result.duration_in_all + iso230_2::estimated_duration(part, result.acceleration);
+  result.plan = std::move(plan);
+  return result;
+}
+
+Result<Plan> read_plan_file(const std::string& file) {
+  AXIOMETRY_TRY(const std::string bytes, in_file(whole_file(file), file));
+  return in_file(formats::read_plan(bytes), file);
+}
+
+Result<std::vector<Approach>> read_sequence(const std::string& list_or_file) {
+  if (auto sequence = parse_sequence(list_or_file)) return sequence;
+  if (list_or_file != "-" && !std::filesystem::exists(list_or_file)) return parse_sequence(list_or_file);
+  AXIOMETRY_TRY(const std::string text, in_file(whole_file(list_or_file), list_or_file));
+  return in_file(parse_sequence(text), list_or_file);
+}
+
+std::uint64_t drawn_seed() { return std::random_device{}(); }
+
+Result<void> write_plan_outputs(const PlannedTest& planned, const OutputNames& names, const report::Options& options) {
+  const report::Document sheet = report::plan_sheet(
+      {planned.plan, planned.findings, planned.acceleration, planned.duration, planned.duration_in_all}, options);
+  for (const std::string& file : names.reports) {
+    const report::Writer* writer = report::find_writer(file.substr(file.rfind('.') + 1));
+    AXIOMETRY_TRY(const std::string bytes, in_file(writer->set(sheet, options), file));
+    AXIOMETRY_TRY_VOID(write_file(file, bytes));
+  }
+  if (names.json.empty()) return {};
+  return write_file(names.json, json::dump(plan_value(planned)) + "\n");
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "axiometry/base/json.h"
+
+namespace axiometry::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+class PlanFiles : public ::testing::Test {
+ protected:
+  PlanFiles() { std::filesystem::create_directories(folder_); }
+  ~PlanFiles() override { std::filesystem::remove_all(folder_); }
+
+  std::string name(const std::string& file) const { return (folder_ / file).string(); }
+  std::string text(const std::string& file) const {
+    std::ifstream stream(name(file), std::ios::binary);
+    std::stringstream all;
+    all << stream.rdbuf();
+    return all.str();
+  }
+
+  static Plan plan(double to) {
+    iso230_2::PlanRequest r;
+    r.axis.travel_begin = Position::native(0);
+    r.axis.travel_end = Position::native(to);
+    r.seed = 1;
+    return iso230_2::make_plan(r).value();
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() /
+      ("axiometry-plan-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+TEST_F(PlanFiles, ReadBackWithoutWhatWasAddedForPeople) {
+  PlannedTest test = planned(plan(500), std::nullopt);
+  test.findings = {{"5.2", iso230_2::Severity::note, "found \"this\""}};
+  OutputNames names;
+  names.json = name("plan.json");
+  ASSERT_TRUE(write_plan_outputs(test, names, {}));
+  const auto root = json::parse(text("plan.json"));
+  ASSERT_TRUE(root);
+  EXPECT_EQ(root->find("findings")->items()[0].find("message")->text(), "found \"this\"");
+  EXPECT_NEAR(root->find("duration_s")->number(), test.duration.in_s(), 0.05);
+  const auto again = read_plan_file(names.json);
+  ASSERT_TRUE(again) << again.error().to_string();
+  EXPECT_EQ(again->targets, test.plan.targets);
+}
+
+TEST_F(PlanFiles, NameTheFileOfAnError) {
+  std::ofstream(name("bad.json")) << "{\n  \"axis\": 3}";
+  const auto bad = read_plan_file(name("bad.json"));
+  ASSERT_FALSE(bad);
+  EXPECT_THAT(bad.error().to_string(), HasSubstr("bad.json:"));
+  EXPECT_THAT(read_plan_file(name("none.json")).error().to_string(), HasSubstr("none.json"));
+}
+
+TEST_F(PlanFiles, SequencesAreListsOrFiles) {
+  std::ofstream(name("sequence.txt")) << "1+ 2+ # up\n2-\n";
+  EXPECT_EQ(read_sequence("1+ 2+ 2-").value(), read_sequence(name("sequence.txt")).value());
+  EXPECT_THAT(read_sequence(name("none.txt")).error().message, HasSubstr("expected the number of a target"));
+}
+
+TEST(PlanDuration, CountsTheFurtherPlans) {
+  iso230_2::PlanRequest r;
+  r.axis.travel_begin = Position::native(0);
+  r.axis.travel_end = Position::native(6000);
+  const Plan plan = iso230_2::make_plan(r).value();
+  ASSERT_EQ(plan.further.size(), 1u);
+  const PlannedTest test = planned(plan, 2000);
+  EXPECT_EQ(test.acceleration, 2000);
+  EXPECT_NEAR(test.duration_in_all.in_s() - test.duration.in_s(),
+              iso230_2::estimated_duration(plan.further[0], 2000).in_s(), 1e-9);
+}
+
+}  // namespace
+}  // namespace axiometry::app

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/simulate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "axiometry/app/outputs.h"
+#include "axiometry/app/raw_recording.h"
+#include "axiometry/app/simulation_truth.h"
+#include "axiometry/app/source.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/format.h"
+#include "axiometry/formats/plan_json.h"
+#include "axiometry/standards/iso230_2_plan.h"
+
+namespace axiometry::app {
+namespace {
+
+constexpr std::size_t plan_limit = std::size_t{64} << 20;
+
+/// An error of what is inside a file, with its name.
+template <typename T>
+Result<T> in_file(Result<T> result, const std::string& file) {
+  if (!result && result.error().file.empty()) {
+    Error error = result.error();
+    error.file = file;
+    return std::unexpected(std::move(error));
+  }
+  return result;
+}
+
+/// The format that writes files of this extension; "-" is JSON.
+Result<const formats::Format*> writer_of(std::string_view name) {
+  const std::string extension =
+      name == "-" ? ".json" : text::to_lower(std::filesystem::path(name).extension().string());
+  std::vector<std::string_view> known;
+  for (const formats::Format* format : formats::format_table()) {
+    if (format->write == nullptr) continue;
+    for (const std::string_view own : text::words(format->extensions)) {
+      if (own == extension) return format;
+      known.push_back(own);
+    }
+  }
+  return fail(fmt::format("found the test's name {}, expected a file ending in {}", text::quoted(name),
+                          fmt::join(known, ", ")));
+}
+
+Plan standard_plan() {
+  iso230_2::PlanRequest request;
+  request.axis.name = "X";
+  request.axis.travel_begin = Position::native(0.0);
+  request.axis.travel_end = Position::native(500.0);
+  request.axis.expected_period = Position::native(10.0);
+  request.axis.scale_type = "Ball screw and rotary encoder, pitch 10 mm (simulated)";
+  request.machine = "Virtual machine";
+  request.count = 11;
+  request.feed = 3000.0;
+  request.seed = 1;
+  return *iso230_2::make_plan(request);
+}
+
+}  // namespace
+
+Result<Plan> simulation_plan(const std::string& file) {
+  if (file.empty()) return standard_plan();
+  AXIOMETRY_TRY(Source source, Source::open(file));
+  AXIOMETRY_TRY(const std::string text, source.read_all(plan_limit));
+  AXIOMETRY_TRY(Plan plan, in_file(formats::read_plan(text), file));
+  return plan;
+}
+
+Result<std::vector<simulation::PitchError::Node>> read_pitch_table(const std::string& file) {
+  AXIOMETRY_TRY(Source source, Source::open(file));
+  AXIOMETRY_TRY(const std::string text, source.read_all(plan_limit));
+  return in_file(parse_pitch_table(text), file);
+}
+
+Result<void> check_simulation_outputs(const SimulationOutputs& outputs) {
+  if (!outputs.test.empty()) {
+    AXIOMETRY_TRY([[maybe_unused]] const auto format, writer_of(outputs.test));
+  }
+  if (!outputs.raw.empty()) {
+    AXIOMETRY_TRY([[maybe_unused]] const auto layout, raw_layout_of(outputs.raw));
+  }
+  const InputFile input{outputs.plan};
+  const InputFiles inputs(outputs.plan.empty() ? std::span<const InputFile>{} : std::span(&input, 1));
+  const std::string* names[] = {&outputs.test, &outputs.raw, &outputs.truth};
+  for (const std::string* name : names) {
+    if (name->empty()) continue;
+    if (std::ranges::count_if(names, [&](const std::string* other) { return *other == *name; }) > 1)
+      return fail(fmt::format("found the output {} twice, expected different names", text::quoted(*name)));
+    AXIOMETRY_TRY_VOID(inputs.check_spared(*name));
+  }
+  return {};
+}
+
+Result<SimulationSummary> run_simulation(const SimulationRequest& request, const SimulationOutputs& outputs) {
+  AXIOMETRY_TRY_VOID(check_simulation_outputs(outputs));
+  AXIOMETRY_TRY(const simulation::SimulatedTest simulated, simulation::simulate(request.simulate));
+  SimulationSummary summary{.readings = simulated.test.series.reading_count(),
+                            .targets = simulated.test.series.target_count(),
+                            .samples = 0,
+                            .duration = simulated.readings.back().time,
+                            .true_parameters = true_parameters_of_test(simulated)};
+  std::optional<RawRecording> raw;
+  std::optional<simulation::TrueRecording> recorded;
+  if (!outputs.raw.empty()) {
+    AXIOMETRY_TRY(summary.samples, simulation::count_samples(request.simulate, request.recording));
+    const RawSetting setting{request.simulate.plan.axis.kind, summary.samples, request.recording.rate,
+                             request.wavelength};
+    AXIOMETRY_TRY(raw, RawRecording::create(outputs.raw, setting));
+    AXIOMETRY_TRY(recorded, simulation::record(request.simulate, request.recording,
+                                               [&](std::span<const Sample> some) { return raw->write(some); }));
+    summary.duration = recorded->duration;
+  }
+  std::optional<OutputFile> test, truth;
+  if (!outputs.test.empty()) {
+    AXIOMETRY_TRY(const formats::Format* format, writer_of(outputs.test));
+    AXIOMETRY_TRY(test, OutputFile::create(outputs.test));
+    AXIOMETRY_TRY_VOID(test->write(format->write(simulated.test)));
+  }
+  if (!outputs.truth.empty()) {
+    AXIOMETRY_TRY(truth, OutputFile::create(outputs.truth));
+    AXIOMETRY_TRY_VOID(truth->write(json::dump(truth_value(request, simulated, recorded)) + "\n"));
+  }
+  if (raw) AXIOMETRY_TRY_VOID(raw->commit());
+  if (test) AXIOMETRY_TRY_VOID(test->commit());
+  if (truth) AXIOMETRY_TRY_VOID(truth->commit());
+  return summary;
+}
+
+}  // namespace axiometry::app

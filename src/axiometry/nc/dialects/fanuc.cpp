@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/nc/dialect.h"
+#include "axiometry/nc/word_program.h"
+
+namespace axiometry::nc {
+namespace {
+
+constexpr std::string_view manual = R"manual(# Fanuc
+
+For series 0i, 16i, 18i, 21i, 30i to 35i and relatives, machining centres and other machines with G code system
+B or C.
+
+- Program: `%`, `O2302` or `--number N` (1 to 9999), `M30`, `%`
+- Loops: custom macro B, `WHILE [#1 LE 5] DO1` … `END1`, with the local variable #1. An option on older
+  controls: without it, alarm 115 or 128 comes at once; use `--unrolled`
+- Start: `G21` or `G20` in a block of its own, `G17 G40 G49 G80 G90 G94`, `G61` (exact stop, so that every
+  target is reached)
+- Dwell: `G4 X3.0`, seconds
+- Trigger: an M code between two halves of the dwell
+- Comments: in round brackets, capitals
+
+Try in single block first: the start blocks, the first two targets, and the first turn of the loop (up to
+`END1`).
+
+- Lathes with G code system A know neither G90 nor G94: put G98 in their place, and use an axis name that is
+  absolute there (X, Z, not U, W). Where X is programmed as a
+  diameter the axis would move half as far as planned: switch to radius programming.
+- With increment system IS-B the control has 3 decimals in mm (4 in inches) and drops more: targets of the plan
+  should be multiples of 0.001 mm. IS-C has one more.
+- A rotary axis with rollover (parameter 1008) goes to an absolute position the short way round, or as the sign
+  says. Switch rollover off for the test, or stay within half a turn, or it will not come from the planned
+  direction [inferred].
+- Program numbers from 8000 are often protected.)manual";
+
+constexpr WordControl control = {
+    .limits = {.loops = 10'000},
+    .number = WordControl::ProgramNumber{},
+    .head = {"%", "O{number}"},
+    .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61"},
+    .start_inch = {"G20", "G17 G40 G49 G80 G90 G94", "G61"},
+    .dwell = "G4 X{seconds}",
+    .loop_begin = {"#1=1", "WHILE [#1 LE {times}] DO1"},
+    .loop_end = {"#1=#1+1", "END1"},
+    .end = {"G64", "M30"},
+    .tail = {"%"},
+};
+
+}  // namespace
+
+extern const Dialect fanuc_dialect;
+const Dialect fanuc_dialect = {
+    .id = "fanuc",
+    .title = "Fanuc (custom macro B)",
+    .extension = ".nc",
+    .manual = manual,
+    .axes = "X Y Z U V W A B C",
+    .has_loops = true,
+    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+};
+
+}  // namespace axiometry::nc

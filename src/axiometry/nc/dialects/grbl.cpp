@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/nc/dialect.h"
+#include "axiometry/nc/word_program.h"
+
+namespace axiometry::nc {
+namespace {
+
+constexpr std::string_view manual = R"manual(# grbl 1.1 and grblHAL
+
+- Program: the file's name names it; no `%`; `M2` ends it
+- Loops: none: every run is written out. No line is longer than 79 characters
+- Start: `G21` or `G20`, `G17 G40 G49 G80 G90 G94`, `G61`
+- Axes: X, Y, Z; A, B and C with grblHAL. Rotary axes get the metric start always, so that no scaling by 25.4
+  can reach degrees
+- Dwell: `G4 P3.0`, seconds. It also empties the planner, which is what makes the axis stop; a dwell of 0 s is
+  therefore written too
+- Trigger: M7 (if it was compiled in), M8, M9: coolant outputs, which stay as they are put. grbl has no pulse
+- Stop: `M0`; cycle start goes on
+
+Set the feed in the plan below the axis' `$110` to `$112` (or 113 and more): grbl lowers a feed above it without
+a word. Soft limits (`$20`) should be on. Run all of it in check mode (`$C`) first, then try in single block, which
+is sending line by line, up to the first dwell.)manual";
+
+constexpr WordControl control = {
+    .limits = {.linear_axes = "X Y Z", .dwell_stops = true, .m_codes = {{{7, 9}}}},
+    .comment_characters = ".,+-/=",
+    .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61"},
+    .start_inch = {"G20", "G17 G40 G49 G80 G90 G94", "G61"},
+    .rotary_in_mm = true,
+    .feed_point = false,
+    .dwell = "G4 P{seconds}",
+    .end = {"M2"},
+    .block_number_highest = 9'999'999,
+};
+
+}  // namespace
+
+extern const Dialect grbl_dialect;
+const Dialect grbl_dialect = {
+    .id = "grbl",
+    .title = "grbl 1.1 and grblHAL",
+    .extension = ".nc",
+    .manual = manual,
+    .axes = "X Y Z A B C",
+    .has_loops = false,
+    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+};
+
+}  // namespace axiometry::nc

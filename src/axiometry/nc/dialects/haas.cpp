@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/nc/dialect.h"
+#include "axiometry/nc/word_program.h"
+
+namespace axiometry::nc {
+namespace {
+
+constexpr std::string_view manual = R"manual(# Haas
+
+For mills (NGC and classic).
+
+- Program: `%`, `O02302` or `--number N` (1 to 99999), `M30`, `%`
+- Loops: macros, `WHILE [#1 LE 5] DO1` … `END1`, with the local variable #1. An option on older machines: use
+  `--unrolled` without it
+- Start: `G21` or `G20`, `G17 G40 G49 G80 G90 G94`, `G61` (exact stop)
+- Dwell: `G4 P3.0`. With the decimal point P is in seconds, without it in milliseconds
+- Trigger: an M code between two halves of the dwell; spare ones are M21 to M28 and, newer, M121 to M128 (these
+  wait for an answer), M51 to M58 switch on and M61 to M68 off
+
+Haas checks setting 9: a program in inches stops with an alarm on a machine in mm, and the other way round.
+Setting 9 decides how many decimals are kept: 3 in mm, 4 in inches.
+
+Try in single block first: the start blocks, the first target with its dwell, the first turn of the loop. A
+rotary axis with setting 30 or 58 in a mode of shortest way does not come from the planned direction [inferred]:
+check at 0° and 360°.)manual";
+
+constexpr WordControl control = {
+    .limits = {.loops = 10'000},
+    .number = WordControl::ProgramNumber{.lowest = 1, .highest = 99'999, .otherwise = 2302},
+    .head = {"%", "O{number:0>5}"},
+    .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61"},
+    .start_inch = {"G20", "G17 G40 G49 G80 G90 G94", "G61"},
+    .dwell = "G4 P{seconds}",
+    .loop_begin = {"#1=1", "WHILE [#1 LE {times}] DO1"},
+    .loop_end = {"#1=#1+1", "END1"},
+    .end = {"G64", "M30"},
+    .tail = {"%"},
+};
+
+}  // namespace
+
+extern const Dialect haas_dialect;
+const Dialect haas_dialect = {
+    .id = "haas",
+    .title = "Haas",
+    .extension = ".nc",
+    .manual = manual,
+    .axes = "X Y Z U V W A B C",
+    .has_loops = true,
+    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+};
+
+}  // namespace axiometry::nc

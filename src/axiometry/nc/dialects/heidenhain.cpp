@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Klartext (conversational) is no word-address language: each line is a numbered sentence.
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "axiometry/nc/dialect.h"
+#include "axiometry/nc/numbers.h"
+#include "axiometry/nc/safe_text.h"
+#include "axiometry/nc/script.h"
+
+namespace axiometry::nc {
+namespace {
+
+constexpr std::string_view manual = R"manual(# Heidenhain TNC, Klartext
+
+For TNC 426, 430, iTNC 530, TNC 320, 620, 640 and TNC7.
+
+- Program: `BEGIN PGM 2302 MM` or `INCH`, or `--number N` (1 to 99999999): the file must have that name,
+  `2302.H`. Blocks are always numbered
+- Loops: program section repeats, `LBL 1` … `CALL LBL 1 REP 4`: once and four times more. At most 254 labels, as
+  the oldest of these controls have them; what comes after is written out
+- Moves: `L X+100.0000 R0 F1000`. In inch programs F is in tenths of an inch per minute, of rotary axes in
+  degrees per minute always
+- Dwell: cycle 9, `CYCL DEF 9.0 DWELL TIME` and `CYCL DEF 9.1 DWELL 3.0`, seconds, up to 3600. It also brings
+  the axis to rest, and is written for 0 s too
+- Trigger: an M code between two halves of the dwell
+- Stop: with `--stop-at-start`, a comment says what to do, and `STOP` waits
+
+Try in single block first: the first target with its dwell (time it), and the first repeat.
+
+- The names of cycle 9 are English. A control that is set to another language translates them as it reads the
+  file [inferred].
+- Datum shift, mirroring, rotation, scaling, tilted plane and M128 must be off: they are not reset by the
+  program.
+- Rotary axes: M126 (shortest way) must be off, and an axis with a display that is reduced below 360° is driven
+  as planned only within it (M94) [inferred].)manual";
+
+constexpr ControlLimits limits = {
+    .feed_per_inch = 10.0,
+    .dwell_longest = Duration::s(3600.0),
+    .dwell_stops = true,
+    .loops = 254,
+};
+
+constexpr std::size_t line_length = 79;
+
+class Sentences {
+ public:
+  explicit Sentences(const Script& script) : script_(script) {}
+
+  void add(std::string sentence) { text_ += fmt::format("{} {}\n", number_++, sentence); }
+
+  void operator()(const Remark& remark) {
+    // Ten characters for number and semicolon.
+    for (const std::string& part : wrapped(safe(remark.text), line_length - 10)) add("; " + part);
+  }
+  void operator()(const Move& move) {
+    const std::string sign = move.coordinate.starts_with('-') ? "" : "+";
+    const std::string remark = move.remark.empty() ? "" : " ; " + safe(move.remark);
+    add(fmt::format("L {}{}{} R0 F{}{}", script_.axis, sign, move.coordinate, script_.feed, remark));
+  }
+  void operator()(const Dwell& dwell) {
+    add("CYCL DEF 9.0 DWELL TIME");
+    const std::string seconds = trimmed_number(static_cast<double>(dwell.steps) * limits.dwell_step.in_s(), 3);
+    add("CYCL DEF 9.1 DWELL " + seconds);
+  }
+  void operator()(const Trigger& trigger) { add(fmt::format("M{}", trigger.m_code)); }
+  void operator()(const OperatorStop& stop) {
+    add("; " + safe(stop.message));
+    add("STOP");
+  }
+  void operator()(const LoopBegin& loop) { add(fmt::format("LBL {}", loop.number)); }
+  void operator()(const LoopEnd& loop) { add(fmt::format("CALL LBL {} REP {}", loop.number, loop.times - 1)); }
+
+  std::string finish() && { return std::move(text_); }
+
+ private:
+  static std::string safe(std::string_view text) { return safe_text(text, ".,+-/=:"); }
+
+  const Script& script_;
+  std::size_t number_ = 0;
+  std::string text_;
+};
+
+Result<std::string> write(const Plan& plan, const ProgramOptions& options) {
+  const unsigned number = options.number.value_or(2302);
+  if (number < 1 || number > 99'999'999)
+    return fail(fmt::format("found program number {}, expected 1 to 99999999", number));
+  if (!options.block_numbers)
+    return fail("found blocks without numbers asked for, expected them numbered as Klartext always is");
+  AXIOMETRY_TRY(const Script script, make_script(plan, options, limits));
+  const std::string name = fmt::format("PGM {} {}", number, script.inch ? "INCH" : "MM");
+  Sentences sentences(script);
+  sentences.add("BEGIN " + name);
+  for (const Instruction& instruction : script.instructions) std::visit(sentences, instruction);
+  sentences.add("M30");
+  sentences.add("END " + name);
+  return std::move(sentences).finish();
+}
+
+}  // namespace
+
+extern const Dialect heidenhain_dialect;
+const Dialect heidenhain_dialect = {
+    .id = "heidenhain",
+    .title = "Heidenhain TNC, Klartext",
+    .extension = ".h",
+    .manual = manual,
+    .axes = "X Y Z U V W A B C",
+    .has_loops = true,
+    .write = write,
+};
+
+}  // namespace axiometry::nc

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/nc/dialect.h"
+#include "axiometry/nc/word_program.h"
+
+namespace axiometry::nc {
+namespace {
+
+constexpr std::string_view manual = R"manual(# ISO 6983, as most controls that resemble Fanuc's read it
+
+For a control that is not in the list. No variables and no loops: every run is written out, so that nothing but
+words of ISO 6983-1 is needed.
+
+- Program: `%`, `O2302` or `--number N` (1 to 9999), `M30`, `%`
+- Start: `G21` or `G20` in a block of its own (the common choice; the standard's own G71 and G70 are understood
+  less often), `G17 G40 G80 G90 G94`
+- Dwell: `G4 X3.0`, seconds. A control that wants another word stops with an alarm, rather than wait a thousand
+  times too long as with P
+- Exact stop: `G9` in every block: it needs no cancelling
+- Trigger: an M code between two halves of the dwell
+
+Try in single block first: the start blocks, one target, the dwell with a watch. Tool length offsets, scaling,
+rotation and mirroring must be off; coordinates refer to the work offset that is active.)manual";
+
+constexpr WordControl control = {
+    .limits = {},
+    .comment_characters = ".,+-/=",
+    .number = WordControl::ProgramNumber{},
+    .head = {"%", "O{number}"},
+    .start_mm = {"G21", "G17 G40 G80 G90 G94"},
+    .start_inch = {"G20", "G17 G40 G80 G90 G94"},
+    .move = "G9 G1 {axis}{coordinate} F{feed}",
+    .dwell = "G4 X{seconds}",
+    .end = {"M30"},
+    .tail = {"%"},
+};
+
+}  // namespace
+
+extern const Dialect iso6983_dialect;
+const Dialect iso6983_dialect = {
+    .id = "iso6983",
+    .title = "ISO 6983 (Fanuc-compatible, without macros)",
+    .extension = ".nc",
+    .manual = manual,
+    .axes = "X Y Z U V W A B C",
+    .has_loops = false,
+    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+};
+
+}  // namespace axiometry::nc

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/nc/dialect.h"
+#include "axiometry/nc/word_program.h"
+
+namespace axiometry::nc {
+namespace {
+
+constexpr std::string_view manual = R"manual(# LinuxCNC
+
+For version 2.4 and later. Programs of this dialect are run through LinuxCNC's own interpreter in the tests.
+
+- Program: the file's name names it; `M2` ends it
+- Loops: O-words, `o101 repeat [5]` … `o101 endrepeat`; no variables are used
+- Start: `G21` or `G20`, `G17 G40 G49 G80 G90 G94`, `G61.1` (exact stop; `G61` alone only keeps the path)
+- Dwell: `G4 P3.0`, seconds
+- Trigger: M7, M8 or M9 (coolant), or M100 to M199: a program of that name in the M code folder, which can pulse
+  an output. The interpreter refuses one that does not exist
+- Message: with `--stop-at-start`, `(MSG, …)` shows what to do, and `M0` waits
+
+Rotary axes A, B, C are in degrees and degrees per minute whatever the unit. An axis that is configured as
+wrapped (`WRAPPED_ROTARY`) takes the sign of a target as the direction and cannot be tested with this program:
+switch it off.
+
+Try in single block first: the start blocks and the first target with its dwell. G54 or what else is active, and
+G92, shift all positions.)manual";
+
+constexpr WordControl control = {
+    .limits = {.loops = 10'000, .m_codes = {{{7, 9}, {100, 199}}}},
+    .comment_characters = ".,+-/=[]:",
+    .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61.1"},
+    .start_inch = {"G20", "G17 G40 G49 G80 G90 G94", "G61.1"},
+    .feed_point = false,
+    .dwell = "G4 P{seconds}",
+    .stop = {"(MSG, {message})", "M0"},
+    .loop_begin = {"o{loop} repeat [{times}]"},
+    .loop_end = {"o{loop} endrepeat"},
+    .end = {"G64", "M2"},
+};
+
+}  // namespace
+
+extern const Dialect linuxcnc_dialect;
+const Dialect linuxcnc_dialect = {
+    .id = "linuxcnc",
+    .title = "LinuxCNC",
+    .extension = ".ngc",
+    .manual = manual,
+    .axes = "X Y Z U V W A B C",
+    .has_loops = true,
+    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+};
+
+}  // namespace axiometry::nc

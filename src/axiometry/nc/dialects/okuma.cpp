@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/nc/dialect.h"
+#include "axiometry/nc/word_program.h"
+
+namespace axiometry::nc {
+namespace {
+
+constexpr std::string_view manual = R"manual(# Okuma OSP
+
+For OSP controls of machining centres (OSP-E100M, P200M, P300M and relatives).
+
+- Program: `O2302` or `--number N` (1 to 9999), `M2`
+- Loops: user task: the common variable VC1 counts, `IF [VC1 LT 5] NR1` jumps back to the block of the name NR1.
+  VC1 is overwritten: see that nothing else on the machine keeps a value there. `--unrolled` uses no variable
+- Start: `G21` or `G20` (they only confirm the unit: the control stops with an alarm when it is set to the other
+  one), `G17 G40 G80 G90 G94`, `G61` (exact stop)
+- Dwell: `G4 F3.0`, seconds
+- Trigger: an M code between two halves of the dwell
+
+Try in single block first: the start blocks, the first target with its dwell (time it: the unit of F in G4
+follows the control's unit setting), and the jump at the end of the first loop [inferred].
+
+Work offset (G15 H…) and tool length offset are as they are active: choose them before. Rotary axes: a parameter
+decides whether an absolute angle is reached the short way; for this test it must not [inferred].)manual";
+
+constexpr WordControl control = {
+    .limits = {.loops = 999},
+    .number = WordControl::ProgramNumber{},
+    .head = {"O{number}"},
+    .start_mm = {"G21", "G17 G40 G80 G90 G94", "G61"},
+    .start_inch = {"G20", "G17 G40 G80 G90 G94", "G61"},
+    .dwell = "G4 F{seconds}",
+    .loop_begin = {"VC1=0", "NR{loop} VC1=VC1+1"},
+    .loop_end = {"IF [VC1 LT {times}] NR{loop}"},
+    .end = {"G64", "M2"},
+    .block_number_highest = 9999,
+};
+
+}  // namespace
+
+extern const Dialect okuma_dialect;
+const Dialect okuma_dialect = {
+    .id = "okuma",
+    .title = "Okuma OSP",
+    .extension = ".min",
+    .manual = manual,
+    .axes = "X Y Z U V W A B C",
+    .has_loops = true,
+    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+};
+
+}  // namespace axiometry::nc

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/nc/word_program.h"
+
+#include <fmt/format.h>
+
+#include <variant>
+#include <vector>
+
+#include "axiometry/nc/numbers.h"
+#include "axiometry/nc/safe_text.h"
+
+namespace axiometry::nc {
+namespace {
+
+struct Block {
+  std::string text;
+  bool numbered = false;
+};
+
+class Writer {
+ public:
+  Writer(const WordControl& control, const Script& script) : c_(control), script_(script) {
+    if (control.feed_point && script.feed.find('.') == std::string::npos)
+      feed_ = script.feed + ".";
+    else
+      feed_ = script.feed;
+    // "X1100" would be the axis X at 1100.
+    axis_ = script.axis.size() > 1 ? script.axis + "=" : script.axis;
+  }
+
+  void lines(const Lines& templates, bool numbered, std::string_view number = "") {
+    for (std::string_view line : templates)
+      blocks_.push_back({fmt::format(fmt::runtime(line), fmt::arg("number", number)), numbered});
+  }
+
+  void operator()(const Remark& remark) {
+    const std::size_t width = c_.line_length - c_.comment_begin.size() - c_.comment_end.size();
+    for (const std::string& part : wrapped(safe(remark.text), width)) blocks_.push_back({comment(part), false});
+  }
+
+  void operator()(const Move& move) {
+    std::string text = fmt::format(fmt::runtime(c_.move), fmt::arg("axis", axis_),
+                                   fmt::arg("coordinate", move.coordinate), fmt::arg("feed", feed_));
+    if (!move.remark.empty()) text += " " + comment(safe(move.remark));
+    blocks_.push_back({std::move(text), true});
+  }
+
+  void operator()(const Dwell& dwell) {
+    std::string seconds = trimmed_number(static_cast<double>(dwell.steps) * c_.limits.dwell_step.in_s(), 3);
+    if (seconds.find('.') == std::string::npos) seconds += ".0";
+    blocks_.push_back(
+        {fmt::format(fmt::runtime(c_.dwell), fmt::arg("seconds", seconds), fmt::arg("steps", dwell.steps)), true});
+  }
+
+  void operator()(const Trigger& trigger) { blocks_.push_back({fmt::format("M{}", trigger.m_code), true}); }
+
+  void operator()(const OperatorStop& stop) {
+    for (std::string_view line : c_.stop) {
+      const bool is_comment = !c_.comment_begin.empty() && line.starts_with(c_.comment_begin);
+      blocks_.push_back({fmt::format(fmt::runtime(line), fmt::arg("message", safe(stop.message))), !is_comment});
+    }
+  }
+
+  void operator()(const LoopBegin& loop) { loop_lines(c_.loop_begin, loop.number, loop.times); }
+  void operator()(const LoopEnd& loop) { loop_lines(c_.loop_end, loop.number, loop.times); }
+
+  /// With block numbers in tens while there are enough of them, else in ones, else with none.
+  std::string finish(bool block_numbers) && {
+    std::size_t numbered = 0;
+    for (const Block& block : blocks_) numbered += block.numbered;
+    const std::size_t step = !block_numbers                             ? 0
+                             : 10 * numbered <= c_.block_number_highest ? 10
+                             : numbered <= c_.block_number_highest      ? 1
+                                                                        : 0;
+    std::string program;
+    std::size_t number = 0;
+    for (const Block& block : blocks_) {
+      if (block.numbered && step > 0) program += fmt::format("N{} ", number += step);
+      program += block.text;
+      program += '\n';
+    }
+    return program;
+  }
+
+ private:
+  std::string safe(std::string_view text) const { return safe_text(text, c_.comment_characters); }
+  std::string comment(std::string_view text) const {
+    return fmt::format("{}{}{}", c_.comment_begin, text, c_.comment_end);
+  }
+
+  void loop_lines(const Lines& templates, std::size_t number, std::size_t times) {
+    const std::size_t label = c_.label_highest - 2 * number;
+    for (std::string_view line : templates)
+      blocks_.push_back(
+          {fmt::format(fmt::runtime(line), fmt::arg("loop", number), fmt::arg("times", times),
+                       fmt::arg("more", times - 1), fmt::arg("label", label), fmt::arg("end_label", label + 1)),
+           false});
+  }
+
+  const WordControl& c_;
+  const Script& script_;
+  std::string feed_;
+  std::string axis_;
+  std::vector<Block> blocks_;
+};
+
+Result<std::string> program_number(const WordControl& control, std::optional<unsigned> asked) {
+  if (!control.number) {
+    if (!asked) return std::string();
+    return fail(fmt::format("found program number {}, expected none: the file's name is the program's", *asked));
+  }
+  const unsigned number = asked.value_or(control.number->otherwise);
+  if (number >= control.number->lowest && number <= control.number->highest) return fmt::format("{:04}", number);
+  return fail(fmt::format("found program number {}, expected {} to {}", number, control.number->lowest,
+                          control.number->highest));
+}
+
+}  // namespace
+
+Result<std::string> write_word_program(const WordControl& control, const Plan& plan, const ProgramOptions& options) {
+  AXIOMETRY_TRY(const std::string number, program_number(control, options.number));
+  AXIOMETRY_TRY(const Script script, make_script(plan, options, control.limits));
+  const bool inch = script.inch && !(control.rotary_in_mm && plan.axis.kind == AxisKind::rotary);
+  Writer writer(control, script);
+  writer.lines(control.head, false, number);
+  auto instruction = script.instructions.begin();
+  // The comments at the top first, so that they are read before anything moves.
+  for (; std::holds_alternative<Remark>(*instruction); ++instruction) std::visit(writer, *instruction);
+  if (script.has_loops) writer.lines(control.declare, false);
+  writer.lines(inch ? control.start_inch : control.start_mm, true);
+  for (; instruction != script.instructions.end(); ++instruction) std::visit(writer, *instruction);
+  writer.lines(control.end, true);
+  writer.lines(control.tail, false);
+  return std::move(writer).finish(options.block_numbers);
+}
+
+}  // namespace axiometry::nc

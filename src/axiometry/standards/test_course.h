@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/quantity.h"
+#include "axiometry/model/test.h"
+
+namespace axiometry {
+
+/// When each reading of a test was taken. What changes between its start and its end (temperatures, air, drift) is
+/// interpolated along it.
+struct TestCourse {
+  /// 0 at the first reading, 1 at the last; dense as in Series::make_dense(), NaN for a direction or approach that is
+  /// no part of the cycle.
+  std::vector<double> share;
+  std::optional<Duration> duration;  ///< from the first reading to the last; absent when no times are known
+  std::size_t steps = 0;             ///< from the first reading to the last, those that are missing counted
+  std::string basis;                 ///< "the times of the readings", "readings equally far apart in the … cycle"
+
+  double at(const Series& series, std::size_t target, Direction direction, std::size_t run) const {
+    return share[(static_cast<std::size_t>(direction) * series.target_count() + target) * series.run_count() + run];
+  }
+};
+
+/// From Test::times_s when every reading has its time and they differ; else readings are taken to be equally far apart,
+/// in the order of approaches() (model/plan.h) for the cycle of the metadata, where a missing reading keeps its time.
+/// Directions without readings are left out of the order. A user-defined cycle, whose order the readings do not tell,
+/// counts as the standard one. So does a unidirectional cycle with readings in both directions; with readings ↓ only it
+/// goes from the last target to the first.
+TestCourse course_of(const Test& test);
+
+}  // namespace axiometry
