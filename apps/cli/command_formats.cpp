@@ -16,10 +16,10 @@ namespace {
 
 void list_formats() {
   for (const formats::Format* format : formats::format_table())
-    fmt::print("{}{}  {}\n", left(format->id, 12), left(format->extensions, 16), format->title);
+    fmt::print("{}{}  {}\n", left(format->id, 17), left(format->extensions, 16), format->title);
   if (!formats::recording_table().empty()) fmt::print("\nRecordings, for capture or evaluate --plan\n");
   for (const formats::Recording* recording : formats::recording_table())
-    fmt::print("{}{}  {}\n", left(recording->id, 12), left(recording->extensions, 16), recording->title);
+    fmt::print("{}{}  {}\n", left(recording->id, 17), left(recording->extensions, 16), recording->title);
   fmt::print(
       "\n'axiometry formats ID' explains one; 'axiometry formats metadata' lists the keys of `# key: value` lines.\n");
 }

@@ -14,7 +14,7 @@
 namespace axiometry::app {
 namespace {
 
-constexpr std::size_t single_test_limit = std::size_t{256} << 20;
+constexpr std::size_t single_test_limit = std::size_t{2} << 30;  // logs of controls have gigabytes
 
 std::unexpected<Error> in_file(Error error, const std::string& name) {
   if (error.file.empty() || error.file == name) error.file = name == "-" ? "(standard input)" : name;
@@ -67,7 +67,9 @@ Result<Test> read_by_profile(std::string_view bytes, const std::string& name) {
 Result<Test> read_single(Source& source, const formats::Format& format, const std::string& profile) {
   AXIOMETRY_TRY(const std::string bytes, source.read_all(single_test_limit));
   AXIOMETRY_TRY(Test test, profile.empty() ? format.read(bytes) : read_by_profile(bytes, profile));
-  test.provenance = {source.name(), sha256(bytes), std::string(format.id), std::move(test.provenance.remarks)};
+  test.provenance.file = source.name();
+  test.provenance.sha256 = sha256(bytes);
+  test.provenance.format = format.id;
   return test;
 }
 

@@ -126,11 +126,11 @@ Result<std::string> Source::read_all(std::size_t limit) {
   };
   if (size_ && *size_ > limit) return too_large(fmt::format("{} MiB", *size_ >> 20));
   std::string bytes;
-  if (size_) bytes.reserve(*size_ + 1);
+  constexpr std::size_t step = 4096;
+  if (size_) bytes.reserve(*size_ + 2 * step);  // a look for more behind the end must not move a large file
   std::size_t filled = 0;
   while (true) {
-    bytes.resize(
-        std::max(filled + 4096, size_ && filled == 0 ? static_cast<std::size_t>(*size_) + 1 : filled + block_size));
+    bytes.resize(size_ ? std::max(static_cast<std::size_t>(*size_) + 1, filled + step) : filled + block_size);
     AXIOMETRY_TRY(const std::size_t got, read(std::span(bytes).subspan(filled)));
     filled += got;
     if (filled > limit) return too_large(fmt::format("more than {} MiB", limit >> 20));

@@ -33,10 +33,11 @@ std::string name_of(const testing::TestParamInfo<BadInput>& input) { return inpu
 TEST_P(BadInputs, AreRefusedWithPlaceAndReason) { EXPECT_EQ(message_for(GetParam().bytes), GetParam().message); }
 
 const std::string header = "target_mm,direction,run,deviation_um\n";
-const std::string titles =
-    "json (Axiometry test, JSON); csv-long (CSV, one reading per row); csv-wide (CSV, one column per run); "
-    "ecmc-dat (ecmc ISO 230 data); generic (Any table of numbers, by a guess); a CSV file begins with a header such as "
-    "target_mm,direction,run,deviation_um";
+const std::string ids = [] {
+  std::string list;
+  for (const Format* format : format_table()) list += (list.empty() ? "" : ", ") + std::string(format->id);
+  return list;
+}();
 
 INSTANTIATE_TEST_SUITE_P(
     Files, BadInputs,
@@ -51,21 +52,16 @@ INSTANTIATE_TEST_SUITE_P(
                  "line 1:1: found UTF-16 or UTF-32 text, expected UTF-8; save the file as UTF-8"},
         BadInput{"Utf16WithoutMark", "t\0a\0r\0"s,
                  "line 1:2: found UTF-16 text without a byte order mark, expected UTF-8; save the file as UTF-8"},
-        BadInput{"OldMacLines", "target_mm,direction,run,deviation_um\r0,up,1,1\r",
-                 "line 1:37: found lines that end in CR alone, expected LF or CRLF"},
+        BadInput{"OldMacLinesOfSomethingElse", "Dear Sir,\rthe machine is fine.\r",
+                 "line 1:10: found lines that end in CR alone, expected LF or CRLF"},
         BadInput{"SomethingElse", "Dear Sir,\nthe machine is fine.\n",
-                 "line 1:1: found text that begins with \"Dear Sir,\", expected one of: " + titles}),
+                 "line 1:1: found text that begins with \"Dear Sir,\", expected one of the formats " + ids +
+                     "; a CSV file begins with a header such as target_mm,direction,run,deviation_um"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     CsvLong, BadInputs,
     testing::Values(
-        BadInput{"Latin1", "target_mm,direction,run,deviation_\xB5m\n0,up,1,1\n",
-                 "line 1:35: found the byte 0xB5, expected UTF-8; a file in Latin-1 or an ANSI code page must be saved "
-                 "as UTF-8"},
-        BadInput{"Latin1InAComment", "# machine: Fr\xE4se\n" + header + "0,up,1,1\n",
-                 "line 1:14: found the byte 0xE4, expected UTF-8; a file in Latin-1 or an ANSI code page must be saved "
-                 "as UTF-8"},
         BadInput{"Latin1ThatNoFormatKnows",
                  "Stra\xDF"
                  "e;1\n2;3\n",
@@ -230,6 +226,47 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"Index", "TGT_DATA[0]=0\n", "line 1:1: found the index \"0\", expected a whole number from 1"},
         BadInput{"CutInsideALine", "TGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_F",
                  "line 3:1: found \"REF_DATA_F\", expected KEY=value"}),
+    name_of);
+
+const std::string rtl_head = "HEADER::\nFile type: rtl\nTARGET DATA::\nTargets :\n0 5\nFlags: 0 0 2 0\nRUNS::\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    RenishawRtl, BadInputs,
+    testing::Values(
+        BadInput{"OnlyItsHead", "HEADER::\nFile type: rtl\n",
+                 "found no section TARGET DATA::, expected HEADER::, TARGET DATA::, RUNS:: and DEVIATIONS::"},
+        BadInput{"NoType", "HEADER::\nTARGET DATA::\n",
+                 "found no file type, expected HEADER:: with 'File type : rtl' (linear) or 'rta' (angular)"},
+        BadInput{"NoReadings", rtl_head + "DEVIATIONS::\nRun Target Data:\nEOF::\n",
+                 "found no readings below DEVIATIONS::, expected one per line"},
+        BadInput{"NotANumber", rtl_head + "DEVIATIONS::\n1 1 x\n", "line 9:5: found \"x\", expected a finite number"},
+        BadInput{"NoTargets", "HEADER::\nFile type: rtl\nTARGET DATA::\nRUNS::\nDEVIATIONS::\n",
+                 "found no targets, expected a list of them below 'Targets :'"},
+        BadInput{"AbsurdRun", rtl_head + "DEVIATIONS::\n20001 1 0\n",
+                 "line 9:1: found the run \"20001\", expected a whole number from 1 to 20000"},
+        BadInput{
+            "CutOff", rtl_head + "DEVIATIONS::\n1 1 0\n1 2",
+            "line 10:1: found \"1 2\", expected three numbers: run, target and deviation; the file ends here, is it "
+            "cut off?"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    OtherInstruments, BadInputs,
+    testing::Values(
+        BadInput{
+            "CamonitorWithoutTest", "A:Laser 2026-04-06 12:00:00.1 0\n",
+            "found no variable with TestNumber in its name, expected the numbers of an ISO 230-2 test; a first line "
+            "'# TEST_PV=NAME' names another"},
+        BadInput{"EtalonCutOff", "[EXX]\nGridpoints = {\n 0 0\n",
+                 "line 1:1: found no } behind the grid points of EXX, expected one; is the file cut off?"},
+        BadInput{"IsgWithoutRows", "X EXX\n",
+                 "found no positioning error of a linear axis, expected one of EXX, EYY and EZZ"},
+        BadInput{"HeidenhainCutOff", "#\nND-280 MM\n",
+                 "found no end mark, expected # or * behind the last value; is the table cut off?"},
+        BadInput{"ApiWithoutRows", "Position Bidirectional Avg Error\n",
+                 "found no averages, expected rows of position and error below 'Position  Bidirectional Avg Error'"},
+        BadInput{"EcmcReportWithoutTable", "# ecmc ISO 230 Bidirectional Positioning Report\n",
+                 "found no table below '## Raw Measured Points', expected one"}),
     name_of);
 
 std::string json_test(std::string_view series, std::string_view others = "") {

@@ -11,6 +11,7 @@
 #include "axiometry/formats/csv_long_rows.h"
 #include "axiometry/formats/csv_preamble.h"
 #include "axiometry/formats/csv_values.h"
+#include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/text_source.h"
 
@@ -26,7 +27,8 @@ Result<LongRows> rows_below(Preamble preamble, NamedTestSink sink) {
 }
 
 Result<Test> read(std::string_view bytes) {
-  AXIOMETRY_TRY(const std::string_view text, readable_text(bytes));
+  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
+  const std::string_view text = decoded.text;
   AXIOMETRY_TRY(Preamble preamble, read_preamble(text));
   const std::size_t header_end = preamble.size;
   std::optional<NamedTest> only;
@@ -39,7 +41,9 @@ Result<Test> read(std::string_view bytes) {
                 }));
   AXIOMETRY_TRY_VOID(rows.take(text.substr(header_end), text.data() + text.size()));
   AXIOMETRY_TRY_VOID(rows.finish());
-  return Test{std::move(only->metadata), std::move(only->series), {}};
+  Test test{std::move(only->metadata), std::move(only->series), {}};
+  test.provenance.remarks = encoding_remarks(decoded);
+  return test;
 }
 
 /// A block of the file at a time; whole lines go on, the rest moves to the front.
@@ -155,7 +159,7 @@ bool holds_many(std::string_view head) {
   return text && roles_in(*text).test;
 }
 
-constexpr std::string_view manual = R"(Delimited text, UTF-8, one reading per row; columns in any order.
+constexpr std::string_view manual = R"(Delimited text, one reading per row; columns in any order.
 
 ```
 # machine: Mill 5
@@ -179,6 +183,7 @@ target_mm,direction,run,deviation_um
 - Units stand in the names, as `target_mm`, `deviation (µm)`, `error [arcsec]`, or in a line such as `# unit: um`,
   `# target unit: mm`: um, mm, nm, m, in, uin; arcsec, deg, mdeg, rad, mrad, urad. Angles make a rotary axis.
 - Delimiter: comma, semicolon or tab. Decimal point, or decimal comma with semicolons or tabs; one of them in a file.
+- Text is UTF-8. Files of one test may be UTF-16, Windows-1252, Latin-1 or GBK too, which a remark then tells.
 - Fields may be quoted (RFC 4180). A byte order mark, CRLF, blank rows and comments (`# …`) do no harm.
 - Instruments may print lines of their own above the header: `Machine;Mill 5` is understood, the unknown passed over.
   A header may stand behind a `#`. German names are understood too: Sollposition, Richtung, Lauf, Abweichung.
@@ -191,8 +196,8 @@ target_mm,direction,run,deviation_um
   readings (mean, std, min, max, range, sum). Any other column is refused.
 - Targets within 0.5 nm (or 5e-7°) of one another are one target: computed positions carry float noise.
 - Refused: NaN and infinite numbers, ragged rows, a reading given twice, mixed units, fewer than two targets, runs
-  beyond 10 000, other encodings than UTF-8, a measured position more than half a turn from its target, deviations
-  as large as the target positions (they are measured positions under a wrong name).
+  beyond 10 000, files of many tests that are not UTF-8, a measured position more than half a turn from its target,
+  deviations as large as the target positions (they are measured positions under a wrong name).
 )";
 
 }  // namespace

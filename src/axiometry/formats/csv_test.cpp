@@ -203,5 +203,33 @@ TEST(CsvWide, ReadsTheRotaryExample) {
   EXPECT_EQ(test.metadata.uncertainty.device_calibration->in_native(), 0.6);
 }
 
+std::string utf16_of(std::string_view ascii) {
+  std::string bytes = "\xFF\xFE";
+  for (char c : ascii) bytes += {c, '\0'};
+  return bytes;
+}
+
+TEST(Csv, OfOneTestMayBeInTheCodePageOfItsComputer) {
+  const auto latin =
+      read_as("csv-long", "# machine: Fr\xE4se\ntarget_mm,direction,run,deviation_\xB5m\n0,up,1,1\n5,up,1,2\n");
+  EXPECT_EQ(latin.metadata.machine.name, "Fräse");
+  ASSERT_EQ(latin.provenance.remarks.size(), 1u);
+  EXPECT_EQ(latin.provenance.remarks[0].message, "found text that is not UTF-8; it was read as Windows-1252");
+  EXPECT_FALSE(latin.provenance.remarks[0].departs);
+  const auto wide = read_as("csv-wide",
+                            "Sollposition [mm];Pr\xFC"
+                            "fer;Lauf 1 + [\xB5m]\n0;;1,5\n5;;2,5\n");
+  EXPECT_EQ(at(wide, 1, Direction::up, 0), 2.5);
+}
+
+TEST(Csv, MayBeTheUnicodeTextOfASpreadsheetOrHaveOldLineEnds) {
+  const auto unicode =
+      read_as("csv-long", utf16_of("target_mm\tdirection\trun\tdeviation_um\r\n0\tup\t1\t1\r\n5\tup\t1\t2"));
+  EXPECT_EQ(at(unicode, 1, Direction::up, 0), 2);
+  const auto old = read_as("csv-wide", "target_mm,up1_um\r0,1\r5,2\r");
+  EXPECT_EQ(at(old, 1, Direction::up, 0), 2);
+  EXPECT_EQ(old.provenance.remarks.size(), 1u);
+}
+
 }  // namespace
 }  // namespace axiometry::formats

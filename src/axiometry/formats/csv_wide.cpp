@@ -12,6 +12,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv_preamble.h"
 #include "axiometry/formats/csv_values.h"
+#include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/series_order.h"
 #include "axiometry/formats/target_index.h"
@@ -209,7 +210,8 @@ Result<void> take_row(WideRows& rows, const Preamble& preamble, std::string_view
 }
 
 Result<Test> read(std::string_view bytes) {
-  AXIOMETRY_TRY(std::string_view text, utf8_text(bytes));
+  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
+  std::string_view text = decoded.text;
   AXIOMETRY_TRY(Preamble preamble, read_preamble(text));
   if (preamble.columns.empty()) return fail("found no header, expected a line that names the columns");
   AXIOMETRY_TRY(WideLayout layout, layout_of(preamble));
@@ -227,7 +229,9 @@ Result<Test> read(std::string_view bytes) {
   AXIOMETRY_TRY(Series series, rows.series());
   AXIOMETRY_TRY(Metadata metadata,
                 metadata_of(preamble, kind, rows.mark().value_or(preamble.delimiter == ',' ? '.' : ',')));
-  return Test{std::move(metadata), std::move(series), {}};
+  Test test{std::move(metadata), std::move(series), {}};
+  test.provenance.remarks = encoding_remarks(decoded);
+  return test;
 }
 
 /// One row per target; directions without any reading have no columns.
@@ -257,14 +261,17 @@ std::string write(const Test& test) {
 int recognise(std::string_view head) {
   bool target = false;
   bool runs = false;
+  bool directions = false;
   for (const Column& c : header_columns(head)) {
     target |= c.role == ColumnRole::target;
     runs |= c.role == ColumnRole::reading && (c.run || c.direction);
+    directions |= c.role == ColumnRole::direction || (c.role == ColumnRole::reading && c.direction);
   }
-  return target && runs ? 95 : 0;
+  if (!target || !runs) return 0;
+  return directions ? 95 : 9;  // numbers alone may be targets across the table
 }
 
-constexpr std::string_view manual = R"(Delimited text, UTF-8, one column per run. Either one row per target:
+constexpr std::string_view manual = R"(Delimited text, one column per run. Either one row per target:
 
 ```
 target_mm,up1_um,up2_um,down1_um,down2_um

@@ -10,6 +10,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/series_order.h"
 #include "axiometry/formats/text_source.h"
@@ -212,15 +213,17 @@ Result<Series> series_from(const Content& content) {
 }
 
 Result<Test> read(std::string_view bytes) {
-  AXIOMETRY_TRY(const std::string_view text, utf8_text(bytes));
-  AXIOMETRY_TRY(Content content, content_from(text));
+  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
+  AXIOMETRY_TRY(Content content, content_from(decoded.text));
   if (content.targets.empty()) return fail("found no TGT_DATA, expected target positions such as TGT_DATA[1]=0");
   AXIOMETRY_TRY_VOID(check_promises(content));
   AXIOMETRY_TRY(Series series, series_from(content));
   Metadata metadata;
   metadata.axis.kind = content.unit->kind;
   metadata.conditions.comment = std::move(content.comment);
-  return Test{std::move(metadata), std::move(series), {}};
+  Test test{std::move(metadata), std::move(series), {}};
+  test.provenance.remarks = encoding_remarks(decoded);
+  return test;
 }
 
 int recognise(std::string_view head) {

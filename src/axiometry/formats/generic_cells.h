@@ -9,19 +9,13 @@
 
 #include "axiometry/base/result.h"
 #include "axiometry/formats/csv_cells.h"
+#include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/import_profile.h"
 
 /// Text of unknown make as lines, cells and numbers. Private to the generic importer (generic_delimited.h).
 namespace axiometry::formats::generic {
 
-struct DecodedText {
-  std::string utf8;
-  TextEncoding encoding = TextEncoding::utf8;  ///< what it was
-};
-
-/// Any bytes as UTF-8. automatic tries UTF-8, UTF-16 where a byte order mark says so, then Windows-1252, of which
-/// Latin-1 is a part. Fails on empty and on binary files, on bytes that the encoding does not know, and on more than
-/// byte_limit.
+/// Any text as UTF-8, its encoding found out or stated. Fails as decoded_text() does, and on more than byte_limit.
 Result<DecodedText> decode(std::string_view bytes, TextEncoding encoding);
 
 inline constexpr std::size_t byte_limit = std::size_t{64} << 20;
@@ -56,8 +50,7 @@ Result<double> number_at(const CsvCell& cell, char decimal_mark, std::size_t lin
 /// Whether the cell was meant as a number but is none: "NaN", "inf", "-1.#IND", "1.2.3".
 bool is_bad_number(std::string_view cell);
 
-/// Seconds: a number of them, or the time of day in "2026-05-04 12:30:05.25", "2026-05-04T12:30:05Z" or "12:30:05" (a
-/// date counts with its days).
+/// Seconds: a number of them, a time stamp as time_stamp_s() reads it (also with a decimal comma), or "12:30:05.25".
 std::optional<double> clock_seconds(std::string_view cell, char decimal_mark);
 
 }  // namespace axiometry::formats::generic

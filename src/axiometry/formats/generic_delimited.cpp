@@ -29,8 +29,8 @@ void decide_text(Draft& draft, const DecodedText& decoded) {
   profile.comment = shape.comment;
   profile.end = shape.end;
   draft.guess.questions = shape.questions;
-  if (decoded.encoding != TextEncoding::utf8)
-    draft.decide("encoding", std::string(word_of(decoded.encoding)), 0.8, "the bytes are no UTF-8");
+  if (decoded.encoding != "UTF-8")
+    draft.decide("encoding", std::string(decoded.encoding), 0.8, "the bytes are no UTF-8");
   draft.decide("delimiter", std::string(word_of(profile.delimiter)), 0.95,
                fmt::format("it parts {} into {}", counted(shape.row_count, "row"), counted(shape.columns, "column")));
   draft.decide("decimal_mark", profile.decimal_mark == ',' ? "comma" : "point", shape.rule.paired ? 0.6 : 0.95,
@@ -119,7 +119,7 @@ Result<void> check_numbers(const Draft& draft) {
 }
 
 Result<Guess> guess_text(const DecodedText& decoded) {
-  const std::vector<TextLine> lines = lines_of(decoded.utf8);
+  const std::vector<TextLine> lines = lines_of(decoded.text);
   AXIOMETRY_TRY(Draft draft, draft_of(decoded, lines));
   const bool transposed = decide_transposed(draft);
   if (!transposed) take_header_from_rows(draft);
@@ -163,15 +163,8 @@ std::vector<SourceRemark> remarks_of(const Guess& guess) {
 
 /// Whole lines only: the beginning of a file may be cut anywhere.
 std::string_view whole_lines(std::string_view head) {
-  constexpr std::size_t largest_head = std::size_t{64} << 10;
-  if (head.size() < largest_head) return head;
-  if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) {
-    const std::string_view line_break =
-        head.starts_with("\xFF") ? std::string_view("\n\0", 2) : std::string_view("\0\n", 2);
-    std::size_t at = head.rfind(line_break);
-    while (at != std::string_view::npos && at > 0 && at % 2 != 0) at = head.rfind(line_break, at - 1);
-    return at == std::string_view::npos ? head : head.substr(0, at);
-  }
+  constexpr std::size_t small = std::size_t{16} << 10;
+  if (head.size() < small) return head;
   const std::size_t last = head.find_last_of("\r\n");
   return last == std::string_view::npos ? head : head.substr(0, last);
 }
@@ -199,7 +192,7 @@ Lauf   Soll [mm]   Ist [mm]
 1      0,000       0,0009
 ```
 
-- Delimiters: comma, semicolon, tab, blanks. Decimal point or comma. UTF-8, UTF-16, Latin-1.
+- Delimiters: comma, semicolon, tab, blanks. Decimal point or comma. UTF-8, UTF-16, GBK, Windows-1252, Latin-1.
 - Columns are known by their names in English, German, French, Italian, Spanish, Chinese and Japanese, or by their
   numbers: few values that come back are targets, numbers close to them measured positions, small ones deviations,
   whole ones from 0 or 1 runs. Units stand in the names, in a line below them, or above the table.

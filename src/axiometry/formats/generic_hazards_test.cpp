@@ -199,6 +199,20 @@ TEST(GenericHazards, LatinOneAndUtf16AreReadAndTold) {
   expect_test("\xEF\xBB\xBF" + ascii);
 }
 
+TEST(GenericHazards, ChineseCodePagesAreFoundOutOrStated) {
+  // "目标位置(mm)", "偏差(um)" in GBK.
+  const std::string gbk = file("\xC4\xBF\xB1\xEA\xCE\xBB\xD6\xC3(mm);\xC6\xAB\xB2\xEE(um)\n",
+                               [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); });
+  expect_test(gbk);
+  ImportProfile profile = guess(gbk)->profile;
+  profile.encoding = TextEncoding::gbk;
+  EXPECT_TRUE(read_with(profile, gbk));
+  profile.encoding = TextEncoding::utf8;
+  EXPECT_FALSE(read_with(profile, gbk));
+  profile.encoding = TextEncoding::latin1;
+  EXPECT_FALSE(read_with(profile, gbk));  // its columns have other names then
+}
+
 TEST(GenericHazards, LineEndsAndBlanksAtTheirEndsDoNoHarm) {
   for (const std::string end : {"\n", "\r\n", "\r", "   \r\n", "\n\n", ";\r\n"})
     expect_test(file("Target (mm);Error (um)" + end,
@@ -277,7 +291,7 @@ INSTANTIATE_TEST_SUITE_P(
             "line 4:7: found a second reading of target 0↑ run 1, expected only that on line 2"},
         Bad{"AMillionColumns", columns(1'000'000), "line 1:1: found 1000001 columns, expected at most 4096"},
         Bad{"Binary", std::string("PK\x03\x04\0\0", 6) + sweep,
-            "found a NUL byte, so this is a binary file, expected a text file"}),
+            "line 1:1: found a ZIP archive or a spreadsheet, expected a text file; save a spreadsheet as CSV"}),
     [](const testing::TestParamInfo<Bad>& bad) { return bad.param.what; });
 
 TEST(GenericHazards, AnEnormousFileIsRefusedBeforeItIsTakenApart) {

@@ -10,6 +10,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/approaches.h"
 #include "axiometry/formats/generic_delimited.h"
 #include "axiometry/formats/generic_heads.h"
 #include "axiometry/formats/generic_motion.h"
@@ -90,37 +91,25 @@ class TableReader {
   }
 
   Result<Test> test() {
-    std::size_t runs = 0;
-    std::size_t readings = 0;
-    for (const Entry& e : entries_) {
-      runs = std::max(runs, *e.run);
-      readings += !std::isnan(e.deviation);
-    }
     const TextPosition at{region_.rows.front().number, 0};
-    const std::size_t m = targets_.targets().size();
-    AXIOMETRY_TRY_VOID(placed(check_grid({.targets = m, .runs = runs, .readings = readings}), at));
-    std::vector<double> deviations(2 * m * runs, none);
-    std::vector<double> times(2 * m * runs, none);
-    std::vector<std::size_t> taken(2 * m * runs, 0);
-    const auto ranks = targets_.ranks();
+    std::vector<Approach> approaches;
+    std::vector<bool> measured(targets_.targets().size(), false);
     for (const Entry& e : entries_) {
-      const std::size_t place = (static_cast<std::size_t>(*e.direction) * m + ranks[e.target]) * runs + *e.run - 1;
       if (std::isnan(e.deviation)) continue;
-      if (taken[place] != 0)
-        return fail(fmt::format("found a second reading of target {}{} run {}, expected only that on line {}",
-                                format_exact(targets_.targets()[e.target]), arrow(*e.direction), *e.run, taken[place]),
-                    e.at);
-      taken[place] = e.at.line;
-      deviations[place] = e.deviation;
-      times[place] = e.time_s;
+      measured[e.target] = true;
+      approaches.push_back({Position::native(targets_.targets()[e.target]), *e.direction, *e.run,
+                            Deviation::native(e.deviation), e.time_s, e.at});
     }
-    std::vector<Position> sorted(m);
-    for (std::size_t k = 0; k < m; ++k) sorted[ranks[k]] = Position::native(targets_.targets()[k]);
-    AXIOMETRY_TRY(Series series, placed(Series::make_dense(std::move(sorted), runs, std::move(deviations)), at));
-    if (!measured_) AXIOMETRY_TRY_VOID(placed(check_deviations(series, profile_.target_unit->kind), at));
-    Test test{{}, std::move(series), {}};
-    if (std::ranges::any_of(times, [](double t) { return !std::isnan(t); }))
-      test.times_s = from_first(std::move(times));
+    for (std::size_t k = 0; k < measured.size(); ++k)
+      if (!measured[k])
+        return fail(
+            fmt::format("found no reading at target {}, expected at least one", format_exact(targets_.targets()[k])),
+            at);
+    AXIOMETRY_TRY(GatheredSeries gathered_series, placed(gathered(approaches), at));
+    if (!measured_)
+      AXIOMETRY_TRY_VOID(placed(check_deviations(gathered_series.series, profile_.target_unit->kind), at));
+    Test test{{}, std::move(gathered_series.series), {}};
+    test.times_s = std::move(gathered_series.times_s);
     return test;
   }
 
@@ -345,15 +334,6 @@ class TableReader {
     return {};
   }
 
-  /// Times since the first reading, so that a date does not cost digits.
-  static std::vector<double> from_first(std::vector<double> times) {
-    double first = std::numeric_limits<double>::infinity();
-    for (double t : times)
-      if (t < first) first = t;
-    for (double& t : times) t -= first;
-    return times;
-  }
-
   const ImportProfile& profile_;
   const TableRegion& region_;
   TargetIndex targets_;
@@ -369,7 +349,7 @@ class TableReader {
 Result<Test> read_with(const ImportProfile& profile, std::string_view bytes) {
   AXIOMETRY_TRY_VOID(check_decided(profile));
   AXIOMETRY_TRY(const DecodedText decoded, decode(bytes, profile.encoding));
-  const std::vector<TextLine> lines = lines_of(decoded.utf8);
+  const std::vector<TextLine> lines = lines_of(decoded.text);
   AXIOMETRY_TRY(const TableRegion region, find_table(profile, lines));
   TableReader reader(profile, region);
   AXIOMETRY_TRY_VOID(reader.read_rows());
@@ -378,9 +358,7 @@ Result<Test> read_with(const ImportProfile& profile, std::string_view bytes) {
   const LinesAbove above = read_lines_above(region.above, profile.target_unit->kind, profile.decimal_mark);
   AXIOMETRY_TRY(test.metadata, metadata_of(above.preamble, profile.target_unit->kind, profile.decimal_mark));
   auto& remarks = test.provenance.remarks;
-  if (decoded.encoding != TextEncoding::utf8)
-    remarks.push_back(
-        {false, fmt::format("the file is {} text, not UTF-8, and was read as such", word_of(decoded.encoding))});
+  remarks = encoding_remarks(decoded);
   if (above.passed_over > 0)
     remarks.push_back(
         {false, fmt::format("{} above the table told nothing that is known and {} passed over",

@@ -17,7 +17,7 @@ using json::Kind;
 using json::Value;
 
 // In the order of the enumerations.
-constexpr std::string_view encoding_words[] = {"auto", "utf-8", "utf-16", "latin-1"};
+constexpr std::string_view encoding_words[] = {"auto", "utf-8", "utf-16", "gbk", "windows-1252", "latin-1"};
 constexpr std::string_view delimiter_words[] = {"comma", "semicolon", "tab", "blanks"};
 constexpr std::string_view layout_words[] = {"long", "wide", "transposed"};
 constexpr std::string_view role_words[] = {"ignore",    "target", "deviation", "position",
@@ -214,8 +214,8 @@ Result<void> take_columns(ImportProfile& profile, const Value& value) {
 using P = ImportProfile;
 
 const Member<P> profile_members[] = {
-    {"encoding", "Encoding of the text; auto: UTF-8, UTF-16 by its mark, else Latin-1 (Windows-1252).",
-     [] { return choice(encoding_words); }, [](const P& p) { return Value(word_of(p.encoding)); },
+    {"encoding", "Encoding of the text; auto finds it out.", [] { return choice(encoding_words); },
+     [](const P& p) { return Value(word_of(p.encoding)); },
      [](P& p, const Value& v) { return put_into(p.encoding, one_of<TextEncoding>(encoding_words, v)); }},
     {"delimiter", "What stands between the columns.", [] { return choice(delimiter_words); },
      [](const P& p) { return Value(word_of(p.delimiter)); },

@@ -17,7 +17,7 @@ namespace axiometry::formats {
 
 inline constexpr std::string_view profile_format_name = "axiometry-import-profile/1";
 
-enum class TextEncoding { automatic, utf8, utf16, latin1 };
+enum class TextEncoding { automatic, utf8, utf16, gbk, windows_1252, latin1 };
 enum class Delimiter { comma, semicolon, tab, blanks };
 
 enum class TableLayout {

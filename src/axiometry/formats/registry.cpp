@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "axiometry/base/text.h"
+#include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/generic_delimited.h"
 #include "axiometry/formats/text_source.h"
@@ -9,10 +10,9 @@
 namespace axiometry::formats {
 namespace {
 
-std::string titles() {
+std::string ids() {
   std::string list;
-  for (const Format* format : format_table())
-    list += fmt::format("{}{} ({})", list.empty() ? "" : "; ", format->id, format->title);
+  for (const Format* format : format_table()) list += fmt::format("{}{}", list.empty() ? "" : ", ", format->id);
   return list;
 }
 
@@ -20,6 +20,22 @@ std::string_view first_line(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) return {};
   return text::trim(text.substr(begin, text.find('\n', begin) - begin));
+}
+
+/// nullptr when no format fits. A guess is made only where no format is surer: it costs more than a look at the header.
+const Format* best_for(std::string_view text) {
+  constexpr int score_of_a_guess = 10;
+  const Format* const guessing = find_format("generic");
+  const Format* best = nullptr;
+  int best_score = 0;
+  for (const Format* format : format_table()) {
+    if (format == guessing) continue;
+    const int score = format->recognise(text);
+    if (score <= best_score) continue;
+    best = format;
+    best_score = score;
+  }
+  return best_score < score_of_a_guess && guessing->recognise(text) > best_score ? guessing : best;
 }
 
 }  // namespace
@@ -31,23 +47,22 @@ const Format* find_format(std::string_view id) {
 }
 
 Result<const Format*> recognise(std::string_view head) {
-  AXIOMETRY_TRY(const std::string_view text, readable_text(head));
-  const Format* best = nullptr;
-  int best_score = 0;
-  for (const Format* format : format_table()) {
-    const int score = format->recognise(text);
-    if (score <= best_score) continue;
-    best = format;
-    best_score = score;
+  const auto readable = readable_text(head);
+  if (!readable) {
+    // UTF-16 and the line ends of old Macs: some readers decode them, the others say what is wrong.
+    const auto decoded = decoded_text(head.substr(0, head.size() / 2 * 2));
+    const Format* best = decoded ? best_for(decoded->text) : nullptr;
+    return best == nullptr ? Result<const Format*>(std::unexpected(readable.error())) : best;
   }
-  if (best != nullptr) return best;
+  const std::string_view text = *readable;
+  if (const Format* best = best_for(text)) return best;
   constexpr std::size_t longest_character = 4;  // the head may end within one
   if (const auto bad = text::invalid_utf8(text); bad && *bad + longest_character < text.size())
     AXIOMETRY_TRY_VOID(check_utf8(text));
   if (const std::string question = open_question(text); !question.empty()) return fail(question, {1, 1});
-  return fail(fmt::format("found text that begins with {}, expected one of: {}; a CSV file begins with a header "
-                          "such as target_mm,direction,run,deviation_um",
-                          text::quoted(first_line(text)), titles()),
+  return fail(fmt::format("found text that begins with {}, expected one of the formats {}; a CSV file "
+                          "begins with a header such as target_mm,direction,run,deviation_um",
+                          text::quoted(first_line(text)), ids()),
               {1, 1});
 }
 

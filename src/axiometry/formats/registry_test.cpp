@@ -26,7 +26,9 @@ TEST(Registry, EveryFormatDescribesItself) {
     EXPECT_NE(format->read, nullptr);
     EXPECT_EQ(format->holds_many == nullptr, format->read_many == nullptr) << format->id;
   }
-  EXPECT_EQ(ids, (std::set<std::string_view>{"json", "csv-long", "csv-wide", "ecmc-dat", "generic"}));
+  EXPECT_EQ(ids, (std::set<std::string_view>{"api-pos", "camonitor", "csv-long", "csv-wide", "ecmc-cfg-csv",
+                                             "ecmc-cfg-md", "ecmc-dat", "etalon-exchange", "generic", "heidenhain-nd",
+                                             "isg-csv", "json", "renishaw-rtl"}));
 }
 
 TEST(Registry, RecognisesTheExampleOfEveryManual) {

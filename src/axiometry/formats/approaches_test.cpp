@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/approaches.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace axiometry::formats {
+namespace {
+
+Approach approach(double target, Direction direction, std::size_t run, double deviation, double time_s,
+                  std::size_t line) {
+  return {Position::native(target), direction, run, Deviation::native(deviation), time_s, {line, 1}};
+}
+
+TEST(Approaches, ComeToTheirPlacesFromAnyOrder) {
+  const std::vector<Approach> list = {approach(10, Direction::down, 2, 4, 7, 1), approach(0, Direction::up, 1, 1, 5, 2),
+                                      approach(10, Direction::up, 1, 2, NAN, 3)};
+  const auto result = gathered(list);
+  ASSERT_TRUE(result) << result.error().to_string();
+  EXPECT_EQ(result->series.targets()[0].in_native(), 0);
+  EXPECT_EQ(result->series.reading(1, Direction::down, 1)->in_native(), 4);
+  EXPECT_EQ(result->series.reading(1, Direction::up, 0)->in_native(), 2);
+  EXPECT_FALSE(result->series.reading(0, Direction::down, 1));
+  // Dense: direction, target, run; from the first reading on.
+  ASSERT_EQ(result->times_s.size(), 8u);
+  EXPECT_EQ(result->times_s[0], 0);
+  EXPECT_TRUE(std::isnan(result->times_s[2]));
+  EXPECT_EQ(result->times_s[7], 2);
+}
+
+TEST(Approaches, HaveNoTimesWhenNoneIsKnown) {
+  const std::vector<Approach> list = {approach(0, Direction::up, 1, 1, NAN, 1),
+                                      approach(1, Direction::up, 1, 1, NAN, 2)};
+  EXPECT_TRUE(gathered(list)->times_s.empty());
+}
+
+TEST(Approaches, AreRefusedWhenGivenTwice) {
+  const std::vector<Approach> list = {approach(0.3, Direction::up, 1, 1, 0, 4), approach(1, Direction::up, 1, 1, 1, 5),
+                                      approach(0.30000000000000004, Direction::up, 1, 2, 2, 6)};
+  EXPECT_EQ(gathered(list).error().to_string(),
+            "line 6:1: found a second reading of target 0.30000000000000004↑ run 1, expected only that on line 4");
+}
+
+}  // namespace
+}  // namespace axiometry::formats
