@@ -146,6 +146,10 @@ void add_input_flags(CLI::App& verb, EvaluateArguments& arguments) {
                   "Read as this format instead of recognising it (see 'axiometry formats')")
       ->type_name("ID")
       ->group(group);
+  verb.add_option("--profile", arguments.evaluate.profile,
+                  "Read a table of any layout after this import profile (see 'axiometry convert --guess')")
+      ->type_name("FILE")
+      ->group(group);
   verb.add_option_function<std::string>(
           "--axis", [&](const std::string& name) { add_metadata(arguments, "axis.name", name); }, "Name of the axis")
       ->type_name("NAME")

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,7 @@ struct UncertaintyOptions {
 
 struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
+  std::string profile;                                        ///< file of an import profile to read after; or empty
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
   CorrectionRequest corrections;                              ///< of the readings, before they are evaluated
   /// Whether the readings are indicated positions of an artefact's probing (standards/iso230_2_artefact.h). When not
@@ -58,8 +60,12 @@ Result<Test> prepare_test(Test test, const EvaluateOptions& options);
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options,
                                 iso230_2::Depth depth = iso230_2::Depth::every_finding);
 
-/// The only test of a file ("-" is the standard input), as it was measured. Fails on a file of many.
-Result<Test> read_test(const std::string& file, const std::string& format = "");
+/// The only test of a file ("-" is the standard input), as it was measured; read after an import profile when there is
+/// one. Fails on a file of many, and on a format beside a profile unless it is the generic one.
+Result<Test> read_test(const std::string& file, const std::string& format = "", const std::string& profile = "");
+
+/// Puts metadata over what the file says. Fails as set_field_text() does, and where axis.kind would change.
+Result<void> set_metadata(Metadata& metadata, std::span<const std::pair<std::string, std::string>> items);
 
 using EvaluatedSink = std::function<Result<void>(Evaluated&&)>;
 
