@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/app/capture_session.h"
 #include "axiometry/app/requirements.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/format.h"
@@ -27,7 +28,8 @@ struct UncertaintyOptions {
 struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
-  bool nde_correct = false;  ///< bring the readings to 20 °C first (standards/nde_correction.h)
+  std::optional<CaptureOptions> recording;  ///< inputs are continuous recordings, to be read after this plan
+  bool nde_correct = false;                 ///< bring the readings to 20 °C first (standards/nde_correction.h)
   ToleranceOptions tolerance;
   UncertaintyOptions uncertainty;
   /// Whether the tests of a file of many are stated in full: every finding, and the hash of the file by a
