@@ -6,6 +6,7 @@
 #include <string>
 
 #include "axiometry/formats/format.h"
+#include "axiometry/formats/recording.h"
 #include "axiometry/model/fields.h"
 #include "commands.h"
 #include "terminal.h"
@@ -16,6 +17,9 @@ namespace {
 void list_formats() {
   for (const formats::Format* format : formats::format_table())
     fmt::print("{}{}  {}\n", left(format->id, 12), left(format->extensions, 16), format->title);
+  fmt::print("\nContinuous recordings, read with --plan and by 'axiometry capture':\n");
+  for (const formats::Recording* recording : formats::recording_table())
+    fmt::print("{}{}  {}\n", left(recording->id, 14), left(recording->extensions, 14), recording->title);
   fmt::print(
       "\n'axiometry formats ID' explains one; 'axiometry formats metadata' lists the keys of `# key: value` lines.\n");
 }
@@ -46,10 +50,11 @@ void add_formats(CLI::App& program, int& exit_code) {
     if (id->empty()) return list_formats();
     if (*id == "metadata") return list_metadata();
     const formats::Format* format = formats::find_format(*id);
-    if (format == nullptr)
+    const formats::Recording* recording = formats::find_recording(*id);
+    if (format == nullptr && recording == nullptr)
       throw CLI::ValidationError(
           "ID", fmt::format("found the unknown format \"{}\", expected one that 'axiometry formats' lists", *id));
-    fmt::print("{}\n", format->manual);
+    fmt::print("{}\n", format != nullptr ? format->manual : recording->manual);
     exit_code = exit_done;
   });
 }

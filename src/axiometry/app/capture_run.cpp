@@ -40,7 +40,7 @@ class Run {
       static_cast<void>(settle({}, true));  // what has come so far is kept
       return std::unexpected(std::move(read).error());
     }
-    auto last = session_.finish();
+    auto last = session_.finish(end_);
     if (!last) return std::unexpected(std::move(last).error());
     AXIOMETRY_TRY_VOID(settle(*last, true));
     AXIOMETRY_TRY(Test test, this->test());
@@ -65,7 +65,10 @@ class Run {
     std::vector<char> block(file_block);
     while (!stop()) {
       AXIOMETRY_TRY(const std::size_t got, source.read(block));
-      if (got == 0) break;
+      if (got == 0) {
+        end_ = CaptureSession::End::of_file;
+        break;
+      }
       AXIOMETRY_TRY(const auto readings, session_.feed({block.data(), got}));
       AXIOMETRY_TRY_VOID(settle(readings, false));
     }
@@ -205,6 +208,7 @@ class Run {
   CaptureSession session_;
   RawLog* log_ = nullptr;
   std::optional<ArrivalNs> first_arrival_;
+  CaptureSession::End end_ = CaptureSession::End::of_reading;
   std::size_t events_told_ = 0;
   bool stopped_ = false;
   Clock::time_point shown_;
@@ -216,12 +220,15 @@ Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& 
                                    const CaptureObserver& observer) {
   AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
-  return Run(run, observer, std::move(session))();
+  auto outcome = Run(run, observer, std::move(session))();
+  if (!outcome && outcome.error().file.empty()) outcome.error().file = run.from == "-" ? "(standard input)" : run.from;
+  return outcome;
 }
 
 Result<Test> read_recording(Source& source, const CaptureOptions& options) {
   AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
+  auto end = CaptureSession::End::of_file;
   Sha256 hash;
   const auto feed = [&](std::string_view bytes, std::optional<double> arrival_s) -> Result<void> {
     hash.update(bytes);
@@ -229,6 +236,7 @@ Result<Test> read_recording(Source& source, const CaptureOptions& options) {
     return {};
   };
   if (source.name() != "-" && has_times(source.name())) {
+    end = CaptureSession::End::of_reading;
     std::optional<ArrivalNs> first;
     auto played = play(source.name(), [&](const RawPiece& piece) -> Result<void> {
       if (!first) first = piece.arrival;
@@ -246,7 +254,7 @@ Result<Test> read_recording(Source& source, const CaptureOptions& options) {
       AXIOMETRY_TRY_VOID(feed({block.data(), got}, {}));
     }
   }
-  AXIOMETRY_TRY_VOID(session.finish());
+  AXIOMETRY_TRY_VOID(session.finish(end));
   AXIOMETRY_TRY(Test test, session.test());
   test.provenance.file = source.name();
   test.provenance.sha256 = hash.finish();

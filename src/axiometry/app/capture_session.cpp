@@ -147,13 +147,13 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::interrupted() {
   return match(detector_->interrupt());
 }
 
-Result<std::vector<capture::CapturedReading>> CaptureSession::finish() {
+Result<std::vector<capture::CapturedReading>> CaptureSession::finish(End end) {
   std::vector<capture::CapturedReading> readings;
   if (!reader_) {
     AXIOMETRY_TRY([[maybe_unused]] const bool begun, begin(true));
     AXIOMETRY_TRY(readings, read(std::exchange(head_, {})));
   }
-  AXIOMETRY_TRY_VOID(reader_->finish(sink(readings)));
+  if (end == End::of_file) AXIOMETRY_TRY_VOID(reader_->finish(sink(readings)));
   for (auto& reading : match(detector_->interrupt())) readings.push_back(std::move(reading));
   AXIOMETRY_TRY_VOID(matcher_->finish());
   return readings;

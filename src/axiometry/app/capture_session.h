@@ -45,8 +45,10 @@ class CaptureSession {
   Result<std::vector<capture::CapturedReading>> feed(std::string_view bytes, std::optional<double> arrival_s = {});
   /// The connection broke here.
   Result<std::vector<capture::CapturedReading>> interrupted();
-  /// The recording ends here.
-  Result<std::vector<capture::CapturedReading>> finish();
+  /// The recording ends here: a file that was read to its end, or else a stream that may have ended within a line, or
+  /// what was read no further because the plan was complete.
+  enum class End { of_file, of_reading };
+  Result<std::vector<capture::CapturedReading>> finish(End end);
 
   /// The test as far as it has come; fails while there is none yet (capture::captured_test()).
   Result<Test> test() const;
