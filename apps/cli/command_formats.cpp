@@ -17,7 +17,7 @@ namespace {
 void list_formats() {
   for (const formats::Format* format : formats::format_table())
     fmt::print("{}{}  {}\n", left(format->id, 17), left(format->extensions, 16), format->title);
-  if (!formats::recording_table().empty()) fmt::print("\nRecordings, for capture or evaluate --plan\n");
+  fmt::print("\nContinuous recordings, for 'axiometry capture' and evaluate --plan:\n");
   for (const formats::Recording* recording : formats::recording_table())
     fmt::print("{}{}  {}\n", left(recording->id, 17), left(recording->extensions, 16), recording->title);
   fmt::print(

@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   add_plan(program, exit_code);
   add_air(program, exit_code);
   add_periodic(program, exit_code);
+  add_capture(program, exit_code);
   add_formats(program, exit_code);
   add_schema(program, exit_code);
   add_check(program, exit_code);

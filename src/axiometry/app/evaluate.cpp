@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "axiometry/app/capture_run.h"
 #include "axiometry/app/source.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/generic_delimited.h"
@@ -25,7 +26,15 @@ std::unexpected<Error> in_file(Error error, const std::string& name) {
 constexpr std::string_view generic_format = "generic";
 
 Result<const formats::Format*> format_of_id(std::string_view head, const std::string& forced) {
-  if (forced.empty()) return formats::recognise(head);
+  if (forced.empty()) {
+    auto recognised = formats::recognise(head);
+    const auto recording = formats::recognise_recording(head);
+    const bool guessed = recognised && (*recognised)->id == generic_format;
+    if ((!recognised || guessed) && recording)
+      return fail(fmt::format("found a continuous recording ({}), expected --plan with the plan the axis moved after",
+                              (*recording)->title));
+    return recognised;
+  }
   const formats::Format* format = formats::find_format(forced);
   if (format == nullptr)
     return fail(fmt::format("found the unknown format \"{}\", expected one that 'axiometry formats' lists", forced));
@@ -91,6 +100,11 @@ Result<void> read_many(Source& source, const formats::Format& format, bool hash,
 }
 
 Result<void> evaluate_source(Source& source, const EvaluateOptions& options, const EvaluatedSink& sink) {
+  if (options.recording) {
+    AXIOMETRY_TRY(Test test, read_recording(source, *options.recording));
+    AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
+    return sink(std::move(evaluated));
+  }
   AXIOMETRY_TRY(const formats::Format* format, format_of(source, {options.format, options.profile}));
   AXIOMETRY_TRY(const std::string_view head, source.head());
   if (holds_many(*format, head)) {

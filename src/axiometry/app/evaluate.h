@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/app/capture_session.h"
 #include "axiometry/app/requirements.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/format.h"
@@ -30,7 +31,8 @@ struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
   std::string profile;                                        ///< file of an import profile to read after; or empty
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
-  CorrectionRequest corrections;                              ///< of the readings, before they are evaluated
+  std::optional<CaptureOptions> recording;  ///< inputs are continuous recordings, to be read after this plan
+  CorrectionRequest corrections;            ///< of the readings, before they are evaluated
   /// Whether the readings are indicated positions of an artefact's probing (standards/iso230_2_artefact.h). When not
   /// said: where the test states the artefact's calibrated positions.
   std::optional<bool> artefact{};
