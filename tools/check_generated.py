@@ -9,6 +9,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 GENERATED = {
     "docs/man/axiometry.1": ["manual"],
     "schema/axiometry-test.schema.json": ["schema"],
+    "schema/axiometry-import-profile.schema.json": ["schema", "import-profile"],
     "schema/axiometry-plan.schema.json": ["schema", "plan"],
 }
 

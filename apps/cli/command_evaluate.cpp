@@ -17,6 +17,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/utf8.h"
+#include "capture_flags.h"
 #include "commands.h"
 #include "evaluate_run.h"
 #include "tolerance_flags.h"
@@ -146,6 +147,10 @@ void add_input_flags(CLI::App& verb, EvaluateArguments& arguments) {
                   "Read as this format instead of recognising it (see 'axiometry formats')")
       ->type_name("ID")
       ->group(group);
+  verb.add_option("--profile", arguments.evaluate.profile,
+                  "Read a table of any layout after this import profile (see 'axiometry convert --guess')")
+      ->type_name("FILE")
+      ->group(group);
   verb.add_option_function<std::string>(
           "--axis", [&](const std::string& name) { add_metadata(arguments, "axis.name", name); }, "Name of the axis")
       ->type_name("NAME")
@@ -205,6 +210,7 @@ namespace {
 void add_flags(CLI::App& verb, const std::shared_ptr<EvaluateArguments>& arguments, int& exit_code) {
   add_input_flags(verb, *arguments);
   add_correction_flags(verb, *arguments);
+  add_capture_flags(verb, arguments->recording);
   add_tolerance_flags(verb, arguments->evaluate.tolerance, arguments->tolerance_table);
   add_output_flags(verb, *arguments);
   add_number_flags(verb, *arguments);
@@ -217,6 +223,7 @@ void add_flags(CLI::App& verb, const std::shared_ptr<EvaluateArguments>& argumen
       throw CLI::ValidationError("--report", outputs.error().message);
     arguments->evaluate.many_in_full = app::state_tests_in_full(arguments->outputs);
     arguments->outputs.uncertainty = arguments->evaluate.uncertainty;
+    if (!arguments->recording.plan.empty()) arguments->evaluate.recording = arguments->recording;
     exit_code = run_evaluation(*arguments);
   });
 }
@@ -233,6 +240,7 @@ void add_evaluate(CLI::App& program, int& exit_code) {
   axiometry evaluate test.csv --device-error-range-um-per-m 3.4 --misalignment-mm 1 --environmental-variation 1.7
   axiometry evaluate test.csv --tolerance A=10um --tolerance R_up=4um --rule iso14253-1
   axiometry evaluate test.csv --correct air=ciddor,dead-path,nde
+  axiometry evaluate run.csv --plan x.plan.json      a continuous recording
   axiometry evaluate machines/ --tolerance-table limits.csv:'Machining centre' --report all.csv
   axiometry evaluate machines/ --json all.json --report all.csv --report 'reports/{name}.pdf'
   zcat big.csv.gz | axiometry evaluate - --quiet --report all.csv)");

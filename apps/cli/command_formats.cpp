@@ -6,6 +6,7 @@
 #include <string>
 
 #include "axiometry/formats/format.h"
+#include "axiometry/formats/recording.h"
 #include "axiometry/model/fields.h"
 #include "commands.h"
 #include "terminal.h"
@@ -16,6 +17,9 @@ namespace {
 void list_formats() {
   for (const formats::Format* format : formats::format_table())
     fmt::print("{}{}  {}\n", left(format->id, 17), left(format->extensions, 16), format->title);
+  fmt::print("\nContinuous recordings, for 'axiometry capture' and evaluate --plan:\n");
+  for (const formats::Recording* recording : formats::recording_table())
+    fmt::print("{}{}  {}\n", left(recording->id, 17), left(recording->extensions, 16), recording->title);
   fmt::print(
       "\n'axiometry formats ID' explains one; 'axiometry formats metadata' lists the keys of `# key: value` lines.\n");
 }
@@ -39,17 +43,19 @@ void list_metadata() {
 }  // namespace
 
 void add_formats(CLI::App& program, int& exit_code) {
-  CLI::App* verb = program.add_subcommand("formats", "List the file formats that are read, or explain one");
+  CLI::App* verb =
+      program.add_subcommand("formats", "List the formats of files and recordings that are read, or explain one");
   auto id = std::make_shared<std::string>();
-  verb->add_option("ID", *id, "Format to explain, or 'metadata'");
+  verb->add_option("ID", *id, "Format or recording to explain, or 'metadata'");
   verb->callback([id, &exit_code] {
     if (id->empty()) return list_formats();
     if (*id == "metadata") return list_metadata();
     const formats::Format* format = formats::find_format(*id);
-    if (format == nullptr)
+    const formats::Recording* recording = formats::find_recording(*id);
+    if (format == nullptr && recording == nullptr)
       throw CLI::ValidationError(
           "ID", fmt::format("found the unknown format \"{}\", expected one that 'axiometry formats' lists", *id));
-    fmt::print("{}\n", format->manual);
+    fmt::print("{}\n", format != nullptr ? format->manual : recording->manual);
     exit_code = exit_done;
   });
 }

@@ -6,6 +6,7 @@
 
 #include "axiometry/base/version.h"
 #include "axiometry/formats/format.h"
+#include "axiometry/formats/recording.h"
 #include "axiometry/standards/iso230_2.h"
 #include "commands.h"
 
@@ -58,6 +59,8 @@ std::string formats_section() {
   std::string text = ".SH FORMATS\nRecognised by content; \\-\\-format forces one.\n";
   for (const formats::Format* format : formats::format_table())
     text += fmt::format(".TP\n.B {}\n{}.\n", roff(format->id), roff(format->title));
+  for (const formats::Recording* recording : formats::recording_table())
+    text += fmt::format(".TP\n.B {}\n{}; a continuous recording.\n", roff(recording->id), roff(recording->title));
   return text;
 }
 

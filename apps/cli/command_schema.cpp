@@ -2,21 +2,46 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "axiometry/base/json.h"
+#include "axiometry/formats/import_profile.h"
 #include "axiometry/formats/plan_json.h"
 #include "axiometry/formats/test_schema.h"
 #include "commands.h"
 
 namespace axiometry::cli {
+namespace {
+
+struct Schema {
+  std::string_view name;
+  std::string (*text)();
+};
+
+constexpr Schema schemas[] = {
+    {"test", formats::test_schema},
+    {"plan", [] { return json::dump(formats::plan_schema()) + "\n"; }},
+    {"import-profile", formats::profile_schema},
+};
+
+}  // namespace
 
 void add_schema(CLI::App& program, int& exit_code) {
-  CLI::App* verb = program.add_subcommand("schema", "Print the JSON Schema of the test format, or of plans");
-  const auto of = std::make_shared<std::string>("test");
-  verb->add_option("WHAT", *of, "test (what it is without) or plan")->check(CLI::IsMember({"test", "plan"}));
-  verb->callback([&exit_code, of] {
-    fmt::print("{}", *of == "plan" ? json::dump(formats::plan_schema()) + "\n" : formats::test_schema());
+  CLI::App* verb = program.add_subcommand("schema", "Print the JSON Schema of tests or of another JSON file");
+  auto name = std::make_shared<std::string>("test");
+  std::vector<std::string_view> names;
+  for (const Schema& schema : schemas) names.push_back(schema.name);
+  verb->add_option("NAME", *name, fmt::format("What it describes: {} (test)", fmt::join(names, ", ")));
+  verb->callback([name, names, &exit_code] {
+    const auto schema = std::ranges::find(schemas, std::string_view(*name), &Schema::name);
+    if (schema == std::end(schemas))
+      throw CLI::ValidationError("NAME",
+                                 fmt::format("found \"{}\", expected one of {}", *name, fmt::join(names, ", ")));
+    fmt::print("{}", schema->text());
     exit_code = exit_done;
   });
 }

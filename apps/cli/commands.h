@@ -19,7 +19,9 @@ enum ExitCode : int {
 
 /// Each adds one verb to the program; when that verb is given, its callback sets `exit_code`.
 void add_evaluate(CLI::App& program, int& exit_code);
+void add_capture(CLI::App& program, int& exit_code);
 void add_uncertainty(CLI::App& program, int& exit_code);
+void add_convert(CLI::App& program, int& exit_code);
 void add_plan(CLI::App& program, int& exit_code);
 void add_air(CLI::App& program, int& exit_code);
 void add_periodic(CLI::App& program, int& exit_code);

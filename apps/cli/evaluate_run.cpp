@@ -39,6 +39,7 @@ class Run {
     arguments_.evaluate.tolerance.many_tests = many_;
     std::vector<app::InputFile> all_read = *inputs;
     if (const auto& table = arguments_.evaluate.tolerance.table) all_read.push_back({table->file, false});
+    if (!arguments_.evaluate.profile.empty()) all_read.push_back({arguments_.evaluate.profile, false});
     arguments_.outputs.inputs = app::InputFiles(all_read);
     if (auto spared = app::check_inputs_spared(arguments_.outputs); !spared) return failed(spared.error(), exit_usage);
     for (const app::InputFile& input : *inputs) {
@@ -66,7 +67,7 @@ class Run {
 
   /// False after an error, which has been reported.
   bool evaluate(const app::InputFile& input) {
-    if (input.from_folder) {
+    if (input.from_folder && arguments_.evaluate.profile.empty()) {
       auto known = app::is_test_file(input.name);
       if (known && !*known) {
         fmt::print(stderr, "axiometry: {}: passed over, no known format\n", report::printable(input.name));

@@ -15,6 +15,7 @@ namespace axiometry::cli {
 struct EvaluateArguments {
   std::vector<std::string> inputs;
   app::EvaluateOptions evaluate;
+  app::CaptureOptions recording;  ///< when it names a plan, inputs are continuous recordings
   app::OutputNames outputs;
   report::Options report;
   ColourChoice colour = ColourChoice::automatic;

@@ -58,9 +58,11 @@ int run(int argc, char** argv) {
   program.footer(examples);
   add_evaluate(program, exit_code);
   add_uncertainty(program, exit_code);
+  add_convert(program, exit_code);
   add_plan(program, exit_code);
   add_air(program, exit_code);
   add_periodic(program, exit_code);
+  add_capture(program, exit_code);
   add_formats(program, exit_code);
   add_schema(program, exit_code);
   add_check(program, exit_code);

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "axiometry/app/capture_run.h"
 #include "axiometry/app/source.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/generic_delimited.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2_artefact.h"
 
@@ -20,9 +23,18 @@ std::unexpected<Error> in_file(Error error, const std::string& name) {
   return std::unexpected(std::move(error));
 }
 
-Result<const formats::Format*> format_of(Source& source, const std::string& forced) {
-  AXIOMETRY_TRY(const std::string_view head, source.head());
-  if (forced.empty()) return formats::recognise(head);
+constexpr std::string_view generic_format = "generic";
+
+Result<const formats::Format*> format_of_id(std::string_view head, const std::string& forced) {
+  if (forced.empty()) {
+    auto recognised = formats::recognise(head);
+    const auto recording = formats::recognise_recording(head);
+    const bool guessed = recognised && (*recognised)->id == generic_format;
+    if ((!recognised || guessed) && recording)
+      return fail(fmt::format("found a continuous recording ({}), expected --plan with the plan the axis moved after",
+                              (*recording)->title));
+    return recognised;
+  }
   const formats::Format* format = formats::find_format(forced);
   if (format == nullptr)
     return fail(fmt::format("found the unknown format \"{}\", expected one that 'axiometry formats' lists", forced));
@@ -30,22 +42,41 @@ Result<const formats::Format*> format_of(Source& source, const std::string& forc
   return format;
 }
 
-Result<void> set_metadata(Metadata& metadata, const EvaluateOptions& options) {
-  const AxisKind kind = metadata.axis.kind;
-  for (const auto& [key, text] : options.metadata) AXIOMETRY_TRY_VOID(set_field_text(metadata, key, text));
-  if (metadata.axis.kind != kind)
-    return fail(fmt::format("found axis.kind given as {} for readings in {}, expected the kind the units say",
-                            axis_kind_name(metadata.axis.kind), deviation_unit(kind)));
-  return {};
+/// What the user says about the format of a file.
+struct Forced {
+  const std::string& format;
+  const std::string& profile;
+};
+
+Result<const formats::Format*> format_of(Source& source, const Forced& forced) {
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  const bool by_profile = !forced.profile.empty();
+  if (by_profile && !forced.format.empty() && forced.format != generic_format)
+    return fail(fmt::format("found the format \"{}\" beside an import profile, expected \"{}\" or none", forced.format,
+                            generic_format));
+  return format_of_id(head, by_profile ? std::string(generic_format) : forced.format);
 }
 
 bool holds_many(const formats::Format& format, std::string_view head) {
   return format.holds_many != nullptr && format.holds_many(head);
 }
 
-Result<Test> read_single(Source& source, const formats::Format& format) {
+/// Reads after an import profile and says so.
+Result<Test> read_by_profile(std::string_view bytes, const std::string& name) {
+  auto text = file_bytes(name);
+  if (!text) return in_file(std::move(text).error(), name);
+  const auto profile = formats::read_profile(*text);
+  if (!profile) return in_file(profile.error(), name);
+  AXIOMETRY_TRY(Test test, formats::read_with(*profile, bytes));
+  auto& remarks = test.provenance.remarks;
+  remarks.insert(remarks.begin(), {false, fmt::format("columns were read after the import profile {}, SHA-256 {}",
+                                                      text::quoted(base_name(name)), sha256(*text))});
+  return test;
+}
+
+Result<Test> read_single(Source& source, const formats::Format& format, const std::string& profile) {
   AXIOMETRY_TRY(const std::string bytes, source.read_all(single_test_limit));
-  AXIOMETRY_TRY(Test test, format.read(bytes));
+  AXIOMETRY_TRY(Test test, profile.empty() ? format.read(bytes) : read_by_profile(bytes, profile));
   test.provenance.file = source.name();
   test.provenance.sha256 = sha256(bytes);
   test.provenance.format = format.id;
@@ -69,7 +100,12 @@ Result<void> read_many(Source& source, const formats::Format& format, bool hash,
 }
 
 Result<void> evaluate_source(Source& source, const EvaluateOptions& options, const EvaluatedSink& sink) {
-  AXIOMETRY_TRY(const formats::Format* format, format_of(source, options.format));
+  if (options.recording) {
+    AXIOMETRY_TRY(Test test, read_recording(source, *options.recording));
+    AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
+    return sink(std::move(evaluated));
+  }
+  AXIOMETRY_TRY(const formats::Format* format, format_of(source, {options.format, options.profile}));
   AXIOMETRY_TRY(const std::string_view head, source.head());
   if (holds_many(*format, head)) {
     using iso230_2::Depth;
@@ -84,16 +120,16 @@ Result<void> evaluate_source(Source& source, const EvaluateOptions& options, con
       return sink(std::move(evaluated));
     });
   }
-  AXIOMETRY_TRY(Test test, read_single(source, *format));
+  AXIOMETRY_TRY(Test test, read_single(source, *format, options.profile));
   AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
   return sink(std::move(evaluated));
 }
 
-Result<Test> read_source(Source& source, const std::string& forced) {
+Result<Test> read_source(Source& source, const Forced& forced) {
   AXIOMETRY_TRY(const formats::Format* format, format_of(source, forced));
   AXIOMETRY_TRY(const std::string_view head, source.head());
   if (holds_many(*format, head)) return fail("found a file of many tests, expected one test");
-  return read_single(source, *format);
+  return read_single(source, *format, forced.profile);
 }
 
 Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test, const UncertaintyOptions& wanted) {
@@ -110,7 +146,7 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
 }  // namespace
 
 Result<Test> prepare_test(Test test, const EvaluateOptions& options) {
-  AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options));
+  AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options.metadata));
   if (options.artefact.value_or(!test.metadata.artefact.calibrated_positions.empty())) {
     AXIOMETRY_TRY(test, iso230_2::apply_artefact(std::move(test)));
   }
@@ -130,10 +166,19 @@ Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso23
   return Evaluated{std::move(test), "", std::move(assessment), std::move(judgements), std::move(demanded.band)};
 }
 
-Result<Test> read_test(const std::string& file, const std::string& format) {
+Result<void> set_metadata(Metadata& metadata, std::span<const std::pair<std::string, std::string>> items) {
+  const AxisKind kind = metadata.axis.kind;
+  for (const auto& [key, text] : items) AXIOMETRY_TRY_VOID(set_field_text(metadata, key, text));
+  if (metadata.axis.kind != kind)
+    return fail(fmt::format("found axis.kind given as {} for readings in {}, expected the kind the units say",
+                            axis_kind_name(metadata.axis.kind), deviation_unit(kind)));
+  return {};
+}
+
+Result<Test> read_test(const std::string& file, const std::string& format, const std::string& profile) {
   auto source = Source::open(file);
   if (!source) return in_file(std::move(source).error(), file);
-  auto test = read_source(*source, format);
+  auto test = read_source(*source, {format, profile});
   if (!test) return in_file(std::move(test).error(), file);
   return test;
 }

@@ -3,10 +3,12 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "axiometry/app/capture_session.h"
 #include "axiometry/app/requirements.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/format.h"
@@ -27,8 +29,10 @@ struct UncertaintyOptions {
 
 struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
+  std::string profile;                                        ///< file of an import profile to read after; or empty
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
-  CorrectionRequest corrections;                              ///< of the readings, before they are evaluated
+  std::optional<CaptureOptions> recording;  ///< inputs are continuous recordings, to be read after this plan
+  CorrectionRequest corrections;            ///< of the readings, before they are evaluated
   /// Whether the readings are indicated positions of an artefact's probing (standards/iso230_2_artefact.h). When not
   /// said: where the test states the artefact's calibrated positions.
   std::optional<bool> artefact{};
@@ -58,8 +62,12 @@ Result<Test> prepare_test(Test test, const EvaluateOptions& options);
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options,
                                 iso230_2::Depth depth = iso230_2::Depth::every_finding);
 
-/// The only test of a file ("-" is the standard input), as it was measured. Fails on a file of many.
-Result<Test> read_test(const std::string& file, const std::string& format = "");
+/// The only test of a file ("-" is the standard input), as it was measured; read after an import profile when there is
+/// one. Fails on a file of many, and on a format beside a profile unless it is the generic one.
+Result<Test> read_test(const std::string& file, const std::string& format = "", const std::string& profile = "");
+
+/// Puts metadata over what the file says. Fails as set_field_text() does, and where axis.kind would change.
+Result<void> set_metadata(Metadata& metadata, std::span<const std::pair<std::string, std::string>> items);
 
 using EvaluatedSink = std::function<Result<void>(Evaluated&&)>;
 

@@ -153,4 +153,13 @@ Result<std::optional<std::string>> Source::whole_sha256() const {
   return std::optional(hash.finish());
 }
 
+Result<std::string> file_bytes(const std::string& name) {
+  AXIOMETRY_TRY(Source source, Source::open(name));
+  return source.read_all(std::size_t{64} << 20);
+}
+
+std::string base_name(const std::string& name) {
+  return name == "-" ? "standard input" : name.substr(name.find_last_of("/\\") + 1);  // npos + 1 is 0
+}
+
 }  // namespace axiometry::app

@@ -31,6 +31,12 @@ class Sha256 {
 
 std::string sha256(std::string_view bytes);
 
+/// The whole of a small file that stands beside the measured ones: a profile, a plan. At most 64 MiB.
+Result<std::string> file_bytes(const std::string& name);
+
+/// A file's name without its folders, which are nobody else's business; "standard input" for "-".
+std::string base_name(const std::string& name);
+
 /// A file or, for "-", the standard input, read front to back. Its beginning can be looked at before.
 class Source final : public formats::ByteReader {
  public:

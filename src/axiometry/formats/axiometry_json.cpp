@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 
 #include "axiometry/base/json.h"
 #include "axiometry/base/text.h"
@@ -23,9 +25,13 @@ namespace {
 using json::Kind;
 using json::Value;
 
-constexpr std::string_view own_members[] = {"$schema", "format", "series"};
+constexpr std::string_view own_members[] = {"$schema", "format", "source", "series", "times_s"};
 
 Result<const Value*> member(const Value& object, std::string_view name, Kind kind, std::string_view expected) {
+  if (!object.is(Kind::object))
+    return fail(
+        fmt::format("found the kind {}, expected an object with a member \"{}\"", json::kind_name(object.kind()), name),
+        object.at());
   const Value* value = object.find(name);
   if (value == nullptr) return fail(fmt::format("found no member \"{}\", expected {}", name, expected), object.at());
   if (!value->is(kind))
@@ -92,6 +98,22 @@ Result<const Value*> runs_from(const Value& series, std::string_view direction, 
   return runs;
 }
 
+struct RunsPerDirection {
+  const Value* runs[2] = {};  ///< up and down; null when not there
+  std::size_t run_count = 0;
+};
+
+/// "up" and "down" of the readings or of their times.
+Result<RunsPerDirection> directions_from(const Value& object, std::size_t target_count) {
+  RunsPerDirection result;
+  constexpr std::string_view directions[] = {"up", "down"};
+  for (std::size_t d = 0; d < 2; ++d) {
+    AXIOMETRY_TRY(result.runs[d], runs_from(object, directions[d], target_count));
+    if (result.runs[d] != nullptr) result.run_count = std::max(result.run_count, result.runs[d]->items().size());
+  }
+  return result;
+}
+
 Result<double> reading_from(const Value& value, const ReadingRule& rule, Position target) {
   if (value.is(Kind::null)) return std::numeric_limits<double>::quiet_NaN();
   if (!value.is(Kind::number))
@@ -105,13 +127,8 @@ Result<double> reading_from(const Value& value, const ReadingRule& rule, Positio
 Result<Series> series_from(const Value& series, const ReadingRule& rule, const Unit& target_unit) {
   AXIOMETRY_TRY(Targets targets, targets_from(series, target_unit));
   const std::size_t m = targets.positions.size();
-  constexpr std::string_view directions[] = {"up", "down"};
-  const Value* runs[2] = {};
-  std::size_t run_count = 0;
-  for (std::size_t d = 0; d < 2; ++d) {
-    AXIOMETRY_TRY(runs[d], runs_from(series, directions[d], m));
-    if (runs[d] != nullptr) run_count = std::max(run_count, runs[d]->items().size());
-  }
+  AXIOMETRY_TRY(const RunsPerDirection found, directions_from(series, m));
+  const auto& [runs, run_count] = found;
   if (run_count == 0) return fail("found no runs, expected readings in \"up\" or \"down\" or both", series.at());
   std::vector<double> deviations(2 * m * run_count, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t d = 0; d < 2; ++d) {
@@ -123,6 +140,61 @@ Result<Series> series_from(const Value& series, const ReadingRule& rule, const U
     }
   }
   return placed(sorted_series(std::move(targets.positions), run_count, std::move(deviations)), targets.at);
+}
+
+/// Times stand as readings do, in the order of the targets of the file; here they follow the ascending ones.
+Result<std::vector<double>> times_from(const Value& times, const Value& series, std::size_t run_count) {
+  if (times.is(Kind::null)) return std::vector<double>{};
+  if (!times.is(Kind::object))
+    return fail(fmt::format("found \"times_s\" that is of the kind {}, expected an object with up and down",
+                            json::kind_name(times.kind())),
+                times.at());
+  for (const auto& [name, value] : times.members())
+    if (name != "up" && name != "down")
+      return fail(fmt::format("found the unknown member {} in times_s, expected up and down", text::quoted(name)),
+                  value.at());
+  const auto& targets = series.find("targets")->items();
+  const std::size_t m = targets.size();
+  AXIOMETRY_TRY(const RunsPerDirection found, directions_from(times, m));
+  if (found.run_count > run_count)
+    return fail(fmt::format("found times of {}, expected at most {} as there are readings of",
+                            counted(found.run_count, "run"), run_count),
+                times.at());
+  std::vector<std::size_t> order(m);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t k) { return targets[k].number(); });
+  std::vector<double> result(2 * m * run_count, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t d = 0; d < 2; ++d)
+    for (std::size_t j = 0; found.runs[d] != nullptr && j < found.runs[d]->items().size(); ++j)
+      for (std::size_t i = 0; i < m; ++i) {
+        const Value& time = found.runs[d]->items()[j].items()[order[i]];
+        if (time.is(Kind::null)) continue;
+        if (!time.is(Kind::number))
+          return fail(
+              fmt::format("found a time of the kind {}, expected seconds or null", json::kind_name(time.kind())),
+              time.at());
+        result[(d * m + i) * run_count + j] = time.number();
+      }
+  return result;
+}
+
+/// A converted file says where it comes from; so do the results of its evaluation.
+Result<std::vector<SourceRemark>> source_from(const Value& source) {
+  if (source.is(Kind::null)) return std::vector<SourceRemark>{};
+  std::string texts[3];
+  constexpr std::string_view names[] = {"file", "sha256", "format"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    AXIOMETRY_TRY(const Value* value, member(source, names[k], Kind::text, "a string"));
+    texts[k] = value->text();
+  }
+  if (source.members().size() > 3)
+    return fail(fmt::format("found {} members of source, expected file, sha256 and format", source.members().size()),
+                source.at());
+  if (texts[1].find_first_not_of("0123456789abcdef") != std::string::npos || texts[1].size() > 64)
+    return fail(fmt::format("found source.sha256 {}, expected 64 hexadecimal digits", text::quoted(texts[1])),
+                source.at());
+  return std::vector<SourceRemark>{{false, fmt::format("converted from {}, read as {}, SHA-256 {}",
+                                                       text::quoted(texts[0]), text::quoted(texts[2]), texts[1])}};
 }
 
 constexpr std::string_view series_members[] = {"quantity", "unit", "target_unit", "targets", "up", "down"};
@@ -173,7 +245,14 @@ Result<Test> read(std::string_view bytes) {
   AXIOMETRY_TRY(const AxisKind kind, placed(kind_of(*target_unit, *unit), series->find("unit")->at()));
   AXIOMETRY_TRY_VOID(settle_kind(metadata, root, kind));
   AXIOMETRY_TRY(Series readings, series_from(*series, {measured, unit}, *target_unit));
-  return Test{std::move(metadata), std::move(readings), {}};
+  Test test{std::move(metadata), std::move(readings), {}};
+  if (const Value* times = root.find("times_s")) {
+    AXIOMETRY_TRY(test.times_s, times_from(*times, *series, test.series.run_count()));
+  }
+  if (const Value* source = root.find("source")) {
+    AXIOMETRY_TRY(test.provenance.remarks, source_from(*source));
+  }
+  return test;
 }
 
 /// Runs up to the last one with a reading: a direction with fewer runs than the other is not padded.
@@ -213,11 +292,40 @@ Value series_to_json(const Series& series, AxisKind kind) {
   return result;
 }
 
+/// A direction without any time is left out; without any time at all there is no object.
+Value times_to_json(const Test& test) {
+  Value result = Value::object();
+  const std::size_t m = test.series.target_count();
+  const std::size_t n = test.series.run_count();
+  constexpr std::string_view directions[] = {"up", "down"};
+  for (std::size_t d = 0; d < 2; ++d) {
+    const auto times = std::span(test.times_s).subspan(d * m * n, m * n);
+    if (std::ranges::all_of(times, [](double t) { return std::isnan(t); })) continue;
+    Value& runs = result.add(directions[d], Value::array());
+    for (std::size_t j = 0; j < n; ++j) {
+      Value& run = runs.push(Value::array());
+      for (std::size_t i = 0; i < m; ++i) run.push(std::isnan(times[i * n + j]) ? Value() : Value(times[i * n + j]));
+    }
+  }
+  return result;
+}
+
+Value source_to_json(const Provenance& source) {
+  Value result = Value::object();
+  result.add("file", source.file);
+  result.add("sha256", source.sha256);
+  result.add("format", source.format);
+  return result;
+}
+
 std::string write(const Test& test) {
   Value root = Value::object();
   root.add("format", test_format_name);
+  if (!test.provenance.file.empty()) root.add("source", source_to_json(test.provenance));
   add_metadata(root, test.metadata);
   root.add("series", series_to_json(test.series, test.metadata.axis.kind));
+  if (!test.times_s.empty())
+    if (Value times = times_to_json(test); !times.members().empty()) root.add("times_s", std::move(times));
   return json::dump(root) + "\n";
 }
 
@@ -249,6 +357,8 @@ constexpr std::string_view manual = R"(One JSON object (RFC 8259, UTF-8). `axiom
 - `series.targets`: every target once, in any order. `up` and `down` hold one list per run with one reading per
   target, **in the order of `targets`**, not in the order of the measurement; `null` where a reading is missing. A
   direction that was not measured is left out.
+- `times_s`: when each reading was taken, s since some beginning, in the shape of `up` and `down`; optional.
+- `source`: the file that this one was converted from (`file`, `sha256`, `format`); optional.
 - The other members are the metadata of the test, all optional.
 
 Refused: unknown members, members given twice, numbers that overflow, runs of the wrong length, nesting deeper

@@ -54,30 +54,101 @@ FieldValue sample(const Field& field, std::mt19937& random) {
   return {};
 }
 
+/// A random test of every kind: any metadata, missing readings, one or both directions.
+axiometry::Test random_test(std::mt19937& random, bool rotary) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  Metadata metadata;
+  for (const Field& field : metadata_fields()) {
+    if (field.key == "axis.kind" || random() % 3 == 0) continue;
+    EXPECT_TRUE(set_field(metadata, field, sample(field, random))) << field.key;
+  }
+  if (rotary) metadata.axis.kind = AxisKind::rotary;
+  const std::size_t runs = 1 + random() % 4;
+  const bool one_way = random() % 4 == 0;
+  std::vector<double> deviations;
+  for (std::size_t k = 0; k < 2 * 3 * runs; ++k)
+    deviations.push_back(random() % 3 == 0 || (one_way && k >= 3 * runs) ? none
+                                                                         : static_cast<double>(random()) / 1e8 - 20.0);
+  for (std::size_t i = 0; i < 3; ++i) deviations[i * runs] = 1.0 / 3.0;
+  deviations[3 * runs - 1] = -1e-7;  // the last run has a reading
+  auto series = Series::make_dense({Position::native(-0.1), Position::native(1.0 / 3.0), Position::native(1e5)}, runs,
+                                   deviations);
+  EXPECT_TRUE(series);
+  return {metadata, *std::move(series), {}};
+}
+
 TEST(AxiometryJson, GivesBackEveryFieldAndReading) {
   std::mt19937 random(230);
-  const double none = std::numeric_limits<double>::quiet_NaN();
   for (int trial = 0; trial < 200; ++trial) {
-    Metadata metadata;
-    for (const Field& field : metadata_fields()) {
-      if (field.key == "axis.kind" || random() % 3 == 0) continue;
-      ASSERT_TRUE(set_field(metadata, field, sample(field, random))) << field.key;
-    }
-    if (trial % 2) metadata.axis.kind = AxisKind::rotary;
-    const std::size_t runs = 1 + random() % 4;
-    std::vector<double> deviations;
-    for (std::size_t k = 0; k < 2 * 3 * runs; ++k)
-      deviations.push_back(random() % 3 == 0 ? none : static_cast<double>(random()) / 1e8 - 20.0);
-    for (std::size_t i = 0; i < 3; ++i) deviations[i * runs] = 1.0 / 3.0;
-    auto series = Series::make_dense({Position::native(-0.1), Position::native(1.0 / 3.0), Position::native(1e5)}, runs,
-                                     deviations);
-    ASSERT_TRUE(series);
-    const axiometry::Test test{metadata, *series, {}};
+    const axiometry::Test test = random_test(random, trial % 2 == 1);
     const auto again = format().read(format().write(test));
     ASSERT_TRUE(again) << again.error().to_string() << format().write(test);
     expect_same(test, *again);
     EXPECT_EQ(format().write(*again), format().write(test));
   }
+}
+
+TEST(CsvFormats, GiveBackEveryFieldAndReading) {
+  for (const char* id : {"csv-long", "csv-wide"}) {
+    std::mt19937 random(2302);
+    const Format& csv = *find_format(id);
+    for (int trial = 0; trial < 100; ++trial) {
+      const axiometry::Test test = random_test(random, trial % 2 == 1);
+      const std::string text = csv.write(test);
+      EXPECT_EQ((*recognise(text))->id, id);
+      const auto again = csv.read(text);
+      ASSERT_TRUE(again) << again.error().to_string() << "\n" << text;
+      expect_same(test, *again);
+      EXPECT_EQ(csv.write(*again), text);
+    }
+  }
+}
+
+TEST(CsvFormats, GiveBackTextsThatALineCannotHold) {
+  for (const char* id : {"csv-long", "csv-wide"})
+    for (const std::string text :
+         {"two\nlines", "ends with ;", " blanks ", "\"in marks\"", "\"", "# mark", "a: b", "[1]"}) {
+      axiometry::Test test{{}, *Series::make_dense({Position::native(0), Position::native(1)}, 1, {1, 2, 3, 4}), {}};
+      test.metadata.machine.name = text;
+      test.metadata.conditions.comment = text;
+      test.metadata.equipment = {{text, "", "XL|80", ""}};
+      const auto again = find_format(id)->read(find_format(id)->write(test));
+      ASSERT_TRUE(again) << again.error().to_string();
+      expect_same(test, *again);
+    }
+}
+
+TEST(AxiometryJson, KeepsTimesInTheOrderOfTheTargets) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const auto test = format().read(R"({"format": "axiometry-test/1",
+    "series": {"unit": "um", "target_unit": "mm", "targets": [10, 0], "up": [[1, 2], [3, 4]], "down": [[5, 6]]},
+    "times_s": {"up": [[30, 20.5], [null, 80]]}})");
+  ASSERT_TRUE(test) << test.error().to_string();
+  ASSERT_EQ(test->times_s.size(), 8u);
+  EXPECT_EQ(test->times_s[0], 20.5);  // target 0, run 1
+  EXPECT_EQ(test->times_s[1], 80.0);
+  EXPECT_EQ(test->times_s[2], 30.0);  // target 10
+  EXPECT_TRUE(std::isnan(test->times_s[3]));
+  EXPECT_TRUE(std::isnan(test->times_s[4]));
+  const auto again = format().read(format().write(*test));
+  ASSERT_TRUE(again) << again.error().to_string();
+  EXPECT_EQ(format().write(*again), format().write(*test));
+  axiometry::Test without = *test;
+  without.times_s.assign(8, none);
+  EXPECT_FALSE(format().write(without).contains("times_s"));
+}
+
+TEST(AxiometryJson, SaysWhereAConvertedTestComesFrom) {
+  axiometry::Test test{{}, *Series::make_dense({Position::native(0), Position::native(1)}, 1, {1, 2, 3, 4}), {}};
+  test.provenance = {"mill.txt", "ab12", "generic"};
+  const auto again = format().read(format().write(test));
+  ASSERT_TRUE(again) << again.error().to_string();
+  ASSERT_EQ(again->provenance.remarks.size(), 1u);
+  EXPECT_EQ(again->provenance.remarks.front().message,
+            "converted from \"mill.txt\", read as \"generic\", SHA-256 ab12");
+  EXPECT_TRUE(find_format("csv-wide")
+                  ->write(test)
+                  .starts_with("# converted from \"mill.txt\", read as generic, SHA-256 ab12\n"));
 }
 
 TEST(AxiometryJson, KeepsARunWithoutAnyReading) {

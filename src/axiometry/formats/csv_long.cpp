@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <memory>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv_long_rows.h"
 #include "axiometry/formats/csv_preamble.h"
+#include "axiometry/formats/csv_values.h"
 #include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/text_source.h"
@@ -103,6 +105,26 @@ Result<void> read_many(ByteReader& bytes, const NamedTestSink& sink) {
   }
 }
 
+/// Run by run, up along the targets and down back again: the order of the standard test cycle.
+std::string write(const Test& test) {
+  const bool linear = test.metadata.axis.kind == AxisKind::linear;
+  const Series& series = test.series;
+  std::string text = metadata_lines(test);
+  text += linear ? "target_mm,direction,run,deviation_um\n" : "target_deg,direction,run,deviation_arcsec\n";
+  for (std::size_t j = 0; j < series.run_count(); ++j)
+    for (const Direction direction : {Direction::up, Direction::down}) {
+      if (!series.has(direction)) continue;
+      for (std::size_t k = 0; k < series.target_count(); ++k) {
+        const std::size_t i = direction == Direction::up ? k : series.target_count() - 1 - k;
+        const auto reading = series.reading(i, direction, j);
+        text += fmt::format("{},{},{},{}\n", format_exact(series.targets()[i].in_native()),
+                            direction == Direction::up ? "up" : "down", j + 1,
+                            reading ? format_exact(reading->in_native()) : "");
+      }
+    }
+  return text;
+}
+
 struct Found {
   bool test = false;
   bool target = false;
@@ -126,9 +148,9 @@ Found roles_in(std::string_view head) {
 int recognise(std::string_view head) {
   const Found found = roles_in(head);
   if (found.target && found.direction && found.reading) return found.run ? 90 : 80;
-  // Enough of it for a message about the rest.
+  // Enough of it for a message about the rest, unless the generic importer can do without that.
   const int roles = found.target + found.direction + found.run + found.reading;
-  if (roles >= 2) return 20 * roles;
+  if (roles >= 2) return 4 + roles;
   return has_faulty_header(head) ? 5 : 0;
 }
 
@@ -167,7 +189,8 @@ target_mm,direction,run,deviation_um
   A header may stand behind a `#`. German names are understood too: Sollposition, Richtung, Lauf, Abweichung.
 - A missing reading is an empty field, `-`, `NA` or `n/a`.
 - Lines `# key: value` above the header are metadata. Keys are those of the metadata table, such as `machine.name`;
-  `machine`, `axis`, `date`, `inspector`, `serial number`, `feed` and the like are understood.
+  `machine`, `axis`, `date`, `inspector`, `serial number`, `feed` and the like are understood. A text that a line
+  cannot hold as it is stands in quotation marks as in JSON: `# machine.name: "two\nlines"`.
 - Columns named time, timestamp, date, comment, note, remark, temperature, pressure, humidity, operator, sequence, no,
   index, point, row or line are ignored, and so are a measured position beside a deviation and what is computed from
   readings (mean, std, min, max, range, sum). Any other column is refused.
@@ -189,6 +212,7 @@ const Format csv_long_format = {
     .read = read,
     .holds_many = holds_many,
     .read_many = read_many,
+    .write = write,
 };
 
 }  // namespace axiometry::formats

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "axiometry/base/text.h"
+#include "axiometry/formats/csv_values.h"
 #include "axiometry/formats/text_source.h"
 #include "axiometry/model/fields.h"
 
@@ -45,6 +46,16 @@ constexpr KeyAlias aliases[] = {
     {"warm_up", "test.warm_up"},
     {"sensor", "sensors"},
     {"instrument", "equipment"},
+    {"maschine", "machine.name"},
+    {"maschinentyp", "machine.type"},
+    {"seriennummer", "machine.serial_number"},
+    {"achse", "axis.name"},
+    {"datum", "test.date"},
+    {"prüfer", "test.inspector"},
+    {"bediener", "test.inspector"},
+    {"kunde", "test.customer"},
+    {"bemerkung", "test.comment"},
+    {"vorschub", "test.feed"},
 };
 
 constexpr std::string_view reading_unit_keys[] = {"unit", "units", "deviation_unit", "reading_unit"};
@@ -327,8 +338,7 @@ Result<Metadata> metadata_of(const Preamble& preamble, AxisKind kind, char decim
           fmt::format("found a second value of {}, expected only that on line {}", line.key, (*before)->at.line),
           line.at);
     seen.push_back(&line);
-    AXIOMETRY_TRY_VOID(
-        placed(set_field_text(metadata, line.key, with_point(field, line.value, decimal_mark)), line.at));
+    AXIOMETRY_TRY_VOID(placed(set_line_value(metadata, field, with_point(field, line.value, decimal_mark)), line.at));
     if (line.key == "axis.kind" && metadata.axis.kind != kind)
       return fail(fmt::format("found axis.kind = {} and columns in units of a {} axis, expected the same",
                               text::quoted(line.value), kind == AxisKind::linear ? "linear" : "rotary"),

@@ -11,6 +11,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv_preamble.h"
+#include "axiometry/formats/csv_values.h"
 #include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/series_order.h"
@@ -233,14 +234,41 @@ Result<Test> read(std::string_view bytes) {
   return test;
 }
 
+/// One row per target; directions without any reading have no columns.
+std::string write(const Test& test) {
+  const bool linear = test.metadata.axis.kind == AxisKind::linear;
+  const Series& series = test.series;
+  std::string text = metadata_lines(test) + (linear ? "target_mm" : "target_deg");
+  const auto for_each_run = [&](auto act) {
+    for (const Direction direction : {Direction::up, Direction::down})
+      for (std::size_t j = 0; series.has(direction) && j < series.run_count(); ++j) act(direction, j);
+  };
+  for_each_run([&](Direction direction, std::size_t j) {
+    text += fmt::format(",{}{}_{}", direction == Direction::up ? "up" : "down", j + 1, linear ? "um" : "arcsec");
+  });
+  text += '\n';
+  for (std::size_t i = 0; i < series.target_count(); ++i) {
+    text += format_exact(series.targets()[i].in_native());
+    for_each_run([&](Direction direction, std::size_t j) {
+      const auto reading = series.reading(i, direction, j);
+      text += "," + (reading ? format_exact(reading->in_native()) : std::string());
+    });
+    text += '\n';
+  }
+  return text;
+}
+
 int recognise(std::string_view head) {
   bool target = false;
   bool runs = false;
+  bool directions = false;
   for (const Column& c : header_columns(head)) {
     target |= c.role == ColumnRole::target;
     runs |= c.role == ColumnRole::reading && (c.run || c.direction);
+    directions |= c.role == ColumnRole::direction || (c.role == ColumnRole::reading && c.direction);
   }
-  return target && runs ? 95 : 0;
+  if (!target || !runs) return 0;
+  return directions ? 95 : 9;  // numbers alone may be targets across the table
 }
 
 constexpr std::string_view manual = R"(Delimited text, one column per run. Either one row per target:
@@ -277,6 +305,7 @@ const Format csv_wide_format = {
     .manual = manual,
     .recognise = recognise,
     .read = read,
+    .write = write,
 };
 
 }  // namespace axiometry::formats

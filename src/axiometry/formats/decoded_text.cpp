@@ -104,6 +104,25 @@ Result<DecodedText> decoded_text(std::string_view bytes) {
   return result;
 }
 
+Result<DecodedText> decoded_as(std::string_view bytes, std::string_view encoding) {
+  if (encoding == "UTF-8") {
+    AXIOMETRY_TRY_VOID(check_utf8(bytes));
+    return decoded_text(bytes);
+  }
+  constexpr std::pair<std::string_view, const char*> names[] = {
+      {"UTF-16", "UTF-16"}, {"GBK", "GBK"}, {"Windows-1252", "WINDOWS-1252"}, {"Latin-1", "ISO-8859-1"}};
+  for (const auto& [title, name] : names) {
+    if (title != encoding) continue;
+    const char* marked = title == "UTF-16" ? utf16_of(bytes) : nullptr;
+    auto text = converted(bytes, marked != nullptr ? marked : name);
+    if (!text) break;
+    AXIOMETRY_TRY(DecodedText result, decoded_text(*text));
+    result.encoding = title;
+    return result;
+  }
+  return fail(fmt::format("found bytes that have no meaning in {}, expected text in it", encoding));
+}
+
 std::vector<SourceRemark> encoding_remarks(const DecodedText& decoded) {
   std::vector<SourceRemark> remarks;
   if (decoded.encoding != "UTF-8")

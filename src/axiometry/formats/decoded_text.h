@@ -23,6 +23,9 @@ struct DecodedText {
 /// content, and on UTF-16 that is cut or broken.
 Result<DecodedText> decoded_text(std::string_view bytes);
 
+/// The same where the encoding is stated, by one of the names above. Fails on bytes that have no meaning in it.
+Result<DecodedText> decoded_as(std::string_view bytes, std::string_view encoding);
+
 /// What a reader tells when the text was not plain UTF-8: nothing, or one remark that departs from no standard.
 std::vector<SourceRemark> encoding_remarks(const DecodedText& decoded);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 
 #include "axiometry/base/result.h"
 #include "axiometry/model/axis.h"
+#include "axiometry/model/metadata.h"
 #include "axiometry/model/recording.h"
 
 /// Continuous recordings: what instruments send line by line. One .cpp in recordings/ per layout, each with one `const
@@ -21,6 +23,11 @@ struct RecordingOptions {
   std::optional<double> units_per_count;  ///< mm or ° per count, for streams of counts
   std::optional<double> rate_hz;          ///< samples per second, for streams without time stamps
   std::size_t axis = 0;                   ///< of a stream of several: 0 is the first
+  /// When the bytes that are being fed arrived, s; for streams that tell neither time nor rate. Empty when not known.
+  std::function<double()> arrival_s{};
+  /// Whether a line that is no sample is counted as lost instead of being refused: a disturbed cable must not end a
+  /// test of two hours. A hundred such lines in a row are refused all the same.
+  bool skip_damaged = false;
 };
 
 /// Takes the bytes of one recording as they arrive, cut anywhere, and hands samples on. Never keeps more than a line.
@@ -29,14 +36,21 @@ class RecordingReader {
   virtual ~RecordingReader() = default;
 
   /// Fails, with the line, on what is no sample where one must be, on time running backwards and on numbers that are
-  /// not finite. Gaps (lost samples that the stream itself shows, such as a jump of its counter) are told by gaps().
+  /// not finite. Gaps (lost samples that the stream itself shows, such as a jump of its counter) are told by lost().
   virtual Result<void> feed(std::string_view bytes, const SampleSink& sink) = 0;
 
   /// The last line, when it has no line break.
   virtual Result<void> finish(const SampleSink& sink) = 0;
 
-  /// How many samples the stream itself shows to be lost so far.
+  /// The connection broke: bytes are missing here. Forgets the unfinished line and passes over all bytes up to the next
+  /// line break, which may be the end of a line whose beginning is missing.
+  virtual void interrupted() = 0;
+
+  /// How many samples the stream itself shows to be lost so far, damaged lines included.
   virtual std::size_t lost() const = 0;
+
+  /// What the stream has told about the air so far, first and last values; nothing for most.
+  virtual Environment environment() const { return {}; }
 };
 
 struct Recording {
@@ -57,5 +71,13 @@ std::span<const Recording* const> recording_table();
 
 /// nullptr when there is none of that id.
 const Recording* find_recording(std::string_view id);
+
+/// The layout that fits best. Fails on an empty beginning and on what no layout recognises; the message lists what is
+/// read.
+Result<const Recording*> recognise_recording(std::string_view head);
+
+/// mm per count of an interferometer: λ divided by the counts that a wavelength of path has (2, 4 or 8 after optics and
+/// electronics). The wavelength is that in the air of the test. Fails unless both are positive.
+Result<double> mm_per_count(Length wavelength, double counts_per_wavelength);
 
 }  // namespace axiometry::formats

@@ -4,6 +4,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/format.h"
+#include "axiometry/formats/generic_delimited.h"
 #include "axiometry/formats/text_source.h"
 
 namespace axiometry::formats {
@@ -21,17 +22,20 @@ std::string_view first_line(std::string_view text) {
   return text::trim(text.substr(begin, text.find('\n', begin) - begin));
 }
 
-/// nullptr when no format fits.
+/// nullptr when no format fits. A guess is made only where no format is surer: it costs more than a look at the header.
 const Format* best_for(std::string_view text) {
+  constexpr int score_of_a_guess = 10;
+  const Format* const guessing = find_format("generic");
   const Format* best = nullptr;
   int best_score = 0;
   for (const Format* format : format_table()) {
+    if (format == guessing) continue;
     const int score = format->recognise(text);
     if (score <= best_score) continue;
     best = format;
     best_score = score;
   }
-  return best;
+  return best_score < score_of_a_guess && guessing->recognise(text) > best_score ? guessing : best;
 }
 
 }  // namespace
@@ -55,6 +59,7 @@ Result<const Format*> recognise(std::string_view head) {
   constexpr std::size_t longest_character = 4;  // the head may end within one
   if (const auto bad = text::invalid_utf8(text); bad && *bad + longest_character < text.size())
     AXIOMETRY_TRY_VOID(check_utf8(text));
+  if (const std::string question = open_question(text); !question.empty()) return fail(question, {1, 1});
   return fail(fmt::format("found text that begins with {}, expected one of the formats {}; a CSV file "
                           "begins with a header such as target_mm,direction,run,deviation_um",
                           text::quoted(first_line(text)), ids()),

@@ -27,8 +27,8 @@ TEST(Registry, EveryFormatDescribesItself) {
     EXPECT_EQ(format->holds_many == nullptr, format->read_many == nullptr) << format->id;
   }
   EXPECT_EQ(ids, (std::set<std::string_view>{"api-pos", "camonitor", "csv-long", "csv-wide", "ecmc-cfg-csv",
-                                             "ecmc-cfg-md", "ecmc-dat", "etalon-exchange", "heidenhain-nd", "isg-csv",
-                                             "json", "renishaw-rtl"}));
+                                             "ecmc-cfg-md", "ecmc-dat", "etalon-exchange", "generic", "heidenhain-nd",
+                                             "isg-csv", "json", "renishaw-rtl"}));
 }
 
 TEST(Registry, RecognisesTheExampleOfEveryManual) {

@@ -136,6 +136,28 @@ Value series_schema() {
                  {"additionalProperties", false}});
 }
 
+Value times_schema() {
+  Value properties = object({{"up", runs_schema("Of the approaches in the positive direction.")},
+                             {"down", runs_schema("Of the approaches in the negative direction.")}});
+  return object({{"type", or_null("object")},
+                 {"description",
+                  "When each reading was taken, in seconds since some beginning: in the shape of the runs "
+                  "of the series, null where it is not known."},
+                 {"properties", std::move(properties)},
+                 {"additionalProperties", false}});
+}
+
+Value source_schema() {
+  Value properties = object({{"file", typed("string", "Its name.")},
+                             {"sha256", typed("string", "Of its bytes, hexadecimal.")},
+                             {"format", typed("string", "The format it was read as.")}});
+  return object({{"type", or_null("object")},
+                 {"description", "The file that this one was converted from."},
+                 {"properties", std::move(properties)},
+                 {"required", Value::array({"file", "sha256", "format"})},
+                 {"additionalProperties", false}});
+}
+
 }  // namespace
 
 Value metadata_group_schema(std::string_view group) {
@@ -150,8 +172,10 @@ std::string test_schema() {
   Value properties = Value::object();
   properties.add("$schema", typed("string", "For editors; ignored."));
   properties.add("format", object({{"const", test_format_name}}));
+  properties.add("source", source_schema());
   add_groups(properties);
   properties.add("series", series_schema());
+  properties.add("times_s", times_schema());
   const Value schema =
       object({{"$schema", "https://json-schema.org/draft/2020-12/schema"},
               {"$id", "urn:axiometry:schema:axiometry-test:1"},

@@ -40,9 +40,11 @@ TestConditions conditions_of(const Request& request) {
   c.cycle = plan.cycle;
   c.feed = plan.feed;
   c.dwell = plan.dwell;
-  c.warm_up = plan.warm_up_runs == 0 ? "None"
-                                     : fmt::format("{} runs there and back over the measurement travel at {:g} {}/min",
-                                                   plan.warm_up_runs, plan.feed, position_unit(plan.axis.kind));
+  c.warm_up = plan.warm_up_runs == 0
+                  ? "None"
+                  : fmt::format("{} there and back over the measurement travel at {:g} {}/min",
+                                plan.warm_up_runs == 1 ? "Once" : fmt::format("{} times", plan.warm_up_runs), plan.feed,
+                                position_unit(plan.axis.kind));
   c.axes_not_under_test = "None";
   c.tool_offset_mm = {0.0, 0.0, 0.0};
   c.workpiece_offset_mm = {0.0, 0.0, 0.0};

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/capture_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <thread>
+#include <vector>
+
+#include "axiometry/app/output.h"
+#include "axiometry/app/raw_log.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/formats/format.h"
+
+namespace axiometry::app {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t live_block = std::size_t{64} << 10;
+constexpr std::size_t file_block = std::size_t{256} << 10;
+constexpr auto poll_time = 100ms;
+constexpr auto show_every = 100ms;
+constexpr auto first_pause = 500ms;
+constexpr auto longest_pause = 8s;
+
+/// One run from begin to end.
+class Run {
+ public:
+  Run(const CaptureRun& run, const CaptureObserver& observer, CaptureSession session)
+      : run_(run), observer_(observer), session_(std::move(session)) {}
+
+  Result<CaptureOutcome> operator()() {
+    AXIOMETRY_TRY(const auto live, parse_live(run_.from));
+    auto read = live ? read_live(*live) : read_file();
+    if (!read) {
+      static_cast<void>(settle({}, true));  // what has come so far is kept
+      return std::unexpected(std::move(read).error());
+    }
+    auto last = session_.finish(end_);
+    if (!last) return std::unexpected(std::move(last).error());
+    AXIOMETRY_TRY_VOID(settle(*last, true));
+    AXIOMETRY_TRY(Test test, this->test());
+    return CaptureOutcome{session_.matcher().complete(), stopped_,           std::move(test),
+                          session_.matcher().result(),   session_.samples(), session_.lost()};
+  }
+
+ private:
+  bool stop() {
+    stopped_ = stopped_ || (observer_.stopped && observer_.stopped());
+    return stopped_ || session_.matcher().complete();
+  }
+
+  void notice(const std::string& text) const {
+    if (observer_.notice) observer_.notice(text);
+  }
+
+  Result<void> read_file() {
+    const bool timed = run_.from != "-" && has_times(run_.from);
+    if (timed) return play_raw(run_.from);
+    AXIOMETRY_TRY(Source source, Source::open(run_.from));
+    std::vector<char> block(file_block);
+    while (!stop()) {
+      AXIOMETRY_TRY(const std::size_t got, source.read(block));
+      if (got == 0) {
+        end_ = CaptureSession::End::of_file;
+        break;
+      }
+      AXIOMETRY_TRY(const auto readings, session_.feed({block.data(), got}));
+      AXIOMETRY_TRY_VOID(settle(readings, false));
+    }
+    return {};
+  }
+
+  Result<void> play_raw(const std::string& raw) {
+    return play(raw, [&](const RawPiece& piece) -> Result<void> {
+      if (stop()) return {};
+      if (!first_arrival_) first_arrival_ = piece.arrival;
+      if (piece.begins_connection) AXIOMETRY_TRY_VOID(interrupted());
+      return take(piece.bytes, piece.arrival);
+    });
+  }
+
+  Result<void> interrupted() {
+    AXIOMETRY_TRY(const auto readings, session_.interrupted());
+    return settle(readings, false);
+  }
+
+  Result<void> take(std::string_view bytes, ArrivalNs arrival) {
+    AXIOMETRY_TRY(const auto readings, session_.feed(bytes, static_cast<double>(arrival - *first_arrival_) * 1e-9));
+    return settle(readings, false);
+  }
+
+  Result<void> read_live(const LiveAddress& address) {
+    AXIOMETRY_TRY(LiveConnection connection, LiveConnection::open(address));
+    if (!run_.resume.empty()) {
+      AXIOMETRY_TRY_VOID(play_raw(run_.resume));
+      notice(fmt::format("{}: played again, {} of {} approaches are done", run_.resume,
+                         session_.matcher().result().readings.size(), session_.matcher().result().approaches));
+      if (stop()) return {};
+    }
+    AXIOMETRY_TRY(RawLog log, run_.resume.empty() ? RawLog::create(run_.raw) : RawLog::resume(run_.resume));
+    log_ = &log;
+    if (!run_.resume.empty()) {
+      log.begin_connection();
+      AXIOMETRY_TRY_VOID(interrupted());
+    }
+    std::vector<char> block(live_block);
+    while (!stop()) {
+      const LiveConnection::Got got = connection.read(block, poll_time);
+      show();
+      if (got.state == LiveConnection::State::data) {
+        const ArrivalNs arrival = log.stamp();
+        if (!first_arrival_) first_arrival_ = arrival;
+        AXIOMETRY_TRY_VOID(log.append({block.data(), got.count}, arrival));
+        AXIOMETRY_TRY_VOID(take({block.data(), got.count}, arrival));
+      } else if (got.state == LiveConnection::State::closed) {
+        AXIOMETRY_TRY(auto again, reconnect(address, got.reason));
+        if (!again) break;
+        connection = std::move(*again);
+        log.begin_connection();
+        AXIOMETRY_TRY_VOID(interrupted());
+      }
+    }
+    auto synced = log.sync();
+    log_ = nullptr;
+    return synced;
+  }
+
+  /// Nothing when it was stopped, or when the other side has not come back in time.
+  Result<std::optional<LiveConnection>> reconnect(const LiveAddress& address, const std::string& reason) {
+    notice(fmt::format("connection lost ({}), trying again for {} s", reason, format_fixed(run_.give_up.in_s(), 0)));
+    const auto lost_at = Clock::now();
+    const auto last_moment = lost_at + std::chrono::duration<double>(run_.give_up.in_s());
+    for (auto pause = Clock::duration(first_pause); Clock::now() < last_moment;
+         pause = std::min<Clock::duration>(2 * pause, longest_pause)) {
+      auto again = LiveConnection::open(address);
+      if (again) {
+        notice(fmt::format("connected again after {} s; samples are missing",
+                           format_fixed(std::chrono::duration<double>(Clock::now() - lost_at).count(), 1)));
+        return std::optional(std::move(*again));
+      }
+      const auto until = std::min(Clock::now() + pause, std::chrono::time_point_cast<Clock::duration>(last_moment));
+      while (Clock::now() < until) {
+        if (stop()) return std::optional<LiveConnection>();
+        std::this_thread::sleep_for(std::min<Clock::duration>(poll_time, until - Clock::now()));
+      }
+    }
+    notice("the connection did not come back: the recording ends here");
+    return std::optional<LiveConnection>();
+  }
+
+  /// First the disk, then the people.
+  Result<void> settle(const std::vector<capture::CapturedReading>& readings, bool last) {
+    if (!readings.empty() && log_ != nullptr) AXIOMETRY_TRY_VOID(log_->sync());
+    if (!readings.empty() || last) {
+      AXIOMETRY_TRY_VOID(write_test(last));
+    }
+    const auto& events = session_.matcher().result().events;
+    events_told_ = std::min(events_told_, events.size());  // setting the zero begins a new list
+    for (const capture::CapturedReading& reading : readings) {
+      tell_events(reading.standstill.begin_s);
+      if (observer_.reading) observer_.reading(reading);
+    }
+    tell_events(std::numeric_limits<double>::max());
+    return {};
+  }
+
+  /// Those up to a time that were not told yet.
+  void tell_events(double until_s) {
+    const auto& events = session_.matcher().result().events;
+    for (; events_told_ < events.size() && events[events_told_].time_s <= until_s; ++events_told_)
+      if (observer_.event) observer_.event(events[events_told_]);
+  }
+
+  Result<Test> test() const {
+    AXIOMETRY_TRY(Test test, session_.test());
+    test.provenance.file = run_.from;
+    if (first_arrival_) {
+      using namespace std::chrono;
+      const year_month_day day(floor<days>(sys_time<nanoseconds>(nanoseconds(*first_arrival_))));
+      test.metadata.conditions.date = fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),
+                                                  static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
+    }
+    return test;
+  }
+
+  /// A test needs two targets, so there is no file before them; and none of a recording that does not fit.
+  Result<void> write_test(bool last) {
+    if (run_.out.empty() || (run_.out == "-" && !last)) return {};
+    const auto test = this->test();
+    if (!test) return {};
+    static const formats::Format* const json = formats::find_format("json");
+    return write_file(run_.out, json->write(*test));
+  }
+
+  void show() {
+    if (!observer_.now || Clock::now() - shown_ < show_every) return;
+    shown_ = Clock::now();
+    observer_.now(session_);
+  }
+
+  const CaptureRun& run_;
+  const CaptureObserver& observer_;
+  CaptureSession session_;
+  RawLog* log_ = nullptr;
+  std::optional<ArrivalNs> first_arrival_;
+  CaptureSession::End end_ = CaptureSession::End::of_reading;
+  std::size_t events_told_ = 0;
+  bool stopped_ = false;
+  Clock::time_point shown_;
+};
+
+}  // namespace
+
+Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
+                                   const CaptureObserver& observer) {
+  AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
+  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
+  auto outcome = Run(run, observer, std::move(session))();
+  if (!outcome && outcome.error().file.empty()) outcome.error().file = run.from == "-" ? "(standard input)" : run.from;
+  return outcome;
+}
+
+Result<Test> read_recording(Source& source, const CaptureOptions& options) {
+  AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
+  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
+  auto end = CaptureSession::End::of_file;
+  Sha256 hash;
+  const auto feed = [&](std::string_view bytes, std::optional<double> arrival_s) -> Result<void> {
+    hash.update(bytes);
+    AXIOMETRY_TRY_VOID(session.feed(bytes, arrival_s));
+    return {};
+  };
+  if (source.name() != "-" && has_times(source.name())) {
+    end = CaptureSession::End::of_reading;
+    std::optional<ArrivalNs> first;
+    auto played = play(source.name(), [&](const RawPiece& piece) -> Result<void> {
+      if (!first) first = piece.arrival;
+      if (piece.begins_connection) {
+        AXIOMETRY_TRY_VOID(session.interrupted());
+      }
+      return feed(piece.bytes, static_cast<double>(piece.arrival - *first) * 1e-9);
+    });
+    if (!played) return std::unexpected(std::move(played).error());
+  } else {
+    std::vector<char> block(file_block);
+    while (true) {
+      AXIOMETRY_TRY(const std::size_t got, source.read(block));
+      if (got == 0) break;
+      AXIOMETRY_TRY_VOID(feed({block.data(), got}, {}));
+    }
+  }
+  AXIOMETRY_TRY_VOID(session.finish(end));
+  AXIOMETRY_TRY(Test test, session.test());
+  test.provenance.file = source.name();
+  test.provenance.sha256 = hash.finish();
+  return test;
+}
+
+}  // namespace axiometry::app

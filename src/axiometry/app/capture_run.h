@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "axiometry/app/capture_session.h"
+#include "axiometry/app/live_source.h"
+#include "axiometry/app/source.h"
+
+/// The use case "wait for the readings of a plan and keep them".
+namespace axiometry::app {
+
+/// Where a recording comes from and where it goes.
+struct CaptureRun {
+  std::string from;    ///< file, "-", "tcp://…" or "serial://…"
+  std::string raw;     ///< of a live source: file of all bytes that came; must not exist
+  std::string resume;  ///< instead: such a file, which is played first and goes on
+  std::string out;     ///< test file, rewritten after every reading; "-" writes it once at the end; may be empty
+  Duration give_up = Duration::s(60);  ///< how long a connection that broke is tried again
+};
+
+/// What happens, for people who watch. Any may be empty.
+struct CaptureObserver {
+  std::function<void(const capture::CapturedReading&)> reading;  ///< it is on the disk when this is called
+  std::function<void(const capture::CaptureEvent&)> event;
+  std::function<void(const std::string&)> notice;  ///< "connection lost: …, trying again in 1 s"
+  std::function<void(const CaptureSession&)> now;  ///< several times a second
+  std::function<bool()> stopped;                   ///< asked several times a second
+};
+
+struct CaptureOutcome {
+  bool complete = false;  ///< every approach has come or was missed
+  bool stopped = false;   ///< by the observer
+  Test test;
+  capture::CaptureResult result;
+  std::size_t samples = 0;
+  std::size_t lost = 0;
+};
+
+/// Reads until the plan is complete, the stream ends or the observer stops it. Every byte of a live source goes to the
+/// raw file before it is used; the test file is whole at every moment. Fails as CaptureSession does, on a source that
+/// cannot be opened and on files that cannot be written; the files hold then what has come so far.
+Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
+                                   const CaptureObserver& observer);
+
+/// A recording in a file (or "-") as a test, for evaluation.
+Result<Test> read_recording(Source& source, const CaptureOptions& options);
+
+}  // namespace axiometry::app

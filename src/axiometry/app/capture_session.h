@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/capture/target_matcher.h"
+#include "axiometry/formats/recording.h"
+#include "axiometry/model/plan.h"
+#include "axiometry/model/test.h"
+
+/// The use case "from the bytes of a recording to the readings of a plan".
+namespace axiometry::app {
+
+/// What a recording does not say itself.
+struct CaptureOptions {
+  std::string plan;      ///< file
+  std::size_t part = 1;  ///< 1 is the plan itself, 2 the first of its further plans
+  std::string stream;    ///< id of the layout; empty: recognised by content
+  formats::RecordingOptions recording;
+  capture::MatcherOptions matcher;
+  std::optional<Duration> rest_window;  ///< over what capture::standstill_options() derives from the plan
+  std::optional<Duration> settling;
+  std::optional<Duration> shortest_rest;
+  std::optional<Position> rest_threshold;
+  std::optional<double> wavelength_nm;  ///< with counts_per_wavelength in place of recording.units_per_count
+  std::optional<double> counts_per_wavelength;
+};
+
+/// The plan of a file, or one of those that belong to it. Fails as formats::read_plan() does, and on a part that does
+/// not exist.
+Result<Plan> load_plan(const std::string& file, std::size_t part);
+
+/// One recording on its way to readings. The result depends on the bytes, their arrival and the places where the
+/// connection broke, not on when it is asked for.
+class CaptureSession {
+ public:
+  /// Fails on options that contradict the plan or each other.
+  static Result<CaptureSession> open(Plan plan, const CaptureOptions& options);
+
+  /// Fails as the reader of the layout does.
+  Result<std::vector<capture::CapturedReading>> feed(std::string_view bytes, std::optional<double> arrival_s = {});
+  /// The connection broke here.
+  Result<std::vector<capture::CapturedReading>> interrupted();
+  /// The recording ends here: a file that was read to its end, or else a stream that may have ended within a line, or
+  /// what was read no further because the plan was complete.
+  enum class End { of_file, of_reading };
+  Result<std::vector<capture::CapturedReading>> finish(End end);
+
+  /// The test as far as it has come; fails while there is none yet (capture::captured_test()).
+  Result<Test> test() const;
+
+  const capture::TargetMatcher& matcher() const { return *matcher_; }
+  std::string_view layout() const { return layout_ == nullptr ? std::string_view() : layout_->id; }
+  std::size_t samples() const { return samples_; }
+  std::size_t lost() const { return reader_ ? reader_->lost() : 0; }
+  std::optional<capture::StandstillDetector::Now> now() const { return detector_->now(); }
+
+ private:
+  CaptureSession() = default;
+  Result<bool> begin(bool whole);
+  Result<std::vector<capture::CapturedReading>> read(std::string_view bytes);
+  std::vector<capture::CapturedReading> match(const std::vector<capture::Standstill>& standstills);
+  SampleSink sink(std::vector<capture::CapturedReading>& readings);
+
+  CaptureOptions options_;
+  std::optional<capture::TargetMatcher> matcher_;
+  std::unique_ptr<capture::StandstillDetector> detector_;
+  const formats::Recording* layout_ = nullptr;
+  std::unique_ptr<formats::RecordingReader> reader_;
+  std::string head_;  // until the layout is known
+  std::shared_ptr<double> arrival_s_;
+  std::size_t samples_ = 0;
+};
+
+}  // namespace axiometry::app

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "axiometry/base/result.h"
+
+/// Where live streams come from: TCP servers and serial ports.
+namespace axiometry::app {
+
+/// "tcp://host:port" or "serial:///dev/ttyACM0?baud=2000000".
+struct LiveAddress {
+  enum class Kind { tcp, serial } kind = Kind::tcp;
+  std::string host;  ///< or the device of a serial port
+  std::string port;  ///< a number or a name
+  unsigned baud = 115'200;
+};
+
+/// Nothing when the name is that of a file. Fails on "tcp://" and "serial://" without all that they need, and on a baud
+/// rate that is not 50 to 20 000 000.
+Result<std::optional<LiveAddress>> parse_live(const std::string& name);
+
+/// One connection; it ends when the other side closes it.
+class LiveConnection {
+ public:
+  /// Fails with the system's reason, for TCP after at most five seconds.
+  static Result<LiveConnection> open(const LiveAddress& address);
+  ~LiveConnection();
+  LiveConnection(LiveConnection&& other) noexcept;
+  LiveConnection& operator=(LiveConnection&& other) noexcept;
+
+  enum class State { data, idle, closed };
+  struct Got {
+    State state = State::idle;
+    std::size_t count = 0;
+    std::string reason;  ///< of the end: "connection reset by peer"
+  };
+  /// Waits for bytes at most that long; a signal ends the wait.
+  Got read(std::span<char> buffer, std::chrono::milliseconds longest);
+
+ private:
+  explicit LiveConnection(int descriptor) : descriptor_(descriptor) {}
+  int descriptor_ = -1;
+};
+
+/// Opens a serial port: raw bytes, 8 data bits, no parity, one stop bit, no flow control, any baud rate that the driver
+/// can do. The descriptor, or the system's reason.
+Result<int> open_serial(const std::string& device, unsigned baud);
+
+}  // namespace axiometry::app

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/capture/capture_result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "axiometry/base/number_text.h"
+
+namespace axiometry::capture {
+namespace {
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+Metadata metadata_of(const Plan& plan) {
+  Metadata metadata;
+  metadata.axis = plan.axis;
+  metadata.machine.name = plan.machine;
+  metadata.conditions.cycle = plan.cycle;
+  metadata.conditions.feed = plan.feed;
+  metadata.conditions.dwell = plan.dwell;
+  if (plan.warm_up_runs > 0)
+    metadata.conditions.warm_up = fmt::format("{} runs over the travel at {} {}/min", plan.warm_up_runs,
+                                              format_exact(plan.feed), position_unit(plan.axis.kind));
+  return metadata;
+}
+
+Result<void> check_fit(const Plan& plan, const CaptureResult& result) {
+  if (2 * result.readings.size() >= std::max<std::size_t>(result.standstills, 1)) return {};
+  std::string seen;
+  std::size_t named = 0;
+  for (const CaptureEvent& event : result.events)
+    if (event.kind == EventKind::unexpected && named++ < 3) seen += fmt::format("; {}", event.message);
+  return fail(fmt::format(
+      "found {} of {} standstills at the approaches of the plan, expected most of them ({} approaches, targets {} to "
+      "{} "
+      "{}): the recording belongs to another plan, or the zero or sign of the instrument differ (--zero, --datum, "
+      "--reverse){}",
+      result.readings.size(), result.standstills, result.approaches, format_exact(plan.targets.front().in_native()),
+      format_exact(plan.targets.back().in_native()), position_unit(plan.axis.kind), seen));
+}
+
+std::vector<SourceRemark> remarks_of(const CaptureResult& result, const std::vector<std::size_t>& left_out) {
+  std::vector<SourceRemark> remarks;
+  if (result.readings.size() < result.approaches)
+    remarks.push_back({false, fmt::format("the recording gave {} of the {} readings of the plan",
+                                          result.readings.size(), result.approaches)});
+  if (!left_out.empty()) {
+    std::string numbers;
+    for (std::size_t i : left_out) numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", i + 1);
+    remarks.push_back({false, fmt::format("targets without any reading were left out: {}", numbers)});
+  }
+  for (const CaptureEvent& event : result.events)
+    if (event.kind != EventKind::incomplete)
+      remarks.push_back({false, fmt::format("{}: {}", event_name(event.kind), event.message)});
+  for (const CapturedReading& reading : result.readings)
+    for (const std::string& remark : reading.remarks)
+      remarks.push_back({false, fmt::format("{}: {}", approach_name(reading.approach), remark)});
+  return remarks;
+}
+
+}  // namespace
+
+std::string_view event_name(EventKind kind) {
+  switch (kind) {
+    case EventKind::zero: return "zero";
+    case EventKind::missed: return "missed";
+    case EventKind::repeated: return "repeated";
+    case EventKind::wrong_direction: return "wrong direction";
+    case EventKind::too_short: return "too short";
+    case EventKind::unexpected: return "unexpected";
+    case EventKind::unseen: return "not seen";
+    case EventKind::restarted: return "restarted";
+    case EventKind::off_zero: return "zero";
+    case EventKind::incomplete: return "incomplete";
+  }
+  return "";
+}
+
+std::string approach_name(const Approach& approach) {
+  return fmt::format("target {}{} run {}", approach.target + 1, arrow(approach.direction), approach.run + 1);
+}
+
+Result<Test> captured_test(const Plan& plan, const CaptureResult& result) {
+  AXIOMETRY_TRY_VOID(check_fit(plan, result));
+  std::vector<bool> reached(plan.targets.size());
+  std::size_t runs = 0;
+  for (const CapturedReading& r : result.readings) {
+    reached[r.approach.target] = true;
+    runs = std::max(runs, r.approach.run + 1);
+  }
+  std::vector<Position> targets;
+  std::vector<std::size_t> place(plan.targets.size()), left_out;
+  for (std::size_t i = 0; i < plan.targets.size(); ++i) {
+    place[i] = targets.size();
+    reached[i] ? targets.push_back(plan.targets[i]) : left_out.push_back(i);
+  }
+  if (targets.size() < 2)
+    return fail(fmt::format("found readings at {} of {} targets in {} standstills, expected at least two",
+                            targets.size(), plan.targets.size(), result.standstills));
+  const std::size_t m = targets.size();
+  std::vector<double> deviations(2 * m * runs, not_known), times(2 * m * runs, not_known);
+  for (const CapturedReading& r : result.readings) {
+    const auto& [target, direction, run] = r.approach;
+    const std::size_t cell = (static_cast<std::size_t>(direction) * m + place[target]) * runs + run;
+    deviations[cell] = r.deviation.in_native();
+    times[cell] = 0.5 * (r.standstill.used_from_s + r.standstill.used_to_s);
+  }
+  AXIOMETRY_TRY(Series series, Series::make_dense(std::move(targets), runs, std::move(deviations)));
+  Test test{metadata_of(plan), std::move(series), {}};
+  test.provenance.remarks = remarks_of(result, left_out);
+  test.times_s = std::move(times);
+  return test;
+}
+
+}  // namespace axiometry::capture

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/capture/standstill.h"
+#include "axiometry/model/axis.h"
+#include "axiometry/model/plan.h"
+#include "axiometry/model/test.h"
+
+/// What a recording gave for a plan: readings, and everything on the way that a person must know.
+namespace axiometry::capture {
+
+/// One approach of the plan with its standstill.
+struct CapturedReading {
+  Approach approach;
+  Standstill standstill;             ///< in the frame of the plan: sign and zero of the instrument applied
+  Deviation deviation;               ///< x_ij (3.6): mean position at rest minus target
+  std::vector<std::string> remarks;  ///< "2 outliers left out", "drifts by 1.2 µm"; empty when nothing is to be said
+};
+
+enum class EventKind {
+  zero,             ///< the zero of the instrument was set at the first standstill of target 1
+  missed,           ///< approaches that the axis passed without standing still long enough
+  repeated,         ///< another standstill at an approach that has its reading: the first one is kept
+  wrong_direction,  ///< at the expected target, but from the other side: not used
+  too_short,        ///< at a target, but shorter than the shortest: not used
+  unexpected,       ///< at no target of the plan, or at one that was not due: not used
+  unseen,           ///< the motion towards a target was not recorded, so its direction is not known: not used
+  restarted,        ///< the first approach came again before the first pass was over: began again
+  off_zero,         ///< the readings have a common offset that looks like another zero
+  incomplete,       ///< the recording ended before the plan
+};
+
+std::string_view event_name(EventKind kind);  ///< "missed", "wrong direction", …
+
+struct CaptureEvent {
+  EventKind kind;
+  double time_s = 0.0;  ///< of the recording
+  std::string message;  ///< a sentence without full stop
+};
+
+struct CaptureResult {
+  std::vector<CapturedReading> readings;  ///< in the order in which they were taken
+  std::vector<CaptureEvent> events;
+  Position datum;               ///< where on the axis the instrument shows zero
+  std::size_t approaches = 0;   ///< of the plan
+  std::size_t standstills = 0;  ///< long enough, not at overruns
+  std::size_t overruns = 0;     ///< standstills at turning points of the plan
+};
+
+/// "target 3↑ run 2"
+std::string approach_name(const Approach& approach);
+
+/// The test that the readings make: metadata from the plan, times of the readings, remarks on what is missing. A target
+/// without any reading is left out. Fails when fewer than two targets have a reading, and when the recording does not
+/// fit the plan: less than half of its standstills belong to approaches.
+Result<Test> captured_test(const Plan& plan, const CaptureResult& result);
+
+}  // namespace axiometry::capture

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "axiometry/base/quantity.h"
+#include "axiometry/capture/cell.h"
+#include "axiometry/capture/travel.h"
+#include "axiometry/model/axis.h"
+#include "axiometry/model/plan.h"
+#include "axiometry/model/recording.h"
+
+/// Finds where an axis stands still in a continuous recording: one pass, memory of one window. Derivations and what
+/// disturbs: docs/theory/capture.md.
+namespace axiometry::capture {
+
+/// How a standstill is told from motion. Distances in mm or °.
+///
+/// The last window W is four cells. It is at rest when their means (without outliers) lie within
+/// T = min(greatest, max(smallest, 1.5 q, 6 s)), where s is the median standard deviation within the four cells and q
+/// the smallest step between samples seen (the resolution, where noise is smaller). Motion at a constant speed has
+/// means that lie 10.4 s apart whatever the speed; noise of any size 1.2 s, vibration with a period up to 0.8 W 5.1 s.
+struct StandstillOptions {
+  Duration window = Duration::s(0.5);           ///< W
+  Duration settling = Duration::s(0.5);         ///< after the stop, not averaged
+  Duration shortest = Duration::s(1.0);         ///< shorter standstills are reported as such, not used
+  Position smallest = Position::native(0.001);  ///< what a window may always move by
+  Position greatest = Position::native(0.1);    ///< what it may never move by
+  std::optional<Position> threshold{};          ///< T itself, instead of all that
+  Position turn = Position::native(1.0);        ///< way back that counts as a change of direction
+};
+
+/// What suits a plan: W = dwell/4 within 0.1 s to 1 s (0.25 s without dwell), settling W, shortest the larger of
+/// dwell/2 and 2 W; smallest 1 µm or 1″; greatest 2 % of the way at the plan's feed in W; turn overrun/4.
+StandstillOptions standstill_options(const Plan& plan);
+
+/// One stretch of rest.
+struct Standstill {
+  double begin_s = 0.0;      ///< first sample at rest
+  double end_s = 0.0;        ///< last one
+  double used_from_s = 0.0;  ///< of what was averaged
+  double used_to_s = 0.0;
+  std::size_t count = 0;     ///< samples averaged
+  std::size_t rejected = 0;  ///< outliers among them, left out
+  Position position{};       ///< their mean, as the instrument shows it
+  Position spread{};         ///< their standard deviation s
+  Position drift{};          ///< slope of a straight line through the means of the cells, times the time averaged
+  Position threshold{};      ///< T when it stopped
+  std::optional<Direction> arrival{};  ///< the way it came from; nothing when that was not seen
+  Position lowest{};                   ///< between the standstill before and this one, both included
+  Position highest{};
+  bool after_gap = false;  ///< samples are missing between the standstill before and this one
+  bool cut_off = false;    ///< ended by missing samples or the end of the recording, not by motion
+};
+
+class StandstillDetector {
+ public:
+  explicit StandstillDetector(const StandstillOptions& options);
+
+  /// The standstills that ended within these samples. Needs finite samples in order of time (contract: readers refuse
+  /// others). The result does not depend on how a recording is cut into pieces. A step in time of more than W and ten
+  /// usual steps counts as a gap.
+  std::vector<Standstill> push(std::span<const Sample> samples);
+
+  /// Samples are missing here, or the recording ends: the standstill that was going on, if there was one.
+  std::vector<Standstill> interrupt();
+
+  /// Where the axis is now, for people who watch; nothing before the first cell.
+  struct Now {
+    Position position;
+    bool at_rest = false;
+  };
+  std::optional<Now> now() const;
+
+ private:
+  /// Sums over the cells of one standstill, as deviations from its first mean and its begin.
+  struct Average {
+    double count = 0.0, mean = 0.0, squares = 0.0;
+    double weight = 0.0, t = 0.0, x = 0.0, tt = 0.0, tx = 0.0;
+    std::size_t rejected = 0;
+    double from_s = 0.0, to_s = 0.0;
+    void add(const Cell& cell, double origin_s, double origin);
+    double slope() const;
+  };
+
+  double cell_edge_s(const Sample& first) const;
+  void take(std::span<const Sample> samples, std::vector<Standstill>& found);
+  void take_cell(std::span<const Sample> samples, const CellSums& sums, std::vector<Standstill>& found);
+  void travel(std::span<const Sample> samples, const Cell& cell);
+  void learn(std::span<const Sample> samples, const Cell& cell);
+  void gap(std::vector<Standstill>& found);
+  double threshold() const;
+  bool settled(double threshold) const;
+  void begin_rest(double threshold);
+  void add_to_rest(const Cell& cell);
+  Standstill end_rest(bool cut_off);
+
+  StandstillOptions options_;
+  CellMaker maker_;
+  Travel travel_;
+  std::vector<Sample> begun_;  // a cell whose end has not come yet
+  std::optional<Sample> last_;
+  std::deque<Cell> window_;    // the last cells, no gap between them
+  std::deque<double> noises_;  // standard deviations of the last cells
+  double usual_step_s_ = 0.0;  // between samples; 0 before the first cell
+  double quantum_ = 0.0;       // q; 0 before two different samples were seen
+  bool gap_behind_ = true;     // nothing is known of the time before the recording
+  std::optional<Cell> now_;
+
+  bool at_rest_ = false;
+  Standstill rest_;  // all but what is averaged
+  double origin_ = 0.0;
+  Average settling_, used_;
+  std::optional<Cell> held_;  // the newest cell: at its end the axis may move already
+};
+
+}  // namespace axiometry::capture

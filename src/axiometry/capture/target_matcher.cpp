@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/capture/target_matcher.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "axiometry/base/number_text.h"
+
+namespace axiometry::capture {
+namespace {
+
+constexpr std::size_t zero_proof = 3;      // approaches that must follow each other to settle a zero
+constexpr std::size_t most_waiting = 200;  // standstills
+constexpr int position_decimals = 4;
+
+double smallest_interval(const Plan& plan) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < plan.targets.size(); ++i)
+    smallest = std::min(smallest, plan.targets[i].in_native() - plan.targets[i - 1].in_native());
+  return smallest;
+}
+
+std::vector<std::string> remarks_on(const Standstill& s, AxisKind kind) {
+  std::vector<std::string> remarks;
+  const double scale = deviation_per_position(kind);
+  if (s.rejected > 0)
+    remarks.push_back(fmt::format("{} of {} samples left out as outliers", s.rejected, s.count + s.rejected));
+  if (const double drift = std::abs(s.drift.in_native()); drift > s.threshold.in_native())
+    remarks.push_back(fmt::format("drifts by {} {} while at rest", format_fixed(s.drift.in_native() * scale, 2),
+                                  deviation_unit(kind)));
+  if (s.cut_off) remarks.emplace_back("cut off by missing samples or the end of the recording");
+  return remarks;
+}
+
+}  // namespace
+
+Position default_window(const Plan& plan) {
+  return Position::native(std::min(smallest_interval(plan) / 4, plan.overrun.in_native() / 2));
+}
+
+Result<TargetMatcher> TargetMatcher::make(Plan plan, const MatcherOptions& options) {
+  AXIOMETRY_TRY_VOID(check_sound(plan));
+  const double window = options.window.value_or(default_window(plan)).in_native();
+  const double limit = std::min(smallest_interval(plan) / 2, plan.overrun.in_native());
+  if (!(window > 0.0 && window < limit))
+    return fail(
+        fmt::format("found a window of ±{} around the targets, expected one above 0 and below {}, half way to the "
+                    "next target and to the overrun",
+                    format_exact(window), format_exact(limit)));
+  return TargetMatcher(std::move(plan), options);
+}
+
+TargetMatcher::TargetMatcher(Plan plan, const MatcherOptions& options)
+    : plan_(std::move(plan)),
+      options_(options),
+      window_(options.window.value_or(default_window(plan_))),
+      approaches_(approaches(plan_)) {
+  for (const PlannedMove& move : moves(plan_))
+    if (!move.approach) turning_points_.insert(move.to);
+  while (first_pass_ < approaches_.size() && approaches_[first_pass_].direction == approaches_[0].direction &&
+         (first_pass_ == 0 || approaches_[first_pass_].target != approaches_[first_pass_ - 1].target))
+    ++first_pass_;
+  result_.approaches = approaches_.size();
+  result_.datum = options.datum;
+}
+
+std::optional<Approach> TargetMatcher::due() const {
+  if (complete()) return std::nullopt;
+  return approaches_[due_];
+}
+
+/// The standstill as the plan counts: sign first, then the place of zero.
+Standstill TargetMatcher::in_plan(const Standstill& shown) const {
+  const auto placed = [&](Position x) {
+    return Position::native(result_.datum.in_native() + (options_.reversed ? -x.in_native() : x.in_native()));
+  };
+  Standstill s = shown;
+  s.position = placed(shown.position);
+  s.lowest = placed(options_.reversed ? shown.highest : shown.lowest);
+  s.highest = placed(options_.reversed ? shown.lowest : shown.highest);
+  if (options_.reversed) {
+    s.drift = Position::native(-shown.drift.in_native());
+    if (s.arrival) s.arrival = *s.arrival == Direction::up ? Direction::down : Direction::up;
+  }
+  return s;
+}
+
+std::vector<CapturedReading> TargetMatcher::take(const Standstill& standstill) {
+  last_time_s_ = standstill.end_s;
+  if (options_.zero_at_first_target) return try_zero(standstill);
+  std::vector<CapturedReading> readings;
+  if (auto reading = match(in_plan(standstill))) readings.push_back(std::move(*reading));
+  return readings;
+}
+
+std::optional<CapturedReading> TargetMatcher::match(const Standstill& s) {
+  if (complete()) return std::nullopt;
+  unseen_ = unseen_ || s.after_gap;
+  lowest_ = std::min(lowest_, s.lowest.in_native());
+  highest_ = std::max(highest_, s.highest.in_native());
+  const auto target = target_at(s.position);
+  if (!target && at_turning_point(s.position)) {
+    ++result_.overruns;
+    return std::nullopt;
+  }
+  const double rest_s = s.end_s - s.begin_s;
+  if (rest_s < options_.shortest.in_s()) {
+    if (target)
+      event(EventKind::too_short, s.begin_s,
+            fmt::format("at rest for {} s at target {}, expected at least {} s", format_fixed(rest_s, 2), *target + 1,
+                        format_fixed(options_.shortest.in_s(), 2)));
+    return std::nullopt;
+  }
+  const bool before_the_test = !last_ && !s.arrival;
+  if (!target && before_the_test) return std::nullopt;
+  ++result_.standstills;
+  if (!target) {
+    event(EventKind::unexpected, s.begin_s,
+          fmt::format("at rest at {}, farther than {} from every target", shown(s.position), shown(window_)));
+    return std::nullopt;
+  }
+  if (const auto approach = approach_for(*target, s)) return read(*approach, s);
+  if (begins_again(*target, s)) {
+    event(EventKind::restarted, s.begin_s,
+          fmt::format("{} came again after {} readings, which were dropped", approach_name(approaches_[0]),
+                      result_.readings.size()));
+    result_.readings.clear();
+    due_ = 0;
+    return read(0, s);
+  }
+  explain(*target, s);
+  return std::nullopt;
+}
+
+std::optional<std::size_t> TargetMatcher::target_at(Position position) const {
+  const auto above = std::ranges::lower_bound(plan_.targets, position);
+  for (auto it : {above, above == plan_.targets.begin() ? above : above - 1})
+    if (it != plan_.targets.end() && std::abs(it->in_native() - position.in_native()) <= window_.in_native())
+      return static_cast<std::size_t>(it - plan_.targets.begin());
+  return std::nullopt;
+}
+
+bool TargetMatcher::at_turning_point(Position position) const {
+  const auto above = turning_points_.lower_bound(Position::native(position.in_native() - window_.in_native()));
+  return above != turning_points_.end() && above->in_native() <= position.in_native() + window_.in_native();
+}
+
+/// The first approach from the due one on that this standstill can be.
+std::optional<std::size_t> TargetMatcher::approach_for(std::size_t target, const Standstill& s) const {
+  const bool same_again = last_ && approaches_[*last_].target == target && !was_away() && !unseen_;
+  if (!s.arrival || same_again) return std::nullopt;
+  for (std::size_t k = due_; k < approaches_.size(); ++k) {
+    if (approaches_[k].target != target || approaches_[k].direction != *s.arrival) continue;
+    const bool late_begin = !last_ && k < first_pass_;
+    const bool gap_behind = last_ && unseen_;
+    if (late_begin || gap_behind || passed(due_, k)) return k;
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// Whether the axis has been at the targets of all these approaches since the last reading.
+bool TargetMatcher::passed(std::size_t first, std::size_t last) const {
+  return std::all_of(approaches_.begin() + static_cast<std::ptrdiff_t>(first),
+                     approaches_.begin() + static_cast<std::ptrdiff_t>(last), [&](const Approach& a) {
+                       const double target = plan_.targets[a.target].in_native();
+                       return target >= lowest_ - window_.in_native() && target <= highest_ + window_.in_native();
+                     });
+}
+
+bool TargetMatcher::was_away() const { return highest_ - lowest_ > plan_.overrun.in_native() / 2; }
+
+CapturedReading TargetMatcher::read(std::size_t approach, const Standstill& s) {
+  if (approach > due_) {
+    std::string names;
+    constexpr std::size_t most_named = 6;
+    for (std::size_t k = due_; k < std::min(approach, due_ + most_named); ++k)
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", approach_name(approaches_[k]));
+    event(EventKind::missed, s.begin_s,
+          fmt::format("no standstill for {}{}", names, approach > due_ + most_named ? " and others" : ""));
+  }
+  const Approach& a = approaches_[approach];
+  const double distance = s.position.in_native() - plan_.targets[a.target].in_native();
+  CapturedReading reading{a, s, Deviation::native(distance * deviation_per_position(plan_.axis.kind)),
+                          remarks_on(s, plan_.axis.kind)};
+  result_.readings.push_back(reading);
+  last_ = approach;
+  due_ = approach + 1;
+  lowest_ = highest_ = s.position.in_native();
+  unseen_ = false;
+  return reading;
+}
+
+void TargetMatcher::explain(std::size_t target, const Standstill& s) {
+  const Approach& due = approaches_[due_];
+  if (!s.arrival)
+    return event(EventKind::unseen, s.begin_s,
+                 fmt::format("at rest at {} (target {}), but the way there was not recorded; not used",
+                             shown(s.position), target + 1));
+  const std::string_view from = arrow(*s.arrival);
+  if (last_ && approaches_[*last_].target == target && (!was_away() || approaches_[*last_].direction == *s.arrival))
+    return event(EventKind::repeated, s.begin_s,
+                 fmt::format("at rest again, at {}; {} keeps its first reading", shown(s.position),
+                             approach_name(approaches_[*last_])));
+  if (due.target == target)
+    return event(EventKind::wrong_direction, s.begin_s,
+                 fmt::format("arrived {} at {}, expected {}; not used", from, shown(s.position), approach_name(due)));
+  event(EventKind::unexpected, s.begin_s,
+        fmt::format("at rest at target {}{} ({}), expected {}; not used", target + 1, from, shown(s.position),
+                    approach_name(due)));
+}
+
+/// A test that was broken off in its first pass and begun anew.
+bool TargetMatcher::begins_again(std::size_t target, const Standstill& s) const {
+  return last_ && due_ >= 2 && due_ < first_pass_ && target == approaches_[0].target &&
+         s.arrival == approaches_[0].direction;
+}
+
+std::vector<CapturedReading> TargetMatcher::try_zero(const Standstill& standstill) {
+  waiting_.push_back(standstill);
+  const std::size_t proof = std::min(zero_proof, approaches_.size());
+  for (std::size_t first = 0; first < waiting_.size(); ++first) {
+    MatcherOptions options = options_;
+    options.zero_at_first_target = false;
+    const double shown_there = (options_.reversed ? -1.0 : 1.0) * waiting_[first].position.in_native();
+    options.datum = Position::native(plan_.targets[approaches_[0].target].in_native() - shown_there);
+    TargetMatcher trial(plan_, options);
+    std::vector<CapturedReading> readings;
+    for (std::size_t k = first; k < waiting_.size(); ++k)
+      for (CapturedReading& reading : trial.take(waiting_[k])) readings.push_back(std::move(reading));
+    const bool begins = !readings.empty() && readings.front().standstill.begin_s == waiting_[first].begin_s;
+    if (!begins || readings.size() < proof || trial.due_ != readings.size()) continue;
+    trial.event(EventKind::zero, waiting_[first].begin_s,
+                fmt::format("the first standstill at target {} showed {}: zero lies at {}", approaches_[0].target + 1,
+                            shown(waiting_[first].position), shown(options.datum)));
+    *this = std::move(trial);
+    return readings;
+  }
+  if (waiting_.size() > most_waiting) waiting_.erase(waiting_.begin());
+  return {};
+}
+
+Result<void> TargetMatcher::finish() {
+  if (options_.zero_at_first_target)
+    return fail(
+        fmt::format("found no {} standstills in {} that fit the first approaches of the plan, expected them to set "
+                    "the zero",
+                    std::min(zero_proof, approaches_.size()), waiting_.size()));
+  const std::size_t missing = approaches_.size() - due_;
+  if (missing > 0)
+    event(EventKind::incomplete, last_time_s_,
+          fmt::format("the recording ended before {} and the {} behind it", approach_name(approaches_[due_]),
+                      missing - 1));
+  std::vector<double> deviations;
+  for (const CapturedReading& reading : result_.readings) deviations.push_back(reading.deviation.in_native());
+  if (deviations.empty()) return {};
+  std::ranges::nth_element(deviations, deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2));
+  const double middle = deviations[deviations.size() / 2];
+  if (std::abs(middle) > window_.in_native() * deviation_per_position(plan_.axis.kind) / 10)
+    event(
+        EventKind::off_zero, last_time_s_,
+        fmt::format("half of all readings lie beyond {} {}: the zero of the instrument may be another than the plan's",
+                    format_fixed(middle, 1), deviation_unit(plan_.axis.kind)));
+  return {};
+}
+
+void TargetMatcher::event(EventKind kind, double time_s, std::string message) {
+  result_.events.push_back({kind, time_s, std::move(message)});
+}
+
+std::string TargetMatcher::shown(Position position) const {
+  const bool linear = plan_.axis.kind == AxisKind::linear;
+  return format_fixed(position.in_native(), position_decimals) + (linear ? " mm" : "°");
+}
+
+}  // namespace axiometry::capture

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/capture/capture_result.h"
+#include "axiometry/capture/standstill.h"
+#include "axiometry/model/plan.h"
+
+/// Which standstill belongs to which approach of a plan. By position, direction of arrival and the way in between,
+/// never by counting alone, so that one missed target does not shift those behind it.
+namespace axiometry::capture {
+
+struct MatcherOptions {
+  std::optional<Position> window{};      ///< farthest from a target; default_window() when absent
+  Duration shortest = Duration::s(1.0);  ///< shorter standstills are not used
+  bool reversed = false;                 ///< the instrument counts up when the axis moves down
+  Position datum{};                      ///< where on the axis the instrument shows zero
+  bool zero_at_first_target = false;     ///< instead of `datum`: its first standstill at target 1 is that target
+};
+
+/// A quarter of the smallest interval between targets, but at most half the overrun.
+Position default_window(const Plan& plan);
+
+/// Takes standstills in order. The rules, for a standstill at target i from direction d:
+///
+/// - It is the next approach that the plan still expects at (i, d), if the axis has passed the targets of all
+/// approaches
+///   in between; those are missed.
+/// - At the approach just read, without having been away by half an overrun: the same standstill again, not used.
+/// - Anything else is not used and told as an event. Nothing is used whose direction contradicts the plan.
+/// - Where samples are missing, or before the recording, the way is not known: then any later approach of that
+/// direction
+///   will do. A standstill is never used when the motion towards it was not recorded.
+class TargetMatcher {
+ public:
+  /// Fails when the plan is not sound, or the window is not positive, reaches half way to the next target or an
+  /// overrun.
+  static Result<TargetMatcher> make(Plan plan, const MatcherOptions& options);
+
+  /// The readings that this standstill completes; mostly one or none.
+  std::vector<CapturedReading> take(const Standstill& standstill);
+
+  /// What is still missing becomes an event, and an offset of all readings too. Fails when the zero was to be set at
+  /// target 1 and no standstills fitted.
+  Result<void> finish();
+
+  bool complete() const { return due_ == approaches_.size(); }
+  const CaptureResult& result() const { return result_; }
+  const Plan& plan() const { return plan_; }
+  /// The approach that is due; nothing when all are done.
+  std::optional<Approach> due() const;
+
+ private:
+  TargetMatcher(Plan plan, const MatcherOptions& options);
+
+  Standstill in_plan(const Standstill& shown) const;
+  std::optional<CapturedReading> match(const Standstill& standstill);
+  std::vector<CapturedReading> try_zero(const Standstill& standstill);
+  std::optional<std::size_t> target_at(Position position) const;
+  bool at_turning_point(Position position) const;
+  std::optional<std::size_t> approach_for(std::size_t target, const Standstill& standstill) const;
+  bool passed(std::size_t first, std::size_t last) const;
+  bool was_away() const;
+  CapturedReading read(std::size_t approach, const Standstill& standstill);
+  void explain(std::size_t target, const Standstill& standstill);
+  bool begins_again(std::size_t target, const Standstill& standstill) const;
+  void event(EventKind kind, double time_s, std::string message);
+  std::string shown(Position position) const;
+
+  Plan plan_;
+  MatcherOptions options_;
+  Position window_;
+  std::vector<Approach> approaches_;
+  std::set<Position> turning_points_;
+  std::size_t first_pass_ = 0;           // approaches before the first change of direction
+  std::size_t due_ = 0;                  // index of the next approach
+  std::optional<std::size_t> last_;      // the approach read last
+  double lowest_ = 0.0, highest_ = 0.0;  // of the way since then
+  bool unseen_ = true;                   // a part of that way is missing
+  std::vector<Standstill> waiting_;      // until the zero is known
+  double last_time_s_ = 0.0;
+  CaptureResult result_;
+};
+
+}  // namespace axiometry::capture

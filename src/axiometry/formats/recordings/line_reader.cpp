@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/recordings/line_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "axiometry/base/number_text.h"
+
+namespace axiometry::formats {
+namespace {
+
+constexpr std::size_t longest_line = 4096;
+constexpr std::size_t batch = 4096;
+constexpr std::size_t most_damaged_in_a_row = 100;
+
+}  // namespace
+
+Result<void> LineReader::feed(std::string_view bytes, const SampleSink& sink) {
+  auto taken = take_lines(bytes, sink);
+  auto flushed = flush(sink);  // also what stood before a refused line
+  return taken ? flushed : taken;
+}
+
+Result<void> LineReader::take_lines(std::string_view bytes, const SampleSink& sink) {
+  for (std::size_t end = bytes.find('\n'); end != bytes.npos; end = bytes.find('\n')) {
+    if (skip_to_break_) {
+      skip_to_break_ = false;
+      ++line_;
+    } else if (begun_.empty()) {
+      AXIOMETRY_TRY_VOID(take_whole(bytes.substr(0, end)));
+    } else {
+      begun_ += bytes.substr(0, end);
+      AXIOMETRY_TRY_VOID(take_whole(std::exchange(begun_, {})));
+    }
+    bytes.remove_prefix(end + 1);
+    if (samples_.size() >= batch) AXIOMETRY_TRY_VOID(flush(sink));
+  }
+  if (!skip_to_break_) begun_ += bytes;
+  if (begun_.size() <= longest_line) return {};
+  if (!skip_damaged_)
+    return fail(fmt::format("found a line of more than {} bytes, expected one sample a line", longest_line),
+                {line_ + 1, 1});
+  interrupted();
+  ++damaged_;
+  return {};
+}
+
+Result<void> LineReader::finish(const SampleSink& sink) {
+  auto taken = begun_.empty() ? Result<void>{} : take_whole(std::exchange(begun_, {}));
+  if (taken) taken = end();
+  auto flushed = flush(sink);
+  return taken ? flushed : taken;
+}
+
+void LineReader::interrupted() {
+  begun_.clear();
+  skip_to_break_ = true;
+  gap();
+}
+
+Result<void> LineReader::emit(Sample sample) {
+  if (!std::isfinite(sample.time_s) || !std::isfinite(sample.position))
+    return fail("found a number that is not finite, expected time and position");
+  if (sample.time_s < last_time_s_)
+    return fail(fmt::format("found time running backwards from {} s to {} s, expected samples in order of time",
+                            format_exact(last_time_s_), format_exact(sample.time_s)));
+  last_time_s_ = sample.time_s;
+  samples_.push_back(sample);
+  return {};
+}
+
+Result<void> LineReader::take_whole(std::string_view line) {
+  ++line_;
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  auto taken = line.size() > longest_line
+                   ? fail(fmt::format("found a line of {} bytes, expected one sample a line", line.size()))
+                   : take(line);
+  if (taken) {
+    damaged_in_a_row_ = 0;
+    return taken;
+  }
+  if (taken.error().at.line == 0) taken.error().at = {line_, 1};
+  if (!skip_damaged_) return taken;
+  ++damaged_;
+  if (++damaged_in_a_row_ < most_damaged_in_a_row) return {};
+  taken.error().message += fmt::format(" (and so in {} lines in a row)", most_damaged_in_a_row);
+  return taken;
+}
+
+Result<void> LineReader::flush(const SampleSink& sink) {
+  if (samples_.empty()) return {};
+  auto done = sink(samples_);
+  samples_.clear();
+  return done;
+}
+
+}  // namespace axiometry::formats

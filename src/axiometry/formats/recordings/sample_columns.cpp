@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/recordings/sample_columns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/recordings/time_text.h"
+#include "axiometry/formats/units.h"
+
+namespace axiometry::formats {
+namespace {
+
+constexpr std::string_view time_names[] = {"time",       "t",        "zeit", "timestamp",
+                                           "time stamp", "datetime", "date", "elapsed"};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool begins_with_date(std::string_view word) {
+  return word.size() == 10 && is_digit(word[0]) && (word[4] == '-' || word[4] == '/') && is_digit(word[9]);
+}
+
+std::string_view unquoted(std::string_view cell) {
+  cell = text::trim(cell);
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = text::trim(cell.substr(1, cell.size() - 2));
+  return cell;
+}
+
+/// Name and unit of a header cell: "pos [mm]", "pos (mm)", "pos/mm", "pos_mm", "mm".
+struct Heading {
+  std::string name;
+  std::optional<double> seconds;  // of a unit of time
+  const Unit* unit = nullptr;     // of a unit of position
+};
+
+bool take_unit(Heading& heading, std::string_view unit) {
+  unit = text::trim(unit);
+  heading.seconds = seconds_per_unit(unit);
+  heading.unit = heading.seconds ? nullptr : find_unit(unit);
+  return heading.seconds || heading.unit != nullptr;
+}
+
+Heading heading_of(std::string_view cell) {
+  cell = unquoted(cell);
+  Heading heading{std::string(cell), {}, nullptr};
+  for (const auto& [open, close] :
+       {std::pair('[', "]"), std::pair('(', ")"), std::pair('/', ""), std::pair('_', ""), std::pair(' ', "")}) {
+    const std::size_t at = cell.rfind(open);
+    if (at == cell.npos) continue;
+    std::string_view unit = cell.substr(at + 1);
+    if (unit.ends_with(close) && take_unit(heading, unit.substr(0, unit.size() - std::string_view(close).size()))) {
+      heading.name = text::trim(cell.substr(0, at));
+      return heading;
+    }
+  }
+  const bool named_t = std::ranges::any_of(time_names, [&](auto n) { return text::equal_ignoring_case(n, cell); });
+  if (!named_t && take_unit(heading, cell)) heading.name.clear();
+  return heading;
+}
+
+bool is_time(const Heading& heading) {
+  return heading.seconds || std::ranges::any_of(time_names, [&](std::string_view name) {
+           return text::equal_ignoring_case(name, heading.name);
+         });
+}
+
+}  // namespace
+
+std::vector<std::string_view> cells_of(std::string_view line, char delimiter) {
+  if (delimiter != ' ') {
+    std::vector<std::string_view> cells = text::split(line, delimiter);
+    for (std::string_view& cell : cells) cell = unquoted(cell);
+    while (cells.size() > 2 && cells.back().empty()) cells.pop_back();  // a delimiter at the end of the line
+    return cells;
+  }
+  std::vector<std::string_view> cells = text::words(line);
+  for (std::size_t k = 0; k + 1 < cells.size(); ++k) {
+    if (!begins_with_date(cells[k]) || cells[k + 1].find(':') == std::string_view::npos) continue;
+    const char* const begin = cells[k].data();
+    const char* const end = cells[k + 1].data() + cells[k + 1].size();
+    cells[k] = std::string_view(begin, static_cast<std::size_t>(end - begin));
+    cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+  }
+  return cells;
+}
+
+std::optional<double> number_of(std::string_view cell, char delimiter) {
+  if (const auto number = parse_number(cell)) return number;
+  if (delimiter == ',') return std::nullopt;
+  const std::size_t comma = cell.find(',');
+  if (comma == cell.npos || cell.find('.') != cell.npos) return std::nullopt;
+  std::string with_point(cell);
+  with_point[comma] = '.';
+  return parse_number(with_point);
+}
+
+char sample_delimiter(std::string_view line) {
+  if (line.find(';') != line.npos) return ';';
+  if (line.find('\t') != line.npos) return '\t';
+  if (line.find(',') == line.npos) return ' ';
+  const auto words = text::words(line);
+  const bool decimal_commas =
+      words.size() >= 2 && std::ranges::all_of(words, [](std::string_view w) { return number_of(w, ' ').has_value(); });
+  return decimal_commas ? ' ' : ',';
+}
+
+std::optional<SampleColumns> columns_by_values(std::string_view line, std::size_t axis) {
+  SampleColumns columns;
+  columns.delimiter = sample_delimiter(line);
+  columns.position = 1 + axis;
+  const auto cells = cells_of(line, columns.delimiter);
+  if (axis == 0 ? cells.size() != 2 : cells.size() <= columns.position) return std::nullopt;
+  columns.stamps = parse_time_stamp(cells[0]).has_value();
+  if (!columns.stamps && !number_of(cells[0], columns.delimiter)) return std::nullopt;
+  if (!number_of(cells[columns.position], columns.delimiter)) return std::nullopt;
+  return columns;
+}
+
+Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, std::size_t axis) {
+  SampleColumns columns;
+  columns.by_header = true;
+  columns.delimiter = sample_delimiter(line);
+  const auto cells = cells_of(line, columns.delimiter);
+  std::vector<Heading> headings;
+  for (std::string_view cell : cells) headings.push_back(heading_of(cell));
+  const auto time = std::ranges::find_if(headings, is_time);
+  if (time == headings.end() || headings.size() < 2)
+    return fail(
+        fmt::format("found {}, expected two columns, time and position, perhaps below a header such as "
+                    "time_s,position_mm",
+                    text::quoted(line)));
+  columns.time = static_cast<std::size_t>(time - headings.begin());
+  columns.seconds_per_unit = time->seconds.value_or(1.0);
+  if (axis + 1 >= headings.size())
+    return fail(fmt::format("found {} columns beside the time, expected at least {}", headings.size() - 1, axis + 1));
+  columns.position = axis < columns.time ? axis : axis + 1;
+  const Heading& position = headings[columns.position];
+  if (position.unit != nullptr && position.unit->kind != kind)
+    return fail(fmt::format("found positions in {}, expected {} for a {} axis", position.unit->symbol,
+                            kind == AxisKind::linear ? "a unit of length" : "a unit of angle", axis_kind_name(kind)));
+  if (position.unit != nullptr) {
+    columns.position_factor = position.unit->factor;
+    columns.position_divisor = position.unit->divisor * deviation_per_position(kind);
+  }
+  return columns;
+}
+
+}  // namespace axiometry::formats

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/model/axis.h"
+
+/// Columns of a text recording: which one is the time, which the position, in which units.
+namespace axiometry::formats {
+
+struct SampleColumns {
+  char delimiter = ' ';  ///< ' ' stands for any blanks and tabs
+  std::size_t time = 0;
+  std::size_t position = 1;
+  bool stamps = false;            ///< the time is a point in time, else a number
+  double seconds_per_unit = 1.0;  ///< of a time that is a number
+  double position_factor = 1.0;   ///< mm or ° per unit
+  double position_divisor = 1.0;  ///< so that 0.1 µm is exactly 0.0001 mm
+  bool by_header = false;
+};
+
+/// The cells of a line; with blanks as delimiter, date and time of day that a blank parts are one cell.
+std::vector<std::string_view> cells_of(std::string_view line, char delimiter);
+
+/// A number with a decimal point, or with a comma where the comma is not the delimiter.
+std::optional<double> number_of(std::string_view cell, char delimiter);
+
+/// The delimiter of a line: semicolon, tab, comma, else blanks; "0,5 12,25" is parted by its blanks.
+char sample_delimiter(std::string_view line);
+
+/// From the first line with values, when there was no header. Nothing when it is no such line: fewer or (without
+/// `axis` asking for them) more than two columns, or no values.
+std::optional<SampleColumns> columns_by_values(std::string_view line, std::size_t axis);
+
+/// From a header line: names such as time, t, zeit, position, x with units behind them as "_mm", "[mm]", "(mm)",
+/// "/mm" or alone. Fails on a unit of the other kind of axis, and where time or position cannot be told.
+Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, std::size_t axis);
+
+}  // namespace axiometry::formats

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Text of two columns, time and position, as data loggers and scripts write it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/recordings/line_reader.h"
+#include "axiometry/formats/recordings/sample_columns.h"
+#include "axiometry/formats/recordings/time_text.h"
+
+namespace axiometry::formats {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+bool is_comment(std::string_view line) { return line.empty() || line.front() == '#' || line.front() == '%'; }
+
+class TimePositionReader final : public LineReader {
+ public:
+  explicit TimePositionReader(const RecordingOptions& options)
+      : LineReader(options.skip_damaged), kind_(options.kind), axis_(options.axis) {}
+
+ private:
+  Result<void> take(std::string_view line) override {
+    if (line_number() == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
+    line = text::trim(line);
+    if (is_comment(line)) return {};
+    if (!columns_) return begin(line);
+    const auto cells = cells_of(line, columns_->delimiter);
+    if (cells.size() <= std::max(columns_->time, columns_->position) || (width_ != 0 && cells.size() != width_))
+      return fail(fmt::format("found {}, expected {} columns as in the lines before", text::quoted(line), width_));
+    width_ = cells.size();
+    AXIOMETRY_TRY(const double time_s, time_of(cells[columns_->time]));
+    const auto position = number_of(cells[columns_->position], columns_->delimiter);
+    if (!position)
+      return fail(
+          fmt::format("found {}, expected a finite number as position", text::quoted(cells[columns_->position])));
+    return emit({time_s, *position * columns_->position_factor / columns_->position_divisor});
+  }
+
+  /// The first line that is no comment: values, or a header.
+  Result<void> begin(std::string_view line) {
+    columns_ = columns_by_values(line, axis_);
+    if (columns_) return take(line);
+    AXIOMETRY_TRY(columns_, columns_by_header(line, kind_, axis_));
+    return {};
+  }
+
+  Result<double> time_of(std::string_view cell) {
+    if (columns_->by_header && !time_seen_) columns_->stamps = parse_time_stamp(cell).has_value();
+    time_seen_ = true;
+    if (!columns_->stamps) {
+      const auto time = number_of(cell, columns_->delimiter);
+      if (!time) return fail(fmt::format("found {}, expected a finite number as time", text::quoted(cell)));
+      return *time * columns_->seconds_per_unit;
+    }
+    const auto stamp_ns = parse_time_stamp(cell);
+    if (!stamp_ns)
+      return fail(fmt::format("found {}, expected a time such as 2026-11-21T12:34:56.789", text::quoted(cell)));
+    if (!first_stamp_ns_) first_stamp_ns_ = stamp_ns;
+    return static_cast<double>(*stamp_ns - *first_stamp_ns_) * 1e-9;
+  }
+
+  Result<void> end() override {
+    return time_seen_ ? Result<void>{} : fail("found no sample, expected lines of time and position");
+  }
+
+  AxisKind kind_;
+  std::size_t axis_;
+  std::optional<SampleColumns> columns_;
+  std::size_t width_ = 0;
+  bool time_seen_ = false;
+  std::optional<std::int64_t> first_stamp_ns_;
+};
+
+Result<std::unique_ptr<RecordingReader>> open(const RecordingOptions& options) {
+  return std::make_unique<TimePositionReader>(options);
+}
+
+/// The first two lines that are no comments: a header and values, or values twice.
+int recognise(std::string_view head) {
+  if (head.starts_with(byte_order_mark)) head.remove_prefix(byte_order_mark.size());
+  std::string_view lines[2];
+  std::size_t count = 0;
+  while (!head.empty() && count < 2) {
+    const std::size_t end = std::min(head.find('\n'), head.size());
+    const std::string_view line = text::trim(head.substr(0, end));
+    head.remove_prefix(std::min(end + 1, head.size()));
+    if (!is_comment(line)) lines[count++] = line;
+  }
+  if (count == 0) return 0;
+  const auto values = columns_by_values(lines[0], 0);
+  if (values && (count == 1 || columns_by_values(lines[1], 0))) return values->stamps ? 70 : 50;
+  if (values || count < 2) return 0;
+  for (AxisKind kind : {AxisKind::linear, AxisKind::rotary}) {
+    const auto columns = columns_by_header(lines[0], kind, 0);
+    if (!columns) continue;
+    const auto cells = cells_of(lines[1], columns->delimiter);
+    if (cells.size() <= std::max(columns->time, columns->position)) continue;
+    const bool time = number_of(cells[columns->time], columns->delimiter) || parse_time_stamp(cells[columns->time]);
+    if (time && number_of(cells[columns->position], columns->delimiter)) return 80;
+  }
+  return 0;
+}
+
+constexpr std::string_view manual =
+    R"(Text with one sample per line: time and position, as data loggers and scripts write it.
+
+```
+time_s,position_mm
+0.000,-5.0000
+0.010,-5.0001
+0.020,-4.9999
+```
+
+- Columns are parted by comma, semicolon, tab or blanks. Numbers have a decimal point, or a decimal comma where the
+  comma parts no columns.
+- Without a header there are two columns: time in s, position in mm (° on a rotary axis). A header names the columns
+  (`time`, `t`, `zeit`; anything else is a position) and their units, as `_ms`, `[ms]`, `(ms)` or `/ms`: s, ms, us, ns,
+  min, h; mm, um, nm, m, in, deg, arcsec, rad and so on. Of several positions `--stream-axis` says which one is read.
+- The time may be a point in time: `2026-11-21T12:34:56.789Z`, `2026-11-21 12:34:56,789`; it counts from the first.
+- Lines that begin with `#` or `%` and empty lines are passed over.
+- Refused: lines with other columns than those before, numbers that are not finite, time that runs backwards, positions
+  in a unit of the other kind of axis.
+)";
+
+}  // namespace
+
+extern const Recording time_position_recording;
+const Recording time_position_recording = {
+    .id = "time-position",
+    .title = "Text with time and position",
+    .extensions = ".csv .txt",
+    .manual = manual,
+    .recognise = recognise,
+    .open = open,
+};
+
+}  // namespace axiometry::formats
