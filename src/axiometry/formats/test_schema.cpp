@@ -152,7 +152,7 @@ Value source_schema() {
                              {"sha256", typed("string", "Of its bytes, hexadecimal.")},
                              {"format", typed("string", "The format it was read as.")}});
   return object({{"type", or_null("object")},
-                 {"description", "The file that this one was converted from."},
+                 {"description", "The file or stream that this one was taken from."},
                  {"properties", std::move(properties)},
                  {"required", Value::array({"file", "sha256", "format"})},
                  {"additionalProperties", false}});
