@@ -81,6 +81,8 @@ void choose_options(const SimulateArguments& arguments, app::SimulationRequest& 
     const std::vector<std::string>& texts = arguments.options[k];
     if (texts.empty()) continue;
     const std::string name(options[k].name);
+    if (options[k].group == app::recording_group && arguments.outputs.raw.empty())
+      throw CLI::ValidationError(name, "found no recording that it could change, expected --raw");
     if (const auto applied = options[k].apply(texts, request); !applied)
       throw CLI::ValidationError(name, applied.error().message);
     std::string& fault = request.simulate.fault;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <string_view>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/series_order.h"
@@ -49,11 +51,54 @@ class ReadingGrid {
     AXIOMETRY_TRY(Series series, Series::make_dense(std::move(targets), runs_, std::move(deviations_)));
     const auto begin = earliest(times_s_);
     if (!begin) return GatheredSeries{std::move(series), {}};
+    if (auto remark = backwards()) return GatheredSeries{std::move(series), {}, std::move(remark)};
     for (double& t : times_s_) t -= *begin;
     return GatheredSeries{std::move(series), std::move(times_s_)};
   }
 
  private:
+  std::optional<SourceRemark> backwards() const {
+    if (auto remark = run_before_earlier_run()) return remark;
+    return run_in_no_order();
+  }
+
+  SourceRemark left_out(std::string_view what) const {
+    return {false, fmt::format("found time running backwards: {}; the times of the readings are left out", what)};
+  }
+
+  /// The first reading that was taken before that of an earlier run.
+  std::optional<SourceRemark> run_before_earlier_run() const {
+    for (std::size_t cell = 0; cell < 2 * targets_; ++cell) {
+      std::optional<std::size_t> before;
+      for (std::size_t j = 0; j < runs_; ++j) {
+        const std::size_t place = cell * runs_ + j;
+        if (std::isnan(times_s_[place])) continue;
+        if (before && times_s_[place] < times_s_[*before])
+          return left_out(fmt::format("run {} on line {} is {:.4g} s before run {} on line {} at the same target",
+                                      j + 1, lines_[place], times_s_[*before] - times_s_[place],
+                                      *before - cell * runs_ + 1, lines_[*before]));
+        before = place;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The first run in a direction whose times neither only rise nor only fall along the targets.
+  std::optional<SourceRemark> run_in_no_order() const {
+    for (Direction direction : {Direction::up, Direction::down})
+      for (std::size_t j = 0; j < runs_; ++j) {
+        std::vector<double> times_s;
+        for (std::size_t i = 0; i < targets_; ++i) {
+          const double t = times_s_[(static_cast<std::size_t>(direction) * targets_ + i) * runs_ + j];
+          if (!std::isnan(t)) times_s.push_back(t);
+        }
+        if (std::ranges::is_sorted(times_s) || std::ranges::is_sorted(times_s, std::ranges::greater{})) continue;
+        return left_out(
+            fmt::format("those of run {} {} neither rise nor fall along the targets", j + 1, arrow(direction)));
+      }
+    return std::nullopt;
+  }
+
   std::size_t targets_;
   std::size_t runs_;
   std::vector<double> deviations_;

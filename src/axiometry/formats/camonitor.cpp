@@ -92,6 +92,7 @@ class Reader {
     test.metadata.conditions.comment =
         fmt::format("Reference {}; set-point {}", log_.variables[roles_.reference], log_.variables[roles_.set_point]);
     test.provenance.remarks = remarks();
+    if (result.remark) test.provenance.remarks.push_back(*std::move(result.remark));
     return test;
   }
 
@@ -302,6 +303,8 @@ class Reader {
       list.push_back({false, fmt::format("found another zero of the reference than of the axis: deviations have the "
                                          "mean {} {}, on which no parameter depends",
                                          format_fixed(*constant_, 1), deviation_unit(unit().kind))});
+    if (const auto backwards = time_running_backwards(log_, {roles_.set_point, roles_.reference, *log_.test_number}))
+      list.push_back({false, *backwards});
     const std::size_t others = log_.events.size() - points_.size();
     if (others > 0)
       list.push_back({false, fmt::format("found {} that no ISO 230-2 test has; they were passed over",
@@ -372,7 +375,8 @@ IOC:TestNumber  2026-01-31 10:00:06.000000 1102
   it, the target the last value of the set-point. The move before must go in the direction that the number says.
 - The set-point is the variable whose name holds PosSet, PosCmd, SetPoint or the like. The reference is the one whose
   name holds Laser, ILD, Interferometer, Reference or the like, or else the only other variable that moves. Where that
-  leaves a choice the log is refused, naming the variables. A remark tells what was taken.
+  leaves a choice the log is refused, naming the variables. A remark tells what was taken, another where the times of
+  these variables run backwards.
 - Lines that you may add: `# REF_PV=NAME`, `# TGT_SET_PV=NAME`, `# TEST_PV=NAME`, `# UNIT=mm` (mm when not given, with a
   remark), `# REF_GAIN=-1` and `# REF_OFFSET=50` for a reference that counts otherwise: reading = gain·value + offset.
 - Refused: a reference that does not follow the set-point one to one within a tenth, a number given twice, a target

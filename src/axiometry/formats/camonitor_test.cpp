@@ -125,6 +125,21 @@ TEST(Camonitor, TellsHowTheLogWasTaken) {
                 "found 1 line without a value, the first on line 6; they were passed over"}));
 }
 
+TEST(Camonitor, TellsOfTimeThatRunsBackwards) {
+  const Recording recording;
+  std::string text = Log(recording).whole();
+  const std::size_t test_number = text.find("TestNumber            2026-04-06 12:");
+  text.insert(text.find('\n', test_number) + 1,
+              "IOC_TEST:ILD_DownSample        2026-04-06 12:00:00.000001 3\n"
+              "TARGET_DU:X-PosAct             2026-04-06 12:00:00.000002 3\n");
+  const auto test = read(text);
+  expect_known_deviations(test, recording);
+  ASSERT_EQ(test->provenance.remarks.size(), 5u);
+  EXPECT_EQ(test->provenance.remarks[2].message,
+            "found time running backwards: 1 line with a time before that of a line above, the first on line 13 "
+            "(2026-04-06 12:00:00.000001 below 2026-04-06 12:00:03.000000); values were taken in the order of the log");
+}
+
 TEST(Camonitor, UnderstandsNumbersOfManyTargets) {
   // Ten and more targets make the scripts write two digits, so 1 1 0 09 and 1 1 0 10.
   const auto test = read(

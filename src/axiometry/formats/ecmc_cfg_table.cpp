@@ -67,12 +67,13 @@ Result<Columns> columns_of(const CfgRow& header) {
                  .needed = std::max({*cycle, *direction, *target, *error}) + 1};
 }
 
-/// Half a unit of the last digit that a number shows.
+/// Half a unit of the last digit that a number shows. One without a decimal mark is exact: targets are often whole, and
+/// nobody rounds to millimetres.
 double half_digit(std::string_view number) {
   const std::size_t point = number.find_first_of(".,");
   if (number.find_first_of("eE") != std::string_view::npos) return 0.0;
-  const std::size_t decimals = point == std::string_view::npos ? 0 : number.size() - point - 1;
-  return 0.5 * std::pow(10.0, -static_cast<double>(decimals));
+  if (point == std::string_view::npos) return 0.0;
+  return 0.5 * std::pow(10.0, -static_cast<double>(number.size() - point - 1));
 }
 
 class Rows {
@@ -122,8 +123,9 @@ class Rows {
                                             references_.size(), fmt::join(references_, ", "))});
     if (largest_difference_ > 0.0)
       remarks.push_back({false, fmt::format("found errors of the reference that differ from its mean minus the target "
-                                            "by up to {} mm; the errors were taken",
-                                            format_exact(largest_difference_))});
+                                            "by up to {:.4g} mm; the errors were taken",
+                                            largest_difference_)});
+    if (result.remark) remarks.push_back(*std::move(result.remark));
     return test;
   }
 
