@@ -26,25 +26,22 @@ std::optional<double> earliest(std::span<const double> times_s) {
   return first;
 }
 
+/// The grid may have many more places than there are readings, so it keeps no more of each than must be.
 class ReadingGrid {
  public:
-  ReadingGrid(std::size_t targets, std::size_t runs)
+  ReadingGrid(std::size_t targets, std::size_t runs, bool timed)
       : targets_(targets),
         runs_(runs),
         deviations_(2 * targets * runs, missing),
-        times_s_(deviations_.size(), missing),
-        lines_(deviations_.size()) {}
+        times_s_(timed ? deviations_.size() : 0, missing) {}
 
-  Result<void> enter(const Approach& a, std::size_t target) {
+  /// False where there is a reading already.
+  bool enter(const Approach& a, std::size_t target) {
     const std::size_t place = (static_cast<std::size_t>(a.direction) * targets_ + target) * runs_ + a.run - 1;
-    if (!std::isnan(deviations_[place]))
-      return fail(fmt::format("found a second reading of target {}{} run {}, expected only that on line {}",
-                              format_exact(a.target.in_native()), arrow(a.direction), a.run, lines_[place]),
-                  a.at);
+    if (!std::isnan(deviations_[place])) return false;
     deviations_[place] = a.deviation.in_native();
-    times_s_[place] = a.time_s;
-    lines_[place] = a.at.line;
-    return {};
+    if (!times_s_.empty()) times_s_[place] = a.time_s;
+    return true;
   }
 
   Result<GatheredSeries> result(std::vector<Position> targets) && {
@@ -103,7 +100,6 @@ class ReadingGrid {
   std::size_t runs_;
   std::vector<double> deviations_;
   std::vector<double> times_s_;
-  std::vector<std::size_t> lines_;
 };
 
 }  // namespace
@@ -122,8 +118,17 @@ Result<GatheredSeries> gathered(std::span<const Approach> approaches) {
   const std::span<const std::uint32_t> ranks = index.ranks();
   std::vector<Position> targets(m);
   for (std::size_t k = 0; k < m; ++k) targets[ranks[k]] = Position::native(index.targets()[k]);
-  ReadingGrid grid(m, runs);
-  for (std::size_t k = 0; k < approaches.size(); ++k) AXIOMETRY_TRY_VOID(grid.enter(approaches[k], ranks[numbers[k]]));
+  ReadingGrid grid(m, runs, std::ranges::any_of(approaches, [](const Approach& a) { return !std::isnan(a.time_s); }));
+  for (std::size_t k = 0; k < approaches.size(); ++k) {
+    const Approach& a = approaches[k];
+    if (grid.enter(a, ranks[numbers[k]])) continue;
+    std::size_t first = 0;
+    while (numbers[first] != numbers[k] || approaches[first].direction != a.direction || approaches[first].run != a.run)
+      ++first;
+    return fail(fmt::format("found a second reading of target {}{} run {}, expected only that on line {}",
+                            format_exact(a.target.in_native()), arrow(a.direction), a.run, approaches[first].at.line),
+                a.at);
+  }
   return std::move(grid).result(std::move(targets));
 }
 

@@ -59,11 +59,12 @@ bool is_set_point(std::string_view name) {
 
 bool is_marked_reference(std::string_view name) {
   const std::string whole = text::to_lower(name);
+  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
   return std::ranges::any_of(reference_words, [&](std::string_view word) {
     // A word, not a part of one: "ild" is in "build".
-    const std::size_t at = whole.find(word);
-    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
-    return at != std::string::npos && (at == 0 || !is_letter(whole[at - 1]));
+    for (std::size_t at = whole.find(word); at != std::string::npos; at = whole.find(word, at + 1))
+      if (at == 0 || !is_letter(whole[at - 1])) return true;
+    return false;
   });
 }
 
@@ -88,7 +89,8 @@ class Reader {
     Test test{Metadata{}, std::move(result.series), Provenance{}};
     test.times_s = std::move(result.times_s);
     test.metadata.axis.kind = unit().kind;
-    test.metadata.conditions.date = state(points_.front(), roles_.reference).time.substr(0, 10);
+    if (const std::string_view time = state(points_.front(), roles_.reference).time; time_stamp_s(time))
+      test.metadata.conditions.date = time.substr(0, 10);
     test.metadata.conditions.comment =
         fmt::format("Reference {}; set-point {}", log_.variables[roles_.reference], log_.variables[roles_.set_point]);
     test.provenance.remarks = remarks();

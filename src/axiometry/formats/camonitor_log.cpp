@@ -13,6 +13,8 @@
 namespace axiometry::formats {
 namespace {
 
+constexpr std::size_t most_states = 4'000'000;  // 220 MB; 500 events of a test among 8 000 variables
+
 bool is_test_number(std::string_view name) { return text::to_lower(name).contains("testnumber"); }
 
 class Pass {
@@ -85,8 +87,15 @@ class Pass {
     const bool first = state.line == 0;
     connecting_ = connecting_ && first;
     const bool changed = first || state.value != line.value;
-    if (number == log_.test_number && changed && !(first && is_initial(line)))
+    if (number == log_.test_number && changed && !(first && is_initial(line))) {
+      states_kept_ += states_.size();
+      if (states_kept_ > most_states)
+        return fail(fmt::format("found {} changes of {} among {} variables, expected the log of one test; record fewer "
+                                "variables",
+                                log_.events.size() + 1, text::quoted(line.name), states_.size()),
+                    {log_.lines, 1});
       log_.events.push_back({line.value, log_.lines, states_});
+    }
     if (changed) {
       state.previous = state.value;
       state.value = line.value;
@@ -114,6 +123,7 @@ class Pass {
   std::string_view stated_test_number_;
   std::unordered_map<std::string_view, std::size_t> numbers_;
   std::vector<LogState> states_;
+  std::size_t states_kept_ = 0;          // by all events
   std::vector<std::size_t> successors_;  // by the variable before
   std::size_t last_ = 0;
   bool connecting_ = true;   // no variable has spoken twice

@@ -67,7 +67,8 @@ std::optional<LogLine> log_line(std::string_view line);
 
 /// Reads a whole log. The events are those of the variable whose name holds "TestNumber", in any case, or which a
 /// line `# TEST_PV=NAME` above its first value names. A value repeated is no event, nor is the value that camonitor
-/// prints for each variable when it connects. Fails when two variables are test numbers, naming them.
+/// prints for each variable when it connects. Fails when two variables are test numbers, naming them, and when all
+/// events together keep more than four million states: their memory grows with the product of events and variables.
 Result<Log> read_log(std::string_view text);
 
 /// A remark when values of one of these variables have a time before that of a line above them.

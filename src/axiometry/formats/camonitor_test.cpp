@@ -226,6 +226,23 @@ TEST(Camonitor, RefusesWhatIsBroken) {
             "found no test number of an ISO 230-2 test in \"IOC_TEST:TestNumber\", expected 1101, 1102, …");
 }
 
+TEST(Camonitor, FindsTheWordOfAReferenceBehindAnotherThatHoldsIt) {
+  Recording recording;
+  recording.reference = "BUILD7:ILD_DownSample";  // beside X-PosAct, which moves too
+  const auto test = read(Log(recording).whole());
+  expect_known_deviations(test, recording);
+  EXPECT_TRUE(test->metadata.conditions.comment.starts_with("Reference BUILD7:ILD_DownSample;"));
+}
+
+TEST(Camonitor, RefusesManyChangesAmongManyVariablesBeforeTheyFillTheMemory) {
+  std::string text;
+  for (int k = 0; k < 3000; ++k) text += fmt::format("A:V{} 2026-04-06 12:00:00.1 0\n", k);
+  for (int k = 0; k < 3000; ++k) text += fmt::format("A:TestNumber 2026-04-06 12:00:00.2 {}\n", 1101 + k % 2);
+  EXPECT_EQ(find_format("camonitor")->read(text).error().to_string(),
+            "line 4333:1: found 1333 changes of \"A:TestNumber\" among 3001 variables, expected the log of one test; "
+            "record fewer variables");
+}
+
 TEST(Camonitor, ReadsLogsOfWindowsShells) {
   const Recording recording;
   std::string utf16 = "\xFF\xFE";

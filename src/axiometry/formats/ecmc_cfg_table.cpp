@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <set>
 #include <span>
 
 #include "axiometry/base/number_text.h"
@@ -117,10 +119,10 @@ class Rows {
     test.metadata.conditions.date = date_;
     auto& remarks = test.provenance.remarks;
     remarks.push_back({false, "found lengths without a unit; they were taken in mm"});
-    if (references_.size() == 1) test.metadata.conditions.comment = fmt::format("Reference {}", references_[0]);
+    if (references_.size() == 1) test.metadata.conditions.comment = fmt::format("Reference {}", *references_.begin());
     if (references_.size() > 1)
       remarks.push_back({false, fmt::format("found readings of {} references ({}); each was taken as its row says",
-                                            references_.size(), fmt::join(references_, ", "))});
+                                            references_.size(), named_references())});
     if (largest_difference_ > 0.0)
       remarks.push_back({false, fmt::format("found errors of the reference that differ from its mean minus the target "
                                             "by up to {:.4g} mm; the errors were taken",
@@ -150,7 +152,14 @@ class Rows {
   void take_reference(const CfgRow& row) {
     const CsvCell* cell = cell_at(row, columns_.reference);
     if (cell == nullptr || cell->text.empty()) return;
-    if (std::ranges::find(references_, cell->text) == references_.end()) references_.push_back(cell->text);
+    references_.insert(cell->text);
+  }
+
+  std::string named_references() const {
+    constexpr std::size_t named_at_most = 5;
+    auto end = references_.begin();
+    std::advance(end, std::min(references_.size(), named_at_most));
+    return fmt::format("{}{}", fmt::join(references_.begin(), end, ", "), end == references_.end() ? "" : ", …");
   }
 
   /// Both are in the file; that they agree to the digits shown proves that the columns mean what they are taken for.
@@ -169,7 +178,7 @@ class Rows {
   Columns columns_;
   NumberReader numbers_{','};
   std::vector<Approach> approaches_;
-  std::vector<std::string> references_;
+  std::set<std::string> references_;
   std::string date_;
   double largest_difference_ = 0.0;
 };

@@ -86,6 +86,7 @@ class ContentReader {
   Result<Content> read(const Sections& sections) {
     AXIOMETRY_TRY(content_.rotary, is_rotary(sections));
     AXIOMETRY_TRY_VOID(each(sections, "target data", &ContentReader::take_target_line));
+    if (content_.targets.empty()) return fail("found no targets, expected a list of them below 'Targets :'");
     AXIOMETRY_TRY_VOID(each(sections, "runs", &ContentReader::take_run_line));
     AXIOMETRY_TRY_VOID(each(sections, "deviations", &ContentReader::take_deviation_line));
     return std::move(content_);
@@ -167,7 +168,6 @@ class ContentReader {
 
 Result<void> check_counts(const Content& content) {
   const std::size_t m = content.targets.size();
-  if (m == 0) return fail("found no targets, expected a list of them below 'Targets :'");
   if (content.target_count && content.target_count->count != m)
     return fail(fmt::format("found Target-count {} and a list of {}, expected the same number",
                             content.target_count->count, counted(m, "target")),

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -103,7 +104,10 @@ Result<Plan> make_plan(const PlanRequest& request);
 std::vector<Finding> plan_findings(const Plan& plan);
 
 /// No finding is a departure.
-bool conforming(const std::vector<Finding>& findings);
+bool conforming(std::span<const Finding> findings);
+
+/// Fails on an acceleration outside 0.001 to 1e6 mm/s² or °/s², on which no duration can be told.
+Result<void> check_acceleration(double acceleration);
 
 /// mm/s² or °/s², when nothing is known about the axis: 1 000 mm/s² or 500 °/s².
 double usual_acceleration(AxisKind kind);

@@ -23,9 +23,7 @@ constexpr double least_phases = 0.25;       // of the period: fewer are missed b
 constexpr double periods_at_least = 2.0;    // Annex C
 constexpr double targets_per_period = 4.0;  // Annex C: half the period is the limit, where nothing can be told
 
-std::string position_text(const Plan& plan, double x) {
-  return rules::figure(x) + (plan.axis.kind == AxisKind::linear ? " mm" : "°");
-}
+std::string position_text(const Plan& plan, double x) { return rules::position_text(plan.axis.kind, x); }
 
 double travel_of(const Plan& plan) { return plan.targets.back().in_native() - plan.targets.front().in_native(); }
 
@@ -222,7 +220,7 @@ std::vector<Finding> plan_findings(const Plan& plan) {
   return all;
 }
 
-bool conforming(const std::vector<Finding>& findings) {
+bool conforming(std::span<const Finding> findings) {
   return std::ranges::find(findings, Severity::departure, &Finding::severity) == findings.end();
 }
 
