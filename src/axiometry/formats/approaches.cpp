@@ -71,9 +71,8 @@ class ReadingGrid {
         const std::size_t place = cell * runs_ + j;
         if (std::isnan(times_s_[place])) continue;
         if (before && times_s_[place] < times_s_[*before])
-          return left_out(fmt::format("run {} on line {} is {:.4g} s before run {} on line {} at the same target",
-                                      j + 1, lines_[place], times_s_[*before] - times_s_[place],
-                                      *before - cell * runs_ + 1, lines_[*before]));
+          return left_out(fmt::format("run {} is {:.4g} s before run {} at the same target", j + 1,
+                                      times_s_[*before] - times_s_[place], *before - cell * runs_ + 1));
         before = place;
       }
     }
