@@ -29,7 +29,7 @@ Result<const formats::Format*> writer_of(std::string_view name) {
     if (format->write == nullptr) continue;
     for (const std::string_view own : text::words(format->extensions)) {
       if (own == extension) return format;
-      known.push_back(own);
+      if (!std::ranges::contains(known, own)) known.push_back(own);
     }
   }
   return fail(fmt::format("found the test's name {}, expected a file ending in {}", text::quoted(name),
