@@ -34,7 +34,7 @@ Result<PlannedTest> planned(Plan plan, std::optional<double> acceleration) {
   if (acceleration) AXIOMETRY_TRY_VOID(iso230_2::check_acceleration(*acceleration));
   PlannedTest result;
   result.acceleration = acceleration.value_or(iso230_2::usual_acceleration(plan.axis.kind));
-  result.findings = iso230_2::plan_findings(plan);
+  result.findings = iso230_2::plan_findings(plan, result.acceleration);
   result.duration = iso230_2::estimated_duration(plan, result.acceleration);
   result.duration_in_all = result.duration;
   for (const Plan& part : plan.further)

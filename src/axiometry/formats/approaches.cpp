@@ -48,14 +48,14 @@ class ReadingGrid {
     AXIOMETRY_TRY(Series series, Series::make_dense(std::move(targets), runs_, std::move(deviations_)));
     const auto begin = earliest(times_s_);
     if (!begin) return GatheredSeries{std::move(series), {}};
-    if (auto remark = backwards(series)) return GatheredSeries{std::move(series), {}, std::move(remark)};
+    if (auto remark = backwards()) return GatheredSeries{std::move(series), {}, std::move(remark)};
     for (double& t : times_s_) t -= *begin;
     return GatheredSeries{std::move(series), std::move(times_s_)};
   }
 
  private:
-  std::optional<SourceRemark> backwards(const Series& series) const {
-    if (auto remark = run_before_earlier_run(series)) return remark;
+  std::optional<SourceRemark> backwards() const {
+    if (auto remark = run_before_earlier_run()) return remark;
     return run_in_no_order();
   }
 
@@ -64,16 +64,14 @@ class ReadingGrid {
   }
 
   /// The first reading that was taken before that of an earlier run.
-  std::optional<SourceRemark> run_before_earlier_run(const Series& series) const {
+  std::optional<SourceRemark> run_before_earlier_run() const {
     for (std::size_t cell = 0; cell < 2 * targets_; ++cell) {
       std::optional<std::size_t> before;
       for (std::size_t j = 0; j < runs_; ++j) {
         const std::size_t place = cell * runs_ + j;
         if (std::isnan(times_s_[place])) continue;
         if (before && times_s_[place] < times_s_[*before])
-          return left_out(fmt::format("target {}{} run {} is {:.4g} s before its run {}",
-                                      format_exact(series.targets()[cell % targets_].in_native()),
-                                      arrow(cell < targets_ ? Direction::up : Direction::down), j + 1,
+          return left_out(fmt::format("run {} is {:.4g} s before run {} at the same target", j + 1,
                                       times_s_[*before] - times_s_[place], *before - cell * runs_ + 1));
         before = place;
       }

@@ -100,8 +100,9 @@ Result<Plan> make_plan(const PlanRequest& request);
 /// What the standard has to say about a plan, also one that people have edited: the rules of find_departures() that
 /// concern the programme, as if every approach had been measured, and those that only a plan can break (overruns beyond
 /// the travel, a feed that is not reached, no warm-up, a period that the targets do not sample). Departures first.
-/// Findings about a further plan begin with its title. Needs a sound plan.
-std::vector<Finding> plan_findings(const Plan& plan);
+/// Findings about a further plan begin with its title. Whether the feed is reached depends on the acceleration of the
+/// axis, the usual one when none is given. Needs a sound plan and a > 0.
+std::vector<Finding> plan_findings(const Plan& plan, std::optional<double> acceleration = {});
 
 /// No finding is a departure.
 bool conforming(std::span<const Finding> findings);
