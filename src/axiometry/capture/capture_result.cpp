@@ -41,6 +41,27 @@ Result<void> check_fit(const Plan& plan, const CaptureResult& result) {
       format_exact(plan.targets.back().in_native()), position_unit(plan.axis.kind), seen));
 }
 
+/// Where targets of another plan lie in the windows of this one, readings fill them; those of an axis lie close
+/// together, even with another zero. A twentieth of them at each end may be anything, and so may all of them where
+/// targets are so dense (Annex C) that the error of the axis itself fills the window.
+Result<void> check_closeness(const Plan& plan, const CaptureResult& result) {
+  constexpr double most = 0.4;  // of the window; evenly spread readings take 1.8
+  constexpr double always_possible = 0.1;  // mm or °
+  std::vector<double> deviations;
+  for (const CapturedReading& r : result.readings) deviations.push_back(r.deviation.in_native());
+  std::ranges::sort(deviations);
+  const std::size_t cut = deviations.size() / 20;
+  const double lowest = deviations[cut], highest = deviations[deviations.size() - 1 - cut];
+  const double limit =
+      std::max(most * result.window.in_native(), always_possible) * deviation_per_position(plan.axis.kind);
+  if (highest - lowest <= limit) return {};
+  return fail(fmt::format(
+      "found deviations from {} to {} {} from the targets, expected a range of {} {} at most: the recording belongs to "
+      "another plan, or the window around the targets is too narrow for this axis (--target-window)",
+      format_fixed(lowest, 1), format_fixed(highest, 1), deviation_unit(plan.axis.kind), format_fixed(limit, 1),
+      deviation_unit(plan.axis.kind)));
+}
+
 std::vector<SourceRemark> remarks_of(const CaptureResult& result, const std::vector<std::size_t>& left_out) {
   std::vector<SourceRemark> remarks;
   if (result.readings.size() < result.approaches)
@@ -49,7 +70,9 @@ std::vector<SourceRemark> remarks_of(const CaptureResult& result, const std::vec
   if (!left_out.empty()) {
     std::string numbers;
     for (std::size_t i : left_out) numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", i + 1);
-    remarks.push_back({false, fmt::format("targets without any reading were left out: {}", numbers)});
+    remarks.push_back({true, fmt::format("found no reading at target {} of the plan, expected one from every approach: "
+                                         "left out of the test",
+                                         numbers)});
   }
   for (const CaptureEvent& event : result.events)
     if (event.kind != EventKind::incomplete)
@@ -99,6 +122,7 @@ Result<Test> captured_test(const Plan& plan, const CaptureResult& result) {
   if (targets.size() < 2)
     return fail(fmt::format("found readings at {} of {} targets in {} standstills, expected at least two",
                             targets.size(), plan.targets.size(), result.standstills));
+  AXIOMETRY_TRY_VOID(check_closeness(plan, result));
   const std::size_t m = targets.size();
   std::vector<double> deviations(2 * m * runs, not_known), times(2 * m * runs, not_known);
   for (const CapturedReading& r : result.readings) {
