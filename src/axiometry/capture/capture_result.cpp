@@ -45,7 +45,7 @@ Result<void> check_fit(const Plan& plan, const CaptureResult& result) {
 /// together, even with another zero. A twentieth of them at each end may be anything, and so may all of them where
 /// targets are so dense (Annex C) that the error of the axis itself fills the window.
 Result<void> check_closeness(const Plan& plan, const CaptureResult& result) {
-  constexpr double most = 0.4;  // of the window; evenly spread readings take 1.8
+  constexpr double most = 0.4;             // of the window; evenly spread readings take 1.8
   constexpr double always_possible = 0.1;  // mm or °
   std::vector<double> deviations;
   for (const CapturedReading& r : result.readings) deviations.push_back(r.deviation.in_native());
