@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include "axiometry/base/number_text.h"
 
@@ -60,6 +64,42 @@ Result<void> check_closeness(const Plan& plan, const CaptureResult& result) {
       "another plan, or the window around the targets is too narrow for this axis (--target-window)",
       format_fixed(lowest, 1), format_fixed(highest, 1), deviation_unit(plan.axis.kind), format_fixed(limit, 1),
       deviation_unit(plan.axis.kind)));
+}
+
+/// Noise of the samples that is not averaged away widens the bands of the axis as if it were its own: told when it
+/// makes half of the scatter between the runs or more. As if samples were independent, so that it is no overestimate.
+std::optional<SourceRemark> noise_remark(const Plan& plan, const CaptureResult& result) {
+  struct Cell {
+    double count = 0.0, sum = 0.0, squares = 0.0;
+  };
+  std::map<std::pair<std::size_t, Direction>, Cell> cells;
+  double noise = 0.0, samples = 0.0;
+  const double scale = deviation_per_position(plan.axis.kind);
+  for (const CapturedReading& r : result.readings) {
+    Cell& cell = cells[{r.approach.target, r.approach.direction}];
+    const double x = r.deviation.in_native();
+    cell.count += 1.0;
+    cell.sum += x;
+    cell.squares += x * x;
+    const double s = r.standstill.spread.in_native() * scale;
+    noise += s * s;
+    samples += static_cast<double>(r.standstill.count);
+  }
+  double squares = 0.0, freedom = 0.0;
+  for (const auto& [approach, cell] : cells) {
+    squares += std::max(0.0, cell.squares - cell.sum * cell.sum / cell.count);
+    freedom += cell.count - 1.0;
+  }
+  const auto readings = static_cast<double>(result.readings.size());
+  if (freedom < 1.0 || samples < 1.0) return std::nullopt;
+  const double s_samples = std::sqrt(noise / readings);
+  const double s_mean = s_samples / std::sqrt(samples / readings);
+  const double s_runs = std::sqrt(squares / freedom);
+  if (s_mean < 0.5 * s_runs || s_mean < 0.05) return std::nullopt;
+  return SourceRemark{
+      false, fmt::format("samples at rest scatter by s = {1:.3g} {0}, which leaves {2:.3g} {0} in a reading of a "
+                         "scatter between runs of {3:.3g} {0}: R and A hold the noise of the recording",
+                         deviation_unit(plan.axis.kind), s_samples, s_mean, s_runs)};
 }
 
 std::vector<SourceRemark> remarks_of(const CaptureResult& result, const std::vector<std::size_t>& left_out) {
@@ -134,6 +174,7 @@ Result<Test> captured_test(const Plan& plan, const CaptureResult& result) {
   AXIOMETRY_TRY(Series series, Series::make_dense(std::move(targets), runs, std::move(deviations)));
   Test test{metadata_of(plan), std::move(series), {}};
   test.provenance.remarks = remarks_of(result, left_out);
+  if (auto noise = noise_remark(plan, result)) test.provenance.remarks.push_back(std::move(*noise));
   test.times_s = std::move(times);
   return test;
 }

@@ -271,6 +271,20 @@ TEST(CapturedTest, HoldsReadingsTimesAndWhatThePlanSays) {
   EXPECT_FALSE(test->provenance.remarks.empty());
 }
 
+TEST(CapturedTest, TellsNoiseThatMakesTheScatterBetweenRuns) {
+  const auto tells = [](double noise) {
+    MadeUpRun run;
+    run.noise = noise;
+    const auto test = captured_test(run.plan, capture_all(run.plan, run.record()));
+    EXPECT_TRUE(test) << test.error().message;
+    return test && std::ranges::any_of(test->provenance.remarks, [](const SourceRemark& remark) {
+             return remark.message.contains("samples at rest scatter");
+           });
+  };
+  EXPECT_FALSE(tells(0.0001));
+  EXPECT_TRUE(tells(0.05));
+}
+
 TEST(CapturedTest, LeavesOutTargetsThatWereNeverReached) {
   MadeUpRun run;
   auto samples = run.record();
