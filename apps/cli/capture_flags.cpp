@@ -19,6 +19,11 @@ struct Bounds {
   double lowest = -1e9;
   double highest = 1e9;
 };
+constexpr const char* capture_flags[] = {
+    "--part",     "--stream",        "--units-per-count", "--wavelength",  "--counts-per-wavelength",
+    "--rate",     "--stream-axis",   "--skip-damaged",    "--rest-window", "--rest-threshold",
+    "--settling", "--shortest-rest", "--target-window",   "--reverse",     "--datum",
+    "--zero"};
 constexpr Bounds positive{1e-12, 1e12};
 constexpr Bounds not_negative{0.0, 1e12};
 
@@ -121,6 +126,13 @@ void add_capture_flags(CLI::App& verb, app::CaptureOptions& options) {
   add_stream_flags(*group, options);
   add_rest_flags(*group, options);
   add_match_flags(*group, options);
+}
+
+void check_capture_flags(const CLI::App& verb) {
+  if (verb.count("--plan") > 0) return;
+  for (const char* flag : capture_flags)
+    if (verb.count(flag) > 0)
+      throw CLI::ValidationError(flag, "found without --plan, expected with a continuous recording and its plan");
 }
 
 }  // namespace axiometry::cli

@@ -223,6 +223,7 @@ void add_flags(CLI::App& verb, const std::shared_ptr<EvaluateArguments>& argumen
       throw CLI::ValidationError("--report", outputs.error().message);
     arguments->evaluate.many_in_full = app::state_tests_in_full(arguments->outputs);
     arguments->outputs.uncertainty = arguments->evaluate.uncertainty;
+    check_capture_flags(verb);
     if (!arguments->recording.plan.empty()) arguments->evaluate.recording = arguments->recording;
     exit_code = run_evaluation(*arguments);
   });

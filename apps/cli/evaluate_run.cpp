@@ -40,6 +40,7 @@ class Run {
     std::vector<app::InputFile> all_read = *inputs;
     if (const auto& table = arguments_.evaluate.tolerance.table) all_read.push_back({table->file, false});
     if (!arguments_.evaluate.profile.empty()) all_read.push_back({arguments_.evaluate.profile, false});
+    if (!arguments_.recording.plan.empty()) all_read.push_back({arguments_.recording.plan, false});
     arguments_.outputs.inputs = app::InputFiles(all_read);
     if (auto spared = app::check_inputs_spared(arguments_.outputs); !spared) return failed(spared.error(), exit_usage);
     for (const app::InputFile& input : *inputs) {

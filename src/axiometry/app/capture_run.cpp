@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <limits>
 #include <thread>
 #include <vector>
 
 #include "axiometry/app/output.h"
+#include "axiometry/app/outputs.h"
 #include "axiometry/app/raw_log.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/format.h"
@@ -214,10 +216,27 @@ class Run {
   Clock::time_point shown_;
 };
 
+/// The test file is written over after every reading: it must take the place of nothing that was read or recorded.
+Result<void> check_recording_spared(const CaptureRun& run, const std::string& plan) {
+  if (run.out.empty() || run.out == "-") return {};
+  std::vector<InputFile> inputs{{plan}, {run.from}, {times_name(run.from)}};
+  if (!run.resume.empty()) inputs.insert(inputs.end(), {{run.resume}, {times_name(run.resume)}});
+  AXIOMETRY_TRY_VOID(InputFiles(inputs).check_spared(run.out));
+  const auto whole = [](const std::string& name) {
+    std::error_code unknown;
+    const auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, unknown), unknown);
+    return unknown ? std::filesystem::path(name) : path;
+  };
+  if (run.raw.empty() || (whole(run.out) != whole(run.raw) && whole(run.out) != whole(times_name(run.raw)))) return {};
+  return std::unexpected(
+      Error{"found one file for the test and for what arrives, expected two (--out, --raw)", run.out, {}});
+}
+
 }  // namespace
 
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
                                    const CaptureObserver& observer) {
+  AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
   AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
   auto outcome = Run(run, observer, std::move(session))();

@@ -40,7 +40,8 @@ struct CaptureOutcome {
 
 /// Reads until the plan is complete, the stream ends or the observer stops it. Every byte of a live source goes to the
 /// raw file before it is used; the test file is whole at every moment. Fails as CaptureSession does, on a source that
-/// cannot be opened and on files that cannot be written; the files hold then what has come so far.
+/// cannot be opened and on files that cannot be written; the files hold then what has come so far. Fails at once when
+/// the test file would take the place of the recording or the plan.
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
                                    const CaptureObserver& observer);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/app/source.h"
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan_json.h"
 
@@ -70,6 +71,9 @@ Result<CaptureSession> CaptureSession::open(Plan plan, const CaptureOptions& opt
   AXIOMETRY_TRY(session.options_.recording, recording_options(plan, options));
   session.arrival_s_ = std::make_shared<double>(0.0);
   const capture::StandstillOptions rest = rest_options(plan, options);
+  if (options.settling && *options.settling >= plan.dwell)
+    return fail(fmt::format("found {} s of settling, expected less than the {} s the plan dwells at a target",
+                            format_exact(options.settling->in_s()), format_exact(plan.dwell.in_s())));
   session.detector_ = std::make_unique<capture::StandstillDetector>(rest);
   capture::MatcherOptions matcher = options.matcher;
   matcher.shortest = rest.shortest;

@@ -38,6 +38,10 @@ std::string lost_in(const std::string& text, const formats::Format& format, cons
   const auto again = format.read(text);
   if (!again) return fmt::format("a text that can be read again ({})", again.error().message);
   if (!same_readings(again->series, test.series)) return "the readings";
+  const auto departures_in = [](const Test& t) {
+    return std::ranges::count_if(t.provenance.remarks, &SourceRemark::departs);
+  };
+  if (departures_in(*again) < departures_in(test)) return "why it is none of ISO 230-2";
   for (const Field& field : metadata_fields())
     if (field.get(again->metadata) != field.get(test.metadata)) return std::string(field.key);
   return "";

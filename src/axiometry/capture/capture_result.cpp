@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include "axiometry/base/number_text.h"
 
@@ -43,6 +47,63 @@ Result<void> check_fit(const Plan& plan, const CaptureResult& result) {
       format_exact(plan.targets.back().in_native()), position_unit(plan.axis.kind), seen));
 }
 
+/// Where targets of another plan lie in the windows of this one, readings fill them; those of an axis lie close
+/// together, even with another zero. A twentieth of them at each end may be anything, and so may all of them where
+/// targets are so dense (Annex C) that the error of the axis itself fills the window.
+Result<void> check_closeness(const Plan& plan, const CaptureResult& result) {
+  constexpr double most = 0.4;             // of the window; evenly spread readings take 1.8
+  constexpr double always_possible = 0.1;  // mm or °
+  std::vector<double> deviations;
+  for (const CapturedReading& r : result.readings) deviations.push_back(r.deviation.in_native());
+  std::ranges::sort(deviations);
+  const std::size_t cut = deviations.size() / 20;
+  const double lowest = deviations[cut], highest = deviations[deviations.size() - 1 - cut];
+  const double limit =
+      std::max(most * result.window.in_native(), always_possible) * deviation_per_position(plan.axis.kind);
+  if (highest - lowest <= limit) return {};
+  return fail(fmt::format(
+      "found deviations from {} to {} {} from the targets, expected a range of {} {} at most: the recording belongs to "
+      "another plan, or the window around the targets is too narrow for this axis (--target-window)",
+      format_fixed(lowest, 1), format_fixed(highest, 1), deviation_unit(plan.axis.kind), format_fixed(limit, 1),
+      deviation_unit(plan.axis.kind)));
+}
+
+/// Noise of the samples that is not averaged away widens the bands of the axis as if it were its own: told when it
+/// makes half of the scatter between the runs or more. As if samples were independent, so that it is no overestimate.
+std::optional<SourceRemark> noise_remark(const Plan& plan, const CaptureResult& result) {
+  struct Cell {
+    double count = 0.0, sum = 0.0, squares = 0.0;
+  };
+  std::map<std::pair<std::size_t, Direction>, Cell> cells;
+  double noise = 0.0, samples = 0.0;
+  const double scale = deviation_per_position(plan.axis.kind);
+  for (const CapturedReading& r : result.readings) {
+    Cell& cell = cells[{r.approach.target, r.approach.direction}];
+    const double x = r.deviation.in_native();
+    cell.count += 1.0;
+    cell.sum += x;
+    cell.squares += x * x;
+    const double s = r.standstill.spread.in_native() * scale;
+    noise += s * s;
+    samples += static_cast<double>(r.standstill.count);
+  }
+  double squares = 0.0, freedom = 0.0;
+  for (const auto& [approach, cell] : cells) {
+    squares += std::max(0.0, cell.squares - cell.sum * cell.sum / cell.count);
+    freedom += cell.count - 1.0;
+  }
+  const auto readings = static_cast<double>(result.readings.size());
+  if (freedom < 1.0 || samples < 1.0) return std::nullopt;
+  const double s_samples = std::sqrt(noise / readings);
+  const double s_mean = s_samples / std::sqrt(samples / readings);
+  const double s_runs = std::sqrt(squares / freedom);
+  if (s_mean < 0.5 * s_runs || s_mean < 0.05) return std::nullopt;
+  return SourceRemark{
+      false, fmt::format("samples at rest scatter by s = {1:.3g} {0}, which leaves {2:.3g} {0} in a reading of a "
+                         "scatter between runs of {3:.3g} {0}: R and A hold the noise of the recording",
+                         deviation_unit(plan.axis.kind), s_samples, s_mean, s_runs)};
+}
+
 std::vector<SourceRemark> remarks_of(const CaptureResult& result, const std::vector<std::size_t>& left_out) {
   std::vector<SourceRemark> remarks;
   if (result.readings.size() < result.approaches)
@@ -51,7 +112,9 @@ std::vector<SourceRemark> remarks_of(const CaptureResult& result, const std::vec
   if (!left_out.empty()) {
     std::string numbers;
     for (std::size_t i : left_out) numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", i + 1);
-    remarks.push_back({false, fmt::format("targets without any reading were left out: {}", numbers)});
+    remarks.push_back({true, fmt::format("found no reading at target {} of the plan, expected one from every approach: "
+                                         "left out of the test",
+                                         numbers)});
   }
   for (const CaptureEvent& event : result.events)
     if (event.kind != EventKind::incomplete)
@@ -101,6 +164,7 @@ Result<Test> captured_test(const Plan& plan, const CaptureResult& result) {
   if (targets.size() < 2)
     return fail(fmt::format("found readings at {} of {} targets in {} standstills, expected at least two",
                             targets.size(), plan.targets.size(), result.standstills));
+  AXIOMETRY_TRY_VOID(check_closeness(plan, result));
   const std::size_t m = targets.size();
   std::vector<double> deviations(2 * m * runs, not_known), times(2 * m * runs, not_known);
   for (const CapturedReading& r : result.readings) {
@@ -112,6 +176,7 @@ Result<Test> captured_test(const Plan& plan, const CaptureResult& result) {
   AXIOMETRY_TRY(Series series, Series::make_dense(std::move(targets), runs, std::move(deviations)));
   Test test{metadata_of(plan), std::move(series), {}};
   test.provenance.remarks = remarks_of(result, left_out);
+  if (auto noise = noise_remark(plan, result)) test.provenance.remarks.push_back(std::move(*noise));
   test.times_s = std::move(times);
   return test;
 }

@@ -48,6 +48,7 @@ struct CaptureResult {
   std::vector<CapturedReading> readings;  ///< in the order in which they were taken
   std::vector<CaptureEvent> events;
   Position datum;               ///< where on the axis the instrument shows zero
+  Position window;              ///< farthest from a target that was taken for it
   std::size_t approaches = 0;   ///< of the plan
   std::size_t standstills = 0;  ///< long enough, not at overruns
   std::size_t overruns = 0;     ///< standstills at turning points of the plan
@@ -57,8 +58,9 @@ struct CaptureResult {
 std::string approach_name(const Approach& approach);
 
 /// The test that the readings make: metadata from the plan, times of the readings, remarks on what is missing. A target
-/// without any reading is left out. Fails when fewer than two targets have a reading, and when the recording does not
-/// fit the plan: less than half of its standstills belong to approaches.
+/// without any reading is left out, which makes the test none of ISO 230-2. Fails when fewer than two targets have a
+/// reading, and when the recording does not fit the plan: less than half of its standstills belong to approaches, or
+/// the readings lie all over the window, as they do at targets that are only near those of the plan.
 Result<Test> captured_test(const Plan& plan, const CaptureResult& result);
 
 }  // namespace axiometry::capture

@@ -65,6 +65,7 @@ TargetMatcher::TargetMatcher(Plan plan, const MatcherOptions& options)
     ++first_pass_;
   result_.approaches = approaches_.size();
   result_.datum = options.datum;
+  result_.window = window_;
 }
 
 std::optional<Approach> TargetMatcher::due() const {

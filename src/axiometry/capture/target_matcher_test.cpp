@@ -227,6 +227,26 @@ TEST(TargetMatcher, RefusesARecordingThatDoesNotFitThePlan) {
   EXPECT_TRUE(test.error().message.starts_with("found 0 of ")) << test.error().message;
 }
 
+TEST(TargetMatcher, RefusesARecordingOfTargetsThatAreOnlyNearThoseOfThePlan) {
+  MadeUpRun run;
+  const auto samples = run.record();
+  Plan other = run.plan;
+  for (std::size_t i = 0; i < other.targets.size(); ++i)
+    other.targets[i] = Position::native(other.targets[i].in_native() + (i % 2 == 0 ? 1.5 : -1.5));
+  const CaptureResult result = capture_all(other, samples);
+  EXPECT_EQ(result.readings.size(), approaches(other).size());
+  const auto test = captured_test(other, result);
+  ASSERT_FALSE(test);
+  EXPECT_TRUE(test.error().message.contains("belongs to another plan")) << test.error().message;
+}
+
+TEST(TargetMatcher, TakesADistantZeroForNoOtherPlan) {
+  MadeUpRun run;
+  auto samples = run.record();
+  for (Sample& s : samples) s.position += 2.0;
+  EXPECT_TRUE(captured_test(run.plan, capture_all(run.plan, samples)));
+}
+
 TEST(TargetMatcher, RefusesAWindowThatReachesTheNextTarget) {
   EXPECT_FALSE(TargetMatcher::make(made_up_plan(), {.window = Position::native(20.0)}));
   EXPECT_FALSE(TargetMatcher::make(made_up_plan(), {.window = Position::native(0.0)}));
@@ -251,6 +271,20 @@ TEST(CapturedTest, HoldsReadingsTimesAndWhatThePlanSays) {
   EXPECT_FALSE(test->provenance.remarks.empty());
 }
 
+TEST(CapturedTest, TellsNoiseThatMakesTheScatterBetweenRuns) {
+  const auto tells = [](double noise) {
+    MadeUpRun run;
+    run.noise = noise;
+    const auto test = captured_test(run.plan, capture_all(run.plan, run.record()));
+    EXPECT_TRUE(test) << test.error().message;
+    return test && std::ranges::any_of(test->provenance.remarks, [](const SourceRemark& remark) {
+             return remark.message.contains("samples at rest scatter");
+           });
+  };
+  EXPECT_FALSE(tells(0.0001));
+  EXPECT_TRUE(tells(0.05));
+}
+
 TEST(CapturedTest, LeavesOutTargetsThatWereNeverReached) {
   MadeUpRun run;
   auto samples = run.record();
@@ -259,6 +293,7 @@ TEST(CapturedTest, LeavesOutTargetsThatWereNeverReached) {
   ASSERT_TRUE(test) << test.error().message;
   EXPECT_LT(test->series.target_count(), 5u);
   EXPECT_GE(test->series.target_count(), 2u);
+  EXPECT_TRUE(std::ranges::any_of(test->provenance.remarks, &SourceRemark::departs));
 }
 
 }  // namespace

@@ -187,15 +187,25 @@ Result<std::vector<SourceRemark>> source_from(const Value& source) {
     AXIOMETRY_TRY(const Value* value, member(source, names[k], Kind::text, "a string"));
     texts[k] = value->text();
   }
-  if (source.members().size() > 3)
-    return fail(fmt::format("found {} members of source, expected file, sha256 and format", source.members().size()),
+  const Value* departures = source.find("departures");
+  const std::size_t most = departures != nullptr ? 4 : 3;
+  if (source.members().size() > most)
+    return fail(fmt::format("found {} members of source, expected file, sha256, format and departures",
+                            source.members().size()),
                 source.at());
   if (texts[1].find_first_not_of("0123456789abcdef") != std::string::npos || texts[1].size() > 64)
     return fail(fmt::format("found source.sha256 {}, expected 64 hexadecimal digits", text::quoted(texts[1])),
                 source.at());
-  return std::vector<SourceRemark>{
+  std::vector<SourceRemark> remarks{
       {false, fmt::format("taken from {}, read as {}{}{}", text::quoted(texts[0]), text::quoted(texts[2]),
                           texts[1].empty() ? "" : ", SHA-256 ", texts[1])}};
+  if (departures == nullptr) return remarks;
+  if (!departures->is(Kind::array)) return fail("found source.departures that are no array", departures->at());
+  for (const Value& departure : departures->items()) {
+    if (!departure.is(Kind::text)) return fail("found a departure that is no string", departure.at());
+    remarks.push_back({true, departure.text()});
+  }
+  return remarks;
 }
 
 constexpr std::string_view series_members[] = {"quantity", "unit", "target_unit", "targets", "up", "down"};
@@ -316,6 +326,10 @@ Value source_to_json(const Provenance& source) {
   result.add("file", source.file);
   result.add("sha256", source.sha256);
   result.add("format", source.format);
+  std::vector<Value> departures;
+  for (const SourceRemark& remark : source.remarks)
+    if (remark.departs) departures.emplace_back(remark.message);
+  if (!departures.empty()) result.add("departures", Value::array(std::move(departures)));
   return result;
 }
 
@@ -359,7 +373,8 @@ constexpr std::string_view manual = R"(One JSON object (RFC 8259, UTF-8). `axiom
   target, **in the order of `targets`**, not in the order of the measurement; `null` where a reading is missing. A
   direction that was not measured is left out.
 - `times_s`: when each reading was taken, s since some beginning, in the shape of `up` and `down`; optional.
-- `source`: the file or stream that this one was taken from (`file`, `sha256`, empty when not known, `format`); optional.
+- `source`: the file or stream that this one was taken from (`file`, `sha256`, empty when not known, `format`), and
+  `departures`, for which a test from such a file is none of ISO 230-2; optional.
 - The other members are the metadata of the test, all optional.
 
 Refused: unknown members, members given twice, numbers that overflow, runs of the wrong length, nesting deeper

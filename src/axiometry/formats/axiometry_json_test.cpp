@@ -151,6 +151,18 @@ TEST(AxiometryJson, SaysWhereAConvertedTestComesFrom) {
                   .starts_with("# taken from \"mill.txt\", read as generic, SHA-256 ab12\n"));
 }
 
+TEST(AxiometryJson, KeepsWhyATestIsNoneOfTheStandard) {
+  axiometry::Test test{{}, *Series::make_dense({Position::native(0), Position::native(1)}, 1, {1, 2, 3, 4}), {}};
+  test.provenance = {"mill.pos", "ab12", "api-pos", {{false, "a remark"}, {true, "averages only"}}};
+  const std::string text = format().write(test);
+  EXPECT_FALSE(text.contains("a remark"));
+  const auto again = format().read(text);
+  ASSERT_TRUE(again) << again.error().to_string();
+  ASSERT_EQ(again->provenance.remarks.size(), 2u);
+  EXPECT_TRUE(again->provenance.remarks[1].departs);
+  EXPECT_EQ(again->provenance.remarks[1].message, "averages only");
+}
+
 TEST(AxiometryJson, KeepsARunWithoutAnyReading) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const auto series =

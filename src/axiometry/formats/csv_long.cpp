@@ -43,6 +43,7 @@ Result<Test> read(std::string_view bytes) {
   AXIOMETRY_TRY_VOID(rows.finish());
   Test test{std::move(only->metadata), std::move(only->series), {}};
   test.provenance.remarks = encoding_remarks(decoded);
+  test.provenance.remarks.insert(test.provenance.remarks.end(), rows.remarks().begin(), rows.remarks().end());
   return test;
 }
 
@@ -194,6 +195,8 @@ target_mm,direction,run,deviation_um
 - Columns named time, timestamp, date, comment, note, remark, temperature, pressure, humidity, operator, sequence, no,
   index, point, row or line are ignored, and so are a measured position beside a deviation and what is computed from
   readings (mean, std, min, max, range, sum). Any other column is refused.
+- A measured position beside a deviation is compared with it: deviations of the other sign are refused, others that
+  differ are a finding. So are labels ↑ and ↓ that run the other way than the targets of a single test.
 - Targets within 0.5 nm (or 5e-7°) of one another are one target: computed positions carry float noise.
 - Refused: NaN and infinite numbers, ragged rows, a reading given twice, mixed units, fewer than two targets, runs
   beyond 10 000, files of many tests that are not UTF-8, a measured position more than half a turn from its target,

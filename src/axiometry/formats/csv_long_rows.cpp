@@ -47,6 +47,15 @@ Result<LongLayout> long_layout(Preamble& preamble) {
   layout.target_unit = columns[layout.target].unit;
   layout.rule = {columns[layout.reading].measured, columns[layout.reading].unit};
   layout.kind = layout.target_unit->kind;
+  if (layout.rule.measured == Measured::position) return layout;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (columns[c].role != ColumnRole::ignored || columns[c].measured != Measured::position) continue;
+    const Unit* unit = columns[c].unit != nullptr ? columns[c].unit : layout.target_unit;
+    if (unit->kind != layout.kind) continue;
+    layout.beside = c;
+    layout.rule_beside = {Measured::position, unit};
+    break;
+  }
   return layout;
 }
 
@@ -260,6 +269,7 @@ Result<void> LongRows::add_cells(const std::vector<CsvCell>& cells) {
   AXIOMETRY_TRY(row.deviation, placed(native_deviation(layout_.rule, target, value), at(layout_.reading)));
   if (readings_.size() >= reading_limit)
     return fail(fmt::format("found more than {} readings in one test, expected fewer", reading_limit), {line_, 1});
+  compare_with_position(cells, target, row.deviation);
   readings_.push_back(row);
   return {};
 }
@@ -331,6 +341,8 @@ Result<void> LongRows::end_test() {
   AXIOMETRY_TRY(Series series, placed(Series::make_dense(std::move(sorted), runs, std::move(deviations)), at));
   if (layout_.rule.measured == Measured::deviation)
     AXIOMETRY_TRY_VOID(placed(check_deviations(series, layout_.kind), at));
+  AXIOMETRY_TRY_VOID(check_comparison(at));
+  if (!layout_.test) remark_swapped_labels();
   if (!metadata_) {
     const char mark = numbers_.mark().value_or(preamble_.delimiter == ',' ? '.' : ',');
     AXIOMETRY_TRY(metadata_, metadata_of(preamble_, layout_.kind, mark));

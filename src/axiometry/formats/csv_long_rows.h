@@ -26,7 +26,9 @@ struct LongLayout {
   std::size_t reading = 0;
   std::optional<std::size_t> test;  ///< names the test when the file holds many
   const Unit* target_unit = nullptr;
+  std::optional<std::size_t> beside;  ///< measured position beside a deviation: not read, only compared with it
   ReadingRule rule;
+  ReadingRule rule_beside;
   AxisKind kind = AxisKind::linear;
 };
 
@@ -49,7 +51,19 @@ class LongRows {
   /// After the last line.
   Result<void> finish();
 
+  /// What was found in the tests so far and not acted upon.
+  const std::vector<SourceRemark>& remarks() const { return remarks_; }
+
  private:
+  /// Deviations beside measured positions, in native units.
+  struct Comparison {
+    std::size_t count = 0;
+    double apart = 0.0;     // at most, from measured minus target
+    double mirrored = 0.0;  // at most, from target minus measured
+    double largest = 0.0;   // deviation
+    double last_digits = 0.0;
+  };
+
   struct RowReading {
     double deviation;
     std::size_t line;
@@ -77,6 +91,9 @@ class LongRows {
   Result<std::uint16_t> run_of(const std::vector<CsvCell>& cells, const RowReading& row);
   std::size_t& approaches_to(const RowReading& row);
   Result<Direction> direction_of(const CsvCell& cell);
+  void compare_with_position(const std::vector<CsvCell>& cells, Position target, double deviation);
+  Result<void> check_comparison(TextPosition at);
+  void remark_swapped_labels();
   Result<void> end_test();
   Result<std::vector<double>> dense(std::size_t runs);
   std::unexpected<Error> second_reading(const RowReading& row) const;
@@ -102,6 +119,8 @@ class LongRows {
   TestNames names_;
   TargetIndex targets_;
   std::vector<RowReading> readings_;
+  Comparison comparison_;
+  std::vector<SourceRemark> remarks_;
   std::vector<std::size_t> approaches_;  // so far, by target and direction; without a run column
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What readers of CSV accept. What they refuse stands in bad_input_test.cpp.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -112,6 +113,35 @@ TEST(CsvLong, SortsTargetsThatWereMeasuredInAnyOrder) {
   EXPECT_EQ(at(test, 1, Direction::up, 1), 5.0);
   EXPECT_EQ(at(test, 2, Direction::up, 0), 3.0);
   EXPECT_EQ(test.series.count(0, Direction::up), 1u);
+}
+
+TEST(CsvLong, ComparesDeviationsWithPositionsBesideThem) {
+  const std::string head = "target_mm,actual_mm,deviation_um,direction,run\n";
+  const auto format = find_format("csv-long");
+  const auto same = format->read(head + "0,0.0010,1.0,+,1\n50,50.0021,2.1,+,1\n");
+  ASSERT_TRUE(same) << same.error().to_string();
+  EXPECT_TRUE(same->provenance.remarks.empty());
+  const auto mirrored = format->read(head + "0,0.0010,-1.0,+,1\n50,50.0021,-2.1,+,1\n");
+  ASSERT_FALSE(mirrored);
+  EXPECT_TRUE(mirrored.error().message.contains("target minus")) << mirrored.error().message;
+  const auto fitted = format->read(head + "0,0.0010,1.0,+,1\n50,50.0021,0.1,+,1\n");
+  ASSERT_TRUE(fitted) << fitted.error().to_string();
+  ASSERT_EQ(fitted->provenance.remarks.size(), 1u);
+  EXPECT_TRUE(fitted->provenance.remarks[0].message.contains("differ by up to 2 µm"))
+      << fitted->provenance.remarks[0].message;
+}
+
+TEST(CsvLong, TellsLabelsThatRunTheOtherWay) {
+  const std::string head = "target_mm,deviation_um,direction,run\n";
+  const auto format = find_format("csv-long");
+  const std::string rows = "0,1,{0},1\n25,1,{0},1\n50,1,{0},1\n50,2,{1},1\n25,2,{1},1\n0,2,{1},1\n";
+  const auto right = format->read(head + fmt::format(fmt::runtime(rows), "up", "down"));
+  ASSERT_TRUE(right) << right.error().to_string();
+  EXPECT_TRUE(right->provenance.remarks.empty());
+  const auto swapped = format->read(head + fmt::format(fmt::runtime(rows), "down", "up"));
+  ASSERT_TRUE(swapped) << swapped.error().to_string();
+  ASSERT_EQ(swapped->provenance.remarks.size(), 1u);
+  EXPECT_TRUE(swapped->provenance.remarks[0].message.contains("the other way"));
 }
 
 TEST(CsvWide, ReadsOneRowPerTarget) {

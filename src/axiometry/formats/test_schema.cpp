@@ -142,7 +142,10 @@ Value times_schema() {
 Value source_schema() {
   Value properties = object({{"file", typed("string", "Its name.")},
                              {"sha256", typed("string", "Of its bytes, hexadecimal.")},
-                             {"format", typed("string", "The format it was read as.")}});
+                             {"format", typed("string", "The format it was read as.")},
+                             {"departures", object({{"type", "array"},
+                                                    {"description", "Why a test from it is none of ISO 230-2."},
+                                                    {"items", object({{"type", "string"}})}})}});
   return object({{"type", or_null("object")},
                  {"description", "The file or stream that this one was taken from."},
                  {"properties", std::move(properties)},
