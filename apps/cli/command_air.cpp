@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,8 +11,9 @@
 #include "axiometry/app/output.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "axiometry/report/utf8.h"
 #include "commands.h"
+#include "failure.h"
+#include "option_text.h"
 #include "terminal.h"
 
 namespace axiometry::cli {
@@ -29,17 +29,10 @@ struct AirArguments {
   std::string json;
 };
 
-void add_number(CLI::App& verb, const std::string& name, double& target, const std::string& help) {
-  verb.add_option_function<std::string>(
-          name,
-          [name, &target](const std::string& word) {
-            const auto number = parse_number(word);
-            if (!number)
-              throw CLI::ValidationError(name, fmt::format("found {}, expected a number", text::quoted(word)));
-            target = *number;
-          },
-          fmt::format("{} ({})", help, format_exact(target)))
-      ->type_name("NUMBER");
+/// An option for one of the arguments, which has its default already.
+void add_input(CLI::App& verb, const std::string& name, double& target, const std::string& help) {
+  add_number(verb, {name, "NUMBER", fmt::format("{} ({})", help, format_exact(target))},
+             [&target](double x) { target = x; });
 }
 
 std::vector<AirEquation> equations_of(const std::string& word) {
@@ -86,11 +79,6 @@ void print_answers(const AirArguments& arguments, const std::vector<app::AirAnsw
   fmt::print("The uncertainty of n in a workshop is that of the air's temperature, pressure and humidity.\n");
 }
 
-int failed(const Error& error) {
-  fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string()));
-  return exit_bad_input;
-}
-
 int run_air(const AirArguments& arguments) {
   const Air air{Temperature::celsius(arguments.celsius), Pressure::kPa(arguments.kPa),
                 RelativeHumidity::percent(arguments.percent), arguments.co2_ppm};
@@ -108,11 +96,11 @@ int run_air(const AirArguments& arguments) {
 void add_air(CLI::App& program, int& exit_code) {
   CLI::App* verb = program.add_subcommand("air", "Refractive index of air and the wavelength of a laser in it");
   auto arguments = std::make_shared<AirArguments>();
-  add_number(*verb, "--temperature", arguments->celsius, "Air temperature in °C, -40 to 100");
-  add_number(*verb, "--pressure", arguments->kPa, "Air pressure in kPa, 10 to 140");
-  add_number(*verb, "--humidity", arguments->percent, "Relative humidity in %");
-  add_number(*verb, "--co2", arguments->co2_ppm, "Carbon dioxide in ppm by volume, 0 to 2000");
-  add_number(*verb, "--wavelength", arguments->vacuum_nm, "Vacuum wavelength in nm, 300 to 1700");
+  add_input(*verb, "--temperature", arguments->celsius, "Air temperature in °C, -40 to 100");
+  add_input(*verb, "--pressure", arguments->kPa, "Air pressure in kPa, 10 to 140");
+  add_input(*verb, "--humidity", arguments->percent, "Relative humidity in %");
+  add_input(*verb, "--co2", arguments->co2_ppm, "Carbon dioxide in ppm by volume, 0 to 2000");
+  add_input(*verb, "--wavelength", arguments->vacuum_nm, "Vacuum wavelength in nm, 300 to 1700");
   verb->add_option_function<std::string>(
           "--equation", [arguments](const std::string& word) { arguments->equations = equations_of(word); },
           "ciddor (Ciddor 1996), edlen (Edlén, updated by Birch and Downs 1994) or both (both)")

@@ -9,6 +9,7 @@
 #include "axiometry/app/nc_program.h"
 #include "axiometry/nc/numbers.h"
 #include "commands.h"
+#include "failure.h"
 #include "terminal.h"
 
 namespace axiometry::cli {
@@ -41,11 +42,6 @@ void list_dialects() {
   fmt::print("\n'axiometry nc --manual ID' explains one.\n");
 }
 
-int print_error(const Error& error) {
-  fmt::print(stderr, "axiometry: {}\n", error.to_string());
-  return exit_bad_input;
-}
-
 int run(const NcArguments& arguments) {
   if (arguments.list) {
     list_dialects();
@@ -62,7 +58,7 @@ int run(const NcArguments& arguments) {
   if (const auto known = app::dialect_of(arguments.request.dialect); !known)
     throw CLI::ValidationError("--dialect", known.error().message);
   const auto written = app::write_nc_program(arguments.request, arguments.output);
-  return written ? exit_done : print_error(written.error());
+  return written ? exit_done : failed(written.error());
 }
 
 }  // namespace

@@ -14,8 +14,9 @@
 #include "axiometry/app/plan_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "axiometry/report/utf8.h"
 #include "commands.h"
+#include "failure.h"
+#include "option_text.h"
 #include "plan_summary.h"
 
 namespace axiometry::cli {
@@ -32,43 +33,6 @@ struct PlanArguments {
   report::Options report;
   bool quiet = false;
 };
-
-void complain(const Error& error) { fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string())); }
-
-/// An option whose text `read` understands; its error becomes one of the command line.
-template <typename Read>
-CLI::Option* add_read(CLI::App& verb, const std::string& name, const std::string& type, const std::string& description,
-                      Read read) {
-  return verb
-      .add_option_function<std::string>(
-          name,
-          [name, read](const std::string& text) {
-            if (Result<void> done = read(text); !done) throw CLI::ValidationError(name, done.error().message);
-          },
-          description)
-      ->type_name(type);
-}
-
-/// A number with a decimal point, whatever the locale.
-CLI::Option* add_number(CLI::App& verb, const std::string& name, const std::string& type,
-                        const std::string& description, std::function<void(double)> put) {
-  return add_read(verb, name, type, description, [put](const std::string& text) -> Result<void> {
-    const auto x = parse_number(text);
-    if (!x) return fail(fmt::format("found {}, expected a number", text::quoted(text)));
-    put(*x);
-    return {};
-  });
-}
-
-CLI::Option* add_count(CLI::App& verb, const std::string& name, const std::string& description,
-                       std::function<void(unsigned long long)> put) {
-  return add_read(verb, name, "N", description, [put](const std::string& text) -> Result<void> {
-    const auto count = parse_count(text);
-    if (!count) return fail(fmt::format("found {}, expected a whole number", text::quoted(text)));
-    put(*count);
-    return {};
-  });
-}
 
 Result<void> read_targets(iso230_2::PlanRequest& request, const std::string& text) {
   if (const auto count = parse_count(text)) {
@@ -99,38 +63,41 @@ std::vector<CLI::Option*> add_axis_flags(CLI::App& verb, PlanArguments& argument
   iso230_2::PlanRequest& request = arguments.request;
   std::vector<CLI::Option*> options = {
       verb.add_option("--axis", request.axis.name, "Name of the axis")->type_name("NAME"),
-      add_read(verb, "--kind", "KIND", "linear (mm) or rotary (°); linear when not given",
+      add_read(verb, {"--kind", "KIND", "linear (mm) or rotary (°); linear when not given"},
                [&](const std::string& text) -> Result<void> {
                  if (text != "linear" && text != "rotary")
                    return fail(fmt::format("found {}, expected linear or rotary", text::quoted(text)));
                  request.axis.kind = text == "linear" ? AxisKind::linear : AxisKind::rotary;
                  return {};
                }),
-      add_read(verb, "--travel", "FROM:TO",
-               "Axis travel (3.1). A rotary axis of exactly 360° is taken for one that turns without end, unless "
-               "--soft-limits are given",
+      add_read(verb,
+               {"--travel", "FROM:TO",
+                "Axis travel (3.1). A rotary axis of exactly 360° is taken for one that turns without end, unless "
+                "--soft-limits are given"},
                [&](const std::string& text) -> Result<void> {
                  AXIOMETRY_TRY(const iso230_2::Stretch travel, app::parse_stretch(text));
                  request.axis.travel_begin = travel.from;
                  request.axis.travel_end = travel.to;
                  return {};
                }),
-      add_read(verb, "--soft-limits", "FROM:TO", "Of the control, where they are narrower than the travel",
+      add_read(verb, {"--soft-limits", "FROM:TO", "Of the control, where they are narrower than the travel"},
                into(request.soft_limits)),
       add_number(
-          verb, "--period", "PERIOD",
-          "Expected period of a periodic error, such as the pitch of the screw: targets shift by up to one period",
+          verb,
+          {"--period", "PERIOD",
+           "Expected period of a periodic error, such as the pitch of the screw: targets shift by up to one period"},
           [&](double x) { request.axis.expected_period = Position::native(x); }),
-      add_read(verb, "--compensation-points", "LIST",
-               "Sampling points of the compensation, which targets keep off: 0:500:50 (from, to, every) or a list",
+      add_read(verb,
+               {"--compensation-points", "LIST",
+                "Sampling points of the compensation, which targets keep off: 0:500:50 (from, to, every) or a list"},
                [&](const std::string& text) -> Result<void> {
                  AXIOMETRY_TRY(request.axis.compensation_points, app::parse_positions(text));
                  return {};
                }),
-      add_number(verb, "--segment", "LENGTH",
-                 "Length of the segments of a scale, each of which is given a target (5.3.3)",
+      add_number(verb,
+                 {"--segment", "LENGTH", "Length of the segments of a scale, each of which is given a target (5.3.3)"},
                  [&](double x) { request.segment = Position::native(x); }),
-      add_number(verb, "--acceleration", "A", "Of the axis, mm/s² or °/s² (1000 or 500)",
+      add_number(verb, {"--acceleration", "A", "Of the axis, mm/s² or °/s² (1000 or 500)"},
                  [&](double x) { request.acceleration = x; }),
       verb.add_option("--machine", request.machine, "Name of the machine")->type_name("NAME"),
       verb.add_option("--date", request.date, "Date of the plan, such as 2026-11-21")->type_name("DATE"),
@@ -142,13 +109,15 @@ std::vector<CLI::Option*> add_axis_flags(CLI::App& verb, PlanArguments& argument
 std::vector<CLI::Option*> add_target_flags(CLI::App& verb, PlanArguments& arguments) {
   iso230_2::PlanRequest& request = arguments.request;
   std::vector<CLI::Option*> options = {
-      add_read(verb, "--targets", "N or LIST", "Number of targets, or their positions; as many as the clause asks for",
+      add_read(verb,
+               {"--targets", "N or LIST", "Number of targets, or their positions; as many as the clause asks for"},
                [&](const std::string& text) { return read_targets(request, text); }),
-      add_number(verb, "--interval", "P", "Mean interval of the targets at most",
+      add_number(verb, {"--interval", "P", "Mean interval of the targets at most"},
                  [&](double x) { request.interval = Position::native(x); }),
-      add_number(verb, "--step", "STEP", "To which targets are rounded (0.001 mm or 0.0001°)",
+      add_number(verb, {"--step", "STEP", "To which targets are rounded (0.001 mm or 0.0001°)"},
                  [&](double x) { request.step = Position::native(x); }),
-      add_count(verb, "--seed", "Of the random part of the targets; drawn and written into the plan when not given",
+      add_count(verb,
+                {"--seed", "N", "Of the random part of the targets; drawn and written into the plan when not given"},
                 [&](unsigned long long seed) { arguments.seed = seed; }),
       verb.add_option("--area", arguments.areas,
                       "Stretch of the normal working area for the tests that belong to one above 2 000 mm or 360°; TO "
@@ -156,16 +125,17 @@ std::vector<CLI::Option*> add_target_flags(CLI::App& verb, PlanArguments& argume
           ->type_name("FROM[:TO]")
           ->allow_extra_args(false),
       add_number(
-          verb, "--periodic", "PERIOD",
-          "Plan the test for a periodic error of this period (Annex C) instead: dense targets from one direction",
+          verb,
+          {"--periodic", "PERIOD",
+           "Plan the test for a periodic error of this period (Annex C) instead: dense targets from one direction"},
           [&](double x) {
             request.axis.expected_period = Position::native(x);
             request.periodic.emplace();
           }),
-      add_number(verb, "--at", "POSITION", "Middle of that test; of the travel",
+      add_number(verb, {"--at", "POSITION", "Middle of that test; of the travel"},
                  [&](double x) { arguments.periodic_at = Position::native(x); }),
   };
-  options.push_back(add_read(verb, "--measure", "FROM:TO", "Measurement travel (3.2); all that the overruns leave",
+  options.push_back(add_read(verb, {"--measure", "FROM:TO", "Measurement travel (3.2); all that the overruns leave"},
                              into(request.measurement)));
   for (CLI::Option* option : options) option->group("Targets");
   options[6]->needs(options[5]);
@@ -178,28 +148,30 @@ std::vector<CLI::Option*> add_target_flags(CLI::App& verb, PlanArguments& argume
 std::vector<CLI::Option*> add_programme_flags(CLI::App& verb, PlanArguments& arguments) {
   iso230_2::PlanRequest& request = arguments.request;
   std::vector<CLI::Option*> options = {
-      add_read(verb, "--cycle", "CYCLE", "standard, step (Annex B), pilgrim, unidirectional or user-defined",
+      add_read(verb, {"--cycle", "CYCLE", "standard, step (Annex B), pilgrim, unidirectional or user-defined"},
                [&](const std::string& text) -> Result<void> {
                  AXIOMETRY_TRY(request.cycle, read_cycle(text));
                  return {};
                }),
-      add_read(verb, "--sequence", "LIST or FILE",
-               "The approaches of the user-defined cycle: '1+ 2+ 2- 1-', numbers of targets and directions",
+      add_read(verb,
+               {"--sequence", "LIST or FILE",
+                "The approaches of the user-defined cycle: '1+ 2+ 2- 1-', numbers of targets and directions"},
                [&](const std::string& text) -> Result<void> {
                  arguments.sequence = text;
                  return {};
                }),
-      add_count(verb, "--runs", "Approaches to each target from each direction (5; 1 above 2 000 mm or 360°)",
+      add_count(verb, {"--runs", "N", "Approaches to each target from each direction (5; 1 above 2 000 mm or 360°)"},
                 [&](unsigned long long runs) { request.runs = runs; }),
       add_number(
-          verb, "--overrun", "LENGTH",
-          "Distance beyond a target before the direction changes (1 % of the travel within 1 and 10, more to reach "
-          "the feed)",
+          verb,
+          {"--overrun", "LENGTH",
+           "Distance beyond a target before the direction changes (1 % of the travel within 1 and 10, more to reach "
+           "the feed)"},
           [&](double x) { request.overrun = Position::native(x); }),
-      add_number(verb, "--feed", "FEED", "mm/min or °/min (1000 or 720)", [&](double x) { request.feed = x; }),
-      add_number(verb, "--dwell", "SECONDS", "At rest on every target (3)",
+      add_number(verb, {"--feed", "FEED", "mm/min or °/min (1000 or 720)"}, [&](double x) { request.feed = x; }),
+      add_number(verb, {"--dwell", "SECONDS", "At rest on every target (3)"},
                  [&](double x) { request.dwell = Duration::s(x); }),
-      add_count(verb, "--warm-up", "Runs there and back before the first reading (1)",
+      add_count(verb, {"--warm-up", "N", "Runs there and back before the first reading (1)"},
                 [&](unsigned long long runs) { request.warm_up_runs = runs; }),
   };
   for (CLI::Option* option : options) option->group("Programme");
@@ -252,23 +224,16 @@ int run_plan(PlanArguments& arguments) {
   if (checks) inputs.push_back({arguments.check, false});
   if (arguments.sequence) inputs.push_back({*arguments.sequence, false});
   arguments.outputs.inputs = app::InputFiles(inputs);
-  if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) {
-    complain(spared.error());
-    return exit_usage;
-  }
+  if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) return failed(spared.error(), exit_usage);
   auto plan = checks ? app::read_plan_file(arguments.check) : made_plan(arguments);
-  if (!plan) {
-    complain(plan.error());
-    return exit_bad_input;
-  }
-  const app::PlannedTest planned = app::planned(*std::move(plan), arguments.request.acceleration);
-  if (auto written = app::write_plan_outputs(planned, arguments.outputs, arguments.report); !written) {
-    complain(written.error());
-    return exit_bad_input;
-  }
+  if (!plan) return failed(plan.error());
+  const auto planned = app::planned(*std::move(plan), arguments.request.acceleration);
+  if (!planned) return failed(planned.error());
+  if (auto written = app::write_plan_outputs(*planned, arguments.outputs, arguments.report); !written)
+    return failed(written.error());
   if (!arguments.quiet && arguments.outputs.json != "-")
-    fmt::print("{}", plan_summary(planned, arguments.report, Terminal(ColourChoice::automatic)));
-  return checks && !planned.conforming() ? exit_exceeded : exit_done;
+    fmt::print("{}", plan_summary(*planned, arguments.report, Terminal(ColourChoice::automatic)));
+  return checks && !planned->conforming() ? exit_exceeded : exit_done;
 }
 
 /// What is asked of a plan that is made says nothing about one that is checked.

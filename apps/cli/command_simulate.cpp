@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -13,6 +12,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/simulation/presets.h"
 #include "commands.h"
+#include "failure.h"
 #include "terminal.h"
 
 namespace axiometry::cli {
@@ -28,7 +28,6 @@ Sizes are in um, mm and so on, on a rotary axis in arcsec or deg. Without --faul
 
 struct SimulateArguments {
   std::string fault;
-  std::string pitch_table;
   std::uint64_t seed = 1;
   bool list_faults = false;
   bool quiet = false;
@@ -39,24 +38,17 @@ struct SimulateArguments {
 constexpr std::uint64_t seed_max = std::uint64_t{1} << 53;  // of JSON's whole numbers
 
 std::uint64_t seed_from(const std::string& text) {
-  std::uint64_t seed = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, fault] = std::from_chars(text.data(), end, seed);
-  if (fault != std::errc() || rest != end || seed > seed_max)
+  const auto seed = parse_count(text);
+  if (!seed || *seed > seed_max)
     throw CLI::ValidationError(
         "--seed", fmt::format("found {}, expected a whole number from 0 to {}", text::quoted(text), seed_max));
-  return seed;
+  return *seed;
 }
 
 int print_faults() {
   for (const simulation::Preset& preset : simulation::presets())
     fmt::print("{}{}\n{}{}\n", left(preset.id, 29), preset.title, std::string(29, ' '), wrapped(preset.sign, 100, 29));
   return exit_done;
-}
-
-int failed(const Error& error) {
-  fmt::print(stderr, "axiometry: {}\n", error.to_string());
-  return exit_bad_input;
 }
 
 void choose_fault(const SimulateArguments& arguments, app::SimulationRequest& request) {
@@ -81,6 +73,8 @@ void choose_options(const SimulateArguments& arguments, app::SimulationRequest& 
     const std::vector<std::string>& texts = arguments.options[k];
     if (texts.empty()) continue;
     const std::string name(options[k].name);
+    if (options[k].group == app::recording_group && arguments.outputs.raw.empty())
+      throw CLI::ValidationError(name, "found no recording that it could change, expected --raw");
     if (const auto applied = options[k].apply(texts, request); !applied)
       throw CLI::ValidationError(name, applied.error().message);
     std::string& fault = request.simulate.fault;
@@ -116,8 +110,8 @@ int simulate(const SimulateArguments& arguments) {
   if (!plan) return failed(plan.error());
   request.simulate.plan = std::move(*plan);
   choose_fault(arguments, request);
-  if (!arguments.pitch_table.empty()) {
-    auto table = app::read_pitch_table(arguments.pitch_table);
+  if (!arguments.outputs.pitch_table.empty()) {
+    auto table = app::read_pitch_table(arguments.outputs.pitch_table);
     if (!table) return failed(table.error());
     request.simulate.axis.pitch.table = std::move(*table);
     request.simulate.fault += request.simulate.fault.empty() ? "--pitch-table" : ", --pitch-table";
@@ -161,7 +155,8 @@ void add_simulate(CLI::App& program, int& exit_code) {
       ->type_name("N");
   add_output_options(*verb, *arguments);
   const auto options = app::simulation_options();
-  verb->add_option("--pitch-table", arguments->pitch_table, "Errors of the scale from a file: position, deviation")
+  verb->add_option("--pitch-table", arguments->outputs.pitch_table,
+                   "Errors of the scale from a file: position, deviation")
       ->type_name("FILE")
       ->group(std::string(options.front().group));
   for (std::size_t k = 0; k < options.size(); ++k) {

@@ -8,28 +8,11 @@
 #include <vector>
 
 #include "axiometry/app/output.h"
-#include "axiometry/app/source.h"
+#include "axiometry/app/plan.h"
+#include "axiometry/app/whole_file.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/plan_json.h"
 
 namespace axiometry::app {
-namespace {
-
-constexpr std::size_t plan_limit = std::size_t{64} << 20;
-
-Result<Plan> read_plan_file(const std::string& name) {
-  AXIOMETRY_TRY(Source source, Source::open(name));
-  AXIOMETRY_TRY(const std::string bytes, source.read_all(plan_limit));
-  auto plan = formats::read_plan(bytes);
-  if (!plan) {
-    Error error = std::move(plan).error();
-    error.file = name;
-    return std::unexpected(std::move(error));
-  }
-  return plan;
-}
-
-}  // namespace
 
 Result<const nc::Dialect*> dialect_of(std::string_view id) {
   if (const nc::Dialect* dialect = nc::find_dialect(id)) return dialect;
@@ -45,12 +28,11 @@ Result<std::string> nc_program(const NcRequest& request) {
   AXIOMETRY_TRY(const Plan plan, read_plan_file(request.plan));
   if (request.part < 1 || request.part > plan.further.size() + 1) {
     const std::string expected = plan.further.empty() ? "1" : fmt::format("1 to {}", plan.further.size() + 1);
-    return std::unexpected(
-        Error{fmt::format("found part {} asked for, expected {}", request.part, expected), request.plan, {}});
+    return std::unexpected(in_file(
+        Error{fmt::format("found part {} asked for, expected {}", request.part, expected), {}, {}}, request.plan));
   }
-  auto program = dialect->write(request.part == 1 ? plan : plan.further[request.part - 2], request.options);
-  if (!program) return std::unexpected(Error{std::move(program).error().message, request.plan, {}});
-  return program;
+  return in_file(dialect->write(request.part == 1 ? plan : plan.further[request.part - 2], request.options),
+                 request.plan);
 }
 
 Result<void> write_nc_program(const NcRequest& request, const std::string& output) {

@@ -12,9 +12,9 @@
 namespace axiometry::app {
 
 struct NcRequest {
-  std::string plan;      ///< file, "-" for the standard input
-  std::string dialect;   ///< id
-  std::size_t part = 1;  ///< 1 is the plan itself, 2 and more its further ones
+  std::string plan = {};     ///< file, "-" for the standard input
+  std::string dialect = {};  ///< id
+  std::size_t part = 1;      ///< 1 is the plan itself, 2 and more its further ones
   nc::ProgramOptions options = {};
 };
 

@@ -7,27 +7,13 @@
 
 #include "axiometry/app/output.h"
 #include "axiometry/app/plan_text.h"
-#include "axiometry/app/source.h"
+#include "axiometry/app/whole_file.h"
 #include "axiometry/formats/plan_json.h"
 #include "axiometry/report/plan_sheet.h"
 #include "axiometry/report/writer.h"
 
 namespace axiometry::app {
 namespace {
-
-constexpr std::size_t file_limit = std::size_t{64} << 20;
-
-Result<std::string> whole_file(const std::string& name) {
-  AXIOMETRY_TRY(Source source, Source::open(name));
-  return source.read_all(file_limit);
-}
-
-/// So that an error names the file, also where a part that knows none found it.
-template <typename T>
-Result<T> in_file(Result<T> result, const std::string& file) {
-  if (!result && result.error().file.empty()) result.error().file = file;
-  return result;
-}
 
 json::Value plan_value(const PlannedTest& planned) {
   json::Value root = formats::plan_value(planned.plan);
@@ -44,10 +30,11 @@ json::Value plan_value(const PlannedTest& planned) {
 
 }  // namespace
 
-PlannedTest planned(Plan plan, std::optional<double> acceleration) {
+Result<PlannedTest> planned(Plan plan, std::optional<double> acceleration) {
+  if (acceleration) AXIOMETRY_TRY_VOID(iso230_2::check_acceleration(*acceleration));
   PlannedTest result;
   result.acceleration = acceleration.value_or(iso230_2::usual_acceleration(plan.axis.kind));
-  result.findings = iso230_2::plan_findings(plan);
+  result.findings = iso230_2::plan_findings(plan, result.acceleration);
   result.duration = iso230_2::estimated_duration(plan, result.acceleration);
   result.duration_in_all = result.duration;
   for (const Plan& part : plan.further)
@@ -57,14 +44,14 @@ PlannedTest planned(Plan plan, std::optional<double> acceleration) {
 }
 
 Result<Plan> read_plan_file(const std::string& file) {
-  AXIOMETRY_TRY(const std::string bytes, in_file(whole_file(file), file));
+  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
   return in_file(formats::read_plan(bytes), file);
 }
 
 Result<std::vector<Approach>> read_sequence(const std::string& list_or_file) {
   if (auto sequence = parse_sequence(list_or_file)) return sequence;
   if (list_or_file != "-" && !std::filesystem::exists(list_or_file)) return parse_sequence(list_or_file);
-  AXIOMETRY_TRY(const std::string text, in_file(whole_file(list_or_file), list_or_file));
+  AXIOMETRY_TRY(const std::string text, whole_file(list_or_file));
   return in_file(parse_sequence(text), list_or_file);
 }
 

@@ -26,8 +26,8 @@ struct PlannedTest {
   bool conforming() const { return iso230_2::conforming(findings); }
 };
 
-/// Needs a sound plan. The usual acceleration when none is given.
-PlannedTest planned(Plan plan, std::optional<double> acceleration);
+/// Needs a sound plan. The usual acceleration when none is given. Fails as iso230_2::check_acceleration() does.
+Result<PlannedTest> planned(Plan plan, std::optional<double> acceleration);
 
 /// A plan from a file ("-" is the standard input). Fails with the file's name.
 Result<Plan> read_plan_file(const std::string& file);

@@ -43,7 +43,7 @@ class PlanFiles : public ::testing::Test {
 };
 
 TEST_F(PlanFiles, ReadBackWithoutWhatWasAddedForPeople) {
-  PlannedTest test = planned(plan(500), std::nullopt);
+  PlannedTest test = planned(plan(500), std::nullopt).value();
   test.findings = {{"5.2", iso230_2::Severity::note, "found \"this\""}};
   OutputNames names;
   names.json = name("plan.json");
@@ -71,13 +71,22 @@ TEST_F(PlanFiles, SequencesAreListsOrFiles) {
   EXPECT_THAT(read_sequence(name("none.txt")).error().message, HasSubstr("expected the number of a target"));
 }
 
+TEST(PlanDuration, RestsOnAnAccelerationThatAnAxisHas) {
+  iso230_2::PlanRequest r;
+  r.axis.travel_begin = Position::native(0);
+  r.axis.travel_end = Position::native(500);
+  const Plan plan = iso230_2::make_plan(r).value();
+  for (double acceleration : {0.0, -5.0, 1e-300, 1e300})
+    EXPECT_THAT(planned(plan, acceleration).error().message, HasSubstr("expected 0.001 to 1000000"));
+}
+
 TEST(PlanDuration, CountsTheFurtherPlans) {
   iso230_2::PlanRequest r;
   r.axis.travel_begin = Position::native(0);
   r.axis.travel_end = Position::native(6000);
   const Plan plan = iso230_2::make_plan(r).value();
   ASSERT_EQ(plan.further.size(), 1u);
-  const PlannedTest test = planned(plan, 2000);
+  const PlannedTest test = planned(plan, 2000).value();
   EXPECT_EQ(test.acceleration, 2000);
   EXPECT_NEAR(test.duration_in_all.in_s() - test.duration.in_s(),
               iso230_2::estimated_duration(plan.further[0], 2000).in_s(), 1e-9);

@@ -6,31 +6,19 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "axiometry/app/outputs.h"
+#include "axiometry/app/plan.h"
 #include "axiometry/app/raw_recording.h"
 #include "axiometry/app/simulation_truth.h"
-#include "axiometry/app/source.h"
+#include "axiometry/app/whole_file.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
-#include "axiometry/formats/plan_json.h"
 #include "axiometry/standards/iso230_2_plan.h"
 
 namespace axiometry::app {
 namespace {
-
-constexpr std::size_t plan_limit = std::size_t{64} << 20;
-
-/// An error of what is inside a file, with its name.
-template <typename T>
-Result<T> in_file(Result<T> result, const std::string& file) {
-  if (!result && result.error().file.empty()) {
-    Error error = result.error();
-    error.file = file;
-    return std::unexpected(std::move(error));
-  }
-  return result;
-}
 
 /// The format that writes files of this extension; "-" is JSON.
 Result<const formats::Format*> writer_of(std::string_view name) {
@@ -41,7 +29,7 @@ Result<const formats::Format*> writer_of(std::string_view name) {
     if (format->write == nullptr) continue;
     for (const std::string_view own : text::words(format->extensions)) {
       if (own == extension) return format;
-      known.push_back(own);
+      if (std::ranges::find(known, own) == known.end()) known.push_back(own);
     }
   }
   return fail(fmt::format("found the test's name {}, expected a file ending in {}", text::quoted(name),
@@ -64,17 +52,10 @@ Plan standard_plan() {
 
 }  // namespace
 
-Result<Plan> simulation_plan(const std::string& file) {
-  if (file.empty()) return standard_plan();
-  AXIOMETRY_TRY(Source source, Source::open(file));
-  AXIOMETRY_TRY(const std::string text, source.read_all(plan_limit));
-  AXIOMETRY_TRY(Plan plan, in_file(formats::read_plan(text), file));
-  return plan;
-}
+Result<Plan> simulation_plan(const std::string& file) { return file.empty() ? standard_plan() : read_plan_file(file); }
 
 Result<std::vector<simulation::PitchError::Node>> read_pitch_table(const std::string& file) {
-  AXIOMETRY_TRY(Source source, Source::open(file));
-  AXIOMETRY_TRY(const std::string text, source.read_all(plan_limit));
+  AXIOMETRY_TRY(const std::string text, whole_file(file));
   return in_file(parse_pitch_table(text), file);
 }
 
@@ -85,8 +66,10 @@ Result<void> check_simulation_outputs(const SimulationOutputs& outputs) {
   if (!outputs.raw.empty()) {
     AXIOMETRY_TRY([[maybe_unused]] const auto layout, raw_layout_of(outputs.raw));
   }
-  const InputFile input{outputs.plan};
-  const InputFiles inputs(outputs.plan.empty() ? std::span<const InputFile>{} : std::span(&input, 1));
+  std::vector<InputFile> read;
+  for (const std::string& name : {outputs.plan, outputs.pitch_table})
+    if (!name.empty()) read.push_back({name});
+  const InputFiles inputs(read);
   const std::string* names[] = {&outputs.test, &outputs.raw, &outputs.truth};
   for (const std::string* name : names) {
     if (name->empty()) continue;

@@ -15,15 +15,16 @@ Result<Plan> simulation_plan(const std::string& file);
 /// Reads the table of a file. Fails as parse_pitch_table() does.
 Result<std::vector<simulation::PitchError::Node>> read_pitch_table(const std::string& file);
 
-/// Where a simulation goes; empty names are not written.
+/// Where a simulation goes, and from where; empty names are not written.
 struct SimulationOutputs {
-  std::string test;   ///< a format that can be written, by its extension
-  std::string raw;    ///< .csv, .txt, .npy or .umd
-  std::string truth;  ///< JSON
-  std::string plan;   ///< that was read, and is not to be overwritten
+  std::string test;           ///< a format that can be written, by its extension
+  std::string raw;            ///< .csv, .txt, .npy or .umd
+  std::string truth;          ///< JSON
+  std::string plan;           ///< that is read, and not to be overwritten
+  std::string pitch_table{};  ///< likewise
 };
 
-/// Fails on an extension that nothing writes, a name given twice, and on the plan's among the outputs.
+/// Fails on an extension that nothing writes, a name given twice, and on a file that is read among the outputs.
 Result<void> check_simulation_outputs(const SimulationOutputs& outputs);
 
 struct SimulationSummary {

@@ -173,6 +173,10 @@ TEST_F(Simulated, OutputsThatCannotBeAreRefusedBeforeAnythingIsWritten) {
   EXPECT_FALSE(check_simulation_outputs({"x.json", "", "x.json", ""}));
   std::ofstream(path("plan.json")) << "{}";
   EXPECT_FALSE(check_simulation_outputs({path("plan.json"), "", "", path("plan.json")}));
+  std::ofstream(path("pitch.csv")) << "0 0\n";
+  const auto over_table = check_simulation_outputs({path("pitch.csv"), "", "", "", path("pitch.csv")});
+  ASSERT_FALSE(over_table);
+  EXPECT_NE(over_table.error().to_string().find("pitch.csv"), std::string::npos);
   request.simulate.plan.axis.kind = AxisKind::rotary;
   EXPECT_FALSE(run_simulation(request, {path("t.json"), path("r.umd"), "", ""}));
   EXPECT_FALSE(std::filesystem::exists(path("t.json")));

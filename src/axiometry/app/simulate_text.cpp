@@ -256,7 +256,6 @@ Result<void> wavelength(Texts texts, SimulationRequest& r) {
 constexpr std::string_view axis_group = "Faults of the axis";
 constexpr std::string_view instrument_group = "Faults of the instrument";
 constexpr std::string_view course_group = "A machine that does not follow its plan";
-constexpr std::string_view recording_group = "Recording";
 
 constexpr SimulationOption table[] = {
     {"--pitch", "SLOPE", "Slope of the scale, such as 5um/m or 0.2arcsec/deg", axis_group, false, pitch},

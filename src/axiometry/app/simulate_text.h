@@ -19,6 +19,9 @@ struct SimulationRequest {
   Length wavelength = Length::nm(632.991);  ///< in air, of a stream of counts
 };
 
+/// Group of the options that change nothing without a recording.
+inline constexpr std::string_view recording_group = "Recording";
+
 /// One option: its values, its help, and what it does. One row of the table makes the option, its help, its manual and
 /// its reading.
 struct SimulationOption {

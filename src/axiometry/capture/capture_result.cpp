@@ -25,8 +25,10 @@ Metadata metadata_of(const Plan& plan) {
   metadata.conditions.feed = plan.feed;
   metadata.conditions.dwell = plan.dwell;
   if (plan.warm_up_runs > 0)
-    metadata.conditions.warm_up = fmt::format("{} runs over the travel at {} {}/min", plan.warm_up_runs,
-                                              format_exact(plan.feed), position_unit(plan.axis.kind));
+    metadata.conditions.warm_up =
+        fmt::format("{} there and back over the measurement travel at {} {}/min",
+                    plan.warm_up_runs == 1 ? "once" : fmt::format("{} times", plan.warm_up_runs),
+                    format_exact(plan.feed), position_unit(plan.axis.kind));
   return metadata;
 }
 

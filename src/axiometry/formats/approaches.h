@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "axiometry/model/series.h"
+#include "axiometry/model/test.h"
 
 namespace axiometry::formats {
 
@@ -22,11 +24,14 @@ struct Approach {
 
 struct GatheredSeries {
   Series series;
-  std::vector<double> times_s;  ///< as Test::times_s, from the first approach on; empty when no time is known
+  std::vector<double> times_s;           ///< as Test::times_s, from the first approach on; empty when no time is known
+  std::optional<SourceRemark> remark{};  ///< why known times were left out
 };
 
-/// Puts every approach into its place, by its target and run. Targets within same_target are one. Fails, with the
-/// place, on a reading given twice, on a run number beyond any test and as Series::make_dense() does.
+/// Puts every approach into its place, by its target and run. Targets within same_target are one. Times that run
+/// backwards from one run to the next at a target, or to and fro within a run, which none of the cycles makes them do,
+/// are left out: a clock was set, or midnight passed. Fails, with the place, on a reading given twice, on a run number
+/// beyond any test and as Series::make_dense() does.
 Result<GatheredSeries> gathered(std::span<const Approach> approaches);
 
 }  // namespace axiometry::formats

@@ -35,6 +35,34 @@ TEST(Approaches, HaveNoTimesWhenNoneIsKnown) {
   EXPECT_TRUE(gathered(list)->times_s.empty());
 }
 
+TEST(Approaches, HaveNoTimesWhenTheseRunBackwards) {
+  std::vector<Approach> list = {approach(0, Direction::up, 1, 1, 10, 1), approach(1, Direction::up, 1, 1, 20, 2),
+                                approach(1, Direction::up, 2, 1, NAN, 3), approach(0, Direction::up, 2, 1, 40, 4),
+                                approach(1, Direction::up, 3, 1, 19.5, 5)};
+  const auto result = gathered(list);
+  ASSERT_TRUE(result) << result.error().to_string();
+  EXPECT_TRUE(result->times_s.empty());
+  ASSERT_TRUE(result->remark);
+  EXPECT_EQ(result->remark->message,
+            "found time running backwards: run 3 is 0.5 s before run 1 at the same target; the "
+            "times of the readings are left out");
+  list[4].time_s = 20;
+  EXPECT_FALSE(gathered(list)->remark) << "clocks of whole seconds repeat themselves";
+}
+
+TEST(Approaches, HaveNoTimesWhenTheseGoToAndFroWithinARun) {
+  const std::vector<Approach> list = {
+      approach(0, Direction::down, 2, 1, 30, 1), approach(1, Direction::down, 2, 1, 10, 2),
+      approach(2, Direction::down, 2, 1, 15, 3), approach(2, Direction::up, 2, 1, 9, 4)};
+  const auto result = gathered(list);
+  ASSERT_TRUE(result) << result.error().to_string();
+  EXPECT_TRUE(result->times_s.empty());
+  ASSERT_TRUE(result->remark);
+  EXPECT_EQ(result->remark->message,
+            "found time running backwards: those of run 2 ↓ neither rise nor fall along the targets; the times of the "
+            "readings are left out");
+}
+
 TEST(Approaches, AreRefusedWhenGivenTwice) {
   const std::vector<Approach> list = {approach(0.3, Direction::up, 1, 1, 0, 4), approach(1, Direction::up, 1, 1, 1, 5),
                                       approach(0.30000000000000004, Direction::up, 1, 2, 2, 6)};

@@ -196,8 +196,9 @@ Result<std::vector<SourceRemark>> source_from(const Value& source) {
   if (texts[1].find_first_not_of("0123456789abcdef") != std::string::npos || texts[1].size() > 64)
     return fail(fmt::format("found source.sha256 {}, expected 64 hexadecimal digits", text::quoted(texts[1])),
                 source.at());
-  std::vector<SourceRemark> remarks{{false, fmt::format("converted from {}, read as {}, SHA-256 {}",
-                                                        text::quoted(texts[0]), text::quoted(texts[2]), texts[1])}};
+  std::vector<SourceRemark> remarks{
+      {false, fmt::format("taken from {}, read as {}{}{}", text::quoted(texts[0]), text::quoted(texts[2]),
+                          texts[1].empty() ? "" : ", SHA-256 ", texts[1])}};
   if (departures == nullptr) return remarks;
   if (!departures->is(Kind::array)) return fail("found source.departures that are no array", departures->at());
   for (const Value& departure : departures->items()) {
@@ -372,8 +373,8 @@ constexpr std::string_view manual = R"(One JSON object (RFC 8259, UTF-8). `axiom
   target, **in the order of `targets`**, not in the order of the measurement; `null` where a reading is missing. A
   direction that was not measured is left out.
 - `times_s`: when each reading was taken, s since some beginning, in the shape of `up` and `down`; optional.
-- `source`: the file that this one was converted from (`file`, `sha256`, `format`), and `departures`, for which a test
-  from such a file is none of ISO 230-2; optional.
+- `source`: the file or stream that this one was taken from (`file`, `sha256`, empty when not known, `format`), and
+  `departures`, for which a test from it is none of ISO 230-2; optional.
 - The other members are the metadata of the test, all optional.
 
 Refused: unknown members, members given twice, numbers that overflow, runs of the wrong length, nesting deeper

@@ -145,10 +145,10 @@ TEST(AxiometryJson, SaysWhereAConvertedTestComesFrom) {
   ASSERT_TRUE(again) << again.error().to_string();
   ASSERT_EQ(again->provenance.remarks.size(), 1u);
   EXPECT_EQ(again->provenance.remarks.front().message,
-            "converted from \"mill.txt\", read as \"generic\", SHA-256 ab12");
+            "taken from \"mill.txt\", read as \"generic\", SHA-256 ab12");
   EXPECT_TRUE(find_format("csv-wide")
                   ->write(test)
-                  .starts_with("# converted from \"mill.txt\", read as generic, SHA-256 ab12\n"));
+                  .starts_with("# taken from \"mill.txt\", read as generic, SHA-256 ab12\n"));
 }
 
 TEST(AxiometryJson, KeepsWhyATestIsNoneOfTheStandard) {

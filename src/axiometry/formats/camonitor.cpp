@@ -59,11 +59,12 @@ bool is_set_point(std::string_view name) {
 
 bool is_marked_reference(std::string_view name) {
   const std::string whole = text::to_lower(name);
+  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
   return std::ranges::any_of(reference_words, [&](std::string_view word) {
     // A word, not a part of one: "ild" is in "build".
-    const std::size_t at = whole.find(word);
-    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
-    return at != std::string::npos && (at == 0 || !is_letter(whole[at - 1]));
+    for (std::size_t at = whole.find(word); at != std::string::npos; at = whole.find(word, at + 1))
+      if (at == 0 || !is_letter(whole[at - 1])) return true;
+    return false;
   });
 }
 
@@ -88,10 +89,12 @@ class Reader {
     Test test{Metadata{}, std::move(result.series), Provenance{}};
     test.times_s = std::move(result.times_s);
     test.metadata.axis.kind = unit().kind;
-    test.metadata.conditions.date = state(points_.front(), roles_.reference).time.substr(0, 10);
+    if (const std::string_view time = state(points_.front(), roles_.reference).time; time_stamp_s(time))
+      test.metadata.conditions.date = time.substr(0, 10);
     test.metadata.conditions.comment =
         fmt::format("Reference {}; set-point {}", log_.variables[roles_.reference], log_.variables[roles_.set_point]);
     test.provenance.remarks = remarks();
+    if (result.remark) test.provenance.remarks.push_back(*std::move(result.remark));
     return test;
   }
 
@@ -302,6 +305,8 @@ class Reader {
       list.push_back({false, fmt::format("found another zero of the reference than of the axis: deviations have the "
                                          "mean {} {}, on which no parameter depends",
                                          format_fixed(*constant_, 1), deviation_unit(unit().kind))});
+    if (const auto backwards = time_running_backwards(log_, {roles_.set_point, roles_.reference, *log_.test_number}))
+      list.push_back({false, *backwards});
     const std::size_t others = log_.events.size() - points_.size();
     if (others > 0)
       list.push_back({false, fmt::format("found {} that no ISO 230-2 test has; they were passed over",
@@ -372,7 +377,8 @@ IOC:TestNumber  2026-01-31 10:00:06.000000 1102
   it, the target the last value of the set-point. The move before must go in the direction that the number says.
 - The set-point is the variable whose name holds PosSet, PosCmd, SetPoint or the like. The reference is the one whose
   name holds Laser, ILD, Interferometer, Reference or the like, or else the only other variable that moves. Where that
-  leaves a choice the log is refused, naming the variables. A remark tells what was taken.
+  leaves a choice the log is refused, naming the variables. A remark tells what was taken, another where the times of
+  these variables run backwards.
 - Lines that you may add: `# REF_PV=NAME`, `# TGT_SET_PV=NAME`, `# TEST_PV=NAME`, `# UNIT=mm` (mm when not given, with a
   remark), `# REF_GAIN=-1` and `# REF_OFFSET=50` for a reference that counts otherwise: reading = gain·value + offset.
 - Refused: a reference that does not follow the set-point one to one within a tenth, a number given twice, a target

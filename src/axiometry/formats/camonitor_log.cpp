@@ -8,9 +8,12 @@
 #include <unordered_map>
 
 #include "axiometry/base/text.h"
+#include "axiometry/formats/text_source.h"
 
 namespace axiometry::formats {
 namespace {
+
+constexpr std::size_t most_states = 4'000'000;  // 220 MB; 500 events of a test among 8 000 variables
 
 bool is_test_number(std::string_view name) { return text::to_lower(name).contains("testnumber"); }
 
@@ -59,6 +62,7 @@ class Pass {
     const auto [entry, is_new] = numbers_.try_emplace(name, log_.variables.size());
     if (is_new) {
       log_.variables.push_back(name);
+      log_.backsteps.emplace_back();
       states_.emplace_back();
       successors_.push_back(entry->second);
       AXIOMETRY_TRY_VOID(look_for_test_number(name, entry->second));
@@ -83,16 +87,32 @@ class Pass {
     const bool first = state.line == 0;
     connecting_ = connecting_ && first;
     const bool changed = first || state.value != line.value;
-    if (number == log_.test_number && changed && !(first && is_initial(line)))
+    if (number == log_.test_number && changed && !(first && is_initial(line))) {
+      states_kept_ += states_.size();
+      if (states_kept_ > most_states)
+        return fail(fmt::format("found {} changes of {} among {} variables, expected the log of one test; record fewer "
+                                "variables",
+                                log_.events.size() + 1, text::quoted(line.name), states_.size()),
+                    {log_.lines, 1});
       log_.events.push_back({line.value, log_.lines, states_});
+    }
     if (changed) {
       state.previous = state.value;
       state.value = line.value;
       state.line = log_.lines;
     }
     state.time = line.time;
-    if (connecting_) newest_ = std::max(newest_, line.time);
+    take_time(line, number, first);
     return {};
+  }
+
+  void take_time(const LogLine& line, std::size_t number, bool first) {
+    if (line.time >= newest_) {
+      newest_ = line.time;
+      return;
+    }
+    LogBacksteps& steps = log_.backsteps[number];
+    if (!first && steps.count++ == 0) steps = {1, log_.lines, line.time, newest_};
   }
 
   /// While camonitor connects, it prints the last value of each variable with the time at which it came up, which for
@@ -103,10 +123,11 @@ class Pass {
   std::string_view stated_test_number_;
   std::unordered_map<std::string_view, std::size_t> numbers_;
   std::vector<LogState> states_;
+  std::size_t states_kept_ = 0;          // by all events
   std::vector<std::size_t> successors_;  // by the variable before
   std::size_t last_ = 0;
   bool connecting_ = true;   // no variable has spoken twice
-  std::string_view newest_;  // time of the values seen while connecting
+  std::string_view newest_;  // time of all values so far
 };
 
 }  // namespace
@@ -134,5 +155,20 @@ std::optional<LogLine> log_line(std::string_view line) {
 }
 
 Result<Log> read_log(std::string_view text) { return Pass().read(text); }
+
+std::optional<std::string> time_running_backwards(const Log& log, std::initializer_list<std::size_t> variables) {
+  LogBacksteps sum;
+  for (std::size_t k : variables) {
+    const LogBacksteps& steps = log.backsteps[k];
+    const std::size_t count = sum.count + steps.count;
+    if (steps.count > 0 && (sum.count == 0 || steps.line < sum.line)) sum = steps;
+    sum.count = count;
+  }
+  if (sum.count == 0) return std::nullopt;
+  return fmt::format(
+      "found time running backwards: {} with a time before that of a line above, the first on line {} ({} below {}); "
+      "values were taken in the order of the log",
+      counted(sum.count, "line"), sum.line, sum.time, sum.time_above);
+}
 
 }  // namespace axiometry::formats

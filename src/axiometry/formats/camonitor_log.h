@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,8 +35,18 @@ struct LogDirective {
   TextPosition at;
 };
 
+/// Values of one variable whose time lies before that of a line above them, those aside that camonitor prints while it
+/// connects.
+struct LogBacksteps {
+  std::size_t count = 0;
+  std::size_t line = 0;         ///< of the first
+  std::string_view time;        ///< of the first
+  std::string_view time_above;  ///< the newest above it
+};
+
 struct Log {
   std::vector<std::string_view> variables;  ///< names, in the order of their appearance
+  std::vector<LogBacksteps> backsteps;      ///< by the number of the variable
   std::optional<std::size_t> test_number;   ///< the variable whose changes are the events
   std::vector<LogEvent> events;
   std::vector<LogDirective> directives;
@@ -55,7 +67,11 @@ std::optional<LogLine> log_line(std::string_view line);
 
 /// Reads a whole log. The events are those of the variable whose name holds "TestNumber", in any case, or which a
 /// line `# TEST_PV=NAME` above its first value names. A value repeated is no event, nor is the value that camonitor
-/// prints for each variable when it connects. Fails when two variables are test numbers, naming them.
+/// prints for each variable when it connects. Fails when two variables are test numbers, naming them, and when all
+/// events together keep more than four million states: their memory grows with the product of events and variables.
 Result<Log> read_log(std::string_view text);
+
+/// A remark when values of one of these variables have a time before that of a line above them.
+std::optional<std::string> time_running_backwards(const Log& log, std::initializer_list<std::size_t> variables);
 
 }  // namespace axiometry::formats

@@ -125,6 +125,21 @@ TEST(Camonitor, TellsHowTheLogWasTaken) {
                 "found 1 line without a value, the first on line 6; they were passed over"}));
 }
 
+TEST(Camonitor, TellsOfTimeThatRunsBackwards) {
+  const Recording recording;
+  std::string text = Log(recording).whole();
+  const std::size_t test_number = text.find("TestNumber            2026-04-06 12:");
+  text.insert(text.find('\n', test_number) + 1,
+              "IOC_TEST:ILD_DownSample        2026-04-06 12:00:00.000001 3\n"
+              "TARGET_DU:X-PosAct             2026-04-06 12:00:00.000002 3\n");
+  const auto test = read(text);
+  expect_known_deviations(test, recording);
+  ASSERT_EQ(test->provenance.remarks.size(), 5u);
+  EXPECT_EQ(test->provenance.remarks[2].message,
+            "found time running backwards: 1 line with a time before that of a line above, the first on line 13 "
+            "(2026-04-06 12:00:00.000001 below 2026-04-06 12:00:03.000000); values were taken in the order of the log");
+}
+
 TEST(Camonitor, UnderstandsNumbersOfManyTargets) {
   // Ten and more targets make the scripts write two digits, so 1 1 0 09 and 1 1 0 10.
   const auto test = read(
@@ -209,6 +224,23 @@ TEST(Camonitor, RefusesWhatIsBroken) {
             "TEST_PV=NAME' names it");
   EXPECT_EQ(read(Log({}).text()).error().to_string(),
             "found no test number of an ISO 230-2 test in \"IOC_TEST:TestNumber\", expected 1101, 1102, …");
+}
+
+TEST(Camonitor, FindsTheWordOfAReferenceBehindAnotherThatHoldsIt) {
+  Recording recording;
+  recording.reference = "BUILD7:ILD_DownSample";  // beside X-PosAct, which moves too
+  const auto test = read(Log(recording).whole());
+  expect_known_deviations(test, recording);
+  EXPECT_TRUE(test->metadata.conditions.comment.starts_with("Reference BUILD7:ILD_DownSample;"));
+}
+
+TEST(Camonitor, RefusesManyChangesAmongManyVariablesBeforeTheyFillTheMemory) {
+  std::string text;
+  for (int k = 0; k < 3000; ++k) text += fmt::format("A:V{} 2026-04-06 12:00:00.1 0\n", k);
+  for (int k = 0; k < 3000; ++k) text += fmt::format("A:TestNumber 2026-04-06 12:00:00.2 {}\n", 1101 + k % 2);
+  EXPECT_EQ(find_format("camonitor")->read(text).error().to_string(),
+            "line 4333:1: found 1333 changes of \"A:TestNumber\" among 3001 variables, expected the log of one test; "
+            "record fewer variables");
 }
 
 TEST(Camonitor, ReadsLogsOfWindowsShells) {

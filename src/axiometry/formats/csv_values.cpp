@@ -87,8 +87,8 @@ std::string metadata_lines(const Test& test) {
   std::string lines;
   const Provenance& source = test.provenance;
   if (!source.file.empty())
-    lines += fmt::format("# converted from {}, read as {}, SHA-256 {}\n", text::quoted(source.file), source.format,
-                         source.sha256);
+    lines += fmt::format("# taken from {}, read as {}{}{}\n", text::quoted(source.file), source.format,
+                         source.sha256.empty() ? "" : ", SHA-256 ", source.sha256);
   const AxisKind kind = test.metadata.axis.kind;
   for (const Field& field : metadata_fields()) {
     const FieldValue value = field.get(test.metadata);

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <set>
 #include <span>
 
 #include "axiometry/base/number_text.h"
@@ -67,12 +69,13 @@ Result<Columns> columns_of(const CfgRow& header) {
                  .needed = std::max({*cycle, *direction, *target, *error}) + 1};
 }
 
-/// Half a unit of the last digit that a number shows.
+/// Half a unit of the last digit that a number shows. One without a decimal mark is exact: targets are often whole, and
+/// nobody rounds to millimetres.
 double half_digit(std::string_view number) {
   const std::size_t point = number.find_first_of(".,");
   if (number.find_first_of("eE") != std::string_view::npos) return 0.0;
-  const std::size_t decimals = point == std::string_view::npos ? 0 : number.size() - point - 1;
-  return 0.5 * std::pow(10.0, -static_cast<double>(decimals));
+  if (point == std::string_view::npos) return 0.0;
+  return 0.5 * std::pow(10.0, -static_cast<double>(number.size() - point - 1));
 }
 
 class Rows {
@@ -116,14 +119,15 @@ class Rows {
     test.metadata.conditions.date = date_;
     auto& remarks = test.provenance.remarks;
     remarks.push_back({false, "found lengths without a unit; they were taken in mm"});
-    if (references_.size() == 1) test.metadata.conditions.comment = fmt::format("Reference {}", references_[0]);
+    if (references_.size() == 1) test.metadata.conditions.comment = fmt::format("Reference {}", *references_.begin());
     if (references_.size() > 1)
       remarks.push_back({false, fmt::format("found readings of {} references ({}); each was taken as its row says",
-                                            references_.size(), fmt::join(references_, ", "))});
+                                            references_.size(), named_references())});
     if (largest_difference_ > 0.0)
       remarks.push_back({false, fmt::format("found errors of the reference that differ from its mean minus the target "
-                                            "by up to {} mm; the errors were taken",
-                                            format_exact(largest_difference_))});
+                                            "by up to {:.4g} mm; the errors were taken",
+                                            largest_difference_)});
+    if (result.remark) remarks.push_back(*std::move(result.remark));
     return test;
   }
 
@@ -148,7 +152,14 @@ class Rows {
   void take_reference(const CfgRow& row) {
     const CsvCell* cell = cell_at(row, columns_.reference);
     if (cell == nullptr || cell->text.empty()) return;
-    if (std::ranges::find(references_, cell->text) == references_.end()) references_.push_back(cell->text);
+    references_.insert(cell->text);
+  }
+
+  std::string named_references() const {
+    constexpr std::size_t named_at_most = 5;
+    auto end = references_.begin();
+    std::advance(end, std::min(references_.size(), named_at_most));
+    return fmt::format("{}{}", fmt::join(references_.begin(), end, ", "), end == references_.end() ? "" : ", …");
   }
 
   /// Both are in the file; that they agree to the digits shown proves that the columns mean what they are taken for.
@@ -167,7 +178,7 @@ class Rows {
   Columns columns_;
   NumberReader numbers_{','};
   std::vector<Approach> approaches_;
-  std::vector<std::string> references_;
+  std::set<std::string> references_;
   std::string date_;
   double largest_difference_ = 0.0;
 };

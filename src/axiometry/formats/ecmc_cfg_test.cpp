@@ -67,6 +67,15 @@ TEST(EcmcCfgCsv, TellsWhereTheErrorIsNotTheMeanMinusTheTarget) {
   EXPECT_TRUE(test->provenance.remarks[1].message.contains("0.25 mm"));
 }
 
+TEST(EcmcCfgCsv, TakesWholeTargetsAsExactWhenItComparesErrorAndMean) {
+  const auto test = read(csv_header + csv_row("1,forward,0", "0.01", "0", "23:30:43") +
+                             csv_row("1,forward,248", "248.01", "0", "23:30:46"),
+                         "ecmc-cfg-csv");
+  ASSERT_TRUE(test) << test.error().to_string();
+  ASSERT_EQ(test->provenance.remarks.size(), 2u);
+  EXPECT_TRUE(test->provenance.remarks[1].message.contains("differ from its mean minus the target by up to 0.0"));
+}
+
 TEST(EcmcCfgCsv, LeavesAnEmptyErrorMissing) {
   const auto test = read(csv_file + csv_row("2,forward,0.0", "", "", "23:31:00") +
                              csv_row("2,forward,248.325", "248.325", "0", "23:31:05"),

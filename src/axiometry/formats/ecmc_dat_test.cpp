@@ -49,6 +49,18 @@ TEST(EcmcDat, TakesTheCountsFromTheDataWhenTheHeaderPromisesNone) {
   EXPECT_FALSE(test->series.has(Direction::down));
 }
 
+TEST(EcmcDat, KeepsMissingReadingsMissingUnderTheCountsOfTheHeader) {
+  const auto test = find_format("ecmc-dat")
+                        ->read(
+                            "CYCLES=2\nPOSITIONS=2\nTGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_FWD[1,1]=0\n"
+                            "REF_DATA_FWD[2,1]=1.001\nREF_DATA_FWD[2,2]=1.002\n");
+  ASSERT_TRUE(test) << test.error().to_string();
+  EXPECT_EQ(test->series.run_count(), 2u);
+  EXPECT_FALSE(test->series.reading(0, Direction::up, 1));
+  EXPECT_NEAR(test->series.reading(1, Direction::up, 1)->in_native(), 2.0, 1e-9);
+  EXPECT_FALSE(test->series.has(Direction::down));
+}
+
 TEST(EcmcDat, MakesARotaryAxisOfDegrees) {
   const auto test =
       find_format("ecmc-dat")

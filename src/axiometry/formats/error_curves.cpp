@@ -3,18 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "axiometry/base/text.h"
 #include "axiometry/formats/approaches.h"
+#include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/text_source.h"
 #include "axiometry/formats/units.h"
 
 namespace axiometry::formats {
-
-std::string axis_of_error(std::string_view name) {
-  for (std::string_view axis : {"X", "Y", "Z"})
-    if (text::equal_ignoring_case(name, fmt::format("E{0}{0}", axis))) return std::string(axis);
-  return {};
-}
+namespace {
 
 Result<NamedTest> named_test(const ErrorCurve& curve) {
   const ReadingRule rule{Measured::deviation, find_unit("mm")};
@@ -61,6 +61,35 @@ Result<std::string> all_bytes(ByteReader& bytes) {
     if (all.size() > limit)
       return fail(fmt::format("found a table of errors beyond {} MiB, expected less", limit >> 20));
   }
+}
+
+}  // namespace
+
+std::string axis_of_error(std::string_view name) {
+  for (std::string_view axis : {"X", "Y", "Z"})
+    if (text::equal_ignoring_case(name, fmt::format("E{0}{0}", axis))) return std::string(axis);
+  return {};
+}
+
+std::string_view without_comment(std::string_view line) { return text::trim(line.substr(0, line.find("//"))); }
+
+Result<Test> read_curve(std::string_view bytes, CurvesOf& curves_of) {
+  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
+  AXIOMETRY_TRY(const std::vector<ErrorCurve> curves, curves_of(decoded.text));
+  AXIOMETRY_TRY(Test test, only_test(curves));
+  std::ranges::move(encoding_remarks(decoded), std::back_inserter(test.provenance.remarks));
+  return test;
+}
+
+Result<void> read_curves(ByteReader& bytes, const NamedTestSink& sink, CurvesOf& curves_of) {
+  AXIOMETRY_TRY(const std::string all, all_bytes(bytes));
+  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(all));
+  AXIOMETRY_TRY(const std::vector<ErrorCurve> curves, curves_of(decoded.text));
+  for (const ErrorCurve& curve : curves) {
+    AXIOMETRY_TRY(NamedTest named, named_test(curve));
+    AXIOMETRY_TRY_VOID(sink(std::move(named)));
+  }
+  return {};
 }
 
 }  // namespace axiometry::formats

@@ -27,14 +27,18 @@ struct ErrorCurve {
 /// "X" for "EXX", in any case; "" for the name of another error.
 std::string axis_of_error(std::string_view name);
 
-/// The curve as the only run under ↑. Fails, with the place, as gathered() does.
-Result<NamedTest> named_test(const ErrorCurve& curve);
+/// What stands before "//".
+std::string_view without_comment(std::string_view line);
 
-/// The only curve as a test with the remark that it was not measured by approaches. Fails when there are several,
-/// naming them.
-Result<Test> only_test(const std::vector<ErrorCurve>& curves);
+/// All curves in the text of a file.
+using CurvesOf = Result<std::vector<ErrorCurve>>(std::string_view text);
 
-/// Everything a reader of bytes has. Fails beyond 64 MiB: error tables are small.
-Result<std::string> all_bytes(ByteReader& bytes);
+/// Format::read of a file with one curve: the only run under ↑, with the remark that it was not measured by
+/// approaches. Fails as `curves_of` does, when there are several curves, naming them, and, with the place, as
+/// gathered() does.
+Result<Test> read_curve(std::string_view bytes, CurvesOf& curves_of);
+
+/// Format::read_many: every curve a test of its own. Fails likewise, and beyond 64 MiB: error tables are small.
+Result<void> read_curves(ByteReader& bytes, const NamedTestSink& sink, CurvesOf& curves_of);
 
 }  // namespace axiometry::formats

@@ -8,14 +8,11 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/error_curves.h"
 #include "axiometry/formats/text_lines.h"
 
 namespace axiometry::formats {
 namespace {
-
-std::string_view without_comment(std::string_view line) { return text::trim(line.substr(0, line.find("//"))); }
 
 std::optional<std::string_view> block_name(std::string_view content) {
   if (!content.starts_with('[') || !content.ends_with(']')) return std::nullopt;
@@ -87,24 +84,11 @@ class CurveReader {
   bool wanted_ = false;
 };
 
-Result<Test> read(std::string_view bytes) {
-  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
-  AXIOMETRY_TRY(const std::vector<ErrorCurve> curves, CurveReader().read(decoded.text));
-  AXIOMETRY_TRY(Test test, only_test(curves));
-  std::ranges::move(encoding_remarks(decoded), std::back_inserter(test.provenance.remarks));
-  return test;
-}
+Result<std::vector<ErrorCurve>> curves_of(std::string_view text) { return CurveReader().read(text); }
 
-Result<void> read_many(ByteReader& bytes, const NamedTestSink& sink) {
-  AXIOMETRY_TRY(const std::string all, all_bytes(bytes));
-  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(all));
-  AXIOMETRY_TRY(const std::vector<ErrorCurve> curves, CurveReader().read(decoded.text));
-  for (const ErrorCurve& curve : curves) {
-    AXIOMETRY_TRY(NamedTest named, named_test(curve));
-    AXIOMETRY_TRY_VOID(sink(std::move(named)));
-  }
-  return {};
-}
+Result<Test> read(std::string_view bytes) { return read_curve(bytes, curves_of); }
+
+Result<void> read_many(ByteReader& bytes, const NamedTestSink& sink) { return read_curves(bytes, sink, curves_of); }
 
 std::size_t count_blocks(std::string_view head, bool positioning_only) {
   std::size_t count = 0;

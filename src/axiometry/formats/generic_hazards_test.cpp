@@ -101,6 +101,17 @@ TEST(GenericHazards, DecimalCommasMayHaveReachedTimeStamps) {
   EXPECT_EQ(read_guessed(bytes)->times_s[2], 1.0);  // target 100, first run upwards
 }
 
+TEST(GenericHazards, TimesMayRunBackwards) {
+  int n = 0;
+  const std::string bytes = file("Uhrzeit;Soll [mm];Abweichung [µm]\n", [&](const Row& r) {
+    const int second = n++;
+    return fmt::format("{}:30:{:02};{:.2f};{:.1f}\n", second < 8 ? 10 : 9, second, r.target, r.deviation);
+  });
+  expect_test(bytes);
+  EXPECT_TRUE(read_guessed(bytes)->times_s.empty());
+  EXPECT_TRUE(has_remark(bytes, "found time running backwards"));
+}
+
 TEST(GenericHazards, NumbersMayLackTheirZeroAndHaveExponents) {
   expect_test(file("Target (mm)\tError (mm)\n", [](const Row& r) {
     return fmt::format("{}\t{}\n", r.target, fmt::format("{:.4f}", r.deviation / 1000.0).substr(1));

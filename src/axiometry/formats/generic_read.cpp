@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -110,6 +111,7 @@ class TableReader {
       AXIOMETRY_TRY_VOID(placed(check_deviations(gathered_series.series, profile_.target_unit->kind), at));
     Test test{{}, std::move(gathered_series.series), {}};
     test.times_s = std::move(gathered_series.times_s);
+    if (gathered_series.remark) test.provenance.remarks.push_back(*std::move(gathered_series.remark));
     return test;
   }
 
@@ -358,7 +360,7 @@ Result<Test> read_with(const ImportProfile& profile, std::string_view bytes) {
   const LinesAbove above = read_lines_above(region.above, profile.target_unit->kind, profile.decimal_mark);
   AXIOMETRY_TRY(test.metadata, metadata_of(above.preamble, profile.target_unit->kind, profile.decimal_mark));
   auto& remarks = test.provenance.remarks;
-  remarks = encoding_remarks(decoded);
+  std::ranges::move(encoding_remarks(decoded), std::back_inserter(remarks));
   if (above.passed_over > 0)
     remarks.push_back(
         {false, fmt::format("{} above the table told nothing that is known and {} passed over",

@@ -9,7 +9,6 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/error_curves.h"
 #include "axiometry/formats/text_lines.h"
 #include "axiometry/formats/text_source.h"
@@ -17,7 +16,12 @@
 namespace axiometry::formats {
 namespace {
 
-std::string_view without_comment(std::string_view line) { return text::trim(line.substr(0, line.find("//"))); }
+std::string blank_separated(std::string_view content) {
+  std::string spaced(content);
+  std::ranges::replace_if(
+      spaced, [](char c) { return c == ';' || c == ','; }, ' ');
+  return spaced;
+}
 
 bool is_argument(std::string_view name) {
   return name.size() == 1 && std::string_view("XYZABCUVW").contains(name.front());
@@ -78,9 +82,7 @@ class CurveReader {
         header_.clear();
         continue;
       }
-      std::string spaced(content);
-      std::ranges::replace_if(
-          spaced, [](char c) { return c == ';' || c == ','; }, ' ');
+      const std::string spaced = blank_separated(content);
       AXIOMETRY_TRY_VOID(header_.empty() ? take_header(spaced, line) : take_row(spaced, line));
     }
     return std::move(curves_);
@@ -130,24 +132,11 @@ class CurveReader {
   std::vector<CurveColumns> columns_;
 };
 
-Result<Test> read(std::string_view bytes) {
-  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
-  AXIOMETRY_TRY(const std::vector<ErrorCurve> curves, CurveReader().read(decoded.text));
-  AXIOMETRY_TRY(Test test, only_test(curves));
-  std::ranges::move(encoding_remarks(decoded), std::back_inserter(test.provenance.remarks));
-  return test;
-}
+Result<std::vector<ErrorCurve>> curves_of(std::string_view text) { return CurveReader().read(text); }
 
-Result<void> read_many(ByteReader& bytes, const NamedTestSink& sink) {
-  AXIOMETRY_TRY(const std::string all, all_bytes(bytes));
-  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(all));
-  AXIOMETRY_TRY(const std::vector<ErrorCurve> curves, CurveReader().read(decoded.text));
-  for (const ErrorCurve& curve : curves) {
-    AXIOMETRY_TRY(NamedTest named, named_test(curve));
-    AXIOMETRY_TRY_VOID(sink(std::move(named)));
-  }
-  return {};
-}
+Result<Test> read(std::string_view bytes) { return read_curve(bytes, curves_of); }
+
+Result<void> read_many(ByteReader& bytes, const NamedTestSink& sink) { return read_curves(bytes, sink, curves_of); }
 
 struct Found {
   std::size_t headers = 0;
@@ -158,9 +147,7 @@ struct Found {
 Found found_in(std::string_view head) {
   Found found;
   for (const TextLine& line : content_lines(head)) {
-    std::string content(without_comment(line.text));
-    std::ranges::replace_if(
-        content, [](char c) { return c == ';' || c == ','; }, ' ');
+    const std::string content = blank_separated(without_comment(line.text));
     const auto words = text::words(content);
     if (!is_header(words)) continue;
     ++found.headers;

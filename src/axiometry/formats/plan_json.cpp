@@ -300,12 +300,6 @@ Value sequence_value(const std::vector<Approach>& sequence) {
   return list;
 }
 
-Value object(std::initializer_list<std::pair<std::string_view, Value>> members_given) {
-  Value result = Value::object();
-  for (const auto& [name, value] : members_given) result.add(name, value);
-  return result;
-}
-
 }  // namespace
 
 Value plan_value(const Plan& plan) {

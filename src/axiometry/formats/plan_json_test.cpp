@@ -151,8 +151,8 @@ TEST(PlanJson, RefusesWithTheRightPlace) {
   EXPECT_EQ(reason(with("20]", "10]")), "line 1:70: found the target 10 a second time, expected each once");
   EXPECT_EQ(reason(with("20]", "2e9]")),
             "line 1:70: found target 1 at 2000000000, expected a position within ±1000000000");
-  EXPECT_EQ(reason(with("1000", "-1")), "line 2:35: found a feed of -1, expected one above 0");
-  EXPECT_EQ(reason(with("5,", "0,")), "line 2:24: found an overrun of 0, expected a distance above 0");
+  EXPECT_EQ(reason(with("1000", "-1")), "line 2:35: found a feed of -1, expected 1e-06 to 1000000000");
+  EXPECT_EQ(reason(with("5,", "0,")), "line 2:24: found an overrun of 0, expected 1e-06 to 1000000000");
   EXPECT_EQ(reason(with("\"runs\": 2", "\"runs\": 2.5")),
             "line 2:10: found \"runs\" 2.5, expected a whole number of 0 or more");
   EXPECT_EQ(

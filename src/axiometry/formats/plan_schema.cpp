@@ -7,22 +7,14 @@ namespace {
 
 using json::Value;
 
-Value object(std::initializer_list<std::pair<std::string_view, Value>> members) {
-  Value result = Value::object();
-  for (const auto& [name, value] : members) result.add(name, value);
-  return result;
-}
-
-Value or_null(std::string_view type) { return Value::array({type, "null"}); }
-
 Value text(std::string_view description) { return object({{"type", or_null("string")}, {"description", description}}); }
 
 Value whole_number(int minimum, int maximum, std::string_view description) {
   return object({{"type", "integer"}, {"minimum", minimum}, {"maximum", maximum}, {"description", description}});
 }
 
-Value positive(std::string_view description) {
-  return object({{"type", "number"}, {"exclusiveMinimum", 0}, {"description", description}});
+Value number(double minimum, double maximum, std::string_view description) {
+  return object({{"type", "number"}, {"minimum", minimum}, {"maximum", maximum}, {"description", description}});
 }
 
 Value axis() {
@@ -79,10 +71,9 @@ Value properties() {
                           {"uniqueItems", true},
                           {"description", "Target positions (3.4), mm or degrees; in any order, they are sorted."}})},
       {"runs", whole_number(1, 10'000, "Approaches to each target from each direction of the cycle (n).")},
-      {"overrun", positive("Distance beyond a target before the direction changes, mm or degrees.")},
-      {"feed", positive("Feed speed between targets, mm/min or degrees/min.")},
-      {"dwell_s",
-       object({{"type", "number"}, {"minimum", 0}, {"description", "Time at rest on every target, seconds."}})},
+      {"overrun", number(1e-6, 1e9, "Distance beyond a target before the direction changes, mm or degrees.")},
+      {"feed", number(1e-6, 1e9, "Feed speed between targets, mm/min or degrees/min.")},
+      {"dwell_s", number(0, 1e6, "Time at rest on every target, seconds.")},
       {"warm_up_runs", whole_number(0, 10'000, "Movements there and back before the first reading.")},
       {"seed", object({{"type", Value::array({"integer", "string", "null"})},
                        {"minimum", 0},

@@ -86,6 +86,7 @@ class ContentReader {
   Result<Content> read(const Sections& sections) {
     AXIOMETRY_TRY(content_.rotary, is_rotary(sections));
     AXIOMETRY_TRY_VOID(each(sections, "target data", &ContentReader::take_target_line));
+    if (content_.targets.empty()) return fail("found no targets, expected a list of them below 'Targets :'");
     AXIOMETRY_TRY_VOID(each(sections, "runs", &ContentReader::take_run_line));
     AXIOMETRY_TRY_VOID(each(sections, "deviations", &ContentReader::take_deviation_line));
     return std::move(content_);
@@ -145,8 +146,9 @@ class ContentReader {
   }
 
   Result<void> take_deviation_line(const TextLine& line) {
-    if (tagged_value(line.text)) return {};  // the names of the columns
-    const auto words = text::words(line.text);
+    const auto names = tagged_value(line.text);  // of the columns; some go on with the first reading
+    if (names && names->value.find_first_of("0123456789") != 0) return {};
+    const auto words = text::words(names ? std::string_view(names->value) : line.text);
     if (words.size() != 3)
       return fail(fmt::format("found {}, expected three numbers: run, target and deviation{}", text::quoted(line.text),
                               line.has_break ? "" : "; the file ends here, is it cut off?"),
@@ -166,7 +168,6 @@ class ContentReader {
 
 Result<void> check_counts(const Content& content) {
   const std::size_t m = content.targets.size();
-  if (m == 0) return fail("found no targets, expected a list of them below 'Targets :'");
   if (content.target_count && content.target_count->count != m)
     return fail(fmt::format("found Target-count {} and a list of {}, expected the same number",
                             content.target_count->count, counted(m, "target")),
@@ -292,7 +293,7 @@ EOF::
 - `Target-count` and `Run-count`, when they stand in the file, must agree with the data.
 - Machine, Serial No, Date, By, Axis, Location and TITLE, the equipment, and from `ENVIRONMENT::` Air temp (°C), Air
   Press (mbar, or with a unit), Air Humid, Mat temp, Exp coeff and Date Time go into the metadata; what stands behind
-  `Final Data` is taken as the end of the test.
+  `Final Data` is taken as the end of the test. A sensor that shows 0 is taken as not connected, with a remark.
 - Encodings: UTF-8, UTF-16, GBK, Windows-1252, Latin-1. Decimal point or comma.
 - Refused: an unknown file type, targets in no order, a target without readings, a reading given twice, runs whose order
   contradicts their number.

@@ -120,9 +120,17 @@ class Environments {
                                            text::quoted(line.text), line.number)});
   }
 
+  /// A sensor of zero is none: no test is made in air of 0 °C, 0 mbar or 0 %, and one material temperature of zero
+  /// would draw the mean of all far away.
+  void not_connected(const TextLine& line) {
+    remarks_.push_back({false, fmt::format("found {} on line {}; it was taken as a sensor that is not connected",
+                                           text::quoted(line.text), line.number)});
+  }
+
   void take_air(const AirItem& air, const TaggedValue& item, const TextLine& line) {
     const auto measure = measure_from(item.value);
     const double value = measure ? air.value(*measure).value_or(NAN) : NAN;
+    if (measure && measure->value == 0.0 && air.tag != "exp coeff") return not_connected(line);
     const Field* field = find_field(key_at(air.key, at_end_));
     if (field == nullptr || !set_field(metadata_, *field, value)) return not_understood(line);
     if (air.tag == "exp coeff" && value != 0.0)
@@ -135,6 +143,7 @@ class Environments {
     const auto measure = measure_from(item.value);
     const auto value = measure ? temperature_C(*measure) : std::nullopt;
     if (!value || !(*value >= -60.0 && *value <= 100.0)) return not_understood(line);
+    if (measure->value == 0.0) return not_connected(line);
     auto& sensors = metadata_.environment.sensors;
     auto sensor = std::ranges::find(sensors, item.tag, &TemperatureSensor::location);
     if (sensor == sensors.end())

@@ -49,8 +49,13 @@ Result<RtlRunRule> rtl_run_rule(std::span<const RtlReading> rows, std::optional<
   std::size_t even = 0;
   std::size_t even_along = 0;
   std::size_t even_zero = 0;
-  for (std::size_t k = 1; k < count; k += 2) {
+  std::size_t odd_zero = 0;
+  for (std::size_t k = 0; k < count; ++k) {
     if (runs.first[k].line == 0) continue;
+    if (k % 2 == 0) {
+      odd_zero += runs.all_zero[k];
+      continue;
+    }
     ++even;
     even_along += runs.orders[k] == Order::along;
     even_zero += runs.all_zero[k];
@@ -60,6 +65,8 @@ Result<RtlRunRule> rtl_run_rule(std::span<const RtlReading> rows, std::optional<
     rule.remarks.push_back(
         {false, "found return runs of zeros alone in a unidirectional file; they were taken as not measured"});
     even_along = 0;
+  } else if (odd_zero > 0) {
+    rule.remarks.push_back({false, "found runs whose readings are all zero; they were taken as measured"});
   } else if (even_zero > 0) {
     rule.remarks.push_back({false, "found return runs whose readings are all zero; they were taken as measured"});
   }
@@ -84,6 +91,11 @@ Result<RtlRunRule> rtl_run_rule(std::span<const RtlReading> rows, std::optional<
     rule.remarks.push_back({false,
                             "found the readings of even runs in the order of the targets; they were taken as return "
                             "runs, because the flags say that the test is bidirectional"});
+  if (one_way_file && even > 0 && even_zero < even && !rule.one_way)
+    rule.remarks.push_back(
+        {false,
+         "found flags of a unidirectional test, but even runs that go back along the list of targets; "
+         "they were taken as return runs"});
   if (std::ranges::find(runs.orders, Order::mixed) != runs.orders.end())
     rule.remarks.push_back({false, "found runs whose readings stand in no order; they were placed by their targets"});
   return rule;

@@ -99,6 +99,24 @@ TEST(RenishawRtl, TellsTheAirInAnyOfItsUnits) {
             "found \"Air humid: high\" on line 54, which was not understood and is left out");
 }
 
+TEST(RenishawRtl, LeavesOutSensorsThatShowZero) {
+  const auto test = read(text_of(
+      {.rows = two_way_rows,
+       .others = "ENVIRONMENT::\nAir temp: 0.0\nAir Press: 0\nAir Humid: 0 %\nMat temp 1: 20.4\nMat temp 2: 0.00\n"
+                 "Mat temp 3: 32 F\nExp coeff: 0\n"}));
+  ASSERT_TRUE(test) << test.error().to_string();
+  const Environment& air = test->metadata.environment;
+  EXPECT_FALSE(air.air_temperature_start);
+  EXPECT_FALSE(air.air_pressure_start);
+  EXPECT_FALSE(air.air_humidity_start);
+  ASSERT_EQ(air.sensors.size(), 2u);
+  EXPECT_EQ(air.sensors[0].location, "mat temp 1");
+  EXPECT_EQ(air.sensors[1].location, "mat temp 3");
+  ASSERT_EQ(test->provenance.remarks.size(), 4u);
+  EXPECT_TRUE(test->provenance.remarks[3].message.contains(
+      "found \"Mat temp 2: 0.00\" on line 44; it was taken as a sensor that is not connected"));
+}
+
 TEST(RenishawRtl, TurnsRunsAroundWhenTheTargetsDescend) {
   const auto test = read(text_of({.targets = "100 50 0", .rows = two_way_rows}));
   ASSERT_TRUE(test) << test.error().to_string();
@@ -134,6 +152,34 @@ TEST(RenishawRtl, LeavesOutTheZerosOfAUnidirectionalFile) {
   ASSERT_TRUE(two_way);
   EXPECT_TRUE(two_way->series.complete());
   EXPECT_EQ(one_way->provenance.remarks.size() + two_way->provenance.remarks.size(), 2u);
+}
+
+TEST(RenishawRtl, TellsOfFlagsThatTheRunsContradict) {
+  const auto test = read(text_of({.flags = "Flags: 0 1 2 0", .rows = two_way_rows}));
+  ASSERT_TRUE(test) << test.error().to_string();
+  EXPECT_EQ(reading(*test, 0, Direction::down, 0), -.6);
+  ASSERT_EQ(test->provenance.remarks.size(), 1u);
+  EXPECT_EQ(test->provenance.remarks[0].message,
+            "found flags of a unidirectional test, but even runs that go back along the list of targets; they were "
+            "taken as return runs");
+}
+
+TEST(RenishawRtl, TellsOfZerosInRunsOfEitherDirection) {
+  const auto test =
+      read(text_of({.rows = "1 1 1\n1 2 2\n1 3 3\n2 3 4\n2 2 5\n2 1 6\n3 1 0\n3 2 0\n3 3 0\n4 3 0\n4 2 0\n"
+                            "4 1 0\n"}));
+  ASSERT_TRUE(test) << test.error().to_string();
+  ASSERT_EQ(test->provenance.remarks.size(), 1u);
+  EXPECT_EQ(test->provenance.remarks[0].message, "found runs whose readings are all zero; they were taken as measured");
+}
+
+TEST(RenishawRtl, ReadsAFirstReadingBesideTheNamesOfTheColumns) {
+  std::string text = text_of({.rows = two_way_rows});
+  text.erase(text.find("Data: \n") + 6, 1);
+  const auto test = read(text);
+  ASSERT_TRUE(test) << test.error().to_string();
+  EXPECT_TRUE(test->series.complete());
+  EXPECT_EQ(reading(*test, 0, Direction::up, 0), .1);
 }
 
 TEST(RenishawRtl, KeepsMissingReadingsMissing) {

@@ -13,19 +13,11 @@ namespace {
 
 using json::Value;
 
-Value object(std::initializer_list<std::pair<std::string_view, Value>> members) {
-  Value result = Value::object();
-  for (const auto& [name, value] : members) result.add(name, value);
-  return result;
-}
-
 Value typed(std::string_view type, std::string_view description) {
   Value schema = object({{"type", type}});
   if (!description.empty()) schema.add("description", description);
   return schema;
 }
-
-Value or_null(std::string_view type) { return Value::array({type, "null"}); }
 
 std::string describe(const Field& field) {
   std::string text = fmt::format("{}. {}", field.title, field.description);
@@ -155,13 +147,21 @@ Value source_schema() {
                                                     {"description", "Why a test from it is none of ISO 230-2."},
                                                     {"items", object({{"type", "string"}})}})}});
   return object({{"type", or_null("object")},
-                 {"description", "The file that this one was converted from."},
+                 {"description", "The file or stream that this one was taken from."},
                  {"properties", std::move(properties)},
                  {"required", Value::array({"file", "sha256", "format"})},
                  {"additionalProperties", false}});
 }
 
 }  // namespace
+
+Value object(std::initializer_list<std::pair<std::string_view, Value>> members) {
+  Value result = Value::object();
+  for (const auto& [name, value] : members) result.add(name, value);
+  return result;
+}
+
+Value or_null(std::string_view type) { return Value::array({type, "null"}); }
 
 Value metadata_group_schema(std::string_view group) {
   Value members = Value::object();

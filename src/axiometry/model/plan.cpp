@@ -17,7 +17,16 @@ constexpr double position_limit = 1e9;
 constexpr std::size_t run_limit = 10'000;
 constexpr std::size_t approach_limit = 1'000'000;  // a plan is walked in memory
 
-bool positive(double x) { return std::isfinite(x) && x > 0.0; }
+/// Of an overrun in mm or ° and of a feed in mm/min or °/min. Below it an overrun is lost in the rounding of a position
+/// of 1e9; beyond these numbers and `dwell_limit_s` the sum of all times is no number.
+constexpr double size_least = 1e-6;
+constexpr double size_limit = 1e9;
+constexpr double dwell_limit_s = 1e6;
+
+Result<void> check_size(std::string_view what, double x) {
+  if (x >= size_least && x <= size_limit) return {};
+  return fail(fmt::format("found {} of {}, expected {} to {}", what, format_exact(x), size_least, size_limit));
+}
 
 Result<void> check_targets(const Plan& plan) {
   if (plan.targets.empty()) return fail("found a plan without targets, expected at least one");
@@ -101,11 +110,10 @@ Result<void> check_sound(const Plan& plan) {
   AXIOMETRY_TRY_VOID(check_targets(plan));
   if (plan.runs == 0 || plan.runs > run_limit)
     return fail(fmt::format("found {} runs, expected 1 to {}", plan.runs, run_limit));
-  if (!positive(plan.overrun.in_native()))
-    return fail(fmt::format("found an overrun of {}, expected a distance above 0", plan.overrun.in_native()));
-  if (!positive(plan.feed)) return fail(fmt::format("found a feed of {}, expected one above 0", plan.feed));
-  if (!(std::isfinite(plan.dwell.in_s()) && plan.dwell.in_s() >= 0.0))
-    return fail(fmt::format("found a dwell of {} s, expected 0 or more", plan.dwell.in_s()));
+  AXIOMETRY_TRY_VOID(check_size("an overrun", plan.overrun.in_native()));
+  AXIOMETRY_TRY_VOID(check_size("a feed", plan.feed));
+  if (!(plan.dwell.in_s() >= 0.0 && plan.dwell.in_s() <= dwell_limit_s))
+    return fail(fmt::format("found a dwell of {} s, expected 0 to {}", plan.dwell.in_s(), dwell_limit_s));
   if (plan.warm_up_runs > run_limit)
     return fail(fmt::format("found {} warm-up runs, expected at most {}", plan.warm_up_runs, run_limit));
   AXIOMETRY_TRY_VOID(check_sequence(plan));

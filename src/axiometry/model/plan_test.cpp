@@ -101,6 +101,13 @@ TEST(Plan, RefusesWhatCannotBeWalkedAndSaysWhy) {
   EXPECT_NE(reason([](Plan& p) { p.overrun = Position::native(0); }), "");
   EXPECT_NE(reason([](Plan& p) { p.feed = -1; }), "");
   EXPECT_NE(reason([](Plan& p) { p.dwell = Duration::s(-1); }), "");
+  // Lost in the rounding of a position, or of which a sum is no number.
+  EXPECT_EQ(reason([](Plan& p) { p.overrun = Position::native(1e-300); }),
+            "found an overrun of 1e-300, expected 1e-06 to 1000000000");
+  EXPECT_EQ(reason([](Plan& p) { p.overrun = Position::native(1e308); }),
+            "found an overrun of 1e+308, expected 1e-06 to 1000000000");
+  EXPECT_EQ(reason([](Plan& p) { p.feed = 1e-300; }), "found a feed of 1e-300, expected 1e-06 to 1000000000");
+  EXPECT_EQ(reason([](Plan& p) { p.dwell = Duration::s(1e308); }), "found a dwell of 1e+308 s, expected 0 to 1000000");
   EXPECT_EQ(reason([](Plan& p) {
               for (int k = 21; k < 200; ++k) p.targets.push_back(Position::native(k));
               p.runs = 10'000;

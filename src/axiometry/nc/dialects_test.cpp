@@ -278,11 +278,6 @@ TEST(Dialects, RefusePlansBeyondTheirControls) {
   plan = small_plan();
   plan.overrun = Position::native(1e-6);
   EXPECT_NE(refusal("fanuc", plan), "");
-  plan = small_plan();
-  plan.runs = 10'000;
-  plan.targets.clear();
-  for (int i = 0; i < 100; ++i) plan.targets.push_back(Position::native(i));
-  EXPECT_EQ(refusal("fanuc", plan), "found 2000000 readings, expected at most 1000000 in one program");
 }
 
 TEST(Dialects, WriteAsManyDecimalsAsTheTargetsNeedAndSaySo) {

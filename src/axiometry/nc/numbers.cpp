@@ -12,8 +12,6 @@
 namespace axiometry::nc {
 namespace {
 
-constexpr double mm_per_inch = 25.4;
-
 /// A coordinate that was given in decimals is met but for the rounding of doubles: a position below 1e5 has 1.5e-11,
 /// and an overrun was added.
 constexpr double exact_within = 1e-9;

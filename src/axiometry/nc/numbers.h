@@ -11,6 +11,8 @@
 /// Numbers of part programs: fixed decimals, a decimal point, never "-0".
 namespace axiometry::nc {
 
+constexpr double mm_per_inch = 25.4;
+
 /// Most decimals of a coordinate: 1 nm, 12.7 nm in inches (half of it is the largest error).
 constexpr int decimals_highest = 6;
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "axiometry/base/utf8.h"
+
 namespace axiometry::nc {
 namespace {
 
@@ -13,27 +15,6 @@ constexpr std::array<std::string_view, 64> latin = {
     "D", "N", "O", "O", "O",  "O", "OE", "X", "O", "U", "U", "U", "UE", "Y", "TH", "SS",  //
     "A", "A", "A", "A", "AE", "A", "AE", "C", "E", "E", "E", "E", "I",  "I", "I",  "I",   //
     "D", "N", "O", "O", "O",  "O", "OE", "/", "O", "U", "U", "U", "UE", "Y", "TH", "Y"};
-
-struct CodePoint {
-  char32_t value = 0;
-  std::size_t bytes = 1;
-};
-
-/// The character at the beginning of `s`; 0xFFFD where it is no valid UTF-8. Characters above U+07FF need not be told
-/// apart: none has a replacement but the minus sign.
-CodePoint first_code_point(std::string_view s) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(s[k]); };
-  const unsigned char lead = byte(0);
-  const std::size_t size = lead < 0x80 ? 1 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 0;
-  if (size == 1) return {lead, 1};
-  if (size == 0 || size > s.size()) return {0xFFFD, 1};
-  char32_t value = size == 2 ? lead & 0x1Fu : size == 3 ? lead & 0x0Fu : lead & 0x07u;
-  for (std::size_t k = 1; k < size; ++k) {
-    if ((byte(k) & 0xC0u) != 0x80u) return {0xFFFD, 1};
-    value = value << 6 | (byte(k) & 0x3Fu);
-  }
-  return {value, size};
-}
 
 /// In ASCII, before it is looked at whether that is allowed.
 std::string plain(char32_t c) {
@@ -51,9 +32,9 @@ std::string plain(char32_t c) {
 std::string safe_text(std::string_view utf8, std::string_view allowed) {
   std::string safe;
   while (!utf8.empty()) {
-    const CodePoint c = first_code_point(utf8);
-    utf8.remove_prefix(c.bytes);
-    for (char ascii : plain(c.value)) {
+    const Character c = character_at(utf8, 0);
+    utf8.remove_prefix(c.length);
+    for (char ascii : plain(c.code)) {
       if (allowed.find(ascii) == std::string_view::npos) ascii = ascii == '(' ? '[' : ascii == ')' ? ']' : ascii;
       const bool harmless = (ascii >= 'A' && ascii <= 'Z') || (ascii >= '0' && ascii <= '9') || ascii == ' ' ||
                             allowed.find(ascii) != std::string_view::npos;

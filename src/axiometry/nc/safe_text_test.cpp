@@ -22,6 +22,7 @@ TEST(SafeText, LeavesNothingThatEndsACommentOrBeginsABlock) {
   EXPECT_EQ(safe_text("\xe6\xa9\x9f\xf0\x9f\x94\xa7", ""), "--");
   EXPECT_EQ(safe_text(std::string("\0\x7f\x1b", 3), ""), "---");
   EXPECT_EQ(safe_text("\xe6(", ""), "--");
+  EXPECT_EQ(safe_text("\xc0\xa8", "("), "--");  // an overlong bracket
 }
 
 TEST(Wrapped, PartsAtBlanksAndCutsLongWords) {

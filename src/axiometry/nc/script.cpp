@@ -16,9 +16,6 @@
 namespace axiometry::nc {
 namespace {
 
-constexpr std::size_t readings_highest = 1'000'000;
-constexpr double mm_per_inch = 25.4;
-
 /// Stops, ends and calls of programs; spindle; tool and pallet change: at a machine on which somebody stands beside
 /// optics, none of these is a trigger.
 constexpr std::array<unsigned, 13> never_a_trigger = {0, 1, 2, 3, 4, 6, 13, 14, 17, 30, 60, 98, 99};
@@ -78,8 +75,6 @@ Result<void> check_reach(const Plan& plan, const ControlLimits& limits) {
     if (std::abs(end.in_native()) > limits.farthest.in_native())
       return fail(fmt::format("found a way to {} {}, expected positions within ±{}", format_exact(end.in_native()),
                               position_unit(plan.axis.kind), format_exact(limits.farthest.in_native())));
-  if (const std::size_t count = approaches(plan).size(); count > readings_highest)
-    return fail(fmt::format("found {} readings, expected at most {} in one program", count, readings_highest));
   return {};
 }
 

@@ -80,7 +80,7 @@ struct Script {
 ///
 /// Fails on an axis that the control cannot name, a number of decimals beyond 0 to 6, positions that cannot be told
 /// apart with 6, a position, a feed or a dwell beyond the control's range, an M code that is none of the control's,
-/// ends the program or moves spindle or tool, and on more than a million readings. Needs a sound plan.
+/// ends the program or moves spindle or tool. Needs a sound plan.
 Result<Script> make_script(const Plan& plan, const ProgramOptions& options, const ControlLimits& limits);
 
 /// "DWELL 3 S" and the like: what stands at the top of the program, one comment each.

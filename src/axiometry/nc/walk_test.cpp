@@ -73,5 +73,14 @@ TEST(Walk, IsThePlanWhenItIsReadOneAfterAnother) {
       }
 }
 
+TEST(Walk, WritesOutASequenceThatAllButRepeats) {
+  Plan plan = plan_of(TestCycle::user_defined, 3);
+  plan.targets.push_back(Position::native(20.0));
+  for (std::size_t run : {0u, 1u, 2u})
+    for (std::size_t target : {0u, 1u, 2u})
+      if (run == 0 || target < 2 || run == 2) plan.sequence.push_back({target, Direction::up, run});
+  EXPECT_EQ(text_of(walk(plan, 99)), "-5 | 0↑ 10↑ 20↑ -5 0↑ 10↑ -5 0↑ 10↑ 20↑ -5");
+}
+
 }  // namespace
 }  // namespace axiometry::nc

@@ -21,11 +21,6 @@ using iso230_2::Severity;
 
 constexpr std::size_t most_targets_shown = 500;
 
-bool conforming(const PlanSubject& subject) {
-  return std::ranges::find(subject.findings, Severity::departure, &iso230_2::Finding::severity) ==
-         subject.findings.end();
-}
-
 std::string with_unit(double x, const Plan& plan, const Options& options, std::string_view per = "") {
   const std::string_view unit = position_unit(plan.axis.kind);
   return fmt::format("{}{}{}{}", shown_short(x, options), unit == "°" ? "" : "\u00a0", unit, per);
@@ -171,7 +166,8 @@ void append_programme(Document& document, const Plan& plan, Duration duration, d
 }
 
 Notice status(const PlanSubject& subject) {
-  if (conforming(subject)) return {Tone::good, plain(fmt::format("Plan according to {}", subject.plan.standard)), {}};
+  if (iso230_2::conforming(subject.findings))
+    return {Tone::good, plain(fmt::format("Plan according to {}", subject.plan.standard)), {}};
   Notice notice{Tone::bad, plain(fmt::format("Not a plan according to {}, see Findings", subject.plan.standard)), {}};
   for (const iso230_2::Finding& finding : subject.findings)
     if (finding.severity == Severity::departure && notice.lines.size() < 3)
@@ -185,7 +181,7 @@ Document title_page(const PlanSubject& subject) {
   document.kind = "Test plan";
   document.title =
       plan.axis.name.empty() ? "Positioning test of an NC axis" : "Positioning test of axis " + plan.axis.name;
-  document.edition = conforming(subject) ? plan.standard : fmt::format("Terms of {}", plan.standard);
+  document.edition = iso230_2::conforming(subject.findings) ? plan.standard : fmt::format("Terms of {}", plan.standard);
   document.identity = {{plain("Axis"), text_cell(axis_text(plan.axis))},
                        {plain("Machine"), text_or_quiet(plan.machine)},
                        {plain("Date of plan"), text_or_quiet(plan.date)},

@@ -154,5 +154,20 @@ TEST(PlanSheet, TellsDurationsAsPeopleDo) {
   EXPECT_EQ(duration_text(Duration::s(6300)), "1 h 45 min");
 }
 
+TEST(PlanSheet, FigureOfVeryManyTargetsHasNoMoreLinesThanPaperHasRoomFor) {
+  Plan plan = iso230_2::make_plan(request(0, 500)).value();
+  plan.cycle = TestCycle::user_defined;
+  plan.targets.clear();
+  plan.runs = 1;
+  for (std::size_t i = 0; i < 50'000; ++i) {
+    plan.targets.push_back(Position::native(10.0 + 0.009 * static_cast<double>(i)));
+    plan.sequence.push_back({i, Direction::up, 0});
+  }
+  const auto figures = figures_of(sheet(plan));
+  ASSERT_EQ(figures.size(), 1u);
+  EXPECT_LT(figures[0].operations.size(), 5'000u);
+  EXPECT_GT(figures[0].operations.size(), 1'000u);
+}
+
 }  // namespace
 }  // namespace axiometry::report

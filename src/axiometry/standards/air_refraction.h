@@ -46,7 +46,7 @@ Result<double> air_refractivity(AirEquation equation, const Air& air, Length vac
 double unchecked_air_refractivity(AirEquation equation, const Air& air, Length vacuum_wavelength);
 
 /// What n changes by, per unit of each input, the others held; near 20 °C, 101 kPa and 50 %: −0.95e-6 per °C (−0.93e-6
-/// in dry air), 2.68e-9 per Pa, −0.85e-8 per % and 1.5e-10 per ppm. For uncertainties.
+/// in dry air), 2.68e-9 per Pa, −0.85e-8 per % and 1.45e-10 per ppm. For uncertainties.
 struct AirSensitivities {
   double per_celsius = 0.0;
   double per_pascal = 0.0;

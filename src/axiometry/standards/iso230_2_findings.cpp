@@ -75,7 +75,11 @@ Case make_case(const Metadata& metadata, const Series& series, const Evaluation&
 
 std::string figure(double x) { return format_exact(std::round(x * 1000.0) / 1000.0); }
 
-std::string position_text(const Case& c, double position) { return figure(position) + (c.linear() ? " mm" : "°"); }
+std::string position_text(AxisKind kind, double position) {
+  return figure(position) + (kind == AxisKind::linear ? " mm" : "°");
+}
+
+std::string position_text(const Case& c, double position) { return position_text(c.kind(), position); }
 
 std::string target_text(const Case& c, std::size_t target) {
   return fmt::format("target {} ({})", target + 1, position_text(c, c.target(target)));

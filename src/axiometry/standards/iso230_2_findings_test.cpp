@@ -247,13 +247,15 @@ TEST(Findings, ListWhatAReportWouldHaveToTell) {
 TEST(Findings, WantEquipmentAndSensorsIdentified) {
   axiometry::Test test = table2::complete_test();
   test.metadata.equipment.push_back({"", "Maker", "", ""});
-  test.metadata.environment.sensors = {{"equipment", "", Temperature::celsius(20), {}}};
+  test.metadata.environment.sensors = {{"equipment", "", Temperature::celsius(20), {}},
+                                       {"equipment", "laser head", Temperature::celsius(20), {}}};
   const Assessment a = assess(test);
   EXPECT_THAT(finding(a, "8.1", "test equipment"), HasSubstr("component 2 without type and serial number"));
   EXPECT_THAT(
       finding(a, "8.1", "NDE correction with"),
       HasSubstr("no sensor with the role machine, the sensor of the equipment without location, the sensor of the "
-                "equipment without temperature at the end"));
+                "equipment without temperature at the end, the sensor of the equipment (laser head) without "
+                "temperature at the end"));
 }
 
 TEST(Findings, TellCyclesThatAreNotTheStandardOne) {

@@ -67,7 +67,7 @@ Result<void> check_numbers(const PlanRequest& request) {
   AXIOMETRY_TRY_VOID(check_positive("the feed", request.feed));
   AXIOMETRY_TRY_VOID(check_positive("the segment", native(request.segment)));
   AXIOMETRY_TRY_VOID(check_positive("the step of targets", native(request.step)));
-  AXIOMETRY_TRY_VOID(check_positive("the acceleration", request.acceleration));
+  if (request.acceleration) AXIOMETRY_TRY_VOID(check_acceleration(*request.acceleration));
   AXIOMETRY_TRY_VOID(check_positive("the expected period", native(request.axis.expected_period)));
   for (double x : request.axis.compensation_points)
     if (!std::isfinite(x)) return fail("found a sampling point that is not finite, expected positions");
@@ -355,6 +355,12 @@ Result<Plan> make_plan(const PlanRequest& request) {
     return fail(fmt::format("found a normal working area for a test over {}, expected one above {} only",
                             frame.text(measured), frame.text(normal_stretch(frame.kind()).in_native())));
   return plan;
+}
+
+Result<void> check_acceleration(double acceleration) {
+  constexpr double least = 1e-3, highest = 1e6;
+  if (acceleration >= least && acceleration <= highest) return {};
+  return fail(fmt::format("found the acceleration {}, expected {} to {}", format_exact(acceleration), least, highest));
 }
 
 double usual_acceleration(AxisKind kind) { return kind == AxisKind::linear ? 1000.0 : 500.0; }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -99,11 +100,15 @@ Result<Plan> make_plan(const PlanRequest& request);
 /// What the standard has to say about a plan, also one that people have edited: the rules of find_departures() that
 /// concern the programme, as if every approach had been measured, and those that only a plan can break (overruns beyond
 /// the travel, a feed that is not reached, no warm-up, a period that the targets do not sample). Departures first.
-/// Findings about a further plan begin with its title. Needs a sound plan.
-std::vector<Finding> plan_findings(const Plan& plan);
+/// Findings about a further plan begin with its title. Whether the feed is reached depends on the acceleration of the
+/// axis, the usual one when none is given. Needs a sound plan and a > 0.
+std::vector<Finding> plan_findings(const Plan& plan, std::optional<double> acceleration = {});
 
 /// No finding is a departure.
-bool conforming(const std::vector<Finding>& findings);
+bool conforming(std::span<const Finding> findings);
+
+/// Fails on an acceleration outside 0.001 to 1e6 mm/s² or °/s², on which no duration can be told.
+Result<void> check_acceleration(double acceleration);
 
 /// mm/s² or °/s², when nothing is known about the axis: 1 000 mm/s² or 500 °/s².
 double usual_acceleration(AxisKind kind);

@@ -23,9 +23,7 @@ constexpr double least_phases = 0.25;       // of the period: fewer are missed b
 constexpr double periods_at_least = 2.0;    // Annex C
 constexpr double targets_per_period = 4.0;  // Annex C: half the period is the limit, where nothing can be told
 
-std::string position_text(const Plan& plan, double x) {
-  return rules::figure(x) + (plan.axis.kind == AxisKind::linear ? " mm" : "°");
-}
+std::string position_text(const Plan& plan, double x) { return rules::position_text(plan.axis.kind, x); }
 
 double travel_of(const Plan& plan) { return plan.targets.back().in_native() - plan.targets.front().in_native(); }
 
@@ -94,14 +92,14 @@ std::optional<Finding> period_sampled(const Plan& plan) {
                                  rules::figure(std::round(100.0 * (1.0 - gap))), position_text(plan, period)));
 }
 
-std::optional<Finding> feed_reached(const Plan& plan) {
-  const double needed = distance_to_feed(plan, usual_acceleration(plan.axis.kind)).in_native();
+std::optional<Finding> feed_reached(const Plan& plan, double acceleration) {
+  const double needed = distance_to_feed(plan, acceleration).in_native();
   if (plan.overrun.in_native() >= needed) return std::nullopt;
-  return rules::note("5.3.2",
-                     fmt::format("found overruns of {}, expected {} to reach the feed of {} {}/min at {} {}/s²",
-                                 position_text(plan, plan.overrun.in_native()), position_text(plan, needed),
-                                 rules::figure(plan.feed), position_unit(plan.axis.kind),
-                                 rules::figure(usual_acceleration(plan.axis.kind)), position_unit(plan.axis.kind)));
+  return rules::note(
+      "5.3.2",
+      fmt::format("found overruns of {}, expected {} to reach the feed of {} {}/min at {} {}/s²",
+                  position_text(plan, plan.overrun.in_native()), position_text(plan, needed), rules::figure(plan.feed),
+                  position_unit(plan.axis.kind), rules::figure(acceleration), position_unit(plan.axis.kind)));
 }
 
 std::optional<Finding> period_given(const Plan& plan) {
@@ -139,8 +137,7 @@ std::optional<Series> as_series(const Plan& plan) {
 }
 
 /// What is said of every plan.
-constexpr PlanRule* common_rules[] = {travel_known, reach_within_travel, warm_up_planned, rests_at_targets,
-                                      feed_reached};
+constexpr PlanRule* common_rules[] = {travel_known, reach_within_travel, warm_up_planned, rests_at_targets};
 /// Of the test for a periodic error.
 constexpr PlanRule* period_rules[] = {period_given, period_covered, period_resolved};
 /// Of a test after clause 5.
@@ -196,10 +193,13 @@ class Findings {
   std::vector<Finding> list_;
 };
 
-std::vector<Finding> findings_of(const Plan& plan, bool further) {
+/// Of a further plan without the acceleration, which the plan it belongs to was judged with.
+std::vector<Finding> findings_of(const Plan& plan, std::optional<double> acceleration) {
+  const bool further = !acceleration;
   Findings findings;
   for (PlanRule* rule : common_rules)
     if (!further || rule == reach_within_travel) findings.add(rule(plan));
+  if (acceleration) findings.add(feed_reached(plan, *acceleration));
   if (plan.clause == "Annex C") {
     for (PlanRule* rule : period_rules) findings.add(rule(plan));
   } else {
@@ -211,10 +211,10 @@ std::vector<Finding> findings_of(const Plan& plan, bool further) {
 
 }  // namespace
 
-std::vector<Finding> plan_findings(const Plan& plan) {
-  std::vector<Finding> all = findings_of(plan, false);
+std::vector<Finding> plan_findings(const Plan& plan, std::optional<double> acceleration) {
+  std::vector<Finding> all = findings_of(plan, acceleration.value_or(usual_acceleration(plan.axis.kind)));
   for (const Plan& part : plan.further)
-    for (Finding& finding : findings_of(part, true)) {
+    for (Finding& finding : findings_of(part, std::nullopt)) {
       if (!part.title.empty()) finding.message = fmt::format("{}: {}", part.title, finding.message);
       all.push_back(std::move(finding));
     }
@@ -222,7 +222,7 @@ std::vector<Finding> plan_findings(const Plan& plan) {
   return all;
 }
 
-bool conforming(const std::vector<Finding>& findings) {
+bool conforming(std::span<const Finding> findings) {
   return std::ranges::find(findings, Severity::departure, &Finding::severity) == findings.end();
 }
 

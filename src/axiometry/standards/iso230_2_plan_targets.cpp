@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t attempts = 64;      // at a place that is free by a part f, all miss it with (1 − f)⁶⁴
 constexpr double steps_per_interval = 8;  // 0.4 p between neighbours are three steps then
+constexpr double beside_principal = 0.1;  // of p: a principal position may be 0.2 p from what its neighbour may be
 constexpr std::uint64_t segment_draws = std::uint64_t{1} << 32;  // streams of targets added for a segment
 
 struct Window {
@@ -83,9 +84,10 @@ class Drawing {
 
   double principal(double x, std::uint64_t target) const {
     if (free(x, same_position.in_native())) return x;
-    const double low = grid_.without_end || x - at_principal.in_native() >= grid_.first ? -1.0 : 0.0;
-    const double high = grid_.without_end || x + at_principal.in_native() <= grid_.last() ? 1.0 : 0.0;
-    return drawn({x + low * at_principal.in_native(), x + high * at_principal.in_native()}, target);
+    const double aside = std::min(at_principal.in_native(), beside_principal * grid_.interval);
+    const double low = grid_.without_end || x - aside >= grid_.first ? aside : 0.0;
+    const double high = grid_.without_end || x + aside <= grid_.last() ? aside : 0.0;
+    return drawn({x - low, x + high}, target);
   }
 
   /// Which targets are multiples of 90°: for each of these the nearest target, unless another took it.

@@ -226,6 +226,28 @@ TEST(Plan230, RotaryAxisFollowsTable1) {
   EXPECT_EQ(make_plan(rotary(0, 90))->runs, 5u);
 }
 
+TEST(Plan230, DenseTargetsStayInOrderBesideAPrincipalPositionThatIsASamplingPoint) {
+  PlanRequest r = rotary(0, 360);
+  r.axis.compensation_points = {0, 90, 180, 270, 360};
+  for (std::size_t count : {720u, 3600u, 7200u})
+    for (r.seed = 0; r.seed < 20; ++r.seed) {
+      r.count = count;
+      EXPECT_EQ(reason(r), "") << count;
+    }
+}
+
+TEST(Plan230, TheFeedIsReachedAtTheAccelerationOfTheAxis) {
+  PlanRequest r = request(0, 500);
+  r.feed = 20'000;
+  r.acceleration = 10'000;
+  const Plan plan = make_plan(r).value();
+  const auto unreached = [](const std::vector<Finding>& findings) {
+    return std::ranges::count_if(findings, [](const Finding& f) { return f.message.contains("to reach the feed"); });
+  };
+  EXPECT_EQ(unreached(plan_findings(plan, r.acceleration)), 0);
+  EXPECT_EQ(unreached(plan_findings(plan)), 1);
+}
+
 TEST(Plan230, TurningAxisIsMeasuredAtItsPrincipalPositions) {
   const Plan plan = make_plan(rotary(0, 360)).value();
   EXPECT_EQ(plan.targets.size(), 8u);

@@ -73,6 +73,7 @@ Rule repeatability_below_variation;  // A.2.6
 /// At most three decimals, no trailing zeros: "1744.209", "0.1".
 std::string figure(double x);
 /// "1744.209 mm", "315°".
+std::string position_text(AxisKind kind, double position);
 std::string position_text(const Case& c, double position);
 /// "target 3 (353.834 mm)".
 std::string target_text(const Case& c, std::size_t target);

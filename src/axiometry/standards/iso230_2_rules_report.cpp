@@ -123,7 +123,8 @@ std::optional<Finding> sensors_complete(const Case& c) {
   };
   if (!has_role("machine")) lacks.push_back("no sensor with the role machine");
   for (const TemperatureSensor& s : c.metadata.environment.sensors) {
-    const std::string name = s.role.empty() ? "a sensor" : "the sensor of the " + s.role;
+    std::string name = s.role.empty() ? "a sensor" : "the sensor of the " + s.role;
+    if (!s.location.empty()) name += fmt::format(" ({})", s.location);
     if (s.location.empty()) lacks.push_back(name + " without location");
     if (!s.start || !s.end)
       lacks.push_back(fmt::format("{} without temperature at the {}", name,

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
 #include "axiometry/standards/iso230_2_artefact.h"
 #include "axiometry/standards/reading_change.h"
+#include "axiometry/standards/sensor_mean.h"
 #include "axiometry/standards/test_course.h"
 
 namespace axiometry {
@@ -22,25 +22,13 @@ using Part = AppliedExpansionCorrection::Part;
 constexpr double reference_temperature = 20.0;
 constexpr double per_um_per_m = 1e-6;
 
-/// The mean of the sensors of a role at the start and the end; nothing without one that was read.
-std::optional<Part> mean_of_sensors(const Environment& environment, std::string_view role) {
-  double start = 0.0;
-  double end = 0.0;
-  std::size_t count = 0;
-  for (const TemperatureSensor& sensor : environment.sensors) {
-    if (!text::equal_ignoring_case(sensor.role, role) || !(sensor.start || sensor.end)) continue;
-    start += (sensor.start ? *sensor.start : *sensor.end).in_celsius();
-    end += (sensor.end ? *sensor.end : *sensor.start).in_celsius();
-    ++count;
-  }
-  if (count == 0) return std::nullopt;
-  const double n = static_cast<double>(count);
-  return Part{{}, Temperature::celsius(start / n), Temperature::celsius(end / n), count};
+Part part_of(const SensorMean& mean, ExpansionCoefficient expansion) {
+  return {expansion, mean.start, mean.end, mean.sensors};
 }
 
 Result<Part> machine_part(const Metadata& metadata) {
-  auto part = mean_of_sensors(metadata.environment, "machine");
-  if (!part)
+  const auto mean = mean_of_sensors(metadata.environment, "machine");
+  if (!mean)
     return fail(
         "found no temperature of the machine to correct expansion with, expected a sensor with role machine "
         "('sensors')");
@@ -50,25 +38,23 @@ Result<Part> machine_part(const Metadata& metadata) {
     return fail(
         "found no expansion coefficient of the machine to correct with, expected nde.machine_expansion_um_per_m_C or "
         "axis.scale_expansion_um_per_m_C");
-  part->expansion = *coefficient;
-  return *part;
+  return part_of(*mean, *coefficient);
 }
 
 Result<std::optional<Part>> equipment_part(const Metadata& metadata) {
-  auto part = mean_of_sensors(metadata.environment, "equipment");
+  const auto mean = mean_of_sensors(metadata.environment, "equipment");
   const auto& coefficient = metadata.nde.equipment_expansion;
   const bool expands = coefficient && coefficient->in_um_per_m_K() != 0.0;
-  if (expands && !part)
+  if (expands && !mean)
     return fail(
         "found no temperature of the measuring equipment, whose expansion coefficient is given, expected a sensor with "
         "role equipment ('sensors')");
-  if (!coefficient && part)
+  if (!coefficient && mean)
     return fail(
         "found temperatures of the measuring equipment and no expansion coefficient, expected "
         "nde.equipment_expansion_um_per_m_C (0 for an interferometer that compensates itself)");
   if (!expands) return std::nullopt;
-  part->expansion = *coefficient;
-  return part;
+  return part_of(*mean, *coefficient);
 }
 
 /// α ΔT at a time from 0 (start) to 1 (end).

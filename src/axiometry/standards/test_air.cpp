@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/standards/sensor_mean.h"
 
 namespace axiometry {
 namespace {
@@ -30,15 +30,8 @@ Reads temperature_of(const Environment& environment) {
   if (start || end)
     return {start ? std::optional(start->in_celsius()) : std::nullopt,
             end ? std::optional(end->in_celsius()) : std::nullopt};
-  double sum_start = 0.0, sum_end = 0.0, count = 0.0;
-  for (const TemperatureSensor& sensor : environment.sensors) {
-    if (!text::equal_ignoring_case(sensor.role, "air") || !(sensor.start || sensor.end)) continue;
-    sum_start += (sensor.start ? *sensor.start : *sensor.end).in_celsius();
-    sum_end += (sensor.end ? *sensor.end : *sensor.start).in_celsius();
-    count += 1.0;
-  }
-  if (count == 0.0) return {};
-  return {sum_start / count, sum_end / count};
+  const auto mean = mean_of_sensors(environment, "air");
+  return mean ? Reads{mean->start.in_celsius(), mean->end.in_celsius()} : Reads{};
 }
 
 Reads pressure_of(const Environment& environment) {

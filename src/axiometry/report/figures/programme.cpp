@@ -29,6 +29,7 @@ constexpr double least_height = 150.0;
 constexpr double most_height = 320.0;
 constexpr double least_pitch = 9.0;          // between labels
 constexpr double number_width = 11.0;        // of a target's number
+constexpr double least_gap = 0.1;            // between the lines of targets, which are 0.5 wide
 constexpr std::size_t most_readings = 1500;  // that are drawn as dots
 constexpr std::size_t most_legs = 20'000;    // beyond which a picture would be a black box of many megabytes
 constexpr double pad = 0.03;                 // of the reach, beside it
@@ -134,10 +135,13 @@ class Drawing {
 
   void draw_targets() {
     const double last = x_(plan_.targets.back().in_native());
-    double free_from = -1.0;
+    double free_from = -1.0, line_from = -1.0;
     for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
       const double x = x_(plan_.targets[i].in_native());
-      operations_.push_back(plot::line({x, top_}, {x, bottom_}, ink::solid(ink::grid_grey, 0.5)));
+      if (x >= line_from) {
+        operations_.push_back(plot::line({x, top_}, {x, bottom_}, ink::solid(ink::grid_grey, 0.5)));
+        line_from = x + least_gap;
+      }
       if (x < free_from || (x > last - number_width && i + 1 < plan_.targets.size())) continue;
       operations_.push_back(label({plot::plain(fmt::format("{}", i + 1))}, {x, top_ - 4.0}, ink::tick_text_size,
                                   Anchor::middle, ink::grey));
@@ -216,6 +220,10 @@ class Drawing {
     double free_from = -1.0;
     for (std::size_t k = 0; k < legs_.size();) {
       const std::string name = name_of(plan_, legs_[k]);
+      if (name.empty()) {
+        ++k;
+        continue;
+      }
       std::size_t end = k + 1, last = k;
       for (; end < legs_.size(); ++end) {
         const std::string next = name_of(plan_, legs_[end]);
@@ -223,14 +231,14 @@ class Drawing {
         if (next != name && !next.empty()) break;
       }
       const double top = y_(legs_[k].from.time), bottom = y_(legs_[last].leave);
-      if (!name.empty() && 0.5 * (top + bottom) - 0.5 * least_pitch >= free_from) {
+      if (0.5 * (top + bottom) - 0.5 * least_pitch >= free_from) {
         operations_.push_back(plot::line({names_at - 2.0, top + 1.0}, {names_at - 2.0, bottom - 1.0},
                                          ink::solid(ink::extension_grey, 0.6)));
         operations_.push_back(label({plot::plain(name)}, {names_at + 3.0, 0.5 * (top + bottom) + 2.5},
                                     ink::tick_text_size, Anchor::start, ink::black));
         free_from = 0.5 * (top + bottom) + 0.5 * least_pitch;
       }
-      k = name.empty() ? k + 1 : last + 1;
+      k = last + 1;
     }
   }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "axiometry/base/result.h"
+
+/// Options whose text the program understands itself: CLI11's own numbers follow the locale.
+namespace axiometry::cli {
+
+/// What an option says.
+struct OptionText {
+  std::string name;         ///< "--feed"
+  std::string type;         ///< of the value, in the help: "NUMBER"
+  std::string description;  ///< in the help
+};
+
+/// An option whose text `read` understands; its error becomes one of the command line.
+CLI::Option* add_read(CLI::App& verb, const OptionText& text, std::function<Result<void>(const std::string&)> read);
+
+/// A number with a decimal point, whatever the locale.
+CLI::Option* add_number(CLI::App& verb, const OptionText& text, std::function<void(double)> put);
+
+/// A whole number of 0 or more.
+CLI::Option* add_count(CLI::App& verb, const OptionText& text, std::function<void(unsigned long long)> put);
+
+}  // namespace axiometry::cli
