@@ -100,7 +100,8 @@ std::vector<CLI::Option*> add_axis_flags(CLI::App& verb, PlanArguments& argument
       add_number(verb, {"--acceleration", "A", "Of the axis, mm/s² or °/s² (1000 or 500)"},
                  [&](double x) { request.acceleration = x; }),
       verb.add_option("--machine", request.machine, "Name of the machine")->type_name("NAME"),
-      verb.add_option("--date", request.date, "Date of the plan, such as 2026-11-21")->type_name("DATE"),
+      verb.add_option("--date", request.date, "Date of the plan, such as 2026-11-21; today when not given")
+          ->type_name("DATE"),
   };
   for (CLI::Option* option : options) option->group("Axis");
   return options;
@@ -215,6 +216,7 @@ Result<Plan> made_plan(PlanArguments& arguments) {
   }
   if (request.periodic) request.periodic->at = arguments.periodic_at;
   request.seed = arguments.seed ? *arguments.seed : app::drawn_seed();
+  if (request.date.empty()) request.date = app::today();
   return iso230_2::make_plan(request);
 }
 

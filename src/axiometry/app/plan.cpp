@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/plan.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <random>
 
 #include "axiometry/app/output.h"
 #include "axiometry/app/plan_text.h"
 #include "axiometry/app/whole_file.h"
+#include "axiometry/app/wire.h"
+#include "axiometry/base/number_text.h"
 #include "axiometry/formats/plan_json.h"
 #include "axiometry/report/plan_sheet.h"
 #include "axiometry/report/writer.h"
@@ -17,13 +23,7 @@ namespace {
 
 json::Value plan_value(const PlannedTest& planned) {
   json::Value root = formats::plan_value(planned.plan);
-  json::Value& findings = root.add("findings", json::Value::array());
-  for (const iso230_2::Finding& finding : planned.findings) {
-    json::Value& item = findings.push(json::Value::object());
-    item.add("clause", finding.clause);
-    item.add("severity", iso230_2::severity_name(finding.severity));
-    item.add("message", finding.message);
-  }
+  root.add("findings", findings_to_json(planned.findings));
   root.add("duration_s", std::round(planned.duration_in_all.in_s() * 10.0) / 10.0);
   return root;
 }
@@ -56,6 +56,15 @@ Result<std::vector<Approach>> read_sequence(const std::string& list_or_file) {
 }
 
 std::uint64_t drawn_seed() { return std::random_device{}(); }
+
+std::string today() {
+  const char* fixed = std::getenv("SOURCE_DATE_EPOCH");
+  const auto seconds = fixed ? parse_count(fixed) : std::nullopt;
+  const std::time_t now = seconds ? static_cast<std::time_t>(*seconds) : std::time(nullptr);
+  std::tm parts{};
+  if ((seconds ? ::gmtime_r(&now, &parts) : ::localtime_r(&now, &parts)) == nullptr) return "";
+  return fmt::format("{:04}-{:02}-{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday);
+}
 
 Result<void> write_plan_outputs(const PlannedTest& planned, const OutputNames& names, const report::Options& options) {
   const report::Document sheet = report::plan_sheet(

@@ -38,6 +38,10 @@ Result<std::vector<Approach>> read_sequence(const std::string& list_or_file);
 /// A seed that nobody chose, short enough to be typed.
 std::uint64_t drawn_seed();
 
+/// Today's local date, "2026-11-21"; where the environment has SOURCE_DATE_EPOCH, that of so many seconds since 1970
+/// (UTC), so that outputs can be made again byte by byte.
+std::string today();
+
 /// Writes the plan with its findings and duration to names.json, and its sheet to names.reports.
 Result<void> write_plan_outputs(const PlannedTest& planned, const OutputNames& names, const report::Options& options);
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -90,6 +91,15 @@ TEST(PlanDuration, CountsTheFurtherPlans) {
   EXPECT_EQ(test.acceleration, 2000);
   EXPECT_NEAR(test.duration_in_all.in_s() - test.duration.in_s(),
               iso230_2::estimated_duration(plan.further[0], 2000).in_s(), 1e-9);
+}
+
+TEST(PlanUseCase, TakesTheDateThatTheEnvironmentFixes) {
+  const char* before = std::getenv("SOURCE_DATE_EPOCH");
+  const std::string kept = before ? before : "";
+  ::setenv("SOURCE_DATE_EPOCH", "951782400", 1);
+  EXPECT_EQ(today(), "2000-02-29");
+  before ? ::setenv("SOURCE_DATE_EPOCH", kept.c_str(), 1) : ::unsetenv("SOURCE_DATE_EPOCH");
+  EXPECT_EQ(today().size(), 10u);
 }
 
 }  // namespace

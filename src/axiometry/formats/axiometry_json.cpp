@@ -374,7 +374,7 @@ constexpr std::string_view manual = R"(One JSON object (RFC 8259, UTF-8). `axiom
   direction that was not measured is left out.
 - `times_s`: when each reading was taken, s since some beginning, in the shape of `up` and `down`; optional.
 - `source`: the file or stream that this one was taken from (`file`, `sha256`, empty when not known, `format`), and
-  `departures`, for which a test from it is none of ISO 230-2; optional.
+  `departures`, for which a test from such a file is none of ISO 230-2; optional.
 - The other members are the metadata of the test, all optional.
 
 Refused: unknown members, members given twice, numbers that overflow, runs of the wrong length, nesting deeper
