@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "line 2:6: found the run \"1000000000\", expected a whole number from 1 to 10000"},
         BadInput{"RunZero", header + "0,up,0,1\n",
                  "line 2:6: found the run \"0\", expected a whole number from 1 to 10000; runs count from 1, so add 1 "
-                 "to every run"},
+                 "to every run, or read the file as the format generic"},
         BadInput{"RunOfGigabytes", header + "0,up,10000,1\n10,up,1,1\n",
                  "line 2: found run 10000 among 2 readings, expected consecutive run numbers"},
         BadInput{"NothingMeasuredAtATarget", header + "0,up,1,1\n10,up,1,\n",

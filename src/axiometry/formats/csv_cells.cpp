@@ -113,7 +113,9 @@ Result<std::size_t> run_number(std::string_view cell, TextPosition at) {
   const auto number = parse_number(cell);
   if (number && *number >= 1 && *number <= static_cast<double>(run_limit) && std::floor(*number) == *number)
     return static_cast<std::size_t>(*number);
-  const std::string_view advice = number && *number == 0 ? "; runs count from 1, so add 1 to every run, or read the file as the format generic" : "";
+  const std::string_view advice =
+      number && *number == 0 ? "; runs count from 1, so add 1 to every run, or read the file as the format generic"
+                             : "";
   return fail(
       fmt::format("found the run {}, expected a whole number from 1 to {}{}", text::quoted(cell), run_limit, advice),
       at);
