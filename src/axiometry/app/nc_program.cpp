@@ -11,6 +11,7 @@
 #include "axiometry/app/plan.h"
 #include "axiometry/app/whole_file.h"
 #include "axiometry/base/text.h"
+#include "axiometry/standards/iso230_2_plan.h"
 
 namespace axiometry::app {
 
@@ -31,8 +32,10 @@ Result<std::string> nc_program(const NcRequest& request) {
     return std::unexpected(in_file(
         Error{fmt::format("found part {} asked for, expected {}", request.part, expected), {}, {}}, request.plan));
   }
-  return in_file(dialect->write(request.part == 1 ? plan : plan.further[request.part - 2], request.options),
-                 request.plan);
+  const Plan& part = request.part == 1 ? plan : plan.further[request.part - 2];
+  nc::ProgramOptions options = request.options;
+  options.duration = iso230_2::estimated_duration(part, iso230_2::usual_acceleration(part.axis.kind));
+  return in_file(dialect->write(part, options), request.plan);
 }
 
 Result<void> write_nc_program(const NcRequest& request, const std::string& output) {

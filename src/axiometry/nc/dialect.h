@@ -24,7 +24,8 @@ struct ProgramOptions {
   std::optional<unsigned> number = {};          ///< program number where the control has one
   int decimals = 4;  ///< of coordinates, in the program's unit, 0 to 6; more where targets need them
   bool block_numbers = true;
-  bool stop_at_start = false;  ///< a stop for the operator to set the instrument, before the first target
+  bool stop_at_start = false;             ///< a stop for the operator to set the instrument, before the first target
+  std::optional<Duration> duration = {};  ///< as the plan's sheet estimates it, told in a comment
 };
 
 struct Dialect {

@@ -9,18 +9,6 @@
 namespace axiometry::nc {
 namespace {
 
-/// Without acceleration, and from the first overrun on: where the axis stands before is not known.
-Duration duration(const Plan& plan) {
-  double way = 0.0;
-  std::size_t readings = 0;
-  const std::vector<PlannedMove> list = moves(plan);
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    if (k > 0) way += std::abs(list[k].to.in_native() - list[k - 1].to.in_native());
-    readings += list[k].approach.has_value();
-  }
-  return Duration::s(60.0 * way / plan.feed + static_cast<double>(readings) * plan.dwell.in_s());
-}
-
 std::string duration_text(Duration d) {
   const double minutes = d.in_s() / 60.0;
   return minutes < 1.0 ? fmt::format("{:.0f} S", d.in_s()) : fmt::format("{:.0f} MIN", minutes);
@@ -36,7 +24,7 @@ std::string_view directions(const Plan& plan) {
 
 }  // namespace
 
-std::vector<std::string> headlines(const Plan& plan) {
+std::vector<std::string> headlines(const Plan& plan, const ProgramOptions& options) {
   const std::string_view unit = plan.axis.kind == AxisKind::linear ? "MM" : "DEG";
   const auto native = [](Position p) { return format_exact(std::round(p.in_native() * 1e6) / 1e6 + 0.0); };
   std::vector<std::string> lines;
@@ -55,7 +43,7 @@ std::vector<std::string> headlines(const Plan& plan) {
   lines.push_back(
       fmt::format("FEED {} {}/MIN, DWELL {} S", format_exact(plan.feed), unit, format_exact(plan.dwell.in_s())));
   lines.push_back(fmt::format("THE AXIS MOVES FROM {} TO {} {}", native(ends.lowest), native(ends.highest), unit));
-  lines.push_back("DURATION ABOUT " + duration_text(duration(plan)));
+  if (options.duration) lines.push_back("DURATION ABOUT " + duration_text(*options.duration));
   lines.emplace_back("POSITIONS IN THE WORK OFFSET THAT IS ACTIVE");
   return lines;
 }

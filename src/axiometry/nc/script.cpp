@@ -165,7 +165,7 @@ Result<Script> make_script(const Plan& plan, const ProgramOptions& options, cons
   script.inch = options.unit == LengthUnit::inch;
 
   Writer writer(options, limits, coordinates, dwell);
-  for (std::string& line : headlines(plan)) writer.remark(std::move(line));
+  for (std::string& line : headlines(plan, options)) writer.remark(std::move(line));
   writer.remark(decimals_remark(coordinates, plan, options));
   const std::size_t loop_limit = options.unrolled ? 0 : limits.loops;
   const std::vector<Stretch> stretches = walk(plan, loop_limit);

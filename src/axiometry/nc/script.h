@@ -84,6 +84,6 @@ struct Script {
 Result<Script> make_script(const Plan& plan, const ProgramOptions& options, const ControlLimits& limits);
 
 /// "DWELL 3 S" and the like: what stands at the top of the program, one comment each.
-std::vector<std::string> headlines(const Plan& plan);
+std::vector<std::string> headlines(const Plan& plan, const ProgramOptions& options);
 
 }  // namespace axiometry::nc
