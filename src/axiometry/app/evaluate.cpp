@@ -92,8 +92,9 @@ Result<void> read_many(Source& source, const formats::Format& format, bool hash,
     provenance.sha256 = digest.value_or("");
   }
   return format.read_many(source, [&](formats::NamedTest&& named) -> Result<void> {
-    auto result =
-        hand_over(Test{std::move(named.metadata), std::move(named.series), provenance}, std::move(named.name));
+    Test test{std::move(named.metadata), std::move(named.series), provenance};
+    test.provenance.remarks = std::move(named.remarks);
+    auto result = hand_over(std::move(test), std::move(named.name));
     if (!result && result.error().at.line == 0 && result.error().file.empty()) result.error().at.line = named.line;
     return result;
   });

@@ -28,7 +28,14 @@ Result<NamedTest> named_test(const ErrorCurve& curve) {
   Metadata metadata;
   metadata.axis.name = curve.axis;
   metadata.conditions.comment = fmt::format("Error table {}, no measured approaches", curve.name);
-  return NamedTest{curve.name, curve.line, std::move(metadata), std::move(result.series)};
+  return NamedTest{
+      curve.name,
+      curve.line,
+      std::move(metadata),
+      std::move(result.series),
+      {{true, fmt::format("found the error table {}, expected measured approaches; its values stand under ↑ with the "
+                          "sign found",
+                          curve.name)}}};
 }
 
 Result<Test> only_test(const std::vector<ErrorCurve>& curves) {
@@ -41,10 +48,7 @@ Result<Test> only_test(const std::vector<ErrorCurve>& curves) {
   }
   AXIOMETRY_TRY(NamedTest named, named_test(curves.front()));
   Test test{std::move(named.metadata), std::move(named.series), Provenance{}};
-  test.provenance.remarks.push_back(
-      {true, fmt::format("found the error table {}, expected measured approaches; its values stand under ↑ with the "
-                         "sign found",
-                         curves.front().name)});
+  test.provenance.remarks = std::move(named.remarks);
   return test;
 }
 
@@ -87,6 +91,7 @@ Result<void> read_curves(ByteReader& bytes, const NamedTestSink& sink, CurvesOf&
   AXIOMETRY_TRY(const std::vector<ErrorCurve> curves, curves_of(decoded.text));
   for (const ErrorCurve& curve : curves) {
     AXIOMETRY_TRY(NamedTest named, named_test(curve));
+    std::ranges::move(encoding_remarks(decoded), std::back_inserter(named.remarks));
     AXIOMETRY_TRY_VOID(sink(std::move(named)));
   }
   return {};

@@ -31,6 +31,7 @@ std::map<std::string, Series> all_of(const std::string& text) {
   testing_support::Pieces pieces(text, 7);
   std::map<std::string, Series> found;
   const auto done = format.read_many(pieces, [&](NamedTest&& test) -> Result<void> {
+    EXPECT_TRUE(!test.remarks.empty() && test.remarks[0].departs) << "an error table is no measurement";
     found.emplace(test.name, std::move(test.series));
     return {};
   });

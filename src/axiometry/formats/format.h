@@ -29,6 +29,7 @@ struct NamedTest {
   std::size_t line = 0;  ///< of its first reading
   Metadata metadata;
   Series series;
+  std::vector<SourceRemark> remarks{};
 };
 
 using NamedTestSink = std::function<Result<void>(NamedTest&&)>;
