@@ -206,10 +206,6 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     EcmcDat, BadInputs,
     testing::Values(
-        BadInput{"PositionsDisagree", "POSITIONS=3\nTGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_FWD[1,1]=0\n",
-                 "line 1:1: found POSITIONS=3 and data of 2 positions, expected the same number"},
-        BadInput{"CyclesDisagree", "TGT_DATA[1]=0\nTGT_DATA[2]=1\nCYCLES=5\nREF_DATA_FWD[1,1]=0\nREF_DATA_FWD[2,1]=0\n",
-                 "line 3:1: found CYCLES=5 and data of 1 cycle, expected the same number"},
         BadInput{"Twice", "TGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_FWD[1,1]=0\nREF_DATA_FWD[1,1]=0\n",
                  "line 4:1: found REF_DATA_FWD[1,1] again, expected only that on line 3"},
         BadInput{"NoTarget", "TGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_FWD[3,1]=0\n",

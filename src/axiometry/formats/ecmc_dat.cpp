@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <unordered_map>
@@ -162,20 +163,19 @@ std::size_t cycle_count(const Content& content) {
   return cycles;
 }
 
-/// CYCLES and POSITIONS, where they stand, promise how much data follows; a file that holds something else
-/// was cut off or patched together. The defaults of the tools (5 and 8) promise nothing. A single reading that is
-/// missing stays missing, as in every format: the assessment names it.
-Result<void> check_promises(const Content& content) {
-  if (content.positions && content.positions->count != content.targets.size())
-    return fail(fmt::format("found POSITIONS={} and data of {}, expected the same number", content.positions->count,
-                            counted(content.targets.size(), "position")),
-                content.positions->at);
-  const std::size_t cycles = cycle_count(content);
-  if (content.cycles && content.cycles->count != cycles)
-    return fail(fmt::format("found CYCLES={} and data of {}, expected the same number", content.cycles->count,
-                            counted(cycles, "cycle")),
-                content.cycles->at);
-  return {};
+/// CYCLES and POSITIONS, where they stand, promise how much data follows, but the tools leave them as they were: the
+/// data are counted, and a difference is told, because a file may also have been cut off.
+std::vector<SourceRemark> broken_promises(const Content& content) {
+  std::vector<SourceRemark> remarks;
+  const auto compare = [&](std::string_view key, const std::optional<Promise>& promise, std::size_t found,
+                           std::string_view noun) {
+    if (promise && promise->count != found)
+      remarks.push_back({false, fmt::format("found {}={} on line {} and data of {}; the data were counted", key,
+                                            promise->count, promise->at.line, counted(found, noun))});
+  };
+  compare("POSITIONS", content.positions, content.targets.size(), "position");
+  compare("CYCLES", content.cycles, cycle_count(content), "cycle");
+  return remarks;
 }
 
 Result<Series> series_from(const Content& content) {
@@ -208,13 +208,14 @@ Result<Test> read(std::string_view bytes) {
   AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
   AXIOMETRY_TRY(Content content, content_from(decoded.text));
   if (content.targets.empty()) return fail("found no TGT_DATA, expected target positions such as TGT_DATA[1]=0");
-  AXIOMETRY_TRY_VOID(check_promises(content));
   AXIOMETRY_TRY(Series series, series_from(content));
   Metadata metadata;
   metadata.axis.kind = content.unit->kind;
+  std::vector<SourceRemark> remarks = encoding_remarks(decoded);
+  std::ranges::move(broken_promises(content), std::back_inserter(remarks));
   metadata.conditions.comment = std::move(content.comment);
   Test test{std::move(metadata), std::move(series), {}};
-  test.provenance.remarks = encoding_remarks(decoded);
+  test.provenance.remarks = std::move(remarks);
   return test;
 }
 
@@ -245,9 +246,9 @@ REF_DATA_BWD[1,1]=.0011
 - `TGT_DATA[i]` is a target, `REF_DATA_FWD[i,j]` and `REF_DATA_BWD[i,j]` are positions of the reference instrument in
   cycle j, approached forward (up) and backward (down), all in `UNIT` (default mm). The deviation is the reference
   position minus the target.
-- `CYCLES` and `POSITIONS`, when they stand in the file, must agree with the data; single readings may be missing.
+- The data are counted; where `CYCLES` or `POSITIONS` say otherwise, a finding tells. Single readings may be missing.
   `REF_PV`, `TEST_PV` and `TGT_SET_PV` go into the comment of the test. Comments (`#`) and other keys are skipped.
-- Refused: a key given twice, a reading without a target, counts that disagree, numbers that are not finite.
+- Refused: a key given twice, a reading without a target, numbers that are not finite.
 )";
 
 }  // namespace

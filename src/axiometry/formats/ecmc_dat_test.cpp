@@ -61,6 +61,20 @@ TEST(EcmcDat, KeepsMissingReadingsMissingUnderTheCountsOfTheHeader) {
   EXPECT_FALSE(test->series.has(Direction::down));
 }
 
+TEST(EcmcDat, CountsTheDataAndTellsWhereTheHeaderSaysOtherwise) {
+  const auto test = find_format("ecmc-dat")
+                        ->read(
+                            "CYCLES=5\nPOSITIONS=8\nTGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_FWD[1,1]=0\n"
+                            "REF_DATA_FWD[2,1]=1.001\n");
+  ASSERT_TRUE(test) << test.error().to_string();
+  EXPECT_EQ(test->series.target_count(), 2u);
+  EXPECT_EQ(test->series.run_count(), 1u);
+  ASSERT_EQ(test->provenance.remarks.size(), 2u);
+  EXPECT_EQ(test->provenance.remarks[0].message,
+            "found POSITIONS=8 on line 2 and data of 2 positions; the data were counted");
+  EXPECT_EQ(test->provenance.remarks[1].message, "found CYCLES=5 on line 1 and data of 1 cycle; the data were counted");
+}
+
 TEST(EcmcDat, MakesARotaryAxisOfDegrees) {
   const auto test =
       find_format("ecmc-dat")
