@@ -13,7 +13,7 @@ SOURCES = ROOT / "src" / "axiometry"
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 OWNERS = {  # prefix of an include -> the only folder that may use it; linear algebra has two
     "nlohmann/": "src/axiometry/base/",
-    "Eigen/": ("src/axiometry/numeric/", "src/axiometry/uncertainty/"),
+    "Eigen/": ("src/axiometry/numeric/", "src/axiometry/uncertainty/", "src/axiometry/tracking/"),
     "muParser": "src/axiometry/app/",
     "openssl/": "src/axiometry/app/",
     "cairo": "src/axiometry/report/",

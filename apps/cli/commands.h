@@ -33,5 +33,6 @@ void add_simulate(CLI::App& program, int& exit_code);
 void add_bench(CLI::App& program, int& exit_code);
 void add_completion(CLI::App& program, int& exit_code);
 void add_manual(CLI::App& program, int& exit_code);
+void add_tracking(CLI::App& program, int& exit_code);
 
 }  // namespace axiometry::cli

@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
   add_periodic(program, exit_code);
   add_simulate(program, exit_code);
   add_air(program, exit_code);
+  add_tracking(program, exit_code);
   add_formats(program, exit_code);
   add_schema(program, exit_code);
   add_check(program, exit_code);

@@ -1,7 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/model/axis.h"
 
+#include <cmath>
+
 namespace axiometry {
+namespace {
+
+constexpr double shortest_direction = 1e-9;
+constexpr double farthest = 1e9;
+
+/// Of a direction: far below what any program or instrument tells apart, far above the rounding of doubles.
+constexpr double moves_above = 1e-9;
+
+std::optional<Vector3> vector_of(const std::vector<double>& numbers) {
+  if (numbers.size() != 3) return std::nullopt;
+  const Vector3 v{numbers[0], numbers[1], numbers[2]};
+  return is_finite(v) && norm(v) <= farthest ? std::optional(v) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SpatialLine> spatial_line(const Axis& axis) {
+  const auto origin = vector_of(axis.line_origin_mm), direction = vector_of(axis.line_direction);
+  if (axis.kind != AxisKind::linear || !origin || !direction || norm(*direction) < shortest_direction)
+    return std::nullopt;
+  return SpatialLine{*origin, unit(*direction)};
+}
+
+void set_spatial_line(Axis& axis, const SpatialLine& line) {
+  const auto& [origin, direction] = line;
+  axis.line_origin_mm = {origin.x, origin.y, origin.z};
+  axis.line_direction = {direction.x, direction.y, direction.z};
+}
+
+std::size_t moving_axes(const SpatialLine& line) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 3; ++k) count += std::abs(line.direction[k]) > moves_above;
+  return count;
+}
+
+bool is_diagonal(const Axis& axis) {
+  const auto line = spatial_line(axis);
+  return line && moving_axes(*line) > 1;
+}
 
 std::string_view position_unit(AxisKind kind) { return kind == AxisKind::linear ? "mm" : "°"; }
 

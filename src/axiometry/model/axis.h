@@ -2,12 +2,14 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "axiometry/base/quantity.h"
+#include "axiometry/base/vector3.h"
 
 namespace axiometry {
 
@@ -66,6 +68,30 @@ struct Axis {
   std::string compensation;                 ///< built-in compensation during the test; "none" is an answer
   std::vector<double> compensation_points;  ///< sampling points (3.28), mm or °
   std::optional<Position> expected_period;  ///< of a periodic error (5.2, Annex C): pitch of screw or scale, mm or °
+  std::vector<double> line_origin_mm;  ///< of a line in space, as given: where X, Y, Z stand at position 0; else empty
+  std::vector<double> line_direction;  ///< of the same: where position grows, as given
 };
+
+/// A straight line in space that the linear axes X, Y, Z drive together, or one of them alone at a known place: at
+/// position P they stand at origin_mm + P·direction.
+struct SpatialLine {
+  Vector3 origin_mm;
+  Vector3 direction;  ///< of length 1
+
+  Vector3 at(Position position) const { return origin_mm + position.in_native() * direction; }
+};
+
+/// The line of an axis; absent when it has none, or what was given is none: not three finite numbers each, a direction
+/// shorter than 1e-9 or longer than 1e9, an origin beyond 1e9 mm, a rotary axis.
+std::optional<SpatialLine> spatial_line(const Axis& axis);
+
+/// Gives the axis this line.
+void set_spatial_line(Axis& axis, const SpatialLine& line);
+
+/// How many of the axes X, Y, Z move along the line: components of the direction above 1e-9.
+std::size_t moving_axes(const SpatialLine& line);
+
+/// Whether several axes move at once, which is a test after ISO 230-6 and not after ISO 230-2.
+bool is_diagonal(const Axis& axis);
 
 }  // namespace axiometry

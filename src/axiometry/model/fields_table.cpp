@@ -161,6 +161,13 @@ constexpr std::array fields = {
     number_field<QuantityAt<&Metadata::axis, &Axis::expected_period, position>>(
         "axis.expected_period", "Expected period of a periodic error", "mm", "°", "5.2", Wanted::no, 0, any,
         "Pitch of the screw or of the scale, when known."),
+    numbers_field<NumbersAccess<At<&Metadata::axis, &Axis::line_origin_mm>>>(
+        "axis.line_origin_mm", "Line in space, origin X/Y/Z", "mm", "mm", "", Wanted::no,
+        "Where X, Y and Z stand at position 0 of a line that is driven in space, such as a diagonal."),
+    numbers_field<NumbersAccess<At<&Metadata::axis, &Axis::line_direction>>>(
+        "axis.line_direction", "Line in space, direction X/Y/Z", "", "", "", Wanted::no,
+        "Where position grows along the line, of any length: 1 1 0 is the diagonal of X and Y. Several axes that "
+        "move at once make a test after ISO 230-6."),
     choice_field<ChoiceAccess<At<&Metadata::conditions, &Conditions::cycle>, cycle_words>>(
         "test.cycle", "Test cycle", "5.3.2", cycle_words,
         "Standard test cycle (Figure 1), step cycle (Annex B), pilgrim, unidirectional or user-defined."),
@@ -370,6 +377,12 @@ constexpr std::array fields = {
         "uncertainty.distributions", "Distributions of inputs", "", Wanted::no, distribution_columns,
         "Each replaces that of a named input, as in 'machine_temperature | triangular 1.5 2.5', or adds an own input "
         "to scale, target, run or reading, as in 'scale:optics | normal 0 0.2'."),
+    number_field<QuantityAt<&Metadata::tracking, &TrackingInputs::station_position, position>>(
+        "tracking.station_position", "Tracking interferometer, position along the line", "mm", "", "", Wanted::no, -any,
+        any, "Position of the point of the line that is next to the station."),
+    numbers_field<NumbersAccess<At<&Metadata::tracking, &TrackingInputs::station_uncertainty_mm>>>(
+        "tracking.station_uncertainty_mm", "Tracking interferometer, uncertainty across the line", "mm", "", "",
+        Wanted::no, "Standard uncertainties of the station in the two principal directions across the line."),
 };
 
 }  // namespace

@@ -162,6 +162,14 @@ struct StatedTolerances {
   std::optional<Deviation> guard_band;
 };
 
+/// A tracking interferometer beside the line under test, whose place is known within an uncertainty: what it then shows
+/// differs from the way along the line (Lee et al., Sensors 16 (2016) 482, eqs 17 to 23; tracking/length_difference.h).
+struct TrackingInputs {
+  std::optional<Position> station_position;  ///< of the point of the line that is next to the station
+  /// Standard uncertainties of the station across the line, mm: along the two principal directions, the larger first.
+  std::vector<double> station_uncertainty_mm;
+};
+
 struct Metadata {
   Axis axis;
   Machine machine;
@@ -174,6 +182,7 @@ struct Metadata {
   StatedTolerances tolerance;
   AnnexAInputs uncertainty;
   GumInputs gum;
+  TrackingInputs tracking;
 };
 
 }  // namespace axiometry

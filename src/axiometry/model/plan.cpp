@@ -104,10 +104,28 @@ class Path {
   std::vector<PlannedMove> moves_;
 };
 
+/// A way in space needs a line in space, and both must be in reach of any machine.
+Result<void> check_line(const Plan& plan) {
+  const bool given = !plan.axis.line_origin_mm.empty() || !plan.axis.line_direction.empty();
+  if (given && !spatial_line(plan.axis))
+    return fail(
+        "found a line in space that is none, expected three finite numbers for its origin and for its direction, not "
+        "all zero, of a linear axis");
+  if (!given && !(plan.way_in_mm.empty() && plan.way_out_mm.empty()))
+    return fail("found a way in or out in space, expected a line in space for it to lead to");
+  for (const auto* way : {&plan.way_in_mm, &plan.way_out_mm})
+    for (const Vector3& point : *way)
+      if (!is_finite(point) || norm(point) > position_limit)
+        return fail(fmt::format("found a way over ({}, {}, {}) mm, expected finite coordinates up to 1e9", point.x,
+                                point.y, point.z));
+  return {};
+}
+
 }  // namespace
 
 Result<void> check_sound(const Plan& plan) {
   AXIOMETRY_TRY_VOID(check_targets(plan));
+  AXIOMETRY_TRY_VOID(check_line(plan));
   if (plan.runs == 0 || plan.runs > run_limit)
     return fail(fmt::format("found {} runs, expected 1 to {}", plan.runs, run_limit));
   AXIOMETRY_TRY_VOID(check_size("an overrun", plan.overrun.in_native()));

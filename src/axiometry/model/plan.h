@@ -26,7 +26,8 @@ struct Approach {
   friend bool operator==(const Approach&, const Approach&) = default;
 };
 
-/// A test programme of one axis. A plain value that people may edit; check_sound() says whether it can be walked.
+/// A test programme of one axis, or of one line in space that several axes drive (axis.line_origin_mm, line_direction).
+/// A plain value that people may edit; check_sound() says whether it can be walked.
 struct Plan {
   std::string standard = "ISO 230-2:2014";
   std::string clause;   ///< "5.3.2", "Annex B"; empty when no clause describes the test
@@ -43,6 +44,8 @@ struct Plan {
   std::size_t warm_up_runs = 0;       ///< there and back over the measurement travel before the first reading
   std::optional<std::uint64_t> seed;  ///< of the random part of the targets; absent when they were given
   std::vector<Approach> sequence;     ///< of the user-defined cycle, in order; empty otherwise
+  std::vector<Vector3> way_in_mm;     ///< of a line in space: where X, Y, Z are driven before its first move, in order
+  std::vector<Vector3> way_out_mm;    ///< and after its last
   std::vector<Plan> further;          ///< tests that belong to it: the 2 000 mm or 360° test (5.3.3, 5.3.5)
 };
 
@@ -57,7 +60,8 @@ struct PlannedMove {
 
 /// Fails, naming what is wrong, when the plan cannot be walked: no target, targets not finite or not strictly
 /// ascending, |P| beyond 1e9, no run or more than 10 000, an overrun or a feed outside 1e-6 to 1e9, a dwell outside 0
-/// to 1e6 s, a sequence missing in (or given without) the user-defined cycle, an approach of the sequence that is given
+/// to 1e6 s, a line in space that is none (spatial_line()), a way in or out without such a line or beyond 1e9 mm, a
+/// sequence missing in (or given without) the user-defined cycle, an approach of the sequence that is given
 /// twice or names a target or run that does not exist; also when this holds for a further plan.
 /// Whether it satisfies the standard is another question (standards/iso230_2_plan.h).
 Result<void> check_sound(const Plan& plan);

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_tracking.h"
+
+#include <CLI/CLI.hpp>
+
+#include "commands.h"
+
+namespace axiometry::cli {
+
+void add_tracking(CLI::App& program, [[maybe_unused]] int& exit_code) {
+  CLI::App* verb = program.add_subcommand(
+      "tracking", "Tests with a tracking interferometer: its station, seven lines, multilateration");
+  verb->require_subcommand(1);
+}
+
+}  // namespace axiometry::cli
