@@ -243,7 +243,11 @@ Result<void> check_format(const Value& value) {
   if (value.is(Kind::text) && value.text() == tracking_plan_format_name)
     return fail("found a tracking plan of several lines, expected the plan of one test, such as one of its lines",
                 value.at());
-  return fail(fmt::format("found another \"format\", expected \"{}\"", plan_format_name), value.at());
+  return fail(
+      fmt::format("found the \"format\" {}, expected \"{}\"",
+                  value.is(Kind::text) ? text::quoted(value.text()) : std::string(json::kind_name(value.kind())),
+                  plan_format_name),
+      value.at());
 }
 
 constexpr Member members[] = {
