@@ -73,8 +73,11 @@ std::string conclusion(const app::PlannedTest& planned, const Terminal& terminal
   if (!planned.plan.further.empty())
     text += fmt::format(", {} of it over the whole travel", report::duration_text(planned.duration));
   text += ". ";
-  text += planned.conforming() ? terminal.green(fmt::format("Plan after {}.", iso230_2::edition))
-                               : terminal.red(fmt::format("Not a plan after {}: {}.", iso230_2::edition,
+  // Of a diagonal the programme is that of ISO 230-2, along the line.
+  const std::string_view edition =
+      is_diagonal(planned.plan.axis) ? std::string_view(planned.plan.standard) : iso230_2::edition;
+  text += planned.conforming() ? terminal.green(fmt::format("Plan after {}.", edition))
+                               : terminal.red(fmt::format("Not a plan after {}: {}.", edition,
                                                           plural(static_cast<std::size_t>(departures), "departure")));
   const std::string_view label = cycle_label(planned.plan.cycle);
   if (!label.empty()) text += " " + terminal.bold(fmt::format("{}.", label));
