@@ -228,7 +228,7 @@ class Planner {
           continue;
         }
         line.plan.way_in_mm = transfer->over_mm;
-        if (!transfer->beam_kept)
+        if (!transfer->beam_kept && is_seven(last.id) && is_seven(line.id))
           plan_.remarks.push_back(fmt::format(
               "the beam is lost on the way from {} to {}: its readings begin a new dead path", last.id, line.id));
       }
