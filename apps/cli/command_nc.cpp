@@ -91,6 +91,8 @@ void add_nc(CLI::App& program, int& exit_code) {
       ->type_name("N");
   verb->add_flag("--no-block-numbers", arguments->no_block_numbers, "Blocks without N words");
   verb->add_flag("--stop-at-start", options.stop_at_start, "Stop before the first target, to set the instrument");
+  verb->add_flag("--stop-at-lines", options.stop_at_lines,
+                 "The same before each line of a tracking plan, to find the beam again");
   auto* list = verb->add_flag("--list", arguments->list, "List the dialects");
   verb->add_option("--manual", arguments->manual, "Explain a dialect")->type_name("ID")->excludes(list);
   verb->footer(examples);

@@ -82,7 +82,13 @@ def drive(commands, exact):
 
 
 def compare(plans, visits, unit, trigger, stop, walk):
+    """`stop`: "start", "lines" or nothing, at the first move on the first line or on each."""
     path = [(plan, *step) for plan in plans for step in path_of(plan, walk)]
+    stopping, begin = set(), 0
+    for plan in plans:
+        if stop == "lines" or (stop == "start" and plan is plans[0]):
+            stopping.add(begin + len(plan["way_in_mm"]))
+        begin += len(path_of(plan, walk))
     assert len(visits) == len(path), f"{len(visits)} moves, expected {len(path)}"
     for number, (visit, (plan, at, _, reading)) in enumerate(zip(visits, path)):
         where = f"move {number + 1} to {at}"
@@ -90,7 +96,7 @@ def compare(plans, visits, unit, trigger, stop, walk):
         within = 2 * PRINTED * unit + 1e-9
         assert all(abs(a - b) <= within for a, b in zip(visit["at"], at)), f"{where}: went to {visit['at']}"
         assert abs(visit["feed"] - plan["feed"]) <= 1e-4 * plan["feed"] + PRINTED * unit, f"{where}: {visit['feed']}"
-        stops = 1 if stop and number == len(plans[0]["way_in_mm"]) else 0
+        stops = 1 if number in stopping else 0
         assert visit["stops"] == stops, f"{where}: {visit['stops']} stops"
         dwell = plan["dwell_s"] if reading else 0.0
         assert abs(sum(visit["dwells"]) - dwell) <= 1e-3, f"{where}: dwells {visit['dwells']}, expected {dwell}"
@@ -123,9 +129,9 @@ def check(program, folder, rng, runs, make_plan, walk, interpret):
             modes.items(), (False, True), (False, True), (False, True), range(3 * runs)):
         tracking = make_tracking_plan(rng, make_plan)
         plans = [line["plan"] for line in tracking["lines"]]
-        stop = rng.random() < 0.5
+        stop = rng.choice(["start", "lines", ""])
         options = ["--inch"] * inch + ["--unrolled"] * unrolled + ["--trigger", "8"] * trigger
-        options += ["--stop-at-start"] * stop + ["--no-block-numbers"] * (rng.random() < 0.3)
+        options += [f"--stop-at-{stop}"] * bool(stop) + ["--no-block-numbers"] * (rng.random() < 0.3)
         options += ["--decimals", str(rng.randint(4, 6))]
         if rng.random() < 0.3:
             only = rng.choice(tracking["lines"])

@@ -25,6 +25,7 @@ struct ProgramOptions {
   int decimals = 4;  ///< of coordinates, in the program's unit, 0 to 6; more where targets need them
   bool block_numbers = true;
   bool stop_at_start = false;             ///< a stop for the operator to set the instrument, before the first target
+  bool stop_at_lines = false;             ///< likewise before the first target of each plan: the beam is to be found
   std::optional<Duration> duration = {};  ///< of all plans, as their sheets estimate it, told in a comment
   std::string_view title = {};            ///< of a program of several plans, told in a comment
 };

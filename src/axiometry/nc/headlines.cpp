@@ -93,10 +93,14 @@ void add_once(std::vector<std::string>& lines, const Plan& plan) {
   if (!plan.date.empty()) lines.push_back("DATE " + plan.date);
 }
 
-void add_end(std::vector<std::string>& lines, const ProgramOptions& options, bool in_space) {
+void add_end(std::vector<std::string>& lines, const ProgramOptions& options, const Plan& first) {
   if (options.duration) lines.push_back("DURATION ABOUT " + duration_text(*options.duration));
   lines.emplace_back("POSITIONS IN THE WORK OFFSET THAT IS ACTIVE");
-  if (in_space) lines.emplace_back("ALL WAYS ARE STRAIGHT, AT FEED, AND MUST BE FREE");
+  const auto line = spatial_line(first.axis);
+  if (!line) return;
+  lines.emplace_back("ALL WAYS ARE STRAIGHT, AT FEED, AND MUST BE FREE");
+  const Vector3 begin = first.way_in_mm.empty() ? line->at(reach(first).lowest) : first.way_in_mm.front();
+  lines.push_back("THE FIRST FROM WHERE THE AXES STAND TO " + xyz(begin));
 }
 
 }  // namespace
@@ -112,7 +116,7 @@ std::vector<std::string> headlines(const Plan& plan, const ProgramOptions& optio
   if (!plan.title.empty()) lines.push_back("TITLE " + plan.title);
   add_once(lines, plan);
   add_movement(lines, plan);
-  add_end(lines, options, in_space);
+  add_end(lines, options, plan);
   return lines;
 }
 
@@ -127,7 +131,7 @@ std::vector<std::string> headlines(std::span<const Plan> plans, const ProgramOpt
   for (std::size_t k = 0; k < 3; ++k)
     lines.push_back(
         fmt::format("{} MOVES FROM {} TO {} MM", axis_letters[k], native(range.lowest[k]), native(range.highest[k])));
-  add_end(lines, options, true);
+  add_end(lines, options, plans.front());
   return lines;
 }
 

@@ -76,7 +76,8 @@ struct Wanted {
   std::string named;
   const Plan* plan = nullptr;
   std::optional<Approach> approach = {};
-  Vector3 way = {};  ///< direction in which an approach must come
+  Vector3 way = {};     ///< direction in which an approach must come
+  bool begins = false;  ///< the first move on its line
 };
 
 std::vector<Wanted> wanted_of(std::span<const Plan> plans) {
@@ -90,8 +91,8 @@ std::vector<Wanted> wanted_of(std::span<const Plan> plans) {
     bool first = true;
     for (const PlannedMove& move : moves(plan)) {
       const bool up = move.approach && move.approach->direction == Direction::up;
-      list.push_back({line.at(move.to), std::exchange(first, false) ? "XYZ" : moving, &plan, move.approach,
-                      (up ? 1.0 : -1.0) * line.direction});
+      list.push_back({line.at(move.to), first ? "XYZ" : moving, &plan, move.approach,
+                      (up ? 1.0 : -1.0) * line.direction, std::exchange(first, false)});
     }
     for (Vector3 point : plan.way_out_mm) list.push_back({point, "XYZ", &plan});
   }
@@ -115,7 +116,8 @@ void expect_driven(const Trace& trace, std::span<const Plan> plans, const Progra
       }
     }
     ASSERT_NEAR(visit.feed, here.plan->feed, 1e-4 * here.plan->feed);
-    ASSERT_EQ(visit.stops, options.stop_at_start && k == plans[0].way_in_mm.size() ? 1u : 0u);
+    const bool stops = here.begins && (options.stop_at_lines || (options.stop_at_start && here.plan == &plans[0]));
+    ASSERT_EQ(visit.stops, stops ? 1u : 0u) << "move " << k;
     if (!here.approach) {
       ASSERT_EQ(visit.dwells, 0u) << "move " << k << " dwells on its way";
       ASSERT_TRUE(visit.m_codes.empty());
@@ -165,6 +167,7 @@ TEST_P(LinesInEveryDialect, DriveWaysOverrunsAndTargetsInOrderAndDirection) {
           ProgramOptions options{.unit = unit, .unrolled = unrolled, .decimals = repeat % 7};
           if (trigger) options.trigger_m_code = 8;
           options.stop_at_start = any.below(2) == 0;
+          options.stop_at_lines = any.below(3) == 0;
           options.block_numbers = any.below(2) == 0 || dialect.id == "heidenhain";
           options.title = "Lines (seven)";
           const auto program = dialect.write(plans, options);
@@ -224,8 +227,8 @@ TEST(Lines, SayWhatTheyAreAndWhereTheyGo) {
   ASSERT_TRUE(program);
   for (const char* text :
        {"(TITLE SEVEN LINES)", "(2 LINES, XY, Z)", "(X MOVES FROM -5.5 TO 115.556349 MM)",
-        "(Z MOVES FROM -2 TO 450 MM)", "(1 OF 2, LINE XY)", "(TEST ISO 230-6-2002)",
-        "(DIRECTION X 0.707107 Y 0.707107 Z 0)", "(TEST ISO 230-2-2014)",
+        "(Z MOVES FROM -2 TO 450 MM)", "(THE FIRST FROM WHERE THE AXES STAND TO X 98.585786 Y 198.585786 Z 300)",
+        "(1 OF 2, LINE XY)", "(TEST ISO 230-6-2002)", "(DIRECTION X 0.707107 Y 0.707107 Z 0)", "(TEST ISO 230-2-2014)",
         "(FEED 1000 MM/MIN ALONG THE PATH, DWELL 3 S)", "G1 X98.5858 Y198.5858 Z300.0000 F1000. (TO LINE XY)\n",
         "G1 X107.0711 Y207.0711 F1000. (TARGET 2 UP)\n", "G1 X100.0000 Y200.0000 Z450.0000 F1000. (WAY IN)\n",
         "G1 X-5.5000 Y0.0000 Z-2.0000 F1000. (TO LINE Z)\n", " G1 Z10.0000 F1000. (TARGET 2 UP)\n",

@@ -179,10 +179,10 @@ class Writer {
     spelling_ = &spelling;
     for (Vector3 point : plan.way_in_mm) way(point, "WAY IN");
     start_ = spelling.line ? "TO " + line_name(plan) : "TO THE START";
-    for (const Stretch& s : stretches) {
-      stretch(s);
-      if (options_.stop_at_start && !std::exchange(stopped_, true))
-        list_.push_back(OperatorStop{stop_message(std::get<Move>(list_.back()))});
+    const bool stops = options_.stop_at_lines || (options_.stop_at_start && !std::exchange(started_, true));
+    for (std::size_t k = 0; k < stretches.size(); ++k) {
+      stretch(stretches[k]);
+      if (k == 0 && stops) list_.push_back(OperatorStop{stop_message(std::get<Move>(list_.back()))});
     }
     for (Vector3 point : plan.way_out_mm) way(point, "WAY OUT");
   }
@@ -241,7 +241,7 @@ class Writer {
   std::size_t loops_left_ = 0;
   std::size_t loops_ = 0;
   std::string start_;  ///< what is said of the next move, the first of a plan
-  bool stopped_ = false;
+  bool started_ = false;
   std::vector<Instruction> list_;
 };
 
