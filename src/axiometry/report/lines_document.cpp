@@ -2,9 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 #include "axiometry/base/version.h"
+#include "axiometry/report/conformity_text.h"
 #include "axiometry/report/figures/figures.h"
 #include "axiometry/report/lines_sections.h"
 #include "axiometry/report/sections/sections.h"
@@ -15,6 +19,7 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::Severity;
+using uncertainty::Verdict;
 
 constexpr std::size_t departures_named = 3;  // on the first page
 
@@ -68,7 +73,47 @@ Notice conformance_notice(const LinesSubject& subject) {
   return notice;
 }
 
-std::vector<Notice> status(const LinesSubject& subject, const Options& options) {
+/// "3 lines do not conform, 1 is undecided, 3 conform"
+std::string heading_of(const LinesSubject& subject) {
+  std::array<std::size_t, 3> counts{};
+  constexpr std::array<Verdict, 3> verdicts = {Verdict::does_not_conform, Verdict::undecided, Verdict::conforms};
+  constexpr std::array<std::array<std::string_view, 2>, 3> words = {
+      {{"does not conform", "do not conform"}, {"is undecided", "are undecided"}, {"conforms", "conform"}}};
+  for (const AssessedLine& line : subject.lines)
+    for (std::size_t k = 0; k < verdicts.size(); ++k)
+      counts[k] += iso230_2::overall_verdict(line.judgements) == verdicts[k] ? 1 : 0;
+  std::string text;
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    if (counts[k] > 0)
+      text += fmt::format("{}{}{} {}", text.empty() ? "" : ", ", counts[k],
+                          !text.empty()    ? ""
+                          : counts[k] == 1 ? " line"
+                                           : " lines",
+                          words[k][counts[k] == 1 ? 0 : 1]);
+  return text.empty() ? "no verdict" : text;
+}
+
+/// "Does not conform: E, A" of each line that was judged, the worst first; all in one.
+std::optional<Notice> tolerances_notice(const LinesSubject& subject) {
+  constexpr std::pair<Verdict, std::string_view> words[] = {{Verdict::does_not_conform, "does not conform"},
+                                                            {Verdict::undecided, "is undecided"},
+                                                            {Verdict::conforms, "conforms"},
+                                                            {Verdict::not_applicable, "has no verdict"}};
+  std::optional<Notice> notice;
+  for (const auto& [verdict, word] : words)
+    for (const AssessedLine& line : subject.lines) {
+      const RichText symbols = symbols_with(line.judgements, verdict);
+      if (symbols.empty()) continue;
+      if (!notice)
+        notice = Notice{tone_of(verdict), plain(fmt::format("Tolerances: line {} {}", line.line.id, word)), {}};
+      notice->lines.push_back(
+          joined({plain("Line "), strong(line.line.id), plain(fmt::format(" {}: ", word)), symbols}));
+    }
+  if (notice && notice->lines.size() > 1) notice->heading = plain(fmt::format("Tolerances: {}", heading_of(subject)));
+  return notice;
+}
+
+std::vector<Notice> status(const LinesSubject& subject) {
   std::vector<Notice> all = {conformance_notice(subject)};
   Notice serious{Tone::bad, plain("The lengths or the station are in doubt"), {}};
   for (const tracking::Finding& finding : subject.evaluation.findings)
@@ -80,11 +125,7 @@ std::vector<Notice> status(const LinesSubject& subject, const Options& options) 
       lost.lines.push_back(joined({strong(line.id), plain(": "), prose(line.reason)}));
     all.push_back(std::move(lost));
   }
-  for (const AssessedLine& line : subject.lines)
-    if (auto notice = tolerance_notice(subject_of(line), options)) {
-      notice->heading = joined({plain("Line "), strong(line.line.id), plain(": "), notice->heading});
-      all.push_back(*std::move(notice));
-    }
+  if (auto notice = tolerances_notice(subject)) all.push_back(*std::move(notice));
   return all;
 }
 
@@ -94,7 +135,7 @@ std::string line_names(const LinesSubject& subject) {
   return names;
 }
 
-Document front_page(const LinesSubject& subject, const Options& options) {
+Document front_page(const LinesSubject& subject) {
   Document document;
   const bool good = all_conform(subject);
   document.kind = "Test report";
@@ -109,7 +150,7 @@ Document front_page(const LinesSubject& subject, const Options& options) {
   document.identity.push_back({plain("Serial number"), stated("machine.serial_number", metadata)});
   document.identity.push_back({plain("Date of test"), stated("test.date", metadata)});
   document.identity.push_back({plain("Report number"), stated("test.report_number", metadata)});
-  document.status = status(subject, options);
+  document.status = status(subject);
   for (const AssessedLine& line : subject.lines)
     if (document.label.empty()) document.label = line.assessment.label;
   if (!document.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + document.label), {}});
@@ -177,8 +218,13 @@ Section line_section(const AssessedLine& line, const Options& asked) {
   }
   for (Block& block : parameter_section(subject, options).blocks) section.blocks.push_back(std::move(block));
   if (!line.line.breaks.empty()) section.blocks.emplace_back(break_table(line.line.breaks, options));
-  if (line.assessment.annex_a)
-    for (Block& block : uncertainty_section(subject, options).blocks) section.blocks.push_back(std::move(block));
+  const auto append = [&](Section part) { std::ranges::move(part.blocks, std::back_inserter(section.blocks)); };
+  if (!subject.judgements.empty()) append(conformity_section(subject, options));
+  if (line.assessment.gum || line.assessment.monte_carlo) {
+    append(method_section(subject, options));
+    append(contribution_section(subject, options));
+  }
+  if (line.assessment.annex_a) append(uncertainty_section(subject, options));
   return section;
 }
 
@@ -227,7 +273,7 @@ Section lines_provenance(const LinesSubject& subject) {
 }  // namespace
 
 Document compose(const LinesSubject& subject, const Options& options) {
-  Document document = front_page(subject, options);
+  Document document = front_page(subject);
   auto& sections = document.sections;
   sections.push_back(overview_section(subject, options));
   if (has_diagonal(subject)) sections.push_back(diagonal_section(subject, options));

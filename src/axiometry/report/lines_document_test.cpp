@@ -181,6 +181,35 @@ TEST(LinesDocument, TellsAFindingOfAllLinesOnce) {
   EXPECT_GE(of_all, 2u);
 }
 
+TEST(LinesDocument, ShowsUncertaintiesVerdictsAndDeparturesOfEachLine) {
+  const std::vector<iso230_2::Tolerance> limits = {testing_support::tolerance("E", 6.0)};
+  Measured m = measured();
+  for (std::size_t k = 0; k < m.lines.size(); ++k) {
+    m.evaluation.lines[k].test.metadata.uncertainty.device_calibration =
+        Deviation::native(0.4 + 0.1 * static_cast<double>(k));
+    if (k == 2) m.evaluation.lines[k].test.metadata.conditions.cycle = TestCycle::step;
+    if (k == 3) m.evaluation.lines[k].breaks = {{"xy", 17, -0.4321}};
+    m.assessments[k] = iso230_2::assess(m.evaluation.lines[k].test);
+    m.judgements[k] = iso230_2::judge(m.assessments[k].evaluation.parameters, limits, {},
+                                      iso230_2::deciding_uncertainties(m.assessments[k]));
+    m.lines[k].judgements = m.judgements[k];
+  }
+  m.plan.lost = {{"xz", "the station is 12 mm outside the travel of Y"}};
+  Options options;
+  options.numbers.decimal_mark = ',';
+  const Document document = compose(m.subject(), options);
+  const std::string words = words_of(document);
+  EXPECT_THAT(words, HasSubstr("Not every line keeps its standard"));
+  EXPECT_THAT(words, HasSubstr("According to the standard: x, y, xy, xz, yz, xyz."));
+  EXPECT_THAT(words, HasSubstr("Line x conforms: E"));
+  EXPECT_THAT(words, HasSubstr("Tolerances: 3 lines do not conform, 4 conform"));
+  EXPECT_THAT(document.label, HasSubstr("not for acceptance"));
+  const Table overview = tables(section(document, "overview")).front();
+  EXPECT_EQ(plain_text(overview.columns[5].head), "U");
+  EXPECT_THAT(plain_text(overview.rows[0][5].text), HasSubstr(","));
+  EXPECT_THAT(plain_text(tables(section(document, "line-xy")).back().caption), HasSubstr("Budget"));
+}
+
 TEST(LinesDocument, NamesNoFolder) {
   const Document document = compose(measured().subject(), {});
   const auto* facts = std::get_if<Facts>(&section(document, "provenance").blocks.front());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <limits>
@@ -80,6 +81,26 @@ TEST(LayoutFigure, StaysInItsBoxForAnythingThatMayBeAskedFor) {
     many.points_mm.push_back({k % 100 * 10.0, k / 100 * 10.0, 100.0 * std::sin(k * 0.1)});
   layouts.push_back(many);
   for (std::size_t k = 0; k < layouts.size(); ++k) EXPECT_EQ(fault_of(layout_figure(layouts[k], {})), "") << k;
+}
+
+RC_GTEST_PROP(LayoutFigure, StaysInItsBoxWithoutOverlapForAnySetUp, ()) {
+  const double size = std::pow(10.0, *rc::gen::inRange(-3, 7));
+  const auto number = [&] { return size * 1e-3 * *rc::gen::inRange(-1000, 1000); };
+  const auto point = [&] { return Vector3{number(), number(), number()}; };
+  Layout layout;
+  if (*rc::gen::inRange(0, 4) > 0) layout.box = TravelBox{{-size, -size, -size}, point()};
+  if (*rc::gen::inRange(0, 2) > 0) layout.safe_radius_mm = std::abs(number());
+  for (int k = *rc::gen::inRange(0, 4); k > 0; --k) layout.stations_mm.push_back(point());
+  for (int k = *rc::gen::inRange(0, 12); k > 0; --k)
+    layout.lines.push_back({point(), point(), "line " + std::to_string(k), k % 3 == 0});
+  for (int k = *rc::gen::inRange(0, 25); k > 0; --k) layout.points_mm.push_back(point());
+  if (*rc::gen::inRange(0, 2) > 0) layout.way_mm = layout.points_mm;
+  for (int k = *rc::gen::inRange(0, 3); k > 0; --k) {
+    layout.obstacles.push_back({"box " + std::to_string(k), BoxObstacle{point(), point()}});
+    layout.obstacles.push_back({"ball " + std::to_string(k), SphereObstacle{point(), number()}});
+    layout.obstacles.push_back({"post " + std::to_string(k), CylinderObstacle{point(), number(), number()}});
+  }
+  RC_ASSERT(fault_of(layout_figure(layout, {})) == "");
 }
 
 TEST(LayoutFigure, DrawsLostLinesDashedAndGrey) {
