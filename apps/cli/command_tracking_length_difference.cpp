@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "experiment_flags.h"
 #include "failure.h"
+#include "length_difference_verb.h"
 #include "option_text.h"
 
 namespace axiometry::cli {
@@ -19,8 +20,8 @@ constexpr const char* examples =
 numbers before it.
 Examples:
   axiometry tracking length-difference --station-error 0.7978,0.2715,0.1965 --distances 10,20,…,1100
-  axiometry tracking length-difference --station-error 0.05,0.05,0.1 --distances 200:1200:100 --direction 1,1,1 --json -
-  axiometry tracking length-difference --distances 200:1200:100 --station-uncertainty 0.003,0.003,0.010 --report d.pdf)";
+  axiometry tracking length-difference --station-error 0.05,0.05,0.1 --distances 200:1200:100 --direction 1,1,1
+  axiometry tracking length-difference --distances 200:900:100 --station-uncertainty 0.003,0.003,0.01 --report d.pdf)";
 
 struct Arguments {
   app::LengthDifferenceRequest request;
@@ -34,12 +35,13 @@ void add_request(CLI::App& verb, app::LengthDifferenceRequest& request) {
   };
   add_read(verb, {"--station-error", "X,Y,Z", "Error of the station, determined minus actual, mm (0,0,0)"},
            [&request, vector](const std::string& text) { return vector(text, request.station_error_mm); });
-  add_read(verb, {"--distances", "LIST", "Distances from the station, mm: 10,20,…,1100 or 200:1100:100, ascending"},
-           [&request](const std::string& text) -> Result<void> {
-             AXIOMETRY_TRY(request.distances_mm, app::parse_distances(text));
-             return {};
-           })
-      ->required();
+  CLI::Option* distances =
+      add_read(verb, {"--distances", "LIST", "Distances from the station, mm: 10,20,…,1100 or 200:1100:100, ascending"},
+               [&request](const std::string& text) -> Result<void> {
+                 AXIOMETRY_TRY(request.distances_mm, app::parse_distances(text));
+                 return {};
+               });
+  if (request.distances_mm.empty()) distances->required();
   add_number(verb, {"--reference", "MM", "The distance of which the differences are relative (the last)"},
              [&request](double mm) { request.reference_mm = mm; });
   add_read(verb, {"--direction", "X,Y,Z", "Direction of a further line, of any length"},
@@ -51,11 +53,12 @@ void add_request(CLI::App& verb, app::LengthDifferenceRequest& request) {
 
 }  // namespace
 
-void add_tracking_length_difference(CLI::App& tracking, int& exit_code) {
-  CLI::App* verb =
-      tracking.add_subcommand("length-difference", "What an error of the station does to lengths along lines");
+void add_length_difference_verb(CLI::App& parent, const std::string& description,
+                                const app::LengthDifferenceRequest& defaults, int& exit_code) {
+  CLI::App* verb = parent.add_subcommand("length-difference", description);
   verb->footer(examples);
   auto arguments = std::make_shared<Arguments>();
+  arguments->request = defaults;
   add_request(*verb, arguments->request);
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, &exit_code] {
@@ -67,6 +70,10 @@ void add_tracking_length_difference(CLI::App& tracking, int& exit_code) {
     }
     exit_code = finish_experiment(app::present(*result, arguments->outputs.report), arguments->outputs);
   });
+}
+
+void add_tracking_length_difference(CLI::App& tracking, int& exit_code) {
+  add_length_difference_verb(tracking, "What an error of the station does to lengths along lines", {}, exit_code);
 }
 
 }  // namespace axiometry::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "axiometry/app/length_difference.h"
+
+namespace CLI {
+class App;
+}
+
+namespace axiometry::cli {
+
+/// `axiometry tracking length-difference`, and as an experiment of the paper with its figures for defaults.
+void add_length_difference_verb(CLI::App& parent, const std::string& description,
+                                const app::LengthDifferenceRequest& defaults, int& exit_code);
+
+}  // namespace axiometry::cli
