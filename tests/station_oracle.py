@@ -88,7 +88,7 @@ def compare(seed):
     drawn = parameters(up - errors, down - errors)
     result = evaluate(targets, [up, up], [down, down], at, u, "--uncertainty", "gum,monte-carlo", "--trials", "200000")
     for key, values in drawn.items():
-        found = result["uncertainty"]["monte_carlo"]["parameters"][key]
+        found = result["uncertainty"]["monte_carlo"][key]
         sd = np.std(values)
         expect(f"{key}: mean", found["mean"], np.mean(values), 0.012 * sd + 1e-9)
         expect(f"{key}: u", found["u"], sd, 0.03 * sd + 1e-9)
