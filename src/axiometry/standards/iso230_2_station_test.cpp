@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The station of a tracking interferometer in each of the three uncertainties and in the findings.
-// tests/station_oracle.py holds the program against draws of its own.
+// tests/station_offset_oracle.py holds the program against draws of its own.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -17,6 +17,10 @@ For mills (NGC and classic).
 - Trigger: an M code between two halves of the dwell; spare ones are M21 to M28 and, newer, M121 to M128 (these
   wait for an answer), M51 to M58 switch on and M61 to M68 off
 
+- Lines in space: X, Y and Z in one G1 block. F is the speed along the path, G61 brings all of them to rest, G49
+  cancels the tool length: positions are those of the axes. Rotation (G69), scaling (G50), mirroring (G100) and
+  dynamic work offsets (G255) must be off: the program does not cancel them
+
 Haas checks setting 9: a program in inches stops with an alarm on a machine in mm, and the other way round.
 Setting 9 decides how many decimals are kept: 3 in mm, 4 in inches.
 
@@ -24,18 +28,13 @@ Try in single block first: the start blocks, the first target with its dwell, th
 rotary axis that is set to take the shortest way, or to count to 360° only, does not come from the planned
 direction [inferred]: look at the first move beyond 0° and 360°.)manual";
 
-constexpr WordControl control = {
-    .limits = {.loops = 10'000},
-    .number = WordControl::ProgramNumber{.lowest = 1, .highest = 99'999, .otherwise = 2302},
-    .head = {"%", "O{number:0>5}"},
-    .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61"},
-    .start_inch = {"G20", "G17 G40 G49 G80 G90 G94", "G61"},
-    .dwell = "G4 P{seconds}",
-    .loop_begin = {"#1=1", "WHILE [#1 LE {times}] DO1"},
-    .loop_end = {"#1=#1+1", "END1"},
-    .end = {"G64", "M30"},
-    .tail = {"%"},
-};
+constexpr WordControl control = [] {
+  WordControl c = fanuc_like;
+  c.number->highest = 99'999;
+  c.head = {"%", "O{number:0>5}"};
+  c.dwell = "G4 P{seconds}";
+  return c;
+}();
 
 }  // namespace
 
@@ -47,7 +46,7 @@ const Dialect haas_dialect = {
     .manual = manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
 };
 
 }  // namespace axiometry::nc

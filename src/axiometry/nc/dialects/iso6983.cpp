@@ -18,6 +18,8 @@ words of ISO 6983-1 is needed.
 - Exact stop: `G9` in every block: it needs no cancelling
 - Trigger: an M code between two halves of the dwell
 
+- Lines in space: X, Y and Z in one block; F is the speed along the path [inferred for a control that is not known]
+
 Try in single block first: the start blocks, one target, the dwell with a watch. Tool length offsets, scaling,
 rotation and mirroring must be off; coordinates refer to the work offset that is active.)manual";
 
@@ -28,7 +30,7 @@ constexpr WordControl control = {
     .head = {"%", "O{number}"},
     .start_mm = {"G21", "G17 G40 G80 G90 G94"},
     .start_inch = {"G20", "G17 G40 G80 G90 G94"},
-    .move = "G9 G1 {axis}{coordinate} F{feed}",
+    .move = "G9 G1 {axes} F{feed}",
     .dwell = "G4 X{seconds}",
     .end = {"M30"},
     .tail = {"%"},
@@ -44,7 +46,7 @@ const Dialect iso6983_dialect = {
     .manual = manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = false,
-    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
 };
 
 }  // namespace axiometry::nc
