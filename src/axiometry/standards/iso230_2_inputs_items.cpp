@@ -13,9 +13,9 @@
 #include <optional>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/text.h"
 #include "axiometry/standards/iso230_2_artefact.h"
 #include "axiometry/standards/station_offset.h"
+#include "axiometry/standards/usual_expansion.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -24,9 +24,6 @@ using uncertainty::Distribution;
 using uncertainty::Normal;
 using uncertainty::Uniform;
 
-constexpr double expansion_usual = 12.0;       // µm/(m·°C), Table A.2
-constexpr double expansion_range_usual = 2.0;  // µm/(m·°C), A.2.4.3
-constexpr double reference_temperature = 20.0;
 constexpr double absurd = 1e9;  // µm/m, a device that knows nothing
 
 constexpr std::array catalogue = {
@@ -78,17 +75,8 @@ std::optional<Sourced> sourced(const std::optional<ExpansionCoefficient>& x, std
 
 /// The largest departure from 20 °C that sensors of this role have shown, with its sign.
 std::optional<Sourced> sensor_difference(const Environment& environment, std::string_view role) {
-  std::optional<Sourced> largest;
-  for (const TemperatureSensor& sensor : environment.sensors) {
-    if (!text::equal_ignoring_case(sensor.role, role)) continue;
-    for (const auto& temperature : {sensor.start, sensor.end}) {
-      if (!temperature) continue;
-      const double difference = temperature->in_celsius() - reference_temperature;
-      if (!largest || std::abs(difference) > std::abs(largest->value))
-        largest = Sourced{difference, "largest of the sensors"};
-    }
-  }
-  return largest;
+  const auto largest = largest_sensor_difference(environment, role);
+  return largest ? std::optional(Sourced{*largest, "largest of the sensors"}) : std::nullopt;
 }
 
 /// What is known about the expansion of the machine or of the device.

@@ -10,13 +10,13 @@
 #include "axiometry/base/text.h"
 #include "axiometry/standards/iso230_2_rules.h"
 #include "axiometry/standards/iso230_2_slope.h"
+#include "axiometry/standards/usual_expansion.h"
 
 namespace axiometry::iso230_2::rules {
 namespace {
 
 constexpr double same_temperature = 0.1 + 1e-9;  // °C: what a display resolves
 constexpr double change_worth_a_word = 1.0;      // °C from start to end
-constexpr double expansion_usual = 12.0;         // µm/(m·°C), Table A.2
 
 struct Thermometer {
   std::string name;

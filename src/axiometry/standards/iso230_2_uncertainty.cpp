@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Deviations from the source: the errata named in the header; other n than 5 and 1; rotary axes;
-// the station of a tracking interferometer, which the annex does not know.
+// Deviations from the source: the errata named in the header; other n than 5 and 1; rotary axes; U_STATION.
 #include "axiometry/standards/iso230_2_uncertainty.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2_artefact.h"
 #include "axiometry/standards/station_offset.h"
+#include "axiometry/standards/usual_expansion.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -24,12 +22,9 @@ namespace {
 constexpr double expanded_per_range = 0.6;
 // Half of the above: the cosine error of a misalignment R over L is R²/2L.
 constexpr double expanded_per_squared_misalignment = 0.3;
-constexpr double expansion_usual = 12.0;       // µm/(m·°C), Table A.2
-constexpr double expansion_range_usual = 2.0;  // µm/(m·°C), A.2.4.3
-constexpr double length_limit_m = 2.0;         // A.2.6 holds up to here
-constexpr double absurd = 1e100;               // µm or ″
-constexpr double length_short_m = 0.3;         // A.2.3 warns below
-constexpr double station_probability = 0.95;   // that the length difference stays below its bound
+constexpr double length_limit_m = 2.0;  // A.2.6 holds up to here
+constexpr double absurd = 1e100;        // µm or ″
+constexpr double length_short_m = 0.3;  // A.2.3 warns below
 
 /// A number that enters a formula, and where it came from when nobody gave it.
 struct Known {
@@ -67,22 +62,9 @@ Input first_of(std::initializer_list<Input> sources) {
 }
 
 /// Largest |T − 20 °C| that the sensors of one role have shown.
-Input sensor_difference(const Environment& environment, std::string_view role, std::string_view note) {
-  Input largest;
-  for (const TemperatureSensor& sensor : environment.sensors) {
-    if (!text::equal_ignoring_case(sensor.role, role)) continue;
-    for (const auto& temperature : {sensor.start, sensor.end}) {
-      if (!temperature) continue;
-      const double difference = std::abs(temperature->in_celsius() - 20.0);
-      if (!largest || difference > largest->value) largest = Known{difference, note};
-    }
-  }
-  return largest;
-}
-
-Input magnitude(Input input) {
-  if (input) input->value = std::abs(input->value);
-  return input;
+Input sensor_difference(const Environment& environment, std::string_view role) {
+  const auto largest = largest_sensor_difference(environment, role);
+  return largest ? Input(Known{*largest, "largest of the sensors"}) : std::nullopt;
 }
 
 /// Whether anything of Annex A was given. L alone says nothing about an uncertainty, and what has no clause
@@ -138,8 +120,6 @@ class Budget {
                                      e_device(), environmental_variation()};
     if (metadata_.artefact.probing_uncertainty && artefact_) rows.push_back(probing());
     if (station_) rows.push_back(station());
-    if (const std::string problem = station_offset_problem(metadata_); !problem.empty())
-      notes_.push_back(fmt::format("The station of the tracking interferometer is left out: {}", problem));
     for (Contributor& row : rows) leave_out_absurd(row);
     return rows;
   }
@@ -191,7 +171,7 @@ class Budget {
                   {"u_2", station_->smaller_mm, "mm", ""},
                   {"d_nearest", errors.nearest_mm(), "mm", "from the targets"},
                   {"d_farthest", errors.farthest_mm(), "mm", "from the targets"}};
-    row.U = Deviation::native(errors.range_um(offset_squared_quantile(*station_, station_probability)));
+    row.U = Deviation::native(errors.range_um(offset_squared_quantile(*station_, 0.95)));
     notes_.push_back(
         "U_STATION is not in Annex A: it bounds, with 95 %, what a wrongly determined station does to the lengths "
         "along the line (Lee et al., eqs 17 to 23)");
@@ -278,9 +258,9 @@ class Budget {
   Contributor e_machine() {
     const Contributor row{"e_machine", "U_E,MACHINE TOOL", "Expansion coefficient of the machine tool", "A.7", {}, {}};
     if (!linear_) return row;
-    return expansion_term(row, "machine tool", in_.machine_expansion_range,
-                          first_of({given(in_.machine_temperature_difference),
-                                    sensor_difference(metadata_.environment, "machine", "largest of the sensors")}));
+    return expansion_term(
+        row, "machine tool", in_.machine_expansion_range,
+        first_of({given(in_.machine_temperature_difference), sensor_difference(metadata_.environment, "machine")}));
   }
 
   Contributor e_device() {
@@ -295,9 +275,9 @@ class Budget {
     const auto& alpha = in_.device_expansion ? in_.device_expansion : metadata_.nde.equipment_expansion;
     const bool expands = artefact_ && alpha && alpha->in_um_per_m_K() != 0.0;
     if (!linear_ || !(in_.device_temperature_difference || in_.device_expansion_range || expands)) return row;
-    return expansion_term(row, artefact_ ? "artefact" : "measuring device", in_.device_expansion_range,
-                          first_of({given(in_.device_temperature_difference),
-                                    sensor_difference(metadata_.environment, "equipment", "largest of the sensors")}));
+    return expansion_term(
+        row, artefact_ ? "artefact" : "measuring device", in_.device_expansion_range,
+        first_of({given(in_.device_temperature_difference), sensor_difference(metadata_.environment, "equipment")}));
   }
 
   Contributor expansion_term(const Contributor& row, std::string_view whose,
@@ -308,8 +288,9 @@ class Budget {
       return row;
     }
     if (!range) notes_.push_back(fmt::format("R(α) of the {} was not given; 2 µm/(m·°C) is assumed (A.2.4.3)", whose));
+    difference->value = std::abs(difference->value);
     const Input R_alpha = first_of({given(range), Known{expansion_range_usual, "assumed"}});
-    return product(row, expanded_per_range, {{"ΔT", "°C", magnitude(difference)}, L(), {"R(α)", "µm/(m·°C)", R_alpha}});
+    return product(row, expanded_per_range, {{"ΔT", "°C", difference}, L(), {"R(α)", "µm/(m·°C)", R_alpha}});
   }
 
   Contributor environmental_variation() {

@@ -7,6 +7,7 @@
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/standards/iso230_2_artefact.h"
+#include "axiometry/standards/station_offset.h"
 
 namespace axiometry::report {
 
@@ -38,6 +39,7 @@ std::string_view meaning_of_absence(const Contributor& contributor, const Metada
   const bool for_any_axis = contributor.key == "device" || contributor.key == "eve";
   if (metadata.axis.kind == AxisKind::rotary && !for_any_axis) return "for linear axes only";
   if (iso230_2::artefact_takes_place_of_device(metadata)) return "not given; left out";
+  if (contributor.key == "misalignment" && station_offset(metadata)) return "the beam follows the reflector";
   if (contributor.key == "m_device" && !given.device_temperature_range) return "part of the device’s statement";
   if (contributor.key == "e_device" && !given.device_temperature_difference && !given.device_expansion_range)
     return "part of the device’s statement";

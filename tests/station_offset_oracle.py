@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Holds the uncertainty of the station of a tracking interferometer against draws of its own.
 
-Usage: tests/station_uncertainty_oracle.py PROGRAM [TESTS]   (needs numpy)
+Usage: tests/station_offset_oracle.py PROGRAM [TESTS]   (needs numpy)
 
 A made-up line is read by an instrument at an exactly drawn place beside it: distances are those of points in space, no
 formula of the program is used. For the budget of Annex A, the range of the length difference must stay below U_STATION in
