@@ -215,17 +215,21 @@ Table target_table(const Sheet& sheet, const TrackingLine& line) {
   return table;
 }
 
+RichText programme_text(const Sheet& sheet, const TrackingLine& line) {
+  const Plan& plan = line.plan;
+  return joined(
+      {strong(line.id),
+       plain(fmt::format(": {} times in each direction, feed {}/min, dwell {} s, overrun {}{}", plan.runs,
+                         sheet.mm(plan.feed), shown_short(plan.dwell.in_s(), sheet.options),
+                         sheet.mm(plan.overrun.in_native()), plan.seed ? fmt::format(", seed {}", *plan.seed) : ""))});
+}
+
 Section target_section(const Sheet& sheet) {
   Section section{"targets", "Target positions", false, {}};
   for (const TrackingLine& line : sheet.plan.lines) {
-    const Plan& plan = line.plan;
-    section.blocks.emplace_back(Paragraph{
-        joined({strong(line.id),
-                plain(fmt::format(": {} times in each direction, feed {}/min, dwell {} s, overrun {}{}", plan.runs,
-                                  sheet.mm(plan.feed), shown_short(plan.dwell.in_s(), sheet.options),
-                                  sheet.mm(plan.overrun.in_native()),
-                                  plan.seed ? fmt::format(", seed {}", *plan.seed) : ""))})});
-    section.blocks.emplace_back(target_table(sheet, line));
+    Table table = target_table(sheet, line);
+    table.caption = programme_text(sheet, line);
+    section.blocks.emplace_back(std::move(table));
   }
   return section;
 }
@@ -269,15 +273,15 @@ Document title_page(const TrackingPlan& plan, Duration duration) {
 Document tracking_sheet(const TrackingPlan& plan, Duration duration, const Options& options) {
   const Sheet sheet{plan, options};
   Document document = title_page(plan, duration);
+  document.sections.push_back({"lines", "Lines", false, {line_table(sheet)}});
+  if (!plan.lost.empty())
+    document.sections.push_back({"lost", "Lines that cannot be measured", false, {lost_table(sheet)}});
+  if (!plan.remarks.empty()) document.sections.push_back(remark_section(plan));
   Section setup{"setup", "Set-up", false, {}};
   setup.blocks.emplace_back(set_up_facts(sheet));
   setup.blocks.emplace_back(limit_facts(sheet));
   setup.blocks.emplace_back(layout_of(sheet));
   document.sections.push_back(std::move(setup));
-  document.sections.push_back({"lines", "Lines", false, {line_table(sheet)}});
-  if (!plan.lost.empty())
-    document.sections.push_back({"lost", "Lines that cannot be measured", false, {lost_table(sheet)}});
-  if (!plan.remarks.empty()) document.sections.push_back(remark_section(plan));
   document.sections.push_back({"ways", "Ways", false, {way_table(sheet)}});
   document.sections.push_back(target_section(sheet));
   return document;
