@@ -78,6 +78,12 @@ void add_model(CLI::App& verb, tracking::MultilaterationOptions& options) {
       ->group("Model");
 }
 
+/// What a terminal shows of the report.
+report::Document summary_of(report::Document document) {
+  std::erase_if(document.sections, [](const report::Section& s) { return s.id == "method" || s.id == "source"; });
+  return document;
+}
+
 int run(Arguments& arguments) {
   std::vector<app::InputFile> inputs = {{arguments.request.ranges, false}};
   if (!arguments.request.points.empty()) inputs.push_back({arguments.request.points, false});
@@ -89,7 +95,7 @@ int run(Arguments& arguments) {
   if (!result) return failed(result.error());
   const report::Document document = app::compose(**result, arguments.outputs.report);
   if (!arguments.outputs.quiet && arguments.outputs.outputs.json != "-")
-    fmt::print("{}", document_text(document, Terminal(ColourChoice::automatic)));
+    fmt::print("{}", document_text(summary_of(document), Terminal(ColourChoice::automatic)));
   const auto written = app::write_outputs(**result, document, arguments.names, arguments.outputs.report);
   return written ? exit_done : failed(written.error());
 }

@@ -230,7 +230,7 @@ class Composition {
   Section findings_section() const {
     Section section{"findings", "Findings", false, {}};
     if (fit_.findings.empty()) {
-      section.blocks.emplace_back(Paragraph{plain("None.")});
+      section.blocks.emplace_back(Paragraph{plain("No findings: nothing speaks against the result.")});
       return section;
     }
     Table table;
