@@ -14,6 +14,7 @@ void add_tracking(CLI::App& program, int& exit_code) {
   add_tracking_length_difference(*verb, exit_code);
   add_tracking_plan(*verb, exit_code);
   add_tracking_simulate(*verb, exit_code);
+  add_tracking_multilaterate(*verb, exit_code);
 }
 
 }  // namespace axiometry::cli

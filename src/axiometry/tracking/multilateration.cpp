@@ -81,9 +81,10 @@ class Multilateration {
   Result<void> solve() {
     run_ = iterate(problem(), state_);
     if (run_.converged) return {};
-    return fail(fmt::format("the solution does not settle within {} iterations (points still move by {:.3g} mm), "
-                            "expected nominal points and lengths that belong together",
-                            run_.iterations, run_.system.largest_move_mm));
+    return fail(
+        fmt::format("the solution does not settle within {} iterations (points still move by {:.3g} mm), "
+                    "expected nominal points and lengths that belong together",
+                    run_.iterations, run_.system.largest_move_mm));
   }
 
   /// What cannot be determined at this state. `factor` is that of the variances.
@@ -98,29 +99,32 @@ class Multilateration {
     // The height over the common plane is what makes the stations' system regular; when it is known no better than
     // itself it may as well be 0.
     const std::size_t open = coplanar_null_directions(in_.stations, free_);
-    fit_.rank.stations_coplanar = open > 0 && (spread.off_plane_mm <= 2.0 * fit_.rank.weakest_mm ||
-                                               (rank.null_directions > 0 && spread.off_plane_mm < 1e-3 * spread.off_line_mm));
+    fit_.rank.stations_coplanar =
+        open > 0 && (spread.off_plane_mm <= 2.0 * fit_.rank.weakest_mm ||
+                     (rank.null_directions > 0 && spread.off_plane_mm < 1e-3 * spread.off_line_mm));
     fit_.rank.null_directions = std::max(rank.null_directions, fit_.rank.stations_coplanar ? open : 0);
     if (spread.off_line_mm <= 1e-3 * weighting_.scale_length_mm && rank.null_directions > 0)
-      return fail(fmt::format("found {} stations on one line within {:.2g} mm, expected stations around the points: {} "
-                              "directions stay undetermined",
-                              in_.stations, spread.off_line_mm, rank.null_directions));
+      return fail(
+          fmt::format("found {} stations on one line within {:.2g} mm, expected stations around the points: {} "
+                      "directions stay undetermined",
+                      in_.stations, spread.off_line_mm, rank.null_directions));
     if (fit_.rank.stations_coplanar)
-      return fail(fmt::format("found {} stations on one plane within {:.2g} mm, expected one well off it or {} stations: "
-                              "{} direction{} stay{} undetermined beyond position and orientation",
-                              in_.stations, spread.off_plane_mm, free_ ? 8 : 6, fit_.rank.null_directions,
-                              fit_.rank.null_directions == 1 ? "" : "s", fit_.rank.null_directions == 1 ? "s" : ""));
+      return fail(
+          fmt::format("found {} stations on one plane within {:.2g} mm, expected one well off it or {} stations: "
+                      "{} direction{} stay{} undetermined beyond position and orientation",
+                      in_.stations, spread.off_plane_mm, free_ ? 8 : 6, fit_.rank.null_directions,
+                      fit_.rank.null_directions == 1 ? "" : "s", fit_.rank.null_directions == 1 ? "s" : ""));
     if (system.weak_points > 0)
-      return fail(fmt::format("found {} point{} in one plane with all stations that see them (the first is {}), expected "
-                              "a station off it: across the plane they stay undetermined",
-                              system.weak_points, system.weak_points == 1 ? "" : "s",
-                              point_name(in_.options, system.first_weak)));
+      return fail(fmt::format(
+          "found {} point{} in one plane with all stations that see them (the first is {}), expected "
+          "a station off it: across the plane they stay undetermined",
+          system.weak_points, system.weak_points == 1 ? "" : "s", point_name(in_.options, system.first_weak)));
     if (rank.null_directions > 0)
-      return fail(fmt::format("found {} points and {} stations whose lengths leave {} direction{} undetermined beyond "
-                              "{}, expected more points or stations elsewhere",
-                              nominal_.size(), in_.stations, rank.null_directions,
-                              rank.null_directions == 1 ? "" : "s",
-                              with_size_ ? "position, orientation and size" : "position and orientation"));
+      return fail(
+          fmt::format("found {} points and {} stations whose lengths leave {} direction{} undetermined beyond "
+                      "{}, expected more points or stations elsewhere",
+                      nominal_.size(), in_.stations, rank.null_directions, rank.null_directions == 1 ? "" : "s",
+                      with_size_ ? "position, orientation and size" : "position and orientation"));
     return {};
   }
 
@@ -184,8 +188,8 @@ class Multilateration {
   void fill(const RangeCounts& counts) {
     const RangeProblem problem = this->problem();
     const std::vector<double> reduced = reduced_covariance(run_.system, problem.gauge(state_));
-    RangeCovariances c = range_covariances({layout_, state_, weighting_, reduced, with_size_,
-                                            in_.options.point_covariances, problem.chunks});
+    RangeCovariances c = range_covariances(
+        {layout_, state_, weighting_, reduced, with_size_, in_.options.point_covariances, problem.chunks});
     fit_.residuals_mm = std::move(c.residuals);
     fit_.normalised_residuals = std::move(c.normalised);
     fit_.point_covariances_mm2 = std::move(c.points);
@@ -210,9 +214,9 @@ class Multilateration {
     for (Vector3& p : fit_.points_mm) p += centre_;
     for (Vector3& s : fit_.stations_mm) s += centre_;
     const double sigma = std::sqrt(weighting_.variance(weighting_.scale_length_mm));
-    fit_.findings = multilateration_findings({in_.readings, fit_, in_.options, starts_.mirrored, mirrored_,
-                                              counts.points_seen_by_three, sigma, weighting_.scale_length_mm,
-                                              weakest_station_});
+    fit_.findings =
+        multilateration_findings({in_.readings, fit_, in_.options, starts_.mirrored, mirrored_,
+                                  counts.points_seen_by_three, sigma, weighting_.scale_length_mm, weakest_station_});
   }
 
   static void multiply(std::vector<Matrix3>& matrices, double factor) {

@@ -27,12 +27,13 @@ struct MultilaterationOptions {
   ScaleModel scale = ScaleModel::fixed;
   double scale_prior = 0.0;  ///< standard uncertainty of κ about 1 (common, free); 0: none, the size is that of nominal
   RangingUncertainty ranging = {};
-  /// Of the machine between stations measured in sequence, standard uncertainty along the beam, combined with the above.
+  /// Of the machine between stations measured in sequence, standard uncertainty along the beam, combined with the
+  /// above.
   double repeatability_sigma_mm = 0.0;
   std::size_t iterations_most = 50;
-  bool point_covariances = true;  ///< also residuals over their own standard uncertainty
-  bool find_breaks = true;        ///< look for breaks of the beam that the readings do not state
-  std::size_t threads = 0;        ///< 0: as many as there are cores. The result does not depend on it
+  bool point_covariances = true;                    ///< also residuals over their own standard uncertainty
+  bool find_breaks = true;                          ///< look for breaks of the beam that the readings do not state
+  std::size_t threads = 0;                          ///< 0: as many as there are cores. The result does not depend on it
   std::span<const std::string> station_names = {};  ///< for messages; numbers from 1 when empty
   std::span<const std::string> point_names = {};
 };
@@ -43,8 +44,8 @@ struct MultilaterationRank {
   std::size_t equations = 0;        ///< readings, and priors of scales
   std::size_t gauge = 6;            ///< 7 with a scale that nothing is known about
   std::size_t null_directions = 0;  ///< beyond the gauge: 0 when it can
-  double condition = 0.0;  ///< largest over smallest eigenvalue of the reduced system, scaled, within the gauge
-  double weakest_mm = 0.0;  ///< standard uncertainty of a station along the direction known worst
+  double condition = 0.0;        ///< largest over smallest eigenvalue of the reduced system, scaled, within the gauge
+  double weakest_mm = 0.0;       ///< standard uncertainty of a station along the direction known worst
   std::size_t points_least = 0;  ///< for so many stations, all seeing all points (the true minimum, not eq. 3)
   bool stations_coplanar = false;
   double stations_off_plane_mm = 0.0;  ///< largest distance of a station from the plane fitted to all
@@ -66,9 +67,9 @@ struct MultilaterationFit {
   std::vector<double> scale_sigmas;
   std::vector<Matrix3> point_covariances_mm2;  ///< inner constraints: the smallest trace; empty when not asked for
   std::vector<Matrix3> station_covariances_mm2;
-  std::vector<double> residuals_mm;           ///< w_ij per reading
-  std::vector<double> normalised_residuals;   ///< over their own standard uncertainty; 0 where nothing checks a reading
-  std::vector<std::size_t> segments;          ///< of each reading, as used: after `breaks`
+  std::vector<double> residuals_mm;          ///< w_ij per reading
+  std::vector<double> normalised_residuals;  ///< over their own standard uncertainty; 0 where nothing checks a reading
+  std::vector<std::size_t> segments;         ///< of each reading, as used: after `breaks`
   std::vector<RangeBreak> breaks;
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;
@@ -94,8 +95,8 @@ std::optional<std::size_t> points_least(std::size_t stations, ScaleModel scale);
 /// Stations need no start. Readings of one station are in the order of measurement.
 ///
 /// Fails, with the numbers, on readings of points or stations that do not exist, lengths that are not finite or
-/// contradict the triangle inequality, on points seen by fewer than three stations, when the problem has null directions
-/// beyond the gauge (fewer points than needed, coplanar stations), and when it does not converge.
+/// contradict the triangle inequality, on points seen by fewer than three stations, when the problem has null
+/// directions beyond the gauge (fewer points than needed, coplanar stations), and when it does not converge.
 Result<MultilaterationFit> multilaterate(std::span<const Vector3> nominal_mm, std::size_t stations,
                                          std::span<const RangeReading> readings, const MultilaterationOptions& options);
 

@@ -48,9 +48,9 @@ void tell_outliers(const FindingInput& in, std::vector<Finding>& findings) {
                          k == 0 ? "" : "; ", far[k] + 1, station_name(in.options, r.station),
                          point_name(in.options, r.point), in.fit.residuals_mm[far[k]], std::abs(values[far[k]]));
   }
-  findings.push_back({true, fmt::format("{} reading{} not fit the others: {}{}", far.size(),
-                                        far.size() == 1 ? " does" : "s do", which,
-                                        far.size() > most_listed ? "; …" : "")});
+  findings.push_back(
+      {true, fmt::format("{} reading{} not fit the others: {}{}", far.size(), far.size() == 1 ? " does" : "s do", which,
+                         far.size() > most_listed ? "; …" : "")});
 }
 
 /// Bounds of χ²/ν that hold 99.8 % (Wilson and Hilferty).
@@ -78,13 +78,15 @@ void tell_geometry(const FindingInput& in, std::vector<Finding>& findings) {
     std::vector<std::string> names;
     for (std::size_t j : in.mirrored_stations) names.push_back(station_name(in.options, j));
     findings.push_back(
-        {true, fmt::format("the nominal points lie on a plane, and no length tells on which side of it the station{} {} "
-                           "stand{}: all were taken on its upper side",
-                           names.size() == 1 ? "" : "s", listed(names), names.size() == 1 ? "s" : "")});
+        {true,
+         fmt::format("the nominal points lie on a plane, and no length tells on which side of it the station{} {} "
+                     "stand{}: all were taken on its upper side",
+                     names.size() == 1 ? "" : "s", listed(names), names.size() == 1 ? "s" : "")});
   }
   if (in.mirrored)
-    findings.push_back({true, "the lengths fit the mirror image of the nominal points: one of their axes points the "
-                              "wrong way, or two are exchanged"});
+    findings.push_back({true,
+                        "the lengths fit the mirror image of the nominal points: one of their axes points the "
+                        "wrong way, or two are exchanged"});
   if (in.points_seen_by_three > 0)
     findings.push_back({false, fmt::format("{} point{} seen by three stations only: nothing checks the readings there",
                                            in.points_seen_by_three, in.points_seen_by_three == 1 ? " is" : "s are")});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/tracking/multilateration.h"
 
-#include <gmock/gmock.h>
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,8 +39,7 @@ Truth make_truth(const TruthOptions& o) {
   Truth truth;
   for (std::size_t i = 0; i < o.points; ++i) {
     truth.nominal.push_back({1000.0 * uniform(random), 600.0 * uniform(random), 500.0 * uniform(random)});
-    truth.points.push_back(truth.nominal.back() +
-                           o.error_mm * Vector3{normal(random), normal(random), normal(random)});
+    truth.points.push_back(truth.nominal.back() + o.error_mm * Vector3{normal(random), normal(random), normal(random)});
   }
   for (std::size_t j = 0; j < o.stations; ++j) {
     const double angle = 2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(o.stations);
@@ -124,7 +123,9 @@ TEST(Multilateration, follows_a_rigid_motion_of_the_nominal_points) {
   Truth truth = make_truth({.sigma_mm = 1e-3, .seed = 5});
   const auto before = solve(truth, with_sigma(1e-3));
   const double c = std::cos(0.7), s = std::sin(0.7);
-  const auto move = [&](Vector3 p) { return Vector3{c * p.x - s * p.y + 5000.0, s * p.x + c * p.y - 300.0, p.z + 70.0}; };
+  const auto move = [&](Vector3 p) {
+    return Vector3{c * p.x - s * p.y + 5000.0, s * p.x + c * p.y - 300.0, p.z + 70.0};
+  };
   for (Vector3& p : truth.nominal) p = move(p);
   const auto after = solve(truth, with_sigma(1e-3));
   ASSERT_TRUE(before && after);
@@ -170,7 +171,8 @@ TEST(Multilateration, states_covariances_that_hold_the_truth) {
   constexpr int sets = 60;
   for (int set = 0; set < sets; ++set) {
     // Nominal points are exact here, so that the inner constraints of the truth are those of the result.
-    const Truth truth = make_truth({.points = 40, .stations = 5, .sigma_mm = 1e-3, .error_mm = 0.0, .seed = 100u + set});
+    const Truth truth =
+        make_truth({.points = 40, .stations = 5, .sigma_mm = 1e-3, .error_mm = 0.0, .seed = 100u + set});
     auto options = with_sigma(1e-3);
     options.find_breaks = false;
     const auto fit = solve(truth, options);
@@ -179,7 +181,8 @@ TEST(Multilateration, states_covariances_that_hold_the_truth) {
     const double factor = fit->variance_factor();
     for (std::size_t i = 0; i < truth.points.size(); ++i)
       for (std::size_t c = 0; c < 3; ++c) {
-        const double z = (fit->points_mm[i][c] - truth.points[i][c]) / std::sqrt(fit->point_covariances_mm2[i][c][c] / factor);
+        const double z =
+            (fit->points_mm[i][c] - truth.points[i][c]) / std::sqrt(fit->point_covariances_mm2[i][c][c] / factor);
         inside += std::abs(z) < 1.959964;
         ++all;
       }
@@ -208,7 +211,8 @@ TEST(Multilateration, normalised_residuals_have_a_unit_variance) {
 TEST(Multilateration, names_coplanar_stations_and_what_they_leave_open) {
   for (const auto& [stations, open] : {std::pair{4, 2}, std::pair{5, 1}}) {
     for (double sigma : {0.0, 1e-3}) {
-      const Truth truth = make_truth({.stations = static_cast<std::size_t>(stations), .sigma_mm = sigma, .coplanar = true});
+      const Truth truth =
+          make_truth({.stations = static_cast<std::size_t>(stations), .sigma_mm = sigma, .coplanar = true});
       const auto fit = solve(truth);
       ASSERT_FALSE(fit) << stations;
       EXPECT_THAT(fit.error().message, HasSubstr(fmt::format("found {} stations on one plane within", stations)));

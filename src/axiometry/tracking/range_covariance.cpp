@@ -98,8 +98,8 @@ class Covariances {
   PointGauge gauge(Vector3 at) const { return gauge_at(at, centre_, in_.weighting.scale_length_mm, in_.with_size); }
 
   void sum_gauge() {
-    std::vector<GaugeSums> parts(
-        in_.chunks.count, {Dense::Zero(size(), g_), GaugeSquare::Zero(g_, g_), GaugeSquare::Zero(g_, g_)});
+    std::vector<GaugeSums> parts(in_.chunks.count,
+                                 {Dense::Zero(size(), g_), GaugeSquare::Zero(g_, g_), GaugeSquare::Zero(g_, g_)});
     for_chunks(in_.chunks, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
       GaugeSums& sums = parts[chunk];
       PointBlocks blocks;

@@ -60,8 +60,8 @@ struct RangeWeighting {
   }
 };
 
-/// One reading about a state: residual w = κd − l − l_0, and its derivatives by the point (κu), by the station (−κu), by
-/// l_0 (−1) and by κ times the scale length.
+/// One reading about a state: residual w = κd − l − l_0, and its derivatives by the point (κu), by the station (−κu),
+/// by l_0 (−1) and by κ times the scale length.
 struct RangeRow {
   double residual = 0.0;
   double weight = 0.0;  ///< 1/σ²
@@ -79,8 +79,8 @@ inline RangeRow range_row(const RangeLayout& layout, const RangeState& state, co
           (d > 0.0 ? kappa / d : 0.0) * beam, d / weighting.scale_length_mm};
 }
 
-/// Lower triangle of V = Σ weight · along alongᵀ by Cholesky; `weak` where a pivot is nothing but rounding (the beams lie
-/// in one plane), and then made large enough to go on with.
+/// Lower triangle of V = Σ weight · along alongᵀ by Cholesky; `weak` where a pivot is nothing but rounding (the beams
+/// lie in one plane), and then made large enough to go on with.
 struct PointFactor {
   double xx = 0.0, yx = 0.0, yy = 0.0, zx = 0.0, zy = 0.0, zz = 0.0;
   bool weak = false;

@@ -29,8 +29,8 @@ struct ReducedRank {
   std::size_t weakest_station = 0;
 };
 
-/// Rounding in S comes from the difference of U and Σ WᵀV⁻¹W, a few units of 1e-16 for each scaled entry; directions that
-/// a geometry leaves open show eigenvalues of 1e-14 and less, the worst of usable ones 1e-9.
+/// Rounding in S comes from the difference of U and Σ WᵀV⁻¹W, a few units of 1e-16 for each scaled entry; directions
+/// that a geometry leaves open show eigenvalues of 1e-14 and less, the worst of usable ones 1e-9.
 ReducedRank reduced_rank(const ReducedSystem& system, const GaugeDirections& gauge, const RangeLayout& layout);
 
 }  // namespace axiometry::tracking::detail

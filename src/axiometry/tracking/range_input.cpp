@@ -30,7 +30,8 @@ Result<void> check_numbers(const RangeInput& in) {
                               r.length_mm, k + 1, station_name(in.options, r.station),
                               point_name(in.options, r.point)));
     if (r.segment >= in.readings.size())
-      return fail(fmt::format("found segment {} in reading {}, expected fewer segments than readings", r.segment, k + 1));
+      return fail(
+          fmt::format("found segment {} in reading {}, expected fewer segments than readings", r.segment, k + 1));
   }
   return {};
 }
@@ -67,14 +68,16 @@ std::string_view unit_advice(const StationReadings& s) {
 Result<std::vector<LengthStep>> broken_triangles(const RangeInput& in, const StationReadings& s, std::size_t j) {
   TriangleCheck check = check_triangles(s);
   if (check.violations.size() > 2 + check.pairs / 10) {
-    const auto worst = std::ranges::max_element(check.violations, {}, [](const auto& v) { return std::abs(v.jump_mm); });
+    const auto worst =
+        std::ranges::max_element(check.violations, {}, [](const auto& v) { return std::abs(v.jump_mm); });
     const std::size_t k = worst->before;
     std::size_t before = k - 1;
     while (s.segment[before] != s.segment[k]) --before;
-    return fail(fmt::format("found lengths of station {} that change by more than their points are apart in {} of {} "
-                            "places (by {:.3f} mm over {:.3f} mm before reading {}), expected less{}",
-                            station_name(in.options, j), check.violations.size(), check.pairs, worst->jump_mm,
-                            distance(s.nominal_mm[k], s.nominal_mm[before]), s.reading[k] + 1, unit_advice(s)));
+    return fail(
+        fmt::format("found lengths of station {} that change by more than their points are apart in {} of {} "
+                    "places (by {:.3f} mm over {:.3f} mm before reading {}), expected less{}",
+                    station_name(in.options, j), check.violations.size(), check.pairs, worst->jump_mm,
+                    distance(s.nominal_mm[k], s.nominal_mm[before]), s.reading[k] + 1, unit_advice(s)));
   }
   return std::move(check.violations);
 }
@@ -116,9 +119,10 @@ Result<StationStart> start_one(const RangeInput& in, StationReadings& s, std::si
     note(settled);
   }
   if (start.rms_mm > 2.0 + 0.02 * spread_of(s))
-    return fail(fmt::format("found lengths of station {} that leave {:.3f} mm (root mean square) to the nominal points "
-                            "from the place that fits best, expected a few tenths{}",
-                            name, start.rms_mm, unit_advice(s)));
+    return fail(
+        fmt::format("found lengths of station {} that leave {:.3f} mm (root mean square) to the nominal points "
+                    "from the place that fits best, expected a few tenths{}",
+                    name, start.rms_mm, unit_advice(s)));
   return start;
 }
 
@@ -153,10 +157,10 @@ Result<RangeCounts> check_ranges(const RangeInput& in) {
     if (stations_of[i] == stations_of_point_least) ++counts.points_seen_by_three;
   }
   if (!rare.empty())
-    return fail(fmt::format("found {} point{} seen by fewer than {} stations ({}), expected {} or more for each: leave "
-                            "such points out",
-                            rare.size(), rare.size() == 1 ? "" : "s", stations_of_point_least, listed(rare),
-                            stations_of_point_least));
+    return fail(fmt::format(
+        "found {} point{} seen by fewer than {} stations ({}), expected {} or more for each: leave "
+        "such points out",
+        rare.size(), rare.size() == 1 ? "" : "s", stations_of_point_least, listed(rare), stations_of_point_least));
   return counts;
 }
 
@@ -170,9 +174,10 @@ Result<void> check_counts(const RangeInput& in, MultilaterationRank& rank, std::
   rank.equations = in.readings.size() + (prior ? scales : 0);
   rank.points_least = points_least(in.stations, scale).value_or(0);
   if (rank.equations >= rank.unknowns) return {};
-  return fail(fmt::format("found {} points from {} stations: {} equations for {} unknowns, expected at least as many; "
-                          "{} points are the least for {} stations that see all of them",
-                          n, in.stations, rank.equations, rank.unknowns, rank.points_least, in.stations));
+  return fail(
+      fmt::format("found {} points from {} stations: {} equations for {} unknowns, expected at least as many; "
+                  "{} points are the least for {} stations that see all of them",
+                  n, in.stations, rank.equations, rank.unknowns, rank.points_least, in.stations));
 }
 
 Result<RangeStarts> start_all(const RangeInput& in) {
@@ -193,7 +198,8 @@ Result<RangeStarts> start_all(const RangeInput& in) {
 std::optional<RangeBreak> find_residual_step(const RangeInput& in, std::span<const double> residuals,
                                              std::span<const std::size_t> segments) {
   constexpr std::size_t window_most = 20, window_least = 3;
-  // Standard deviations of a difference of means, more than noise alone shows somewhere; a fit decides about what is found.
+  // Standard deviations of a difference of means, more than noise alone shows somewhere; a fit decides about what is
+  // found.
   const double far = std::max(4.0, 0.5 + std::sqrt(2.0 * std::log(static_cast<double>(residuals.size()))));
   std::vector<std::vector<std::size_t>> readings(in.stations);
   for (std::size_t k = 0; k < in.readings.size(); ++k) readings[in.readings[k].station].push_back(k);

@@ -19,7 +19,7 @@ struct RangeInput {
 };
 
 struct RangeCounts {
-  std::size_t segments = 0;             ///< of all stations
+  std::size_t segments = 0;  ///< of all stations
   std::size_t points_seen_by_three = 0;
 };
 

@@ -44,8 +44,8 @@ struct StationSpread {
 };
 StationSpread station_spread(std::span<const Vector3> stations_mm);
 
-/// How many directions coplanar stations leave open beyond the gauge: 2, 1 for 4, 5 stations with fixed scale, 4, 3, 2, 1
-/// for 4 to 7 with free scales.
+/// How many directions coplanar stations leave open beyond the gauge: 2, 1 for 4, 5 stations with fixed scale, 4, 3, 2,
+/// 1 for 4 to 7 with free scales.
 std::size_t coplanar_null_directions(std::size_t stations, bool free_scales);
 
 /// Moves, turns and, with `with_size`, sizes the state onto the nominal points by least squares; mirrors it where that

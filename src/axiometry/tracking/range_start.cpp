@@ -178,7 +178,8 @@ Result<StationStart> start_station(const StationReadings& r, const std::string& 
   const std::vector<std::size_t> chosen = sample(n, linear_most);
   const Cloud cloud = cloud_of(r, n > linear_most && r.segments > 1 ? sample(n, n) : chosen);
   if (!(cloud.radius > 0.0))
-    return fail(fmt::format("found all {} nominal points of station {} at one place, expected different ones", n, name));
+    return fail(
+        fmt::format("found all {} nominal points of station {} at one place, expected different ones", n, name));
 
   Refinement refinement(r, r.segments > 1 ? sample(n, n) : chosen);
   Refined best;
@@ -197,8 +198,8 @@ Result<StationStart> start_station(const StationReadings& r, const std::string& 
   if (cloud.thickness < 1e-3 && std::abs(height) > 1e-6 * cloud.radius) {
     const Refined other = refinement.from(best.station - 2.0 * height * cloud.normal);
     const double least = 1e-6 * cloud.radius;  // of the residuals that tell them apart
-    const bool ambiguous = rms(other) < 2.0 * rms(best) + least &&
-                           (other.station - best.station).norm() > 1e-3 * cloud.radius;
+    const bool ambiguous =
+        rms(other) < 2.0 * rms(best) + least && (other.station - best.station).norm() > 1e-3 * cloud.radius;
     if (ambiguous) {
       const bool take_other = height < 0.0;
       start.mirror_mm = vector(take_other ? best.station : other.station);

@@ -9,8 +9,8 @@
 #include "axiometry/base/result.h"
 #include "axiometry/tracking/multilateration.h"
 
-/// Where each station about stands, found from the nominal points alone; and breaks of the beam that its readings do not
-/// state. Internal to multilaterate().
+/// Where each station about stands, found from the nominal points alone; and breaks of the beam that its readings do
+/// not state. Internal to multilaterate().
 namespace axiometry::tracking::detail {
 
 /// The readings of one station in the order of measurement.
@@ -25,14 +25,14 @@ struct StationReadings {
 
 struct StationStart {
   Vector3 station_mm;
-  std::vector<double> dead_mm;  ///< per segment
-  double rms_mm = 0.0;          ///< of the residuals, which hold the machine's errors
+  std::vector<double> dead_mm;         ///< per segment
+  double rms_mm = 0.0;                 ///< of the residuals, which hold the machine's errors
   std::optional<Vector3> mirror_mm{};  ///< fits as well: the nominal points lie on a plane
 };
 
 /// Eq. 14 for the longest segment, then least squares on the distances with one dead path for each segment; from many
-/// starts where eq. 14 has no unique solution. Of two mirror images the one on the upper side of the plane (+Z, else +Y,
-/// else +X). Fails on fewer readings than unknowns. `name` is that of the station, for messages.
+/// starts where eq. 14 has no unique solution. Of two mirror images the one on the upper side of the plane (+Z, else
+/// +Y, else +X). Fails on fewer readings than unknowns. `name` is that of the station, for messages.
 Result<StationStart> start_station(const StationReadings& readings, const std::string& name);
 
 /// The step that explains the residuals about a start better than anything else, where it is well above their scatter

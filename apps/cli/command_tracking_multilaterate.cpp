@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/multilaterate.h"
+#include "axiometry/base/text.h"
+#include "command_tracking.h"
+#include "commands.h"
+#include "document_text.h"
+#include "experiment_flags.h"
+#include "failure.h"
+#include "option_text.h"
+
+namespace axiometry::cli {
+namespace {
+
+constexpr const char* examples =
+    R"(The columns are point,station,length_mm, where a beam was broken segment, and x_mm,y_mm,z_mm of the nominal points
+here or in --points. Readings of one station stand in the order of measurement. Four stations need ten points, five
+seven, six and more six; up to five must not stand on one plane.
+Examples:
+  axiometry tracking multilaterate ranges.csv --points nominal.csv
+  axiometry tracking multilaterate ranges.csv --repeatability 0.5 --out points.csv --report m.pdf
+  axiometry tracking multilaterate ranges.csv --scale free --scale-prior 0.1 --json -)";
+
+struct Arguments {
+  app::MultilaterateRequest request;
+  app::MultilateratedNames names;
+  ExperimentArguments outputs;
+};
+
+using tracking::ScaleModel;
+
+Result<ScaleModel> scale_of(const std::string& word) {
+  if (word == "fixed") return ScaleModel::fixed;
+  if (word == "common") return ScaleModel::common;
+  if (word == "free") return ScaleModel::free;
+  return fail(fmt::format("found {}, expected fixed, common or free", text::quoted(word)));
+}
+
+/// A number of 0 or more, or above it.
+void add_bounded(CLI::App& verb, const OptionText& text, bool zero_allowed, std::function<void(double)> put) {
+  add_number(verb, text, [name = text.name, zero_allowed, put = std::move(put)](double x) {
+    if (x < 0.0 || (!zero_allowed && x == 0.0))
+      throw CLI::ValidationError(
+          name, fmt::format("found {}, expected {}", x, zero_allowed ? "0 or more" : "a number above 0"));
+    put(x);
+  })->group("Model");
+}
+
+void add_model(CLI::App& verb, tracking::MultilaterationOptions& options) {
+  add_read(verb, {"--scale", "MODEL", "Scale of the lengths: fixed, common (one unknown) or free (one each) (fixed)"},
+           [&options](const std::string& word) -> Result<void> {
+             AXIOMETRY_TRY(options.scale, scale_of(word));
+             return {};
+           })
+      ->group("Model");
+  add_bounded(verb, {"--scale-prior", "PPM", "Standard uncertainty of an unknown scale about 1, in 10⁻⁶ (none)"}, false,
+              [&options](double ppm) { options.scale_prior = 1e-6 * ppm; });
+  add_bounded(verb, {"--ranging-constant", "UM", "a of U = a + b·L of the instrument (k = 2), µm (0.2)"}, true,
+              [&options](double um) { options.ranging.constant = Length::um(um); });
+  add_bounded(verb, {"--ranging-per-length", "UM_PER_M", "b of it, µm/m (0.3)"}, true,
+              [&options](double b) { options.ranging.per_length = RelativeLength::um_per_m(b); });
+  add_bounded(verb,
+              {"--repeatability", "UM", "Standard uncertainty of the machine between stations along a beam, µm (0)"},
+              true, [&options](double um) { options.repeatability_sigma_mm = 1e-3 * um; });
+  verb.add_flag_callback(
+          "--no-breaks", [&options] { options.find_breaks = false; },
+          "Do not look for breaks of the beam that the file does not state")
+      ->group("Model");
+  verb.add_flag_callback(
+          "--no-covariances", [&options] { options.point_covariances = false; },
+          "No covariances of points and no search for readings that do not fit")
+      ->group("Model");
+}
+
+/// What a terminal shows of the report.
+report::Document summary_of(report::Document document) {
+  std::erase_if(document.sections, [](const report::Section& s) { return s.id == "method" || s.id == "source"; });
+  return document;
+}
+
+int run(Arguments& arguments) {
+  std::vector<app::InputFile> inputs = {{arguments.request.ranges, false}};
+  if (!arguments.request.points.empty()) inputs.push_back({arguments.request.points, false});
+  arguments.names.outputs = arguments.outputs.outputs;
+  arguments.names.outputs.inputs = app::InputFiles(inputs);
+  if (auto spared = app::check_inputs_spared(arguments.names.outputs); !spared)
+    return failed(spared.error(), exit_usage);
+  const auto result = app::multilaterate_files(arguments.request);
+  if (!result) return failed(result.error());
+  const report::Document document = app::compose(**result, arguments.outputs.report);
+  if (!arguments.outputs.quiet && arguments.outputs.outputs.json != "-")
+    fmt::print("{}", document_text(summary_of(document), Terminal(ColourChoice::automatic)));
+  const auto written = app::write_outputs(**result, document, arguments.names, arguments.outputs.report);
+  return written ? exit_done : failed(written.error());
+}
+
+}  // namespace
+
+void add_tracking_multilaterate(CLI::App& tracking, int& exit_code) {
+  CLI::App* verb = tracking.add_subcommand(
+      "multilaterate", "Points and stations from lengths between them: several stations, or one in sequence");
+  verb->footer(examples);
+  auto arguments = std::make_shared<Arguments>();
+  verb->add_option("RANGES", arguments->request.ranges, "Lengths as CSV, or - for the standard input")->required();
+  verb->add_option("--points", arguments->request.points, "Nominal points as CSV: point,x_mm,y_mm,z_mm")
+      ->type_name("FILE");
+  add_model(*verb, arguments->request.options);
+  verb->add_option("--out", arguments->names.points, "The points found, as CSV to FILE")
+      ->type_name("FILE")
+      ->group("Outputs");
+  verb->add_option("--residuals", arguments->names.residuals, "Every reading with its residual, as CSV to FILE")
+      ->type_name("FILE")
+      ->group("Outputs");
+  add_experiment_flags(*verb, arguments->outputs);
+  verb->callback([arguments, &exit_code] {
+    check_experiment_outputs(arguments->outputs);
+    const auto& options = arguments->request.options;
+    if (options.scale == ScaleModel::fixed && options.scale_prior > 0.0)
+      throw CLI::ValidationError("--scale-prior", "found it with a fixed scale, expected --scale common or free");
+    if (!(options.ranging.standard_mm(1000.0) > 0.0) && options.repeatability_sigma_mm == 0.0)
+      throw CLI::ValidationError("--ranging-constant", "found an uncertainty of 0, expected one above 0 to weigh by");
+    exit_code = run(*arguments);
+  });
+}
+
+}  // namespace axiometry::cli
