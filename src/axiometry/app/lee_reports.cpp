@@ -190,6 +190,10 @@ Experiment present(const CoordinateOffset& r, const report::Options& options) {
 Experiment present(std::span<const ProportionalError> results, const report::Options& options) {
   Experiment experiment{experiment_document("Proportional error", fmt::format(fmt::runtime(paper), "2.3, Table 3")),
                         Value::object()};
+  if (!results.empty())
+    experiment.document.identity = {
+        {plain("True station"), word_cell(vector_text(results.front().fixture.station_mm, options))},
+        {plain("Points"), word_cell(fmt::format("{}", results.front().fixture.points_mm.size()))}};
   experiment.json.add("result", "proportional-error");
   Value& list = experiment.json.add("fixtures", Value::array());
   for (const ProportionalError& r : results) {
