@@ -105,7 +105,7 @@ std::vector<report::RichText> judgements(const ProportionalError& r, const repor
   return {
       plain(fmt::format("{} against the printed table (misprint corrected): rms {}, largest {}.",
                         r.fixture.refined ? "Refined" : "eq. 14", size(r.rms_mm), size(r.largest_mm))),
-      plain(fmt::format("Printed 0.40 in the row z, −; found {}: a misprint for 0.04.",
+      plain(fmt::format("Printed 0.40 in the row z, −, a misprint for 0.04; found {}.",
                         format_fixed(r.misprinted_mm, 4, options.numbers))),
       plain(fmt::format("Odd within {}, additive within {}.", size(r.oddness_mm), size(r.additivity_mm))),
       plain(fmt::format("The two estimators are up to {} apart.", size(r.estimators_apart_mm))),
