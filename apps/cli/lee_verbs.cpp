@@ -63,6 +63,19 @@ void add_set(CLI::App& verb, lee::Set& set, Points& points) {
   add_noise(verb, set.noise, set.seed);
 }
 
+/// Where a scale has its origin.
+Result<void> put_place(const std::string& text, Vector3 station_mm, Vector3& target) {
+  if (text == "home" || text == "station") {
+    target = text == "home" ? Vector3{} : station_mm;
+    return {};
+  }
+  if (const auto place = app::parse_vector(text)) {
+    target = *place;
+    return {};
+  }
+  return fail(fmt::format("found the place {}, expected home, station or X,Y,Z", text::quoted(text)));
+}
+
 /// Runs `compute` when the verb is given.
 template <typename Compute>
 void on_call(CLI::App& verb, const std::shared_ptr<ExperimentArguments>& outputs, int& exit_code, Compute compute) {
@@ -126,10 +139,7 @@ void add_proportional_error(CLI::App& simulate, int& exit_code) {
             std::vector<lee::Fixture> chosen;
             if (!a->points.given.empty()) {
               lee::Fixture given{"given", a->error, a->set.station_mm, {}, a->estimator == "refined", a->points.given};
-              if (a->about == "station")
-                given.origin_mm = a->set.station_mm;
-              else if (a->about != "home")
-                AXIOMETRY_TRY_VOID(put_vector(a->about, given.origin_mm));
+              AXIOMETRY_TRY_VOID(put_place(a->about, a->set.station_mm, given.origin_mm));
               chosen.push_back(given);
             } else {
               for (const lee::Fixture& f : lee::fixtures())
@@ -176,10 +186,7 @@ void add_slope(CLI::App& simulate, int& exit_code) {
   on_call(*verb, std::make_shared<ExperimentArguments>(), exit_code,
           [a](const report::Options& options) -> Result<app::Experiment> {
             a->points.put(a->request.set.points_mm);
-            if (a->about == "station")
-              a->request.origin_mm = a->request.set.station_mm;
-            else if (a->about != "home")
-              AXIOMETRY_TRY_VOID(put_vector(a->about, a->request.origin_mm));
+            AXIOMETRY_TRY_VOID(put_place(a->about, a->request.set.station_mm, a->request.origin_mm));
             AXIOMETRY_TRY(const auto result, lee::slopes(a->request));
             return lee::present(result, options);
           });

@@ -105,7 +105,7 @@ std::vector<report::RichText> judgements(const ProportionalError& r, const repor
   return {
       plain(fmt::format("{} against the printed table (misprint corrected): rms {}, largest {}.",
                         r.fixture.refined ? "Refined" : "eq. 14", size(r.rms_mm), size(r.largest_mm))),
-      plain(fmt::format("Printed 0.40 in the row z, −; found {}: a misprint for 0.04.",
+      plain(fmt::format("Printed 0.40 in the row z, −, a misprint for 0.04; found {}.",
                         format_fixed(r.misprinted_mm, 4, options.numbers))),
       plain(fmt::format("Odd within {}, additive within {}.", size(r.oddness_mm), size(r.additivity_mm))),
       plain(fmt::format("The two estimators are up to {} apart.", size(r.estimators_apart_mm))),
@@ -190,6 +190,10 @@ Experiment present(const CoordinateOffset& r, const report::Options& options) {
 Experiment present(std::span<const ProportionalError> results, const report::Options& options) {
   Experiment experiment{experiment_document("Proportional error", fmt::format(fmt::runtime(paper), "2.3, Table 3")),
                         Value::object()};
+  if (!results.empty())
+    experiment.document.identity = {
+        {plain("True station"), word_cell(vector_text(results.front().fixture.station_mm, options))},
+        {plain("Points"), word_cell(fmt::format("{}", results.front().fixture.points_mm.size()))}};
   experiment.json.add("result", "proportional-error");
   Value& list = experiment.json.add("fixtures", Value::array());
   for (const ProportionalError& r : results) {
