@@ -21,8 +21,6 @@
 namespace axiometry::app {
 namespace {
 
-constexpr double highest_elevation_deg = 90.0;
-
 Result<TrackingSetup> setup_from_file(const std::string& file) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(file));
   if (formats::is_tracking_plan(bytes)) {
@@ -109,9 +107,7 @@ std::vector<std::string> suggestions(const TrackingSetup& setup, const TrackingP
 
 Result<TrackingSetup> setup_of(const SetupRequest& request) {
   TrackingSetup setup;
-  if (request.file.empty()) {
-    setup.limits.elevation_highest_deg = highest_elevation_deg;
-  } else {
+  if (!request.file.empty()) {
     AXIOMETRY_TRY(setup, setup_from_file(request.file));
   }
   if (request.file.empty() && !request.travel)

@@ -40,7 +40,7 @@ struct TrackerLimits {
   double range_least_mm = 200.0;
   double range_most_mm = 15'000.0;
   double elevation_lowest_deg = -20.0;  ///< of the beam above the plane of X and Y
-  double elevation_highest_deg = 80.0;
+  double elevation_highest_deg = 90.0;
   Vector3 reflector_axis = {0.0, 0.0, -1.0};  ///< where the reflector looks, from the spindle
   double incidence_most_deg = 60.0;           ///< between the beam and that axis
   double safe_radius_mm = 120.0;              ///< nothing of the machine comes nearer to the station

@@ -246,6 +246,7 @@ struct Setter {
 
   /// Axis, machine, date, … side by side.
   void set_identity(const std::vector<Fact>& identity) const {
+    if (identity.empty()) return;
     constexpr double gap = 10.0;
     // One that has much to say gets the room of two.
     constexpr std::size_t much = 18;  // bytes

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "axiometry/report/writer.h"
 #include "tests/support/report_subject.h"
 
 namespace axiometry::report {
@@ -87,6 +88,13 @@ TEST(PdfWriter, AddsNoHyphenWhereItBreaksASerialNumber) {
   EXPECT_THAT(*text, HasSubstr("QQQQ"));
   EXPECT_THAT(*text, ::testing::Not(HasSubstr("Q-")));
   EXPECT_THAT(*text, ::testing::Not(HasSubstr("Q\u2010")));
+}
+
+TEST(PdfWriter, SetsADocumentOfATitleAlone) {
+  const Writer* writer = find_writer("pdf");
+  const auto pdf = writer->set(Document{.title = "Nothing but a title"}, {});
+  ASSERT_TRUE(pdf) << pdf.error().to_string();
+  EXPECT_TRUE(pdf->starts_with("%PDF-"));
 }
 
 TEST(PdfWriter, WritesTheSameBytesAgain) {
