@@ -4,7 +4,7 @@
 
 Usage: tests/station_oracle.py PROGRAM [COUNT] [SEED]
 
-Equation 14 of Lee et al., Sensors 16 (2016) 482, by numpy's least squares; the refinement by scipy's; rank and condition
+Equation 14 of Lee et al., Sensors 16 (2016) 482, by numpy's least squares; the refinement by plain Gauss-Newton; rank and condition
 from numpy's singular values of the matrix centred by the mean of the points and of the lengths and divided by the rms
 distance of the points from their mean; covariance as (J^T W J)^-1 with chi^2/nu where that is above 1. Shares nothing with
 the C++ code but the paper.
@@ -15,7 +15,6 @@ import sys
 import tempfile
 
 import numpy as np
-from scipy.optimize import least_squares
 
 CONSTANT_UM, PER_LENGTH_UM_PER_M = 0.2, 0.3  # U = a + b L, k = 2: the program's defaults
 
@@ -34,22 +33,16 @@ def linear(p, dl):
 
 
 def refined(p, dl, start, l0):
-    def sigma(s):
-        lengths = np.linalg.norm(p - s, axis=1)
-        return (CONSTANT_UM * 1e-3 + PER_LENGTH_UM_PER_M * 1e-6 * lengths) / 2
-
-    weights = sigma(start)
-    for _ in range(3):  # the weights follow the distances
-        fit = least_squares(lambda x: (np.linalg.norm(p - x[:3], axis=1) - x[3] - dl) / weights, [*start, l0],
-                            x_scale=[1, 1, 1, 1], xtol=1e-15, ftol=1e-15, gtol=1e-15)
-        start, l0 = fit.x[:3], fit.x[3]
-        weights = sigma(start)
-    u = (p - start) / np.linalg.norm(p - start, axis=1)[:, None]
-    jacobian = np.column_stack([-u, -np.ones(len(p))]) / weights[:, None]
-    residuals = np.linalg.norm(p - start, axis=1) - l0 - dl
+    x = np.array([*start, l0])
+    for _ in range(60):  # Gauss-Newton; the weights follow the distances
+        lengths = np.linalg.norm(p - x[:3], axis=1)
+        weights = (CONSTANT_UM * 1e-3 + PER_LENGTH_UM_PER_M * 1e-6 * lengths) / 2
+        residuals = lengths - x[3] - dl
+        jacobian = np.column_stack([-(p - x[:3]) / lengths[:, None], -np.ones(len(p))]) / weights[:, None]
+        x -= np.linalg.lstsq(jacobian, residuals / weights, rcond=None)[0]
     chi2, dof = ((residuals / weights) ** 2).sum(), len(p) - 4
     covariance = np.linalg.inv(jacobian.T @ jacobian)[:3, :3] * max(1.0, chi2 / dof if dof > 0 else 1.0)
-    return start, l0, covariance, residuals
+    return x[:3], x[3], covariance, residuals
 
 
 def make(rng):
