@@ -149,7 +149,8 @@ Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
   auto plan = tracking::plan_lines(setup, request.lines);
   if (!plan) {
     Error error = std::move(plan).error();
-    for (const std::string& remark : remarks) error.message += "; " + remark;
+    if (error.message.starts_with(tracking::none_left))
+      for (const std::string& remark : remarks) error.message += "; " + remark;
     return std::unexpected(std::move(error));
   }
   plan->remarks.insert(plan->remarks.begin(), remarks.begin(), remarks.end());

@@ -94,7 +94,7 @@ class Planner {
       else
         add_diagonal(*box_diagonal(setup_.travel, id));
     }
-    if (plan_.lines.empty()) return fail(none_left());
+    if (plan_.lines.empty()) return fail(why_none());
     order_lines();
     AXIOMETRY_TRY_VOID(connect());
     return std::move(plan_);
@@ -179,11 +179,11 @@ class Planner {
   }
 
   /// The reason that all share, or that of each.
-  std::string none_left() const {
+  std::string why_none() const {
     const auto& lost = plan_.lost;
     const bool alike = std::ranges::all_of(lost, [&](const LostLine& l) { return l.reason == lost.front().reason; });
     if (alike && lost.front().reason.starts_with("found")) return lost.front().reason;
-    std::string text = "found no line that can be measured, expected one at least";
+    std::string text(tracking::none_left);
     for (const LostLine& line : lost) text += fmt::format("; {}: {}", line.id, line.reason);
     return text;
   }

@@ -8,6 +8,8 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/tracking/line_attempt.h"
+#include "axiometry/tracking/obstacles.h"
+#include "axiometry/tracking/visibility.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -101,6 +103,11 @@ Result<void> check_setup(const TrackingSetup& setup) {
           fmt::format("found the obstacle \"{}\" without extent, expected lower and then higher ends, and "
                       "radii and heights above 0",
                       obstacle.name));
+  for (const Obstacle& obstacle : setup.obstacles)
+    if (const double beside = distance_to(obstacle, setup.station.position_mm); beside < beam_margin_mm)
+      return fail(
+          fmt::format("found the station {:.1f} mm from the obstacle \"{}\", expected it {} mm outside at least",
+                      beside, obstacle.name, beam_margin_mm));
   return check_station_near(setup);
 }
 

@@ -74,6 +74,9 @@ struct LinesRequest {
   std::string title = {}, machine = {}, date = {};
 };
 
+/// How the error begins when no line is left; the reasons follow.
+inline constexpr std::string_view none_left = "found no line that can be measured, expected one at least";
+
 /// Intervals, targets (formula (1) of ISO 230-2 along the line), and safe ways from line to line. Lines that cannot be
 /// measured are in `lost`. Fails when none is left, on ids that are no lines, and as check_setup() and make_plan() do.
 ///

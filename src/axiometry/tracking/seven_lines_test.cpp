@@ -357,6 +357,8 @@ TEST(SevenLines, RefusesWhatCannotBePlanned) {
   setup = machine({100, 80, -600});
   setup.obstacles = {{"flat", BoxObstacle{{0, 0, 0}, {1, 1, 0}}}};
   EXPECT_THAT(refusal(setup), HasSubstr("\"flat\" without extent"));
+  setup.obstacles = {{"table", BoxObstacle{{0, 0, -800}, {800, 600, -590}}}};
+  EXPECT_THAT(refusal(setup), HasSubstr("found the station 0.0 mm from the obstacle \"table\""));
 }
 
 TEST(SevenLines, SuggestsAStationThatKeepsMore) {
