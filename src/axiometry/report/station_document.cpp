@@ -18,6 +18,7 @@ using tracking::StationLocation;
 
 constexpr char axis_names[] = {'X', 'Y', 'Z'};
 constexpr std::size_t most_points_shown = 500;
+constexpr std::size_t most_beams_shown = 20;
 
 TableCell number(double x, int decimals, const Options& options) {
   return text_cell(format_fixed(x, decimals, options.numbers));
@@ -163,10 +164,13 @@ Layout station_layout(const StationSubject& subject) {
   for (const LocationPoint& p : subject.points) {
     if (layout.points_mm.size() == most_points_shown) break;
     layout.points_mm.push_back(p.at_mm);
+    if (subject.points.size() <= most_beams_shown)
+      layout.lines.push_back({.begin_mm = subject.location.refined.station_mm, .end_mm = p.at_mm, .label = ""});
   }
   layout.title = "The station and the points from which it was found";
   layout.description =
-      "The points of the reflector in space and the station, in a parallel projection and three views.";
+      "The points of the reflector in space, the station and the beams to them, in a parallel projection and three "
+      "views.";
   return layout;
 }
 
