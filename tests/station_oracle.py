@@ -1,166 +1,113 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks `axiometry tracking locate` against eq. 14 and the nonlinear problem solved anew with numpy and scipy.
+"""Random station locations, written as CSV, solved by the program and by this independent script.
 
-  station_oracle.py AXIOMETRY
+Usage: tests/station_oracle.py PROGRAM [COUNT] [SEED]
 
-Random layouts, exact and noisy; every critical surface; the program must name it, and its rank and condition must be
-those of numpy for the matrix that docs/theory/station.md states.
+Equation 14 of Lee et al., Sensors 16 (2016) 482, by numpy's least squares; the refinement by scipy's; rank and condition
+from numpy's singular values of the matrix centred by the mean of the points and of the lengths and divided by the rms
+distance of the points from their mean; covariance as (J^T W J)^-1 with chi^2/nu where that is above 1. Shares nothing with
+the C++ code but the paper.
 """
 import json
 import subprocess
 import sys
+import tempfile
 
 import numpy as np
 from scipy.optimize import least_squares
 
-PROGRAM = sys.argv[1]
-RNG = np.random.default_rng(20260118)
-COMPARED = 0
+CONSTANT_UM, PER_LENGTH_UM_PER_M = 0.2, 0.3  # U = a + b L, k = 2: the program's defaults
 
 
-def located(points, lengths, *options):
-    rows = "x_mm,y_mm,z_mm,length_difference_mm\n" + "".join(
-        ",".join(repr(float(v)) for v in (*p, d)) + "\n" for p, d in zip(points, lengths))
-    run = subprocess.run([PROGRAM, "tracking", "locate", "-", "--json", "-", *options], input=rows, text=True,
-                         capture_output=True, check=False)
-    if run.returncode not in (0, 3):
-        raise AssertionError(f"exit {run.returncode}: {run.stderr}\n{rows}")
-    return json.loads(run.stdout), run.returncode
+def scaled_matrix(p, dl):
+    centre, mean = p.mean(axis=0), dl.mean()
+    radius = np.sqrt(((p - centre) ** 2).sum(axis=1).mean())
+    q, d = (p - centre) / radius, (dl - mean) / radius
+    return np.column_stack([2 * q, 2 * d, -np.ones(len(q))]), (q**2).sum(axis=1) - d**2, centre, mean, radius
 
 
-def expect(condition, what):
-    global COMPARED
-    COMPARED += 1
-    if not condition:
-        raise AssertionError(what)
+def linear(p, dl):
+    m, b, centre, mean, radius = scaled_matrix(p, dl)
+    x, _, rank, sv = np.linalg.lstsq(m, b, rcond=None)
+    return x[:3] * radius + centre, x[3] * radius - mean, int(rank), sv[0] / sv[-1]
 
 
-def close(found, expected, tolerance, what):
-    expect(np.all(np.abs(np.asarray(found) - np.asarray(expected)) <= tolerance), f"{what}: {found} is not {expected}")
+def refined(p, dl, start, l0):
+    def sigma(s):
+        lengths = np.linalg.norm(p - s, axis=1)
+        return (CONSTANT_UM * 1e-3 + PER_LENGTH_UM_PER_M * 1e-6 * lengths) / 2
+
+    weights = sigma(start)
+    for _ in range(3):  # the weights follow the distances
+        fit = least_squares(lambda x: (np.linalg.norm(p - x[:3], axis=1) - x[3] - dl) / weights, [*start, l0],
+                            x_scale=[1, 1, 1, 1], xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        start, l0 = fit.x[:3], fit.x[3]
+        weights = sigma(start)
+    u = (p - start) / np.linalg.norm(p - start, axis=1)[:, None]
+    jacobian = np.column_stack([-u, -np.ones(len(p))]) / weights[:, None]
+    residuals = np.linalg.norm(p - start, axis=1) - l0 - dl
+    chi2, dof = ((residuals / weights) ** 2).sum(), len(p) - 4
+    covariance = np.linalg.inv(jacobian.T @ jacobian)[:3, :3] * max(1.0, chi2 / dof if dof > 0 else 1.0)
+    return start, l0, covariance, residuals
 
 
-def matrix_of(points, lengths):
-    """Rows [2p, 2ΔL, −1], centred and divided by the rms radius."""
-    p = points - points.mean(axis=0)
-    d = lengths - lengths.mean()
-    scale = np.sqrt((p**2).sum(axis=1).mean())
-    return np.column_stack([2 * p / scale, 2 * d / scale, -np.ones(len(p))])
+def make(rng):
+    n = int(rng.integers(6, 13))
+    station = rng.uniform([-800, -800, -600], [800, 800, 100])
+    points = np.round(station + np.column_stack([rng.uniform(-600, 600, n), rng.uniform(-600, 600, n),
+                                                 rng.uniform(80, 700, n)]), 3)
+    lengths = np.linalg.norm(points - station, axis=1)
+    noise = rng.choice([0.0, 0.0002, 0.001, 0.004])
+    zero = lengths[0] if rng.random() < 0.7 else rng.uniform(0, 500)
+    return points, np.round(lengths - zero + rng.normal(0, noise, n), 7), station, noise
 
 
-def eq14(points, lengths):
-    """In the coordinates as they are, by another decomposition than the program's."""
-    scale = np.array([1, 1, 1, 1, 1e3])
-    m = np.column_stack([2 * points, 2 * lengths, -np.ones(len(points))]) * scale
-    x, *_ = np.linalg.lstsq(m, (points**2).sum(axis=1) - lengths**2, rcond=None)
-    x = x * scale
-    return x[:3], x[3], x[4]
+def check(program, rng, index):
+    p, dl, station, noise = make(rng)
+    with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
+        file.write("x_mm,y_mm,z_mm,length_difference_mm\n")
+        for point, d in zip(p, dl):
+            file.write(",".join(repr(float(v)) for v in [*point, d]) + "\n")
+        file.flush()
+        done = subprocess.run([program, "tracking", "locate", file.name, "--json", "-", "--near",
+                               ",".join(f"{v:.0f}" for v in station)], capture_output=True, text=True)
+    if done.returncode not in (0, 3):
+        raise SystemExit(f"case {index}: {done.stderr}")
+    answer = json.loads(done.stdout)
+
+    def near(what, found, expected, within):
+        worst = np.max(np.abs(np.asarray(found, float) - np.asarray(expected, float)))
+        if not worst <= within:
+            raise SystemExit(f"case {index}, {what}: found {found}, expected {expected} within {within}\n"
+                             f"{np.column_stack([p, dl]).tolist()}")
+
+    s14, l14, rank, condition = linear(p, dl)
+    if answer["linear"]["rank"] != rank:
+        raise SystemExit(f"case {index}: found rank {answer['linear']['rank']}, expected {rank}")
+    near("condition, relative", answer["linear"]["condition"] / condition, 1.0, 1e-6)
+    # Both solvers lose as many digits as the condition has.
+    loss = 1e-12 * condition * 1000
+    near("linear station", answer["linear"]["station"], s14, loss)
+    near("linear L0", answer["linear"]["L0"], l14, loss)
+    s, l0, covariance, residuals = refined(p, dl, s14 if condition < 1e4 else station, l14)
+    near("refined station", answer["refined"]["station"], s, 2e-6)
+    near("refined L0", answer["refined"]["L0"], l0, 2e-6)
+    near("covariance, relative", np.asarray(answer["refined"]["covariance"]) / np.abs(covariance).max(),
+         covariance / np.abs(covariance).max(), 2e-3)
+    near("residuals", answer["refined"]["residuals"], residuals, 2e-6)
+    if noise == 0.0:
+        near("truth", answer["refined"]["station"], station, 1e-4)
 
 
-def sigma(points, s):
-    return (0.2e-3 + 0.3e-6 * np.linalg.norm(points - s, axis=1)) / 2
+def main():
+    program = sys.argv[1]
+    count = int(sys.argv[2]) if len(sys.argv) > 2 else 60
+    rng = np.random.default_rng(int(sys.argv[3]) if len(sys.argv) > 3 else 20261122)
+    for index in range(count):
+        check(program, rng, index)
+    print(f"station oracle: {count} locations agree")
 
 
-def refined(points, lengths, start):
-    s, weights = np.asarray(start, float), None
-    for _ in range(4):
-        weights = 1 / sigma(points, s)
-        fit = least_squares(lambda z: (np.linalg.norm(points - z[:3], axis=1) - z[3] - lengths) * weights,
-                            [*s, (np.linalg.norm(points - s, axis=1) - lengths).mean()], xtol=1e-15, ftol=1e-15,
-                            gtol=1e-15, method="lm")
-        s = fit.x[:3]
-    u = (points - s) / np.linalg.norm(points - s, axis=1)[:, None]
-    rows = np.column_stack([-u, -np.ones(len(u))])
-    return fit.x, np.linalg.inv((rows * weights[:, None]).T @ (rows * weights[:, None])), np.linalg.cond(rows)
-
-
-def check_layout(n, noise):
-    s = RNG.uniform(-300, 900, 3)
-    points = s + RNG.uniform([-500, -500, 150], [500, 500, 900], (n, 3))
-    zero = RNG.uniform(-200, 600)
-    lengths = np.linalg.norm(points - s, axis=1) - zero + noise * RNG.standard_normal(n)
-    found, _ = located(points, lengths)
-    matrix = matrix_of(points, lengths)
-    condition = np.linalg.cond(matrix)
-    close(found["linear"]["singular_values"], np.linalg.svd(matrix, compute_uv=False), 1e-9, "singular values")
-    close(found["linear"]["condition"] / condition, 1, 1e-6, "condition")
-    close(found["linear"]["numerical_rank"], np.linalg.matrix_rank(matrix), 0, "rank")
-    z, covariance, cond_refined = refined(points, lengths, s)
-    close(found["refined"]["station"], z[:3], 2e-6, "refined station")
-    close(found["refined"]["L0"], z[3], 2e-6, "refined L0")
-    close(np.array(found["refined"]["covariance_stated"]) / covariance[:3, :3], 1, 1e-4, "covariance")
-    close(found["refined"]["condition"] / cond_refined, 1, 1e-6, "condition of the refined problem")
-    if found["linear"]["rank"] < 5:
-        return
-    station, L0, psi = eq14(points, lengths)
-    close(found["linear"]["station"], station, 1e-9 * condition + 1e-7, "linear station")
-    close(found["linear"]["L0"], L0, 1e-9 * condition + 1e-7, "linear L0")
-    close(found["misclosure"], psi - (station @ station - L0 * L0), 1e-6 * condition, "misclosure")
-    close(found["difference"], z[:3] - station, 1e-9 * condition + 3e-6, "difference")
-    if noise == 0:
-        close(found["linear"]["station"], s, 1e-8, "truth")
-        close(found["refined"]["station"], s, 1e-8, "truth")
-
-
-def beams(n):
-    u = RNG.normal(size=(n, 3))
-    u[:, 2] = np.abs(u[:, 2]) + 0.4
-    return u / np.linalg.norm(u, axis=1)[:, None]
-
-
-def rotation():
-    q, _ = np.linalg.qr(RNG.normal(size=(3, 3)))
-    return q
-
-
-def critical(kind, n):
-    s = RNG.uniform(-300, 900, 3)
-    u, axis = beams(n), np.array([0.0, 0.0, 1.0])
-    if kind == "sphere":
-        return s, s + RNG.uniform(300, 800) * u
-    if kind in ("ellipsoid", "paraboloid"):
-        e = RNG.uniform(0.2, 0.7) if kind == "ellipsoid" else 1.0
-        side = axis if kind == "ellipsoid" else -axis  # away from the direction in which a paraboloid is open
-        return s, s + (RNG.uniform(200, 500) / (1 - e * u @ side))[:, None] * u
-    if kind == "hyperboloid":
-        while min(u[:, 2]) < 0.5:
-            u = beams(n)
-        return s, s + (RNG.uniform(300, 600) / (RNG.uniform(2.8, 4.5) * u[:, 2] - 1))[:, None] * u
-    if kind == "plane":
-        normal = RNG.normal(size=3)
-        normal /= np.linalg.norm(normal)
-        basis = np.linalg.svd(normal[None, :])[2][1:]
-        return s, s + 350 * normal + RNG.uniform(-500, 500, (n, 2)) @ basis
-    turn = RNG.uniform(0, 2 * np.pi, n)
-    half = RNG.uniform(0.4, 1.2)
-    cone = np.column_stack([np.sin(half) * np.cos(turn), np.sin(half) * np.sin(turn), np.full(n, np.cos(half))])
-    return s, s + RNG.uniform(200, 900, n)[:, None] * (cone @ rotation().T)
-
-
-def check_critical(kind, n, noise):
-    s, points = critical(kind, n)
-    lengths = np.linalg.norm(points - s, axis=1) - 123.0 + noise * RNG.standard_normal(n)
-    found, code = located(points, lengths, f"--near={s[0] + 20:.3f},{s[1] - 30:.3f},{s[2] + 25:.3f}")
-    what = f"{kind}, {n} points, noise {noise}, {found['findings']}"
-    expect(found["critical_surface"] == kind, f"found {found['critical_surface']}, expected {what}")
-    expect(found["linear"]["rank"] == 4, f"rank {found['linear']['rank']} of {what}")
-    expect(found["linear"]["condition"] > 1e4, f"condition of {what}")
-    if kind == "cone":
-        expect(code == 3, "a cone is serious")
-        return
-    u = np.sqrt(np.linalg.eigvalsh(found["refined"]["covariance"])[-1])
-    close(found["refined"]["station"], s, 6 * u if noise else 1e-5, "station of " + what)
-    if kind == "plane":
-        expect(found["mirror"] is not None, "mirror of " + what)
-
-
-for count in (6, 7, 10, 40):
-    for size in (0.0, 0.2e-3, 2e-3):
-        for _ in range(12):
-            check_layout(count, size)
-for name in ("plane", "sphere", "ellipsoid", "paraboloid", "hyperboloid", "cone"):
-    for count in (6, 9):
-        for size in (0.0, 0.1e-3):
-            for _ in range(6):
-                check_critical(name, count, size)
-print(f"ok: {COMPARED} comparisons")
+if __name__ == "__main__":
+    main()

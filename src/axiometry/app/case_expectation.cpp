@@ -51,12 +51,14 @@ Result<Named> named_position(const Statement& s, const std::vector<PositionResul
 }
 
 Result<Named> named_contributor(const Statement& s, const std::optional<iso230_2::AnnexA>& annex) {
-  constexpr std::string_view keys[] = {"device",    "misalignment", "m_machine", "m_device",
-                                       "e_machine", "e_device",     "eve"};
+  constexpr std::string_view keys[] = {"device",   "misalignment", "m_machine", "m_device", "e_machine",
+                                       "e_device", "eve",          "probing",   "station"};
   if (s.words.size() < 3 || std::ranges::find(keys, s.words[2].text) == std::end(keys))
     return unexpected_word(s, 2, fmt::format("a contributor: {}", fmt::join(keys, ", ")));
   Named named{std::nullopt, 3};
-  if (annex) named.value = std::ranges::find(annex->budget, s.words[2].text, &iso230_2::Contributor::key)->U;
+  if (!annex) return named;
+  const auto row = std::ranges::find(annex->budget, s.words[2].text, &iso230_2::Contributor::key);
+  if (row != annex->budget.end()) named.value = row->U;
   return named;
 }
 

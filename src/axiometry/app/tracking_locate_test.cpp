@@ -31,7 +31,8 @@ std::string temporary(std::string_view name, std::string_view bytes) {
 /// The table of planned points with the lengths that the true station gives.
 std::string filled(const PlannedLocation& planned, Vector3 truth) {
   std::string full;
-  for (std::string_view line : text::split(location_points_csv(planned), '\n')) {
+  const std::string table = location_points_csv(planned);
+  for (std::string_view line : text::split(table, '\n')) {
     full += line;
     if (!line.empty() && line.front() >= '0' && line.front() <= '9') {
       const std::size_t i = full.ends_with(',') ? static_cast<std::size_t>(line.front() - '1') : 0;

@@ -56,9 +56,12 @@ constexpr Row every_rule[] = {
     {items_of_identification},
     {equipment_identified},
     {sensors_complete},
+    {line_in_space},
     {uncertainty_stated},
+    {station_stated},
     {repeatability_below_variation},
     {step_cycle, may_depart},
+    {diagonal_line},
 };
 
 }  // namespace

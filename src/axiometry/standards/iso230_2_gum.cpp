@@ -51,14 +51,25 @@ class Budget {
 
   double lever_m() const { return lever_m_; }
 
-  /// The standard uncertainty that an input with u = 1 in its unit would give.
-  double of_input(const UncertaintyInput& input, double u) const {
+  /// What the mean error of the station, for which the readings are not corrected, has moved the parameter by.
+  double station_mean() const {
+    return over_targets([&](std::size_t target) { return model_.station->mean_error(target); });
+  }
+
+  /// The standard uncertainty that an input gives.
+  double of_input(std::size_t k) const {
+    const UncertaintyInput& input = model_.inputs.inputs[k];
+    const double u = model_.components[k].u;
     switch (input.effect) {
       case Effect::machine_expansion:
       case Effect::device_expansion: return lever_m_ * u * std::abs(sensitivity(input.effect).expansion);
       case Effect::machine_temperature:
       case Effect::device_temperature: return lever_m_ * u * std::abs(sensitivity(input.effect).difference);
       case Effect::alignment: return lever_m_ * model_.alignment->u;
+      case Effect::station:
+        if (!model_.station) return 0.0;
+        return model_.station->sd_mm2[k] *
+               std::abs(over_targets([&](std::size_t target) { return model_.station->sensitivity(target); }));
       case Effect::scale: return lever_m_ * u;
       case Effect::target: return u * of_targets(model_.inputs.up_down_correlation);
       case Effect::target_direction: return u * of_targets(0.0);
@@ -92,6 +103,15 @@ class Budget {
         state.difference = input.distribution.mean();
     }
     return thermal_sensitivity(state);
+  }
+
+  /// What errors that are the same in both directions of a target do. A reversal takes no part in them.
+  template <typename Error>
+  double over_targets(const Error& error) const {
+    double sum = 0.0;
+    for (const TargetTerms& t : terms_)
+      if (const double by_mean = t.by_mean[0] + t.by_mean[1]; by_mean != 0.0) sum += by_mean * error(t.target);
+    return sum;
   }
 
   double of_targets(double r) const {
@@ -173,6 +193,9 @@ std::vector<GumSource> list_sources(const GumModel& model) {
   };
   add_product(model.machine_thermal, "machine_thermal_product", "α ΔT");
   add_product(model.device_thermal, "device_thermal_product", "α_D ΔT_D");
+  if (model.station)
+    sources.push_back({"station_mean", "E Δ²", "Mean error of the station, not corrected", "Lee et al. 19", "",
+                       model.station->mean_mm2, "mm²", ""});
   if (machine) sources.push_back({"approaches", "s", "Scatter of the approaches (type A)", "11, 12", "", {}, "", ""});
   return sources;
 }
@@ -189,7 +212,7 @@ GumParameter propagate_parameter(const GumModel& model, const Budget& budget) {
   const double r = model.inputs.up_down_correlation;
   for (std::size_t k = 0; k < model.inputs.inputs.size(); ++k) {
     const UncertaintyInput& input = model.inputs.inputs[k];
-    const double u = budget.of_input(input, model.components[k].u);
+    const double u = budget.of_input(k);
     add(u, model.components[k].degrees_of_freedom);
     const bool partly = r != 0.0 && std::abs(r) < 1.0 && input.effect == Effect::target;
     const bool common = model.measurand == Measurand::this_machine && input.effect == Effect::run;
@@ -197,6 +220,7 @@ GumParameter propagate_parameter(const GumModel& model, const Budget& budget) {
   }
   for (const auto* factor : {&model.machine_thermal, &model.device_thermal})
     if (const double u = thermal_product(*factor); u > 0.0) add(budget.lever_m() * u, infinite);
+  if (model.station) add(std::abs(budget.station_mean()), infinite);
   if (model.measurand == Measurand::this_machine)
     result.contributions.push_back(Deviation::native(budget.add_approaches(sum)));
   result.uncertainty = sum.expanded(correlated);
@@ -233,6 +257,11 @@ void add_notes(GumUncertainty& result, const GumModel& model, const Evaluation& 
   note_factor(result, model.machine_thermal, "machine");
   note_factor(result, model.device_thermal, "device");
   note_noise(result, model, evaluation);
+  if (model.station)
+    result.notes.push_back(
+        "The length difference of the station grows with the square of its offset: to first order the squares are "
+        "inputs with a mean and a standard deviation; the readings are not corrected for the mean, which counts as a "
+        "source of its own");
   const bool single = std::ranges::any_of(evaluation.positions,
                                           [](const PositionResult& p) { return p.count_up == 1 || p.count_down == 1; });
   if (model.measurand == Measurand::this_machine && single)
@@ -270,7 +299,7 @@ Result<std::optional<GumUncertainty>> gum(const Metadata& metadata, const Series
   AXIOMETRY_TRY(UncertaintyInputs inputs, uncertainty_inputs(metadata, series));
   const Measurand measurand = measurand_of(metadata);
   if (inputs.inputs.empty() && measurand == Measurand::this_test) return std::nullopt;
-  const GumModel model = make_model(metadata, std::move(inputs), measurand);
+  const GumModel model = make_model(metadata, series, std::move(inputs), measurand);
 
   GumUncertainty result;
   result.measurand = measurand;

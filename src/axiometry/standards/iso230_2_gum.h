@@ -47,7 +47,7 @@ struct PositionComponents {
   Deviation thermal;          ///< f_a p_m u[f_t], with the device's expansion
   Deviation alignment;        ///< f_t p_m u[f_a]
   Deviation axis_resolution;  ///< u[c_r]
-  Deviation instrument;       ///< u[c_s]: resolution, calibration and environment
+  Deviation instrument;       ///< u[c_s]: resolution, calibration, environment, station
   Deviation other;            ///< inputs of one's own
   ExpandedUncertainty total;  ///< of x̄_i in this direction
 };
@@ -61,7 +61,8 @@ struct PositionUncertainty {
 
 /// A source of uncertainty, one line of every budget.
 struct GumSource {
-  std::string key;  ///< of the input; "approaches" (type A), "machine_thermal_product", "device_thermal_product"
+  std::string key;  ///< of the input; "approaches" (type A), "machine_thermal_product", "device_thermal_product",
+                    ///< "station_mean"
   std::string symbol;
   std::string title;
   std::string source;        ///< equation

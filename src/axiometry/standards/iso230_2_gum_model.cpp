@@ -34,11 +34,23 @@ std::optional<FactorUncertainty> thermal(const UncertaintyInputs& inputs, Effect
   return factor;
 }
 
+std::optional<StationModel> station(const UncertaintyInputs& inputs, const Series& series) {
+  if (!inputs.station) return std::nullopt;
+  StationModel model{StationErrors(series.targets(), *inputs.station), 0.0, {}};
+  for (const UncertaintyInput& input : inputs.inputs) {
+    const bool acts = input.effect == Effect::station;
+    const SquareMoments moments = acts ? square_moments(input.distribution) : SquareMoments{};
+    model.mean_mm2 += moments.mean;
+    model.sd_mm2.push_back(moments.standard_deviation.value_or(0.0));
+  }
+  return model.mean_mm2 > 0.0 ? std::optional(std::move(model)) : std::nullopt;
+}
+
 }  // namespace
 
 Component component_of(const UncertaintyInput& input) {
   const auto* t = std::get_if<uncertainty::StudentT>(&input.distribution.form());
-  if (t != nullptr && input.effect > Effect::alignment) return {t->scale, t->degrees_of_freedom};
+  if (t != nullptr && input.effect > Effect::station) return {t->scale, t->degrees_of_freedom};
   return {input.distribution.standard_deviation().value_or(0.0), infinite};
 }
 
@@ -65,7 +77,7 @@ ExpandedUncertainty ComponentSum::expanded(bool correlated) const {
   return result;
 }
 
-GumModel make_model(const Metadata& metadata, UncertaintyInputs inputs, Measurand measurand) {
+GumModel make_model(const Metadata& metadata, const Series& series, UncertaintyInputs inputs, Measurand measurand) {
   GumModel model;
   model.measurand = measurand;
   model.inputs = std::move(inputs);
@@ -76,6 +88,7 @@ GumModel make_model(const Metadata& metadata, UncertaintyInputs inputs, Measuran
     const double u = moments.standard_deviation;
     model.alignment = FactorUncertainty{moments.mean, u, u, u};
   }
+  model.station = station(model.inputs, series);
   model.expansion_in_readings = metadata.nde.applied == false;
   for (const UncertaintyInput& input : model.inputs.inputs) {
     model.components.push_back(component_of(input));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "axiometry/standards/iso230_2_gum.h"
+#include "axiometry/standards/station_offset.h"
 
 /// What the law of propagation needs of the inputs: their u and ν, the factors, the noise. For the sources
 /// iso230_2_gum*.cpp alone.
@@ -19,7 +20,7 @@ struct Component {
   double degrees_of_freedom = infinite;
 };
 
-/// The scale and ν of a t distribution, else the standard deviation; for α, ΔT and θ always the latter.
+/// The scale and ν of a t distribution, else the standard deviation; for α, ΔT, θ and Δ always the latter.
 Component component_of(const UncertaintyInput& input);
 
 /// Adds squares, and what Welch and Satterthwaite need.
@@ -36,6 +37,18 @@ class ComponentSum {
   double fourth_powers_ = 0.0;  // Σ u⁴/ν
 };
 
+/// The station of a tracking interferometer. An error of readings is a function of Δ⊥² = Σ Δ²; to first order each
+/// Δ² is an input of its own, with its mean and standard deviation. The readings are not corrected for the mean, which
+/// counts as one more source (GUM, F.2.4.5).
+struct StationModel {
+  StationErrors errors;
+  double mean_mm2 = 0.0;       ///< of Δ⊥²
+  std::vector<double> sd_mm2;  ///< of Δ² of each input; 0 of those that are no station
+
+  double sensitivity(std::size_t target) const { return errors.slope_um_per_mm2(target, mean_mm2); }
+  double mean_error(std::size_t target) const { return errors.error_um(target, mean_mm2); }
+};
+
 struct GumModel {
   Measurand measurand = Measurand::this_test;
   UncertaintyInputs inputs;
@@ -43,6 +56,7 @@ struct GumModel {
   std::optional<FactorUncertainty> machine_thermal;
   std::optional<FactorUncertainty> device_thermal;
   std::optional<FactorUncertainty> alignment;
+  std::optional<StationModel> station;
   bool expansion_in_readings = false;  ///< the readings are not corrected for it
   double run_noise = 0.0;              ///< standard uncertainty of what a run has in common
 
@@ -52,7 +66,7 @@ struct GumModel {
   bool takes_scatter(std::size_t n) const { return measurand == Measurand::this_machine && n > 1; }
 };
 
-GumModel make_model(const Metadata& metadata, UncertaintyInputs inputs, Measurand measurand);
+GumModel make_model(const Metadata& metadata, const Series& series, UncertaintyInputs inputs, Measurand measurand);
 
 /// The product of both uncertainties of a thermal factor, µm/m: 0 where eq. 15 is used alone.
 double thermal_product(const std::optional<FactorUncertainty>& factor);

@@ -13,6 +13,7 @@ constexpr double mm_per_m = 1000.0;
 
 /// What eq. 8 needs at one target in one direction.
 struct Cell {
+  std::size_t target = 0;
   double position_m = 0.0;         // p_n
   double actual_position_m = 0.0;  // p_m: as read, before any correction for expansion
   double s = 0.0;
@@ -30,7 +31,9 @@ struct Squares {
 
   double& of(const UncertaintyInput& input) {
     if (input.key == "axis_resolution") return axis_resolution;
-    if (input.key == "instrument_resolution" || input.key == "device" || input.key == "environment") return instrument;
+    if (input.key == "instrument_resolution" || input.key == "device" || input.key == "environment" ||
+        input.effect == Effect::station)
+      return instrument;
     return other;
   }
 };
@@ -42,6 +45,9 @@ void add_inputs(Squares& squares, ComponentSum& sum, const GumModel& model, cons
     Component part = model.components[k];
     switch (input.effect) {
       case Effect::scale: part.u *= std::abs(cell.position_m); break;
+      case Effect::station:
+        part.u = model.station ? model.station->sd_mm2[k] * std::abs(model.station->sensitivity(cell.target)) : 0.0;
+        break;
       case Effect::target:
       case Effect::target_direction: break;
       case Effect::run:
@@ -55,6 +61,10 @@ void add_inputs(Squares& squares, ComponentSum& sum, const GumModel& model, cons
     squares.of(input) += part.u * part.u;
     sum.add(part);
   }
+  if (!model.station) return;
+  const double mean = model.station->mean_error(cell.target);
+  squares.instrument += mean * mean;
+  sum.add({std::abs(mean), infinite});
 }
 
 PositionComponents components(const GumModel& model, const Cell& cell) {
@@ -87,14 +97,14 @@ PositionComponents components(const GumModel& model, const Cell& cell) {
           root(squares.instrument), root(squares.other),   sum.expanded()};
 }
 
-std::optional<PositionComponents> components(const GumModel& model, Position target,
+std::optional<PositionComponents> components(const GumModel& model, std::size_t index, Position target,
                                              const std::optional<Deviation>& mean, const std::optional<Deviation>& s,
                                              std::size_t n) {
   if (!mean) return std::nullopt;
   const double p_n = target.in_native() / mm_per_m;
   const double read = p_n + mean->in_native() * 1e-6;
-  return components(
-      model, {p_n, model.expansion_in_readings ? read : read / model.thermal_factor(), s ? s->in_native() : 0.0, n});
+  return components(model, {index, p_n, model.expansion_in_readings ? read : read / model.thermal_factor(),
+                            s ? s->in_native() : 0.0, n});
 }
 
 /// Eq. 10 with r. Where r is not 0 the components of ↑ and ↓ are not independent.
@@ -124,8 +134,9 @@ std::vector<PositionUncertainty> propagate_positions(const GumModel& model, cons
   for (const PositionResult& p : evaluation.positions) {
     PositionUncertainty& row = positions.emplace_back();
     row.target = p.target;
-    row.up = components(model, p.target, p.mean_up, p.s_up, p.count_up);
-    row.down = components(model, p.target, p.mean_down, p.s_down, p.count_down);
+    const std::size_t i = positions.size() - 1;
+    row.up = components(model, i, p.target, p.mean_up, p.s_up, p.count_up);
+    row.down = components(model, i, p.target, p.mean_down, p.s_down, p.count_down);
     if (row.up && row.down) row.mean = mean_of(row.up->total, row.down->total, model.inputs.up_down_correlation);
   }
   return positions;

@@ -11,6 +11,7 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/standards/iso230_2_inputs_items.h"
+#include "axiometry/standards/station_offset.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -43,9 +44,13 @@ Result<void> check_size(std::string_view input, Effect effect, const Distributio
   if (effect == Effect::machine_temperature || effect == Effect::device_temperature) reach = {200.0, 10.0};
   // A uniform distribution up to 90° has 52° of standard deviation.
   if (effect == Effect::alignment) reach = {90.0, std::sqrt(3.0)};
+  if (effect == Effect::station) reach = {1e6, 10.0};
   const auto sd = distribution.standard_deviation();
-  if (!sd && effect <= Effect::alignment)
+  if (!sd && effect <= Effect::station)
     return fail(fmt::format("found a distribution of {} without a standard deviation, expected one that has it",
+                            text::quoted(input)));
+  if (effect == Effect::station && !square_moments(distribution).standard_deviation)
+    return fail(fmt::format("found a distribution of {} whose square has no standard deviation, expected t with ν > 4",
                             text::quoted(input)));
   const double far = std::abs(distribution.mean()) + reach.deviations * sd.value_or(0.0);
   if (far <= reach.limit * (1.0 + 1e-12)) return {};
@@ -53,10 +58,10 @@ Result<void> check_size(std::string_view input, Effect effect, const Distributio
                           text::quoted(input), far, reach.limit));
 }
 
-/// α, ΔT and θ stay as they are; a mean of anything else would be a correction, which the readings do not get.
+/// α, ΔT, θ and Δ stay as they are; a mean of anything else would be a correction, which the readings do not get.
 Distribution about_zero(const InputDistribution& given, Effect effect, Distribution distribution,
                         std::vector<std::string>& notes) {
-  if (effect <= Effect::alignment || distribution.mean() == 0.0) return distribution;
+  if (effect <= Effect::station || distribution.mean() == 0.0) return distribution;
   notes.push_back(fmt::format("The distribution of {} is used about its mean: the readings are not corrected by {:.4g}",
                               text::quoted(given.input), distribution.mean()));
   return distribution.centred();
@@ -113,6 +118,18 @@ Result<void> lay_over(UncertaintyInputs& result, const Metadata& metadata) {
   return {};
 }
 
+/// From where a station acts, if there is one.
+Result<void> place_station(UncertaintyInputs& result, const Metadata& metadata) {
+  const auto found = std::ranges::find(result.inputs, Effect::station, &UncertaintyInput::effect);
+  if (found == result.inputs.end()) return {};
+  result.station = metadata.tracking.station_position;
+  if (result.station) return {};
+  return fail(
+      fmt::format("found a distribution of {} without tracking.station_position, expected the position of the "
+                  "point of the line that is next to the station",
+                  found->key));
+}
+
 /// Where the readings hold an expansion that is known and was not corrected.
 void note_expansion(UncertaintyInputs& result, const Metadata& metadata, const Series& series) {
   const auto mean_of = [&](std::string_view key) {
@@ -137,6 +154,7 @@ std::string_view effect_key(Effect effect) {
                                        "device_expansion",
                                        "device_temperature",
                                        "alignment",
+                                       "station",
                                        "scale",
                                        "target",
                                        "target_direction",
@@ -151,6 +169,7 @@ Result<UncertaintyInputs> uncertainty_inputs(const Metadata& metadata, const Ser
     return fail(fmt::format("found a correlation of {} between ↑ and ↓, expected a number from −1 to 1", correlation));
   UncertaintyInputs result = inputs_of_items(metadata, series);
   AXIOMETRY_TRY_VOID(lay_over(result, metadata));
+  AXIOMETRY_TRY_VOID(place_station(result, metadata));
   result = complete_pairs(std::move(result), metadata);
   note_expansion(result, metadata, series);
   const auto rank = [](const UncertaintyInput& input) { return find_known_input(input.key); };

@@ -25,6 +25,7 @@ enum class Effect {
   device_expansion,     ///< … the test: the same with the opposite sign, for the device (A.6, A.8)
   device_temperature,
   alignment,         ///< … the test: angle θ in x = P (cos θ − E cos θ), eq. 18; °
+  station,           ///< … the test: offset Δ of the station across the line, in x = −error_um(Σ Δ²); mm
   scale,             ///< … the test: x = P ε; µm/m; linear axes only
   target,            ///< … one target in both directions, µm or ″
   target_direction,  ///< … one target in one direction, µm or ″
@@ -40,7 +41,7 @@ struct UncertaintyInput {
   std::string title;   ///< "Temperature of the machine, less 20 °C"
   std::string source;  ///< equation or formula: "16, A.5"
   Effect effect = Effect::scale;
-  /// Of α, ΔT and θ as they are, so that the means are α̂ and ΔT̂; of all others about zero.
+  /// Of α, ΔT, θ and Δ as they are, so that the means are α̂ and ΔT̂; of all others about zero.
   uncertainty::Distribution distribution;
   std::string unit;  ///< of the distribution
   std::string note;  ///< "assumed", "largest of the sensors", "as given"; empty for an item of the metadata
@@ -53,7 +54,8 @@ struct UncertaintyInputs {
   /// r between the errors of a `target` input in both directions of a target: at 1 it is the same error, at 0
   /// two independent ones. Also that of eq. 10. What is shared by the whole test has no use for it.
   double up_down_correlation = 1.0;
-  std::vector<std::string> notes;  ///< what was assumed
+  std::vector<std::string> notes;   ///< what was assumed
+  std::optional<Position> station;  ///< P_s, there where a `station` input is: what it acts from (station_offset.h)
 };
 
 /// From the metadata, where `uncertainty.distributions` replaces or adds to what the single items say. The items
@@ -72,6 +74,9 @@ struct UncertaintyInputs {
 ///   sensors are known.
 /// - environment: ε normal with K·ΔT_e (24); ΔT_e given, else the mean air temperature less 20 °C.
 /// - axis_resolution, instrument_resolution: uniform of that width at each target (22, 23).
+/// - station, station_smaller (tracking interferometer): the offsets Δ of the station in the two principal directions
+///   across the line, normal with u1 and u2; the latter only above 0. A misalignment is then left out: the beam
+///   follows.
 /// - environmental_variation: uniform of width E_VE at each reading. run_drift: normal.
 ///
 /// Whether the correction for expansion was applied changes nothing here: the uncertainty of α and ΔT is that of the
@@ -79,8 +84,8 @@ struct UncertaintyInputs {
 /// expansion stays in the results as a deviation of the machine, and a note tells its size.
 ///
 /// Empty inputs when nothing was given. Fails on a distribution that cannot be read or is not allowed, naming its
-/// input (limits: |mean| + 10 sd up to 1 000 µm/(m·°C), 200 °C, 90°; 1e9 for others), on one given twice, and on a
-/// correlation outside −1 to 1.
+/// input (limits: |mean| + 10 sd up to 1 000 µm/(m·°C), 200 °C, 90°, 1e6 mm; 1e9 for others), on one given twice, on
+/// one of the station without its position along the line, and on a correlation outside −1 to 1.
 Result<UncertaintyInputs> uncertainty_inputs(const Metadata& metadata, const Series& series);
 
 /// Said of parameters, by their symbols, on which nothing that is known acts.

@@ -15,6 +15,7 @@
 #include "axiometry/base/contract.h"
 #include "axiometry/base/text.h"
 #include "axiometry/standards/iso230_2_artefact.h"
+#include "axiometry/standards/station_offset.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -38,6 +39,10 @@ constexpr std::array catalogue = {
     KnownInput{"device_temperature", "ΔT_D", "Temperature of the measuring device, less 20 °C", "A.6",
                Effect::device_temperature, "°C", ""},
     KnownInput{"alignment", "θ", "Misalignment of the measuring device", "18, A.4", Effect::alignment, "°", ""},
+    KnownInput{"station", "Δ₁", "Station beside the line, larger component", "Lee et al. 19", Effect::station, "mm",
+               ""},
+    KnownInput{"station_smaller", "Δ₂", "Station beside the line, smaller component", "Lee et al. 19", Effect::station,
+               "mm", ""},
     KnownInput{"device", "c_c", "Calibration of the measuring device", "23, A.1 to A.3", Effect::scale, "µm/m", "″"},
     KnownInput{"artefact_calibration", "c_a", "Calibration of the artefact", "Annex D, A.1", Effect::target, "µm", ""},
     KnownInput{"artefact_calibration_length", "c_al", "Calibration of the artefact, by length", "Annex D, A.2",
@@ -154,7 +159,7 @@ bool any_given(const Metadata& metadata) {
          metadata.artefact.calibration_uncertainty || metadata.artefact.calibration_uncertainty_per_length ||
          metadata.artefact.probing_uncertainty || annex.environmental_variation || gum.axis_resolution ||
          gum.instrument_resolution || gum.environment_sensitivity || gum.alignment_angle || gum.run_drift ||
-         !gum.distributions.empty();
+         station_offset(metadata) || !gum.distributions.empty();
 }
 
 /// Adds to the inputs of one test.
@@ -203,6 +208,13 @@ class Collector {
       note(fmt::format("R(α) of the {} was not given; 2 µm/(m·°C) is assumed (A.2.4.3)", items.whose));
     const double width = uncertain ? items.alpha_range.value_or(expansion_range_usual) : 0.0;
     add(key, uniform_about(items.alpha->value, width), items.alpha->note);
+  }
+
+  /// With the station of a tracking interferometer there is no misalignment.
+  void add_station(const StationOffset& offset) {
+    add("station", valid(Normal{0.0, offset.larger_mm}));
+    if (offset.smaller_mm > 0.0) add("station_smaller", valid(Normal{0.0, offset.smaller_mm}));
+    if (metadata_.gum.alignment_angle || metadata_.uncertainty.misalignment) note(std::string(followed_beam_note));
   }
 
   void add_alignment(double length_m) {
@@ -340,7 +352,10 @@ UncertaintyInputs inputs_of_items(const Metadata& metadata, const Series& series
   if (metadata.axis.kind == AxisKind::linear) {
     collector.add_thermal(machine_items(metadata));
     if (device_has_temperature(metadata)) collector.add_thermal(device_items(metadata));
-    collector.add_alignment(length_m);
+    if (const auto offset = station_offset(metadata))
+      collector.add_station(*offset);
+    else
+      collector.add_alignment(length_m);
     if (artefact_takes_place_of_device(metadata))
       collector.add_artefact();
     else
@@ -349,6 +364,8 @@ UncertaintyInputs inputs_of_items(const Metadata& metadata, const Series& series
   } else {
     collector.add_device_rotary();
   }
+  if (const std::string problem = station_offset_problem(metadata); !problem.empty())
+    collector.note(fmt::format("The station of the tracking interferometer is left out: {}", problem));
   collector.add_in_native_unit();
   return std::move(collector).take();
 }

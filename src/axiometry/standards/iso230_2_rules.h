@@ -70,6 +70,11 @@ Rule sensors_complete;               // 8.1
 Rule uncertainty_stated;             // 8.2.1
 Rule repeatability_below_variation;  // A.2.6
 
+// Lines in space and tracking interferometers (iso230_2_rules_lines.cpp).
+Rule diagonal_line;   // ISO 230-6
+Rule line_in_space;   // 8.1
+Rule station_stated;  // 8.2.1
+
 /// At most three decimals, no trailing zeros: "1744.209", "0.1".
 std::string figure(double x);
 /// "1744.209 mm", "315°".

@@ -138,8 +138,9 @@ std::optional<Finding> straight_slope(const Case& c) {
   return note(
       "3.24",
       fmt::format("found a straight slope of {} µm/m, without which E would be {} µm instead of {} µm; such a slope "
-                  "comes from a scale, an expansion or a correction, and nothing of it is removed",
-                  figure(1000.0 * slope->per_position_native), figure(slope->remainder.in_native()), figure(E)));
+                  "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
+                  figure(1000.0 * slope->per_position_native), figure(slope->remainder.in_native()), figure(E),
+                  is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
 }
 
 std::optional<Finding> temperature_without_correction(const Case& c) {

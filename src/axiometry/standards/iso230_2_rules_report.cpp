@@ -53,6 +53,7 @@ std::string_view group_title(std::string_view group) {
   if (group == "nde") return "NDE correction";
   if (group == "environment") return "air";
   if (group == "sensors") return "temperature";
+  if (group == "tracking") return "tracking interferometer";
   return group;
 }
 
@@ -65,7 +66,8 @@ std::vector<std::string> contributors_left_out(const Case& c) {
   std::vector<std::string> absent;
   const auto known = [&](std::string_view key) { return c.uncertainty && U_known(*c.uncertainty, key); };
   if (!known("device")) absent.push_back("measuring device (A.1 to A.3)");
-  if (c.linear() && !known("misalignment")) absent.push_back("misalignment (A.4)");
+  // The beam of a tracking interferometer follows: what counts is where it starts.
+  if (c.linear() && !known("misalignment") && !known("station")) absent.push_back("misalignment (A.4)");
   if (c.linear() && !known("m_machine")) absent.push_back("temperature measurement of the machine tool (A.5)");
   if (c.linear() && !known("e_machine")) absent.push_back("expansion coefficient of the machine tool (A.7)");
   if (!known("eve")) absent.push_back("environmental variation (A.9)");

@@ -58,6 +58,7 @@ TrialModel::TrialModel(const Series& series, const UncertaintyInputs& inputs, co
       layout_(series),
       posterior_(series, options.sampling ? noise_of(inputs, options) : ReadingNoise{}) {
   find_length_errors();
+  if (inputs.station) station_.emplace(series.targets(), *inputs.station);
 }
 
 /// Draws of one input.
@@ -169,6 +170,27 @@ void TrialModel::add_length_errors(std::uint64_t place, std::size_t rows_per_cel
   }
 }
 
+/// What the draws of the station's offset take away: the readings hold its length difference, the trials do not.
+void TrialModel::add_station_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const {
+  if (!station_) return;
+  std::vector<double> squares(chunk);
+  for (std::size_t k = 0; k < inputs_.inputs.size(); ++k) {
+    if (inputs_.inputs[k].effect != Effect::station) continue;
+    const std::vector<double> offset = draws(k, place);
+    for (std::size_t t = 0; t < chunk; ++t) squares[t] += offset[t] * offset[t];
+  }
+  const std::size_t targets = series_.target_count();
+  std::vector<double> error(chunk);
+  for (std::size_t i = 0; i < targets; ++i) {
+    for (std::size_t t = 0; t < chunk; ++t) error[t] = station_->error_um(i, squares[t]);
+    for (std::size_t c : {i, targets + i})
+      for (std::size_t k = 0; k < rows_per_cell; ++k) {
+        const auto row = rows.row(c * rows_per_cell + k, chunk);
+        for (std::size_t t = 0; t < chunk; ++t) row[t] -= error[t];
+      }
+  }
+}
+
 /// The errors of single targets, where no posterior has taken them out of the readings: rows of one cell move alike.
 void TrialModel::add_target_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const {
   const ReadingNoise noise = noise_of(inputs_, options_);
@@ -202,6 +224,7 @@ void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) 
       add_target_errors(place, 1, mean_rows);
     }
     add_length_errors(place, 1, mean_rows);
+    add_station_errors(place, 1, mean_rows);
     evaluate_batch(layout_, CellMoments<double>{{means, chunk}, {estimators, chunk}}, chunk, outputs);
     return;
   }
@@ -214,6 +237,7 @@ void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) 
     posterior_.draw_readings(posterior_key, rows);
   }
   add_length_errors(place, series_.run_count(), rows);
+  add_station_errors(place, series_.run_count(), rows);
   evaluate_batch(layout_, numeric::Rows<const double>{readings, chunk}, chunk, outputs);
 }
 

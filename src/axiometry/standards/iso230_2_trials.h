@@ -12,6 +12,7 @@
 #include "axiometry/standards/iso230_2_inputs.h"
 #include "axiometry/standards/iso230_2_monte_carlo.h"
 #include "axiometry/standards/iso230_2_posterior.h"
+#include "axiometry/standards/station_offset.h"
 #include "axiometry/uncertainty/monte_carlo.h"
 
 /// The trials of iso230_2_monte_carlo.h, block by block; private to it and its tests.
@@ -54,6 +55,7 @@ class TrialModel {
   std::vector<double> draw(const LengthError& error, std::uint64_t place) const;
   std::vector<double> length_errors(std::uint64_t place) const;
   void add_length_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
+  void add_station_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
   void add_target_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
   void draw_t_scaled(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> sds) const;
   void draw_resampled(std::uint64_t place, numeric::Rows<double> readings) const;
@@ -64,6 +66,7 @@ class TrialModel {
   TrialModelOptions options_;
   BatchLayout layout_;
   std::vector<LengthError> length_errors_;
+  std::optional<StationErrors> station_;
   ReadingPosterior posterior_;
 };
 

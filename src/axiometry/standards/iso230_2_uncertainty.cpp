@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Deviations from the source: the errata named in the header; other n than 5 and 1; rotary axes.
+// Deviations from the source: the errata named in the header; other n than 5 and 1; rotary axes;
+// the station of a tracking interferometer, which the annex does not know.
 #include "axiometry/standards/iso230_2_uncertainty.h"
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2_artefact.h"
+#include "axiometry/standards/station_offset.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -27,6 +29,7 @@ constexpr double expansion_range_usual = 2.0;  // µm/(m·°C), A.2.4.3
 constexpr double length_limit_m = 2.0;         // A.2.6 holds up to here
 constexpr double absurd = 1e100;               // µm or ″
 constexpr double length_short_m = 0.3;         // A.2.3 warns below
+constexpr double station_probability = 0.95;   // that the length difference stays below its bound
 
 /// A number that enters a formula, and where it came from when nobody gave it.
 struct Known {
@@ -90,6 +93,7 @@ bool any_given(const Metadata& metadata) {
                                return field.key.starts_with("uncertainty.") && field.key != "uncertainty.length_mm" &&
                                       !field.clause.empty() && is_given(field, metadata);
                              }) ||
+         station_offset(metadata) ||
          (artefact_takes_place_of_device(metadata) &&
           (metadata.artefact.calibration_uncertainty || metadata.artefact.calibration_uncertainty_per_length ||
            metadata.artefact.probing_uncertainty));
@@ -121,7 +125,8 @@ Contributor product(Contributor contributor, double factor, std::initializer_lis
 /// Builds the budget and remembers what had to be assumed.
 class Budget {
  public:
-  Budget(const Metadata& metadata, const Series& series) : metadata_(metadata), in_(metadata.uncertainty) {
+  Budget(const Metadata& metadata, const Series& series)
+      : metadata_(metadata), in_(metadata.uncertainty), targets_(series.targets()), station_(station_offset(metadata)) {
     linear_ = metadata.axis.kind == AxisKind::linear;
     artefact_ = artefact_takes_place_of_device(metadata);
     length_ = first_of({given(in_.length), Known{series.travel_native(), "measured travel"}});
@@ -132,6 +137,9 @@ class Budget {
     std::vector<Contributor> rows = {device(),   misalignment(),           m_machine(), m_device(), e_machine(),
                                      e_device(), environmental_variation()};
     if (metadata_.artefact.probing_uncertainty && artefact_) rows.push_back(probing());
+    if (station_) rows.push_back(station());
+    if (const std::string problem = station_offset_problem(metadata_); !problem.empty())
+      notes_.push_back(fmt::format("The station of the tracking interferometer is left out: {}", problem));
     for (Contributor& row : rows) leave_out_absurd(row);
     return rows;
   }
@@ -175,6 +183,21 @@ class Budget {
                    {{"U_PROBING", deviation(), given(metadata_.artefact.probing_uncertainty)}});
   }
 
+  /// Not in the annex: the range of the errors over the targets, with the probability of an expanded uncertainty.
+  Contributor station() {
+    const StationErrors errors(targets_, station_->at);
+    Contributor row{"station", "U_STATION", "Station of the tracking interferometer", "Lee et al. 19", {}, {}};
+    row.inputs = {{"u_1", station_->larger_mm, "mm", ""},
+                  {"u_2", station_->smaller_mm, "mm", ""},
+                  {"d_nearest", errors.nearest_mm(), "mm", "from the targets"},
+                  {"d_farthest", errors.farthest_mm(), "mm", "from the targets"}};
+    row.U = Deviation::native(errors.range_um(offset_squared_quantile(*station_, station_probability)));
+    notes_.push_back(
+        "U_STATION is not in Annex A: it bounds, with 95 %, what a wrongly determined station does to the lengths "
+        "along the line (Lee et al., eqs 17 to 23)");
+    return row;
+  }
+
   Contributor device() {
     if (artefact_) return artefact();
     const Input absolute = given(in_.device_calibration);
@@ -200,6 +223,10 @@ class Budget {
                     {}};
     if (!linear_) return row;
     const Input range = given(in_.misalignment);
+    if (station_) {
+      if (range) notes_.emplace_back(followed_beam_note);
+      return row;
+    }
     const double L_m = length_m();
     if (!range) {
       if (L_m < length_short_m)
@@ -292,6 +319,8 @@ class Budget {
 
   const Metadata& metadata_;
   const AnnexAInputs& in_;
+  std::span<const Position> targets_;
+  std::optional<StationOffset> station_;
   bool linear_ = true;
   bool artefact_ = false;  // in place of the device (Annex D)
   Input length_;

@@ -26,11 +26,12 @@ struct BudgetInput {
 
 /// One line of the budget.
 struct Contributor {
-  /// "device", "misalignment", "m_machine", "m_device", "e_machine", "e_device", "eve"; of an artefact "probing"
+  /// "device", "misalignment", "m_machine", "m_device", "e_machine", "e_device", "eve"; of an artefact "probing", of a
+  /// tracking interferometer "station"
   std::string_view key;
   std::string_view symbol;   ///< "U_M,MACHINE TOOL"
   std::string_view title;    ///< "Temperature measurement of the machine tool"
-  std::string_view formula;  ///< "A.5"
+  std::string_view formula;  ///< "A.5"; of the station, which is not in the annex, "Lee et al. 19"
   std::vector<BudgetInput> inputs;
   std::optional<Deviation> U;  ///< expanded, k = 2; absent when its inputs were not given
 };
@@ -46,7 +47,7 @@ struct CorrectedRepeatability {
 CorrectedRepeatability corrected_repeatability(const Evaluation& evaluation, Deviation U_eve);
 
 struct AnnexA {
-  std::vector<Contributor> budget;  ///< always all seven, in the order of A.2; then that of probing, if given
+  std::vector<Contributor> budget;  ///< always all seven, in the order of A.2; then probing and station, if given
   AxisParameters U;                 ///< expanded uncertainty, k = 2, of each parameter that exists (but see below)
   std::size_t runs = 0;             ///< n used: the smallest number of approaches in any measured cell
   std::vector<std::string> notes;   ///< what was assumed or generalised
@@ -71,6 +72,10 @@ struct AnnexA {
 ///   that in proportion to L, whatever is said of another device; it counts as expanding where its α is known and not
 ///   0. U of one probing is the same in every run: it counts as one more contributor to E, M and A and, since both
 ///   sides of a place are probed, √2 times to B.
+/// - A tracking interferometer whose station is uncertain across the line (TrackingInputs; station_offset.h) adds a
+///   contributor that the annex does not know, to E, M and A: what the range of the length difference over the targets
+///   stays below with 95 %. Readings are not corrected for its mean, so that the whole range counts. It shifts both
+///   directions alike: B and R have no part in it. Its beam follows the reflector; a misalignment (A.4) is left out.
 /// - (A.10), (A.11) and (A.14) are given up to L = 2 000 mm. Above, nothing is corrected, and U of an R that
 ///   exists all the same follows (A.11) and (A.14), noted.
 /// - Rotary axes: the annex is written for linear ones; (A.1) and (A.9) apply with ″, the terms in µm/m
