@@ -42,33 +42,36 @@ std::vector<Vector3> first_starts(const LinearSolution& linear, const StationOpt
 }
 
 /// Whether the lengths, with the σ stated and what they misfit anyway, tell two minima apart (3 standard deviations).
-bool told_apart(const Minimum& best, const Minimum& other, const RefinedFit& fit) {
-  const double scatter =
-      fit.degrees_of_freedom > 0 ? std::max(1.0, best.chi_squared / static_cast<double>(fit.degrees_of_freedom)) : 1.0;
+bool told_apart(const Minimum& best, const Minimum& other, std::size_t count) {
+  const double freedom = static_cast<double>(count) - 4.0;
+  const double scatter = freedom > 0.0 ? std::max(1.0, best.chi_squared / freedom) : 1.0;
   return other.chi_squared - best.chi_squared > 9.0 * scatter;
 }
 
 /// The minimum that is the station, with the other one that fits as well. Of two such the one near the place that was
-/// said, else the lower one: the instrument stands on the table and the reflector moves above it.
+/// said, else the lower one: the instrument stands on the table and the reflector moves above it. What lies out of
+/// reach fits lengths of any paraboloid, and counts only where nothing else does.
 struct Choice {
   Minimum station;
   std::optional<Vector3> mirror;
 };
-Choice choose(const std::vector<Minimum>& minima, const RefinedFit& best, const StationOptions& options) {
-  Choice choice{minima.front(), std::nullopt};
-  const auto other = std::find_if(minima.begin() + 1, minima.end(), [&](const Minimum& m) {
-    return m.converged && !told_apart(minima.front(), m, best) &&
-           norm(m.station_mm - minima.front().station_mm) < absurd_distance_mm;
-  });
-  if (other == minima.end()) return choice;
+Choice choose(const std::vector<Minimum>& minima, std::span<const LocationPoint> points,
+              const StationOptions& options) {
+  const Minimum& best = minima.front();
+  std::vector<Minimum> possible;
+  for (const Minimum& m : minima)
+    if (distance(m.station_mm, points.front().at_mm) < absurd_distance_mm && (m.converged || &m == &best) &&
+        !told_apart(best, m, points.size()))
+      possible.push_back(m);
+  if (possible.empty()) return {best, std::nullopt};
+  if (possible.size() == 1) return {possible.front(), std::nullopt};
   const auto rank = [&](const Minimum& m) {
     return options.near_mm ? distance(m.station_mm, *options.near_mm) : m.station_mm.z;
   };
-  const double apart = distance(other->station_mm, minima.front().station_mm);
-  const bool decides = options.near_mm || std::abs(rank(*other) - rank(minima.front())) > 0.1 * apart;
-  if (decides && rank(*other) < rank(minima.front())) return {*other, minima.front().station_mm};
-  choice.mirror = other->station_mm;
-  return choice;
+  const double apart = distance(possible[0].station_mm, possible[1].station_mm);
+  const bool decides = options.near_mm || std::abs(rank(possible[1]) - rank(possible[0])) > 0.1 * apart;
+  if (decides && rank(possible[1]) < rank(possible[0])) std::swap(possible[0], possible[1]);
+  return {possible[0], possible[1].station_mm};
 }
 
 void add_uncertainties(const LinearSolution& linear, const RefinedSolution& refined, StationLocation& location) {
@@ -170,10 +173,9 @@ Result<StationLocation> locate_station(std::span<const LocationPoint> points, co
   LinearSolution linear = solve_linear(points);
   const auto minima = refine_from_all(points, options, starts_around(points, first_starts(linear, options)));
   if (minima.empty()) return fail("found no station near which the lengths fit, expected at least one");
-  RefinedSolution refined = describe(points, options, minima.front());
+  const Choice choice = choose(minima, points, options);
+  const RefinedSolution refined = describe(points, options, choice.station);
   AXIOMETRY_TRY_VOID(check_reading(points, options, refined));
-  const Choice choice = choose(minima, refined.fit, options);
-  refined = describe(points, options, choice.station);
 
   const MatrixNoise noise{mean(refined.fit.sigma_mm), std::max(options.machine_sigma_mm, points_known_mm)};
   judge_rank(linear, noise);

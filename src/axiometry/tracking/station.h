@@ -59,9 +59,8 @@ struct RefinedFit {
   double L0_mm = 0.0;
   Matrix3 covariance_mm2{};         ///< of s: the one that follows, times the inflation
   Matrix3 covariance_stated_mm2{};  ///< (JᵀWJ)⁻¹, from the σ stated alone
-  /// χ²/ν where χ² is larger than the σ stated explain with 5 % probability, else 1.
-  double inflation = 1.0;
-  double L0_variance_mm2 = 0.0;  ///< inflated likewise
+  double inflation = 1.0;           ///< χ²/ν where that is above 1 and ν > 0, else 1
+  double L0_variance_mm2 = 0.0;     ///< inflated likewise
   std::vector<double> residuals_mm;
   std::vector<double> sigma_mm;  ///< σ_i: of the instrument, and of the machine where given, combined
   double chi_squared = 0.0;

@@ -158,7 +158,6 @@ Result<void> check_triangles(std::span<const LocationPoint> points, const Statio
 
 std::string better_reading(std::span<const LocationPoint> points, const StationOptions& options, double rms_mm) {
   if (different_points(points) < 5 || points.size() > most_pairs_from) return "";
-  const double limit = std::min(absurd_error_mm, rms_mm / 20.0);
   for (const Reading& reading : readings) {
     std::vector<LocationPoint> other(points.begin(), points.end());
     for (LocationPoint& p : other) p.length_difference_mm *= reading.factor;
@@ -168,10 +167,11 @@ std::string better_reading(std::span<const LocationPoint> points, const StationO
     const auto minima = refine_from_all(other, options, starts_around(other, first));
     if (minima.empty() || !minima.front().converged) continue;
     const RefinedSolution solution = describe(other, options, minima.front());
-    // lengths that are nothing beside the points fit no better by being read smaller still
+    // a machine that is wrong by a thousandth does not hide a wrong unit; lengths that are nothing beside the points
+    // fit no better by being read smaller still
     double longest = 0.0;
     for (const LocationPoint& p : other) longest = std::max(longest, std::abs(p.length_difference_mm));
-    if (rms(solution.fit.residuals_mm) < std::min(limit, longest / 1000.0)) return std::string(reading.words);
+    if (rms(solution.fit.residuals_mm) < std::min(rms_mm / 100.0, longest / 1000.0)) return std::string(reading.words);
   }
   return "";
 }

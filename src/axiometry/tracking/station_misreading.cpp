@@ -55,10 +55,12 @@ std::vector<Hypothesis> hypotheses(std::span<const LocationPoint> points, const 
 }
 
 std::string words(const Hypothesis& h) {
+  // the step is what the lengths would have to be longer
+  const std::string amount =
+      fmt::format("{} too {}", shown_mm(std::abs(h.minimum.step_mm)), h.minimum.step_mm < 0.0 ? "long" : "short");
   return h.to_the_end
-             ? fmt::format("all lengths from point {} on being {} too long (the beam was broken before it)",
-                           h.first + 1, shown_mm(h.minimum.step_mm * -1.0))
-             : fmt::format("the length of point {} being {} too long", h.first + 1, shown_mm(h.minimum.step_mm * -1.0));
+             ? fmt::format("all lengths from point {} on being {} (the beam was broken before it)", h.first + 1, amount)
+             : fmt::format("the length of point {} being {}", h.first + 1, amount);
 }
 
 }  // namespace

@@ -242,7 +242,8 @@ RefinedSolution describe(std::span<const LocationPoint> points, const StationOpt
 
   fit.degrees_of_freedom = points.size() - 4;
   fit.chance = chi_squared_tail(fit.chi_squared, fit.degrees_of_freedom);
-  if (fit.chance < 0.05) fit.inflation = fit.chi_squared / static_cast<double>(fit.degrees_of_freedom);
+  if (fit.degrees_of_freedom > 0)
+    fit.inflation = std::max(1.0, fit.chi_squared / static_cast<double>(fit.degrees_of_freedom));
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       fit.covariance_stated_mm2[i][k] = covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/tracking_locate.h"
+
+#include <fmt/format.h>
+
+#include "axiometry/app/source.h"
+#include "axiometry/app/whole_file.h"
+#include "axiometry/app/wire_tracking.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/formats/location_points_csv.h"
+#include "axiometry/report/tracking.h"
+
+namespace axiometry::app {
+
+Result<Located> locate(const LocateRequest& request) {
+  AXIOMETRY_TRY(const std::string bytes, whole_file(request.file));
+  AXIOMETRY_TRY(formats::LocationPointsFile file, in_file(formats::read_location_points(bytes), request.file));
+  Located located{request, sha256(bytes), std::move(file.points), {}};
+  for (LocationPoint& point : located.points) point.at_mm += request.tool_offset_mm;
+  AXIOMETRY_TRY(located.location, in_file(tracking::locate_station(located.points, request.options), request.file));
+  for (std::string& remark : file.remarks) located.location.findings.push_back({false, std::move(remark)});
+  return located;
+}
+
+Experiment present(const Located& located, const report::Options& options) {
+  const report::StationSubject subject{located.points, located.location, located.request.options,
+                                       base_name(located.request.file), located.sha256};
+  return {report::compose(subject, options), to_json(located)};
+}
+
+Result<PlannedLocation> plan_location_points(const TrackingSetup& setup, std::size_t count) {
+  AXIOMETRY_TRY(tracking::LocationPlan plan, tracking::plan_location(setup, count));
+  return PlannedLocation{setup, std::move(plan)};
+}
+
+Experiment present(const PlannedLocation& planned, const report::Options& options) {
+  return {report::compose(report::LocationPlanSubject{planned.setup, planned.plan}, options), to_json(planned)};
+}
+
+std::string location_points_csv(const PlannedLocation& planned) {
+  std::string text =
+      "# Drive the axes to each point in this order without breaking the beam and fill in the change of length.\n"
+      "point,axes_x_mm,axes_y_mm,axes_z_mm,x_mm,y_mm,z_mm,length_difference_mm\n";
+  for (std::size_t i = 0; i < planned.plan.points_mm.size(); ++i) {
+    const Vector3 p = planned.plan.points_mm[i], q = p - planned.setup.tool_offset_mm;
+    text += fmt::format("{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},\n", i + 1, q.x, q.y, q.z, p.x, p.y, p.z);
+  }
+  return text;
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "axiometry/app/tracking_locate.h"
+#include "axiometry/base/json.h"
+
+/// Results of station locations as machines read them; docs/howto/find-the-station.md tells their members.
+namespace axiometry::app {
+
+json::Value to_json(const Located& located);
+json::Value to_json(const PlannedLocation& planned);
+
+/// [x, y, z]; [[…], […], […]].
+json::Value vector_to_json(Vector3 vector);
+json::Value matrix_to_json(const Matrix3& matrix);
+
+/// [{"severity": "serious" or "note", "message": …}].
+json::Value tracking_findings_to_json(std::span<const tracking::Finding> findings);
+
+}  // namespace axiometry::app
