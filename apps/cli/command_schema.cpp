@@ -12,6 +12,7 @@
 #include "axiometry/formats/import_profile.h"
 #include "axiometry/formats/plan_json.h"
 #include "axiometry/formats/test_schema.h"
+#include "axiometry/formats/tracking_plan_json.h"
 #include "commands.h"
 
 namespace axiometry::cli {
@@ -25,6 +26,7 @@ struct Schema {
 constexpr Schema schemas[] = {
     {"test", formats::test_schema},
     {"plan", [] { return json::dump(formats::plan_schema()) + "\n"; }},
+    {"tracking-plan", [] { return json::dump(formats::tracking_plan_schema()) + "\n"; }},
     {"import-profile", formats::profile_schema},
 };
 

@@ -330,6 +330,8 @@ Value plan_value(const Plan& plan) {
 
 std::string write_plan(const Plan& plan) { return json::dump(plan_value(plan)) + "\n"; }
 
+Result<Plan> plan_from_value(const Value& value) { return plan_from(value, false); }
+
 Result<Plan> read_plan(std::string_view bytes) {
   AXIOMETRY_TRY(const std::string_view text, utf8_text(bytes));
   AXIOMETRY_TRY(const Value root, json::parse(text));

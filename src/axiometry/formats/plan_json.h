@@ -23,6 +23,9 @@ std::string write_plan(const Plan& plan);
 /// name "findings" and "duration_s", which write_plan()'s caller may add for people, are passed over.
 Result<Plan> read_plan(std::string_view bytes);
 
+/// The same of a plan that stands inside another file.
+Result<Plan> plan_from_value(const json::Value& value);
+
 /// JSON Schema of the above.
 json::Value plan_schema();
 

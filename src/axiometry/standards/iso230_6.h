@@ -27,10 +27,11 @@ struct Diagonal {
   Vector3 begin_mm;
   Vector3 end_mm;
 };
-std::vector<Diagonal> body_diagonals(const TravelBox& box);  ///< four
-std::vector<Diagonal> face_diagonals(const TravelBox& box);  ///< two in each of the three planes
+std::vector<Diagonal> body_diagonals(const TravelBox& box);  ///< NNN-PPP, NNP-PPN, NPN-PNP, NPP-PNN
+std::vector<Diagonal> face_diagonals(const TravelBox& box);  ///< NN0-PP0, NP0-PN0, N0N-P0P, N0P-P0N, 0NN-0PP, 0NP-0PN
 
-/// Of a set of diagonals. Absent where no diagonal has it.
+/// Of a set of diagonals: the largest of each parameter and the diagonal that has it, the first of several that are
+/// alike. Absent where no diagonal has it.
 struct DiagonalSummary {
   struct Largest {
     std::string id;

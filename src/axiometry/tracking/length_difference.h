@@ -15,7 +15,8 @@
 /// The line passes through the determined station. Δ = determined − actual (16); along the line Δ∥, across it Δ⊥. At a
 /// nominal distance d the actual one is d̂ = √((Δ∥ + d)² + Δ⊥²), and relative to the last target n
 ///   Δd[k] = (d̂[k] − d̂[n]) − (d[k] − d[n]) = d̂[k](1 − cos α[k]) − d̂[n](1 − cos α[n])           (19)
-/// with α = atan2(Δ⊥, Δ∥ + d) (18). Computed as d̂(1 − cos α) = Δ⊥²/(d̂ + Δ∥ + d), which does not cancel.
+/// with α = atan2(Δ⊥, Δ∥ + d) (18). Computed as d̂(1 − cos α) = Δ⊥²/(d̂ + Δ∥ + d), which does not cancel: each of
+/// the two terms is within 1e-15 of itself. The same holds for a line of any direction.
 namespace axiometry::tracking {
 
 struct LengthDifference {
@@ -24,7 +25,7 @@ struct LengthDifference {
 };
 
 /// One per distance. `direction` is that of the line, of length 1, away from the station; distances above 0.
-/// Needs reference < distances.size().
+/// Needs reference < distances.size(). The difference at the reference is exactly 0.
 std::vector<LengthDifference> length_differences(Vector3 station_error_mm, Vector3 direction,
                                                  std::span<const double> distances_mm, std::size_t reference);
 
@@ -41,13 +42,19 @@ struct OffsetUncertainty {
 };
 OffsetUncertainty offset_uncertainty(const Matrix3& covariance_mm2, Vector3 direction);
 
+/// The q with P(Δ⊥² ≤ q) = probability, in mm², for Δ⊥² = u1² z1² + u2² z2² (z standard normal): between χ²₁ and χ²₂
+/// times u1². P = 1 − (2/π)∫ exp(−q/(2w)) dθ over a quarter turn, w = u1² cos²θ + u2² sin²θ, is a periodic integral
+/// that 64 points give within 1e-15. The quantile is within 1e-13 of itself. Contract: 0 < probability < 1.
+double squared_offset_quantile_mm2(const OffsetUncertainty& offset, double probability);
+
 /// Half width that holds |Δd| at each distance with 95 %, for Δ⊥ normal with these standard uncertainties: the 95 %
-/// quantile of Δ⊥² times ½|1/d − 1/d_n|.
+/// quantile of Δ⊥² times ½|1/d − 1/d_n|, which leaves out terms of the relative size Δ/d.
 std::vector<Length> length_difference_bounds(const OffsetUncertainty& offset, std::span<const double> distances_mm,
                                              std::size_t reference);
 
 /// From which distance on |Δd|, as above, is less than `fraction` of the instrument's expanded uncertainty at that
-/// distance (one third makes it 5 % of the combined uncertainty), with the reference far away.
+/// distance (one third makes it 5 % of the combined uncertainty), with the reference far away: where
+/// q/(2d) = fraction·(a + b·d). 0 for a station known exactly; infinite for an instrument without uncertainty.
 double negligible_from_mm(const OffsetUncertainty& offset, const RangingUncertainty& ranging, double fraction);
 
 }  // namespace axiometry::tracking

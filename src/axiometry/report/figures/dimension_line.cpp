@@ -2,6 +2,7 @@
 #include "axiometry/report/figures/dimension_line.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "axiometry/report/figures/ink.h"
 
@@ -55,6 +56,17 @@ void draw_dimension_line(Operations& operations, const DimensionLine& d) {
   operations.push_back(line({d.x, d.bottom + head_length / 2}, {d.x, d.bottom + outside_arrow_length}, stroke));
   operations.push_back(arrow_head({d.x, d.top}, 1.0));
   operations.push_back(arrow_head({d.x, d.bottom}, -1.0));
+}
+
+void draw_dimension_line(Operations& operations, const LevelDimensionLine& d) {
+  // Drawn upright, then turned: what stood at (x, y) stands at (y, x).
+  Operations upright;
+  draw_dimension_line(upright, DimensionLine{.x = d.y, .top = d.left, .bottom = d.right});
+  for (Operation& operation : upright) {
+    Path path = std::get<Path>(std::move(operation));
+    for (Point& point : path.points) std::swap(point.x, point.y);
+    operations.push_back(std::move(path));
+  }
 }
 
 double upper_end(const DimensionLine& d) { return heads_fit_within(d) ? d.top : d.top - outside_arrow_length; }

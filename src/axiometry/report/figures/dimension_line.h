@@ -28,6 +28,14 @@ struct DimensionLine {
 };
 void draw_dimension_line(Operations& operations, const DimensionLine& dimension);
 
+/// The same, level.
+struct LevelDimensionLine {
+  double y = 0.0;
+  double left = 0.0;  ///< ≤ right
+  double right = 0.0;
+};
+void draw_dimension_line(Operations& operations, const LevelDimensionLine& dimension);
+
 /// Upper end of what draw_dimension_line() draws: `top`, or the tail of the upper outside arrow.
 double upper_end(const DimensionLine& dimension);
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "axiometry/base/result.h"
+#include "axiometry/model/tracking.h"
+
+/// Where a tracking interferometer stands, as the other verbs of `axiometry tracking` read it.
+namespace axiometry::formats {
+
+/// The result of `axiometry tracking locate --json`: the refined station and its covariance. An object that people
+/// wrote does as well: {"station": [x, y, z], "covariance": [[…], […], […]]}, in mm and mm², the covariance may be left
+/// out. Other members are passed over.
+///
+/// Fails, with line and column, on what is no JSON, on a station that is missing or is not three numbers up to 1e9 mm,
+/// and on a covariance that is not symmetric with variances of 0 or more and |cov_ij| ≤ √(var_i var_j).
+Result<Station> read_station(std::string_view bytes);
+
+}  // namespace axiometry::formats

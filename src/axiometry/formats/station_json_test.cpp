@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/station_json.h"
+
+#include <gtest/gtest.h>
+
+namespace axiometry::formats {
+namespace {
+
+std::string error_of(std::string_view json) {
+  const auto station = read_station(json);
+  return station ? "no error" : station.error().to_string();
+}
+
+TEST(StationJson, TheRefinedStationOfALocationIsRead) {
+  const auto station = read_station(R"({"linear": {"station": [1, 2, 3]},
+    "refined": {"station": [653.6, -27.13, 262.18], "L0": 5,
+                "covariance": [[4e-6, 1e-6, 0], [1e-6, 9e-6, 0], [0, 0, 1e-4]]}, "findings": []})");
+  ASSERT_TRUE(station) << station.error().to_string();
+  EXPECT_EQ(station->position_mm, (Vector3{653.6, -27.13, 262.18}));
+  ASSERT_TRUE(station->covariance_mm2);
+  EXPECT_EQ((*station->covariance_mm2)[0][1], 1e-6);
+  EXPECT_EQ((*station->covariance_mm2)[2][2], 1e-4);
+}
+
+TEST(StationJson, AHandWrittenStationNeedsNoCovariance) {
+  const auto station = read_station(R"({"station": [650, -30, 260]})");
+  ASSERT_TRUE(station) << station.error().to_string();
+  EXPECT_EQ(station->position_mm, (Vector3{650, -30, 260}));
+  EXPECT_FALSE(station->covariance_mm2);
+  EXPECT_FALSE(read_station(R"({"station": [650, -30, 260], "covariance": null})")->covariance_mm2);
+}
+
+TEST(StationJson, WhatIsWrongIsNamedWithItsPlace) {
+  EXPECT_EQ(error_of("[1]"), "line 1:1: found array at the top, expected an object with the station");
+  EXPECT_NE(error_of("{}").find("line 1:1: found no member \"station\""), std::string::npos);
+  EXPECT_NE(error_of(R"({"station": [1, 2]})").find("line 1:13: found \"station\" that is no array of three numbers"),
+            std::string::npos);
+  EXPECT_NE(error_of(R"({"station": [1, "2", 3]})").find("line 1:17: found a string in \"station\""),
+            std::string::npos);
+  EXPECT_NE(error_of(R"({"station": [1, 2e12, 3]})").find("found the coordinate 2e+12"), std::string::npos);
+  EXPECT_NE(error_of(R"({"station": [1, 2, 3], "covariance": [[1, 0, 0], [0, -1, 0], [0, 0, 1]]})")
+                .find("found the variance -1 of Y"),
+            std::string::npos);
+  EXPECT_NE(error_of(R"({"station": [1, 2, 3], "covariance": [[1, 0, 0], [0.1, 1, 0], [0, 0, 1]]})")
+                .find("expected a symmetric matrix"),
+            std::string::npos);
+  EXPECT_NE(error_of(R"({"station": [1, 2, 3], "covariance": [[1, 2, 0], [2, 1, 0], [0, 0, 1]]})")
+                .find("found the covariance 2 of Y and X"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace axiometry::formats

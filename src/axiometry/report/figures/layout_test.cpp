@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "axiometry/report/figures/figure_rules_test_support.h"
+#include "axiometry/report/figures/layout_test_support.h"
+
+namespace axiometry::report {
+namespace {
+
+using testing::all_words;
+using ::testing::Contains;
+using testing::crowded_layout;
+using testing::expect_golden;
+using testing::fault_of;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+using testing::seven_lines_layout;
+
+TEST(LayoutFigure, OfSevenLinesIsTheGoldenOne) {
+  const Figure figure = layout_figure(seven_lines_layout(), {});
+  EXPECT_EQ(fault_of(figure), "");
+  expect_golden(figure, "layout_seven_lines");
+}
+
+TEST(LayoutFigure, NamesEveryLineEvenWhereItIsCrowded) {
+  const Figure figure = layout_figure(crowded_layout(), {});
+  EXPECT_EQ(fault_of(figure), "");
+  EXPECT_THAT(all_words(figure), IsSupersetOf({"x", "y", "z", "xy", "xz", "yz", "xyz", "vice", "station", "6"}));
+  expect_golden(figure, "layout_crowded");
+}
+
+TEST(LayoutFigure, ShowsTheTravelsInTheirLengths) {
+  const Figure figure = layout_figure(seven_lines_layout(), {});
+  EXPECT_THAT(all_words(figure), IsSupersetOf({"1000", "600", "500"}));
+}
+
+TEST(LayoutFigure, UsesTheDecimalMarkOfTheOptions) {
+  Layout layout = seven_lines_layout();
+  layout.box->highest_mm.x = 1000.5;
+  Options options;
+  options.numbers.decimal_mark = ',';
+  EXPECT_THAT(all_words(layout_figure(layout, options)), Contains("1000,5"));
+}
+
+TEST(LayoutFigure, StaysInItsBoxForAnythingThatMayBeAskedFor) {
+  std::vector<Layout> layouts;
+  layouts.push_back({});
+  layouts.push_back({.stations_mm = {{1, 2, 3}}});
+  layouts.push_back({.points_mm = {{1, 2, 3}}});
+  layouts.push_back({.stations_mm = {{4e5, -3e5, 1e5}}, .points_mm = {{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}});
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  layouts.push_back({.box = TravelBox{{0, nan, 0}, {1, 1, 1}},
+                     .stations_mm = {{nan, 0, 0}, {1, 1, 1}},
+                     .safe_radius_mm = inf,
+                     .lines = {{{0, 0, 0}, {inf, 0, 0}, "x"}},
+                     .points_mm = {{0, 0, nan}}});
+  Layout outside = seven_lines_layout();
+  outside.stations_mm = {{-900, 300, -400}};
+  layouts.push_back(outside);
+  Layout named = crowded_layout();
+  for (Layout::Item& item : named.lines) item.label += " <&>" + std::string(200, 'W');
+  for (Obstacle& obstacle : named.obstacles) obstacle.name += std::string(200, 'W');
+  layouts.push_back(named);
+  Layout flat = seven_lines_layout();
+  flat.box->highest_mm.z = flat.box->lowest_mm.z;
+  layouts.push_back(flat);
+  Layout thin{.box = TravelBox{{0, 0, 0}, {20000, 100, 50}}, .stations_mm = {{10, 10, 10}}, .safe_radius_mm = 40};
+  layouts.push_back(thin);
+  std::swap(thin.box->highest_mm.x, thin.box->highest_mm.z);
+  layouts.push_back(thin);
+  Layout huge = seven_lines_layout();
+  huge.box->highest_mm = {9e8, 3e8, 2e8};
+  layouts.push_back(huge);
+  Layout many{.stations_mm = {{0, 0, 0}, {900, 0, 0}, {0, 900, 0}, {400, 400, 900}}};
+  for (int k = 0; k < 10'000; ++k)
+    many.points_mm.push_back({k % 100 * 10.0, k / 100 * 10.0, 100.0 * std::sin(k * 0.1)});
+  layouts.push_back(many);
+  for (std::size_t k = 0; k < layouts.size(); ++k) EXPECT_EQ(fault_of(layout_figure(layouts[k], {})), "") << k;
+}
+
+TEST(LayoutFigure, DrawsLostLinesDashedAndGrey) {
+  Layout layout = seven_lines_layout();
+  for (Layout::Item& item : layout.lines) item.lost = true;
+  EXPECT_THAT(all_words(layout_figure(layout, {})), Contains("cannot be measured"));
+  EXPECT_THAT(all_words(layout_figure(layout, {})), Not(Contains("line of one axis")));
+}
+
+TEST(LayoutFigure, DrawsNoMoreThanSomeOfManyPoints) {
+  Layout layout;
+  for (int k = 0; k < 100'000; ++k) layout.points_mm.push_back({k * 0.01, k % 317 * 1.0, k % 101 * 1.0});
+  const Figure figure = layout_figure(layout, {});
+  EXPECT_LT(figure.operations.size(), 9000u);
+  EXPECT_THAT(all_words(figure), Contains("some of 100000 points"));
+}
+
+}  // namespace
+}  // namespace axiometry::report
