@@ -7,10 +7,11 @@
 
 namespace axiometry::cli {
 
-void add_tracking(CLI::App& program, [[maybe_unused]] int& exit_code) {
+void add_tracking(CLI::App& program, int& exit_code) {
   CLI::App* verb = program.add_subcommand(
       "tracking", "Tests with a tracking interferometer: its station, seven lines, multilateration");
   verb->require_subcommand(1);
+  add_tracking_evaluate(*verb, exit_code);
 }
 
 }  // namespace axiometry::cli

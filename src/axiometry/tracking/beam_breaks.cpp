@@ -9,10 +9,10 @@
 namespace axiometry::tracking {
 namespace {
 
-constexpr double least_mm = 0.02;          // smaller jumps are the machine's, or thermal
-constexpr double scatters = 8.0;           // so many robust standard deviations no noise reaches
-constexpr double incomparable_mm = 1.0;    // no reversal error is as large
-constexpr double sd_per_mad = 1.4826;      // of normal noise
+constexpr double least_mm = 0.02;        // smaller jumps are the machine's, or thermal
+constexpr double scatters = 8.0;         // so many robust standard deviations no noise reaches
+constexpr double incomparable_mm = 1.0;  // no reversal error is as large
+constexpr double sd_per_mad = 1.4826;    // of normal noise
 constexpr std::size_t votes_most = 100;
 
 using Key = std::tuple<std::size_t, Direction, std::size_t, Direction>;  // from target, direction, to target, direction

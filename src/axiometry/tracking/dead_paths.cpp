@@ -101,8 +101,8 @@ Solution solve(std::span<const TiedSample> samples, std::size_t stretches, By by
   const auto taken = groups.size() + static_cast<std::size_t>(columns);
   solution.fit.degrees_of_freedom = used > taken ? used - taken : 0;
   if (solution.fit.degrees_of_freedom > 0)
-    solution.fit.scatter_mm = std::sqrt(std::max(0.0, squares - x.dot(right)) /
-                                        static_cast<double>(solution.fit.degrees_of_freedom));
+    solution.fit.scatter_mm =
+        std::sqrt(std::max(0.0, squares - x.dot(right)) / static_cast<double>(solution.fit.degrees_of_freedom));
   const Eigen::MatrixXd inverse = factors.solve(Eigen::MatrixXd::Identity(columns, columns));
   for (std::size_t k = 0; k < stretches; ++k) {
     if (column[k] < 0) continue;

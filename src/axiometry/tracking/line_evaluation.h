@@ -63,13 +63,13 @@ struct LinesEvaluation {
 };
 
 struct LineEvaluationOptions {
-  Metadata metadata = {};                                ///< of all lines; axis and tracking are filled in per line
-  std::optional<Matrix3> station_covariance_mm2 = {};    ///< in place of the plan's
-  std::optional<double> break_threshold_mm = {};         ///< a jump above it is a break; else from the scatter
-  bool find_breaks = true;                               ///< else only the stated segments part the lengths
-  bool reversed = false;                                 ///< the instrument counts down when the reflector recedes
-  bool in_program_order = false;                         ///< readings were assigned by their order alone
-  std::vector<double> times_s = {};                      ///< of each reading, s; NaN where not known, or empty
+  Metadata metadata = {};                              ///< of all lines; axis and tracking are filled in per line
+  std::optional<Matrix3> station_covariance_mm2 = {};  ///< in place of the plan's
+  std::optional<double> break_threshold_mm = {};       ///< a jump above it is a break; else from the scatter
+  bool find_breaks = true;                             ///< else only the stated segments part the lengths
+  bool reversed = false;                               ///< the instrument counts down when the reflector recedes
+  bool in_program_order = false;                       ///< readings were assigned by their order alone
+  std::vector<double> times_s = {};                    ///< of each reading, s; NaN where not known, or empty
 };
 
 /// `readings` stand in the order of measurement. Fails on a plan that is not sound, on readings of lines or targets

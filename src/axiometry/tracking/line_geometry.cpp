@@ -12,15 +12,16 @@
 namespace axiometry::tracking {
 namespace {
 
-constexpr double nearest_mm = 1.0;          // within it a direction of the beam has no meaning
-constexpr double steepest_cosine = 0.5;     // 60°
+constexpr double nearest_mm = 1.0;       // within it a direction of the beam has no meaning
+constexpr double steepest_cosine = 0.5;  // 60°
 constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 
 std::unexpected<Error> passes_by(const TrackingLine& line, const LineGeometry& geometry) {
-  return fail(fmt::format(
-      "found line {} running past the station ({} mm beside it, next to it at position {}), expected all targets on one "
-      "side of the station",
-      line.id, format_fixed(geometry.miss_mm, 3), format_fixed(geometry.foot.in_native(), 3)));
+  return fail(
+      fmt::format("found line {} running past the station ({} mm beside it, next to it at position {}), expected all "
+                  "targets on one "
+                  "side of the station",
+                  line.id, format_fixed(geometry.miss_mm, 3), format_fixed(geometry.foot.in_native(), 3)));
 }
 
 }  // namespace
@@ -28,8 +29,8 @@ std::unexpected<Error> passes_by(const TrackingLine& line, const LineGeometry& g
 Result<LineGeometry> line_geometry(const TrackingSetup& setup, const TrackingLine& line) {
   const auto spatial = spatial_line(line.plan.axis);
   if (!spatial)
-    return fail(fmt::format("found line {} without a line in space, expected origin and direction of a linear axis",
-                            line.id));
+    return fail(
+        fmt::format("found line {} without a line in space, expected origin and direction of a linear axis", line.id));
   LineGeometry geometry;
   geometry.direction = spatial->direction;
   const Vector3 to_station = setup.station.position_mm - setup.tool_offset_mm - spatial->origin_mm;

@@ -15,11 +15,11 @@
 namespace axiometry::tracking {
 namespace {
 
-constexpr std::ptrdiff_t shift_most = 5;    // approaches by which an order may be lost
-constexpr double scale_most = 0.08;         // of a machine's error in proportion to lengths; 1 % is a broken one
-constexpr double change_least_mm = 0.5;     // no machine stands farther from where it should, but for its scale
-constexpr double exact_mm = 0.1;            // to which a jump must be an interval of targets to be no break of the beam
-constexpr double shown_many = 1.0 / 3.0;    // of the steps that do not fit: then nothing does
+constexpr std::ptrdiff_t shift_most = 5;  // approaches by which an order may be lost
+constexpr double scale_most = 0.08;       // of a machine's error in proportion to lengths; 1 % is a broken one
+constexpr double change_least_mm = 0.5;   // no machine stands farther from where it should, but for its scale
+constexpr double exact_mm = 0.1;          // to which a jump must be an interval of targets to be no break of the beam
+constexpr double shown_many = 1.0 / 3.0;  // of the steps that do not fit: then nothing does
 
 /// A reading, or an approach that a reading may belong to.
 struct Place {
@@ -175,9 +175,12 @@ std::string_view reason_for(double factor) {
     double factor;
     std::string_view reason;
   };
-  constexpr Known known[] = {{1000.0, "lengths in µm read as mm"}, {0.001, "lengths in m read as mm"},
-                             {1e6, "lengths in nm read as mm"},    {1.0 / 25.4, "lengths in inches read as mm"},
-                             {25.4, "lengths in mm read as inches"}, {2.0, "the way of the light there and back"},
+  constexpr Known known[] = {{1000.0, "lengths in µm read as mm"},
+                             {0.001, "lengths in m read as mm"},
+                             {1e6, "lengths in nm read as mm"},
+                             {1.0 / 25.4, "lengths in inches read as mm"},
+                             {25.4, "lengths in mm read as inches"},
+                             {2.0, "the way of the light there and back"},
                              {0.5, "half the way"}};
   for (const Known& k : known)
     if (std::abs(std::abs(factor) / k.factor - 1.0) < scale_most) return k.reason;
@@ -193,9 +196,9 @@ Result<void> check_scale(const std::string& line, std::vector<double> ratios) {
         "found lengths of line {} that fall where the reflector recedes from the station, expected them to grow: the "
         "instrument counts the other way (--reversed), or these are the lengths of another plan",
         line));
-  return fail(fmt::format(
-      "found lengths of line {} that change by {} times the distances of the plan, expected 1 times: {}", line,
-      format_exact(std::round(factor * 1e6) / 1e6), reason_for(factor)));
+  return fail(
+      fmt::format("found lengths of line {} that change by {} times the distances of the plan, expected 1 times: {}",
+                  line, format_exact(std::round(factor * 1e6) / 1e6), reason_for(factor)));
 }
 
 /// Factors of the changes of length over those of the distances.

@@ -10,8 +10,8 @@
 #include "axiometry/model/tracking.h"
 
 /// Which approach a length belongs to, where a file gives lengths in the order of the program, and whether lengths fit
-/// the approaches they are said to belong to. Judged by the geometry alone: from one reading to the next the length must
-/// change as the distance from the station does.
+/// the approaches they are said to belong to. Judged by the geometry alone: from one reading to the next the length
+/// must change as the distance from the station does.
 namespace axiometry::tracking {
 
 /// A length in the order in which it was taken.
