@@ -35,11 +35,16 @@ inline Trace run_klartext(std::string_view program) {
       --left;
     } else if (line.starts_with("L ")) {
       line.remove_prefix(2);
-      const std::string axis(line.substr(0, 1));
-      line.remove_prefix(1);
-      if (!line.starts_with('+') && !line.starts_with('-')) throw std::runtime_error("a coordinate without a sign");
-      const std::string_view coordinate = take_until(line, " R0 F");
-      machine.move(axis, coordinate, nc_number(line), inch, 10.0);
+      NcMachine::Words axes;
+      for (std::string_view words = take_until(line, " R0 F"); !words.empty();) {
+        const std::string_view word = words.substr(0, words.find(' '));
+        words = trimmed(words.substr(word.size()));
+        const std::string_view coordinate = word.substr(1);
+        if (!coordinate.starts_with('+') && !coordinate.starts_with('-'))
+          throw std::runtime_error("a coordinate without a sign");
+        axes.emplace_back(word.substr(0, 1), coordinate);
+      }
+      machine.move(axes, nc_number(line), inch, 10.0);
     } else if (line == "CYCL DEF 9.0 DWELL TIME") {
       dwell = true;
     } else if (line == "STOP") {

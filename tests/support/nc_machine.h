@@ -4,21 +4,25 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// What a part program makes a machine do, found by running its text. Shares nothing with the writers; knows just
 /// enough of each language to run a positioning test, and throws on everything else.
 namespace axiometry::testing_support {
 
-/// A position the axis was sent to, in mm or degrees.
+/// A position the axes were sent to, in mm or degrees.
 struct Visit {
-  double position = 0.0;
-  double resolution = 0.0;  ///< one unit of its last decimal, mm or degrees
-  double feed = 0.0;        ///< mm/min or degrees/min
-  double dwell_s = 0.0;     ///< all there
+  double position = 0.0;                  ///< of the first axis that was named
+  std::string named = {};                 ///< the axes of this move, as they stand in the block: "XZ"
+  std::map<std::string, double> at = {};  ///< where each axis stands that has been named so far
+  double resolution = 0.0;                ///< one unit of its last decimal, mm or degrees
+  double feed = 0.0;                      ///< mm/min or degrees/min
+  double dwell_s = 0.0;                   ///< all there
   double dwell_before_m_code_s = 0.0;
   std::size_t dwells = 0;  ///< blocks
   std::vector<unsigned> m_codes = {};
@@ -26,7 +30,7 @@ struct Visit {
 };
 
 struct Trace {
-  std::string axis;  ///< the only one that moved
+  std::string axis;  ///< all that were named, in the order in which they came: "X", "XYZ"
   bool inch = false;
   bool ended = false;
   std::vector<Visit> visits;
@@ -65,18 +69,29 @@ inline std::vector<std::string_view> lines_of(std::string_view program) {
 /// The axis and what it has done.
 class NcMachine {
  public:
-  void move(const std::string& axis, std::string_view coordinate, double feed, bool inch, double feed_per_inch = 1.0) {
+  /// Axes with their coordinates, which go there together.
+  using Words = std::vector<std::pair<std::string, std::string_view>>;
+
+  void move(const Words& words, double feed, bool inch, double feed_per_inch = 1.0) {
     check_running();
-    if (!trace_.axis.empty() && trace_.axis != axis) throw std::runtime_error("a second axis: " + axis);
-    if (coordinate.find('.') == std::string_view::npos) throw std::runtime_error("a coordinate without a point");
-    trace_.axis = axis;
+    if (words.empty()) throw std::runtime_error("a move of no axis");
+    Visit visit;
+    if (!trace_.visits.empty()) visit.at = trace_.visits.back().at;
     trace_.inch = inch;
-    const bool scaled = inch && axis.find_first_of("ABC") == std::string::npos;
-    const double unit = scaled ? 25.4 : 1.0;
-    const auto decimals = static_cast<int>(coordinate.size() - coordinate.find('.') - 1);
-    trace_.visits.push_back({.position = nc_number(coordinate) * unit,
-                             .resolution = std::pow(10.0, -decimals) * unit,
-                             .feed = scaled ? feed / feed_per_inch * unit : feed});
+    for (const auto& [axis, coordinate] : words) {
+      if (coordinate.find('.') == std::string_view::npos) throw std::runtime_error("a coordinate without a point");
+      if (visit.named.find(axis) != std::string::npos) throw std::runtime_error("an axis twice: " + axis);
+      const bool scaled = inch && axis.find_first_of("ABC") == std::string::npos;
+      const double unit = scaled ? 25.4 : 1.0;
+      const auto decimals = static_cast<int>(coordinate.size() - coordinate.find('.') - 1);
+      visit.at[axis] = nc_number(coordinate) * unit;
+      if (visit.named.empty()) visit.position = visit.at[axis];
+      visit.named += axis;
+      visit.resolution = std::pow(10.0, -decimals) * unit;
+      visit.feed = scaled ? feed / feed_per_inch * unit : feed;
+      if (trace_.axis.find(axis) == std::string::npos) trace_.axis += axis;
+    }
+    trace_.visits.push_back(std::move(visit));
   }
 
   void dwell(double seconds) {

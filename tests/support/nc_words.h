@@ -39,6 +39,8 @@ class WordMachine {
     for (const auto& [letter, value] : words) {
       if (letter == "G" || letter == "M")
         g_and_m.emplace(letter, value);
+      else if (letter.find_first_not_of("FPKXYZUVWABC0123456789") != std::string::npos)
+        throw std::runtime_error("the word " + letter);
       else if (!others.emplace(letter, value).second)
         throw std::runtime_error("a word twice: " + letter);
     }
@@ -90,9 +92,11 @@ class WordMachine {
 
   void run_move(const std::map<std::string, std::string_view>& words, bool exact) {
     if (seen_ != rules_.start || unit_.empty() || !exact) throw std::runtime_error("a move before a safe start");
-    if (words.size() != 2 || !words.contains("F")) throw std::runtime_error("a move needs one axis and a feed");
+    if (!words.contains("F")) throw std::runtime_error("a move without a feed");
+    NcMachine::Words axes;
     for (const auto& [letter, value] : words)
-      if (letter != "F") machine_.move(letter, value, nc_number(words.at("F")), unit_ == rules_.inch);
+      if (letter != "F") axes.emplace_back(letter, value);
+    machine_.move(axes, nc_number(words.at("F")), unit_ == rules_.inch);
   }
 
   void run_dwell(const std::map<std::string, std::string_view>& words) {

@@ -35,7 +35,7 @@ Result<std::string> nc_program(const NcRequest& request) {
   const Plan& part = request.part == 1 ? plan : plan.further[request.part - 2];
   nc::ProgramOptions options = request.options;
   options.duration = iso230_2::estimated_duration(part, iso230_2::usual_acceleration(part.axis.kind));
-  return in_file(dialect->write(part, options), request.plan);
+  return in_file(dialect->write({&part, 1}, options), request.plan);
 }
 
 Result<void> write_nc_program(const NcRequest& request, const std::string& output) {

@@ -88,6 +88,21 @@ Result<Axis> axis_from(std::string_view, const Value& value) {
   return metadata.axis;
 }
 
+/// [[0, 0, 500], [10, 20, 500]]
+Result<std::vector<Vector3>> way_from(std::string_view name, const Value& list) {
+  if (!list.is(Kind::array)) return wrong_kind(name, list, "an array of points [x, y, z]");
+  std::vector<Vector3> way;
+  for (const Value& item : list.items()) {
+    if (!item.is(Kind::array) || item.items().size() != 3)
+      return fail(fmt::format("found a point of \"{}\" that is none, expected [x, y, z] in mm", name), item.at());
+    Vector3& point = way.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      AXIOMETRY_TRY(point[k], number_from(name, item.items()[k]));
+    }
+  }
+  return way;
+}
+
 /// The smallest plan that can be walked. With one member replaced, check_sound() judges that member.
 Plan smallest_plan() {
   Plan plan;
@@ -95,6 +110,13 @@ Plan smallest_plan() {
   plan.runs = 1;
   plan.overrun = Position::native(1.0);
   plan.feed = 1.0;
+  return plan;
+}
+
+/// With a way it needs a line to lead to.
+Plan smallest_plan_in_space() {
+  Plan plan = smallest_plan();
+  set_spatial_line(plan.axis, {{}, {1.0, 0.0, 0.0}});
   return plan;
 }
 
@@ -156,11 +178,14 @@ Result<std::vector<Approach>> sequence_from(const Value& list, const Targets& ta
   return sequence;
 }
 
-/// The plan's members are sound; what may be wrong is how its sequence and its cycle fit. Names the first approach
-/// with which it is.
+/// The plan's members are sound; what may be wrong is how its ways fit its line, and its sequence its cycle. Names the
+/// first approach with which it is.
 Result<void> check_whole(const Plan& plan, const Value& root) {
   const auto sound = check_sound(plan);
   const Value* list = root.find("sequence");
+  if (!spatial_line(plan.axis))
+    for (const auto& [way, name] : {std::pair{&plan.way_in_mm, "way_in_mm"}, std::pair{&plan.way_out_mm, "way_out_mm"}})
+      if (!way->empty()) return placed(sound, root.find(name)->at());
   if (sound || plan.sequence.empty()) return placed(sound, root.find("cycle")->at());
   Plan part = plan;
   const auto sound_up_to = [&](std::size_t count) {
@@ -192,9 +217,9 @@ Result<void> take(Plan& plan, std::string_view name, const Value& value) {
 }
 
 /// Takes what a plan that can be walked may have.
-template <auto Plan::*member, auto read>
+template <auto Plan::*member, auto read, auto smallest = smallest_plan>
 Result<void> put(Plan& plan, std::string_view name, const Value& value) {
-  Plan probe = smallest_plan();
+  Plan probe = smallest();
   AXIOMETRY_TRY(probe.*member, read(name, value));
   AXIOMETRY_TRY_VOID(placed(check_sound(probe), value.at()));
   plan.*member = probe.*member;
@@ -223,7 +248,7 @@ constexpr Member members[] = {
     {"title", take<&Plan::title, text_from>},
     {"machine", take<&Plan::machine, text_from>},
     {"date", take<&Plan::date, text_from>},
-    {"axis", take<&Plan::axis, axis_from>},
+    {"axis", put<&Plan::axis, axis_from>},
     {"cycle", take<&Plan::cycle, cycle_from>},
     {"targets", nullptr},
     {"runs", put<&Plan::runs, count_from>},
@@ -232,6 +257,8 @@ constexpr Member members[] = {
     {"dwell_s", put<&Plan::dwell, seconds_from>},
     {"warm_up_runs", put<&Plan::warm_up_runs, count_from>},
     {"seed", take<&Plan::seed, seed_from>},
+    {"way_in_mm", put<&Plan::way_in_mm, way_from, smallest_plan_in_space>},
+    {"way_out_mm", put<&Plan::way_out_mm, way_from, smallest_plan_in_space>},
     {"sequence", nullptr},
     {"further", nullptr},
 };
@@ -293,6 +320,12 @@ Value axis_value(const Axis& axis) {
   return *object.find("axis");
 }
 
+Value way_value(const std::vector<Vector3>& way) {
+  Value list = Value::array();
+  for (const Vector3& point : way) list.push(Value::array({point.x, point.y, point.z}));
+  return list;
+}
+
 Value sequence_value(const std::vector<Approach>& sequence) {
   Value list = Value::array();
   for (const Approach& a : sequence)
@@ -320,6 +353,8 @@ Value plan_value(const Plan& plan) {
     const auto number = static_cast<double>(*plan.seed);
     root.add("seed", number < exact_whole_numbers ? Value(number) : Value(fmt::format("{}", *plan.seed)));
   }
+  if (!plan.way_in_mm.empty()) root.add("way_in_mm", way_value(plan.way_in_mm));
+  if (!plan.way_out_mm.empty()) root.add("way_out_mm", way_value(plan.way_out_mm));
   if (!plan.sequence.empty()) root.add("sequence", sequence_value(plan.sequence));
   if (!plan.further.empty()) {
     Value& parts = root.add("further", Value::array());

@@ -34,6 +34,8 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_EQ(a.warm_up_runs, b.warm_up_runs);
   EXPECT_EQ(a.seed, b.seed);
   EXPECT_EQ(a.sequence, b.sequence);
+  EXPECT_EQ(a.way_in_mm, b.way_in_mm);
+  EXPECT_EQ(a.way_out_mm, b.way_out_mm);
   ASSERT_EQ(a.further.size(), b.further.size());
   for (std::size_t k = 0; k < a.further.size(); ++k) expect_same(a.further[k], b.further[k]);
 }
@@ -70,6 +72,13 @@ class AnyPlan {
       for (std::size_t i = 0; i < plan.targets.size(); ++i)
         plan.sequence.push_back({i, Direction::down, plan.runs - 1});
       std::ranges::shuffle(plan.sequence, random_);
+    }
+    if (plan.axis.kind == AxisKind::linear && random_() % 2) {
+      // As given, of any length: what is read is what was written, bit by bit.
+      plan.axis.line_origin_mm = {number(1e8), number(1e8), number(1e8)};
+      plan.axis.line_direction = {number(1e8), 0.5, number(1e8)};
+      for (std::size_t k = random_() % 4; k > 0; --k) plan.way_in_mm.push_back({number(1e8), number(1e8), number(1)});
+      for (std::size_t k = random_() % 3; k > 0; --k) plan.way_out_mm.push_back({number(1e8), number(1), number(1)});
     }
     if (with_further)
       for (std::size_t k = random_() % 3; k > 0; --k) plan.further.push_back(make(false));
@@ -179,6 +188,26 @@ TEST(PlanJson, RefusesWithTheRightPlace) {
   EXPECT_NE(reason(with("\"runs\": 2", "\"runs\": 2, \"seed\": -1")), "");
   EXPECT_NE(reason(with("\"runs\": 2", "\"runs\": 2, \"format\": \"axiometry-test/1\"")), "");
   EXPECT_NE(reason(with("\"runs\": 2", "\"runs\": null")), "");
+}
+
+TEST(PlanJson, NamesTheWayOrLineThatIsNone) {
+  const auto of = [](std::string_view axis, std::string_view ways) {
+    const std::string line = with("{\"kind\": \"linear\"}", "{\"kind\": " + std::string(axis) + "}");
+    return reason(std::string(line).insert(line.find("\"cycle"), std::string(ways)));
+  };
+  constexpr std::string_view good = R"("linear", "line_origin_mm": [0, 0, 5], "line_direction": [1, 1, 0])";
+  EXPECT_EQ(of(good, ""), "");
+  EXPECT_EQ(of(good, "\n\"way_in_mm\": [[1, 2, 3], [4, 5, 6]], \"way_out_mm\": null, "), "");
+  EXPECT_EQ(of(good, "\n\"way_in_mm\": [[1, 2, 3], [4, 5]], "),
+            "line 2:26: found a point of \"way_in_mm\" that is none, expected [x, y, z] in mm");
+  EXPECT_EQ(of(good, "\n\"way_out_mm\": [[1, 2, 2e9]], "),
+            "line 2:15: found a way over (1, 2, 2000000000) mm, expected finite coordinates up to 1e9");
+  EXPECT_EQ(of("\"linear\"", "\n\"way_out_mm\": [[1, 2, 3]], "),
+            "line 2:15: found a way in or out in space, expected a line in space for it to lead to");
+  constexpr std::string_view bad = "line 1:10: found a line in space that is none, expected three finite numbers";
+  EXPECT_TRUE(of(R"("linear", "line_origin_mm": [0, 0, 5])", "").starts_with(bad));
+  EXPECT_TRUE(of(R"("linear", "line_origin_mm": [0, 0, 5], "line_direction": [0, 0, 0])", "").starts_with(bad));
+  EXPECT_TRUE(of(R"("rotary", "line_origin_mm": [0, 0, 5], "line_direction": [1, 0, 0])", "").starts_with(bad));
 }
 
 TEST(PlanJson, NamesTheApproachThatDoesNotFit) {

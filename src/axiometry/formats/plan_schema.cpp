@@ -36,6 +36,12 @@ Value approach() {
                  {"description", "Target by its place in targets (from 1), direction, run (from 1)."}});
 }
 
+Value way(std::string_view description) {
+  Value coordinate = object({{"type", "number"}, {"minimum", -1e9}, {"maximum", 1e9}});
+  Value point = object({{"type", "array"}, {"items", std::move(coordinate)}, {"minItems", 3}, {"maxItems", 3}});
+  return object({{"type", or_null("array")}, {"items", std::move(point)}, {"description", description}});
+}
+
 Value finding() {
   return object(
       {{"type", "object"},
@@ -80,6 +86,8 @@ Value properties() {
                        {"exclusiveMaximum", 9007199254740992.0},
                        {"pattern", "^[0-9]+$"},
                        {"description", "Of the random part of the targets; from 2^53 on as a string."}})},
+      {"way_in_mm", way("Where X, Y and Z are driven before the first move on a line in space, points in order.")},
+      {"way_out_mm", way("Where X, Y and Z are driven after the last move on a line in space.")},
       {"sequence", object({{"type", or_null("array")},
                            {"items", approach()},
                            {"description", "The approaches of the user-defined cycle, in their order."}})},

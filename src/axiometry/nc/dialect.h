@@ -25,7 +25,8 @@ struct ProgramOptions {
   int decimals = 4;  ///< of coordinates, in the program's unit, 0 to 6; more where targets need them
   bool block_numbers = true;
   bool stop_at_start = false;             ///< a stop for the operator to set the instrument, before the first target
-  std::optional<Duration> duration = {};  ///< as the plan's sheet estimates it, told in a comment
+  std::optional<Duration> duration = {};  ///< of all plans, as their sheets estimate it, told in a comment
+  std::string_view title = {};            ///< of a program of several plans, told in a comment
 };
 
 struct Dialect {
@@ -37,9 +38,11 @@ struct Dialect {
   std::string_view axes;
   bool has_loops = false;  ///< whether loops and variables are written unless unrolled
 
-  /// The program. Needs a sound plan. Fails on an axis that the control cannot name, a feed or dwell beyond its
-  /// range, and an option that it does not know, saying what it has instead.
-  Result<std::string> (*write)(const Plan& plan, const ProgramOptions& options);
+  /// One program that walks these plans, one after another. Needs sound plans. Fails on none, on several of which one
+  /// is no line in space (between them nobody would know where its other axes stand), on an axis that the control
+  /// cannot name, a position, feed or dwell beyond its range, and an option that it does not know, saying what it has
+  /// instead.
+  Result<std::string> (*write)(std::span<const Plan> plans, const ProgramOptions& options);
 };
 
 /// Every dialect, in alphabetical order of the source files (generated).

@@ -58,13 +58,13 @@ class AnyPlan {
 };
 
 std::string write(const Dialect& dialect, const Plan& plan, const ProgramOptions& options = {}) {
-  const auto program = dialect.write(plan, options);
+  const auto program = dialect.write({&plan, 1}, options);
   EXPECT_TRUE(program) << dialect.id << ": " << (program ? "" : program.error().message);
   return program ? *program : "";
 }
 
 std::string refusal(std::string_view dialect, const Plan& plan, const ProgramOptions& options = {}) {
-  const auto program = find_dialect(dialect)->write(plan, options);
+  const auto program = find_dialect(dialect)->write({&plan, 1}, options);
   return program ? "" : program.error().message;
 }
 
@@ -132,7 +132,7 @@ TEST_P(EveryDialect, DrivesEveryMoveOfThePlanInOrderDirectionFeedAndDwell) {
               Trace trace;
               ASSERT_NO_THROW(trace = run_program(dialect.id, program)) << program;
               ASSERT_NO_FATAL_FAILURE(expect_walked(trace, plan, options, dwell_step_s)) << program;
-              EXPECT_EQ(trace.axis, plan.axis.name);
+              EXPECT_EQ(trace.axis, plan.axis.name) << "another axis moves";
               for (std::size_t k = 0; k < trace.visits.size(); ++k)
                 EXPECT_EQ(trace.visits[k].stops, options.stop_at_start && k == 0 ? 1u : 0u);
             }
@@ -164,6 +164,7 @@ TEST_P(EveryDialect, KeepsTextOfPeopleInItsComments) {
     Trace trace;
     ASSERT_NO_THROW(trace = run_program(dialect.id, program)) << program;
     EXPECT_EQ(trace.visits.size(), bare) << program;
+    EXPECT_EQ(trace.axis, "X") << program;
   }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "axiometry/base/result.h"
 #include "axiometry/model/plan.h"
@@ -16,25 +17,38 @@ constexpr double mm_per_inch = 25.4;
 /// Most decimals of a coordinate: 1 nm, 12.7 nm in inches (half of it is the largest error).
 constexpr int decimals_highest = 6;
 
-/// Coordinates of one axis in the unit of the program. Angles are in degrees whatever that is.
+/// Whether the axis X, Y or Z (k = 0, 1, 2) moves along the line, as moving_axes() counts.
+bool moves_along(const SpatialLine& line, std::size_t k);
+
+/// Coordinates of one plan, in the unit of the program. Angles are in degrees whatever that is.
 class Coordinates {
  public:
-  /// The unit of `options`, and at least its decimals: more as the targets need them, at most decimals_highest. Fails
-  /// when the options ask for fewer than 0 or more than that, when two targets would be the same in print, or the
-  /// overrun is less than two units of the last decimal.
+  /// The unit of `options`, and at least its decimals: more as the targets need them, at most decimals_highest.
+  /// - In mm and degrees a target is exact; in inches right within 0.05 µm.
+  /// - On a line in space each coordinate is right within 0.05 µm, since a slanting line has targets that no number of
+  ///   decimals tells exactly. Where one axis alone moves, its own coordinate is exact as above.
+  /// - Ways and overruns have the decimals of the targets.
+  ///
+  /// Fails when the options ask for fewer than 0 decimals or too many, when two targets would be the same in print, or
+  /// the overrun is less than two units of the last decimal.
   static Result<Coordinates> make(const Plan& plan, const ProgramOptions& options);
 
   int decimals() const { return decimals_; }
   bool in_inch() const { return in_inch_; }
 
-  /// "-12.5000"; "12." without decimals.
-  std::string text(Position position) const;
+  /// A coordinate of one axis in mm or degrees, as it is printed: "-12.5000"; "12." without decimals.
+  std::string text(double mm_or_deg) const;
 
-  /// Largest distance, mm or °, between a target and what is printed for it.
+  /// Largest distance, mm or °, between a target and what is printed for it; in space that of the two points.
   Position target_error(const Plan& plan) const;
 
  private:
   Coordinates(bool in_inch, int decimals) : in_inch_(in_inch), decimals_(decimals) {}
+
+  double printed(double mm_or_deg) const;
+  Vector3 printed(Vector3 mm) const;
+  bool targets_right(const Plan& plan, const std::optional<SpatialLine>& line) const;
+  bool told_apart(const Plan& plan, const std::optional<SpatialLine>& line) const;
 
   bool in_inch_ = false;
   int decimals_ = 4;

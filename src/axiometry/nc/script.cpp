@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -19,6 +21,17 @@ namespace {
 /// Stops, ends and calls of programs; spindle; tool and pallet change: at a machine on which somebody stands beside
 /// optics, none of these is a trigger.
 constexpr std::array<unsigned, 13> never_a_trigger = {0, 1, 2, 3, 4, 6, 13, 14, 17, 30, 60, 98, 99};
+
+/// Of a line.
+constexpr std::array<std::string_view, 3> axes_in_space = {"X", "Y", "Z"};
+
+Result<void> check_axes_in_space(const ControlLimits& limits) {
+  for (std::string_view axis : axes_in_space)
+    if (limits.linear_axes.find(axis) == std::string_view::npos)
+      return fail(
+          fmt::format("found a line in space, expected a test of one of the control's axes {}", limits.linear_axes));
+  return {};
+}
 
 Result<std::string> axis_word(const Axis& axis, const ControlLimits& limits) {
   std::string name(text::trim(axis.name));
@@ -69,12 +82,25 @@ Result<void> check_trigger(std::optional<unsigned> code, const ControlLimits& li
   return fail(fmt::format("found M{} as trigger, expected one of {}", *code, fmt::join(ranges, ", ")));
 }
 
+Result<void> check_coordinate(double x, std::string_view axis, const Plan& plan, const ControlLimits& limits) {
+  if (std::abs(x) <= limits.farthest.in_native()) return {};
+  return fail(fmt::format("found a way to {}{}{} {}, expected positions within ±{}", axis, axis.empty() ? "" : " ",
+                          format_exact(x), position_unit(plan.axis.kind), format_exact(limits.farthest.in_native())));
+}
+
 Result<void> check_reach(const Plan& plan, const ControlLimits& limits) {
   const Reach ends = reach(plan);
-  for (Position end : {ends.lowest, ends.highest})
-    if (std::abs(end.in_native()) > limits.farthest.in_native())
-      return fail(fmt::format("found a way to {} {}, expected positions within ±{}", format_exact(end.in_native()),
-                              position_unit(plan.axis.kind), format_exact(limits.farthest.in_native())));
+  const auto line = spatial_line(plan.axis);
+  if (!line) {
+    for (Position end : {ends.lowest, ends.highest})
+      AXIOMETRY_TRY_VOID(check_coordinate(end.in_native(), "", plan, limits));
+    return {};
+  }
+  std::vector<Vector3> points = {line->at(ends.lowest), line->at(ends.highest)};
+  points.insert(points.end(), plan.way_in_mm.begin(), plan.way_in_mm.end());
+  points.insert(points.end(), plan.way_out_mm.begin(), plan.way_out_mm.end());
+  for (Vector3 point : points)
+    for (std::size_t k = 0; k < 3; ++k) AXIOMETRY_TRY_VOID(check_coordinate(point[k], axes_in_space[k], plan, limits));
   return {};
 }
 
@@ -97,10 +123,91 @@ std::string loop_remark(const Stretch& stretch) {
   return one_target ? fmt::format("TARGET {}, {}", first->target + 1, runs) : runs;
 }
 
+/// What a plan needs to be spelled.
+struct Spelling {
+  std::string axis;  ///< of a plan without a line in space
+  std::optional<SpatialLine> line;
+  Coordinates coordinates;
+  std::string feed;
+  long dwell = 0;
+
+  std::vector<AxisWord> at(Vector3 point) const {
+    std::vector<AxisWord> words;
+    for (std::size_t k = 0; k < 3; ++k) words.push_back({std::string(axes_in_space[k]), coordinates.text(point[k])});
+    return words;
+  }
+  /// Only those that move on the line, or all three of them.
+  std::vector<AxisWord> at(Position position, bool all) const {
+    if (!line) return {{axis, coordinates.text(position.in_native())}};
+    std::vector<AxisWord> words = at(line->at(position));
+    if (all) return words;
+    std::vector<AxisWord> moving;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (moves_along(*line, k)) moving.push_back(std::move(words[k]));
+    return moving;
+  }
+};
+
+Result<Spelling> make_spelling(const Plan& plan, const ProgramOptions& options, const ControlLimits& limits) {
+  const auto line = spatial_line(plan.axis);
+  std::string axis;
+  if (line) {
+    AXIOMETRY_TRY_VOID(check_axes_in_space(limits));
+  } else {
+    AXIOMETRY_TRY(axis, axis_word(plan.axis, limits));
+  }
+  AXIOMETRY_TRY_VOID(check_reach(plan, limits));
+  AXIOMETRY_TRY(const Coordinates coordinates, Coordinates::make(plan, options));
+  AXIOMETRY_TRY(std::string feed, feed_word(plan, coordinates.in_inch(), limits));
+  AXIOMETRY_TRY(const long dwell, dwell_steps(plan.dwell, limits));
+  return Spelling{std::move(axis), line, coordinates, std::move(feed), dwell};
+}
+
+/// The block before tells where several axes are, which would be too long for a display.
+std::string stop_message(const Move& last) {
+  if (last.axes.size() > 1) return "SET THE INSTRUMENT, THE AXES ARE AT THE START OF THE LINE";
+  return fmt::format("SET THE INSTRUMENT, {} IS AT {}", last.axes[0].axis, last.axes[0].coordinate);
+}
+
 class Writer {
  public:
-  Writer(const ProgramOptions& options, const ControlLimits& limits, Coordinates coordinates, long dwell)
-      : options_(options), limits_(limits), coordinates_(coordinates), dwell_(dwell) {}
+  Writer(const ProgramOptions& options, const ControlLimits& limits)
+      : options_(options), limits_(limits), loops_left_(options.unrolled ? 0 : limits.loops) {}
+
+  /// Everything that the plan's axes do.
+  void walk_plan(const Plan& plan, const Spelling& spelling, const std::vector<Stretch>& stretches) {
+    spelling_ = &spelling;
+    for (Vector3 point : plan.way_in_mm) way(point, "WAY IN");
+    start_ = spelling.line ? "TO " + line_name(plan) : "TO THE START";
+    for (const Stretch& s : stretches) {
+      stretch(s);
+      if (options_.stop_at_start && !std::exchange(stopped_, true))
+        list_.push_back(OperatorStop{stop_message(std::get<Move>(list_.back()))});
+    }
+    for (Vector3 point : plan.way_out_mm) way(point, "WAY OUT");
+  }
+
+  /// The stretches of a plan with as many loops as there are left.
+  std::vector<Stretch> stretches_of(const Plan& plan, std::vector<std::string>& remarks) {
+    std::vector<Stretch> list = walk(plan, loops_left_);
+    const auto loops =
+        static_cast<std::size_t>(std::ranges::count_if(list, [](const Stretch& s) { return s.times > 1; }));
+    if (loops_left_ > 0 && loops == 0 && plan.cycle == TestCycle::user_defined)
+      remarks.emplace_back("WRITTEN OUT, THE ORDER OF APPROACHES DOES NOT REPEAT");
+    if (loops_left_ > 0 && loops == loops_left_)
+      remarks.push_back(fmt::format("AT MOST {} LOOPS, WHAT IS LEFT IS WRITTEN OUT", limits_.loops));
+    loops_left_ -= loops;
+    return list;
+  }
+
+  void remark(std::string text) { list_.push_back(Remark{std::move(text)}); }
+  bool has_loops() const { return loops_ > 0; }
+  std::vector<Instruction> finish() && { return std::move(list_); }
+
+ private:
+  void way(Vector3 point, std::string remark) {
+    list_.push_back(Move{spelling_->at(point), spelling_->feed, std::move(remark)});
+  }
 
   void stretch(const Stretch& s) {
     const bool loop = s.times > 1;
@@ -112,34 +219,29 @@ class Writer {
     if (loop) list_.push_back(LoopEnd{loops_, s.times});
   }
 
-  void remark(std::string text) { list_.push_back(Remark{std::move(text)}); }
-  void stop(std::string message) { list_.push_back(OperatorStop{std::move(message)}); }
-  std::size_t loops() const { return loops_; }
-  std::vector<Instruction> finish() && { return std::move(list_); }
-
- private:
   void drive(const PlannedMove& move, bool loop) {
-    std::string remark;
-    if (!moved_) remark = "TO THE START";
-    moved_ = true;
+    std::string remark = std::exchange(start_, "");
+    const bool first = !remark.empty();
     if (move.approach)
       remark = fmt::format("TARGET {} {}", move.approach->target + 1, word_of(move.approach->direction));
     if (move.approach && !loop) remark += fmt::format(" RUN {}", move.approach->run + 1);
-    list_.push_back(Move{coordinates_.text(move.to), std::move(remark)});
+    list_.push_back(Move{spelling_->at(move.to, first), spelling_->feed, std::move(remark)});
     if (!move.approach) return;
-    const long before = options_.trigger_m_code ? dwell_ / 2 : dwell_;
-    if (before > 0 || (dwell_ == 0 && limits_.dwell_stops)) list_.push_back(Dwell{before});
+    const long dwell = spelling_->dwell;
+    const long before = options_.trigger_m_code ? dwell / 2 : dwell;
+    if (before > 0 || (dwell == 0 && limits_.dwell_stops)) list_.push_back(Dwell{before});
     if (!options_.trigger_m_code) return;
     list_.push_back(Trigger{*options_.trigger_m_code});
-    if (dwell_ > before) list_.push_back(Dwell{dwell_ - before});
+    if (dwell > before) list_.push_back(Dwell{dwell - before});
   }
 
   const ProgramOptions& options_;
   const ControlLimits& limits_;
-  Coordinates coordinates_;
-  long dwell_ = 0;
+  const Spelling* spelling_ = nullptr;
+  std::size_t loops_left_ = 0;
   std::size_t loops_ = 0;
-  bool moved_ = false;
+  std::string start_;  ///< what is said of the next move, the first of a plan
+  bool stopped_ = false;
   std::vector<Instruction> list_;
 };
 
@@ -152,36 +254,46 @@ std::string decimals_remark(const Coordinates& coordinates, const Plan& plan, co
   return text;
 }
 
+/// "plan 4, LINE XY"
+std::string place_of(const Plan& plan, std::size_t k) { return fmt::format("plan {}, {}", k + 1, line_name(plan)); }
+
+/// Between a line in space and a test of one axis nobody knows where the other axes stand.
+Result<void> check_lines(std::span<const Plan> plans) {
+  if (plans.empty()) return fail("found no plan, expected at least one");
+  for (std::size_t k = 0; k < plans.size() && plans.size() > 1; ++k)
+    if (!spatial_line(plans[k].axis))
+      return fail(fmt::format("found {} without a line in space among several, expected one for each plan of a program",
+                              place_of(plans[k], k)));
+  return {};
+}
+
 }  // namespace
 
-Result<Script> make_script(const Plan& plan, const ProgramOptions& options, const ControlLimits& limits) {
-  Script script;
-  AXIOMETRY_TRY(script.axis, axis_word(plan.axis, limits));
-  AXIOMETRY_TRY_VOID(check_reach(plan, limits));
+Result<Script> make_script(std::span<const Plan> plans, const ProgramOptions& options, const ControlLimits& limits) {
+  AXIOMETRY_TRY_VOID(check_lines(plans));
   AXIOMETRY_TRY_VOID(check_trigger(options.trigger_m_code, limits));
-  AXIOMETRY_TRY(const Coordinates coordinates, Coordinates::make(plan, options));
-  AXIOMETRY_TRY(script.feed, feed_word(plan, coordinates.in_inch(), limits));
-  AXIOMETRY_TRY(const long dwell, dwell_steps(plan.dwell, limits));
+  const bool several = plans.size() > 1;
+  Script script;
   script.inch = options.unit == LengthUnit::inch;
-
-  Writer writer(options, limits, coordinates, dwell);
-  for (std::string& line : headlines(plan, options)) writer.remark(std::move(line));
-  writer.remark(decimals_remark(coordinates, plan, options));
-  const std::size_t loop_limit = options.unrolled ? 0 : limits.loops;
-  const std::vector<Stretch> stretches = walk(plan, loop_limit);
-  const auto loops =
-      static_cast<std::size_t>(std::ranges::count_if(stretches, [](const Stretch& s) { return s.times > 1; }));
-  if (loop_limit > 0 && loops == 0 && plan.cycle == TestCycle::user_defined)
-    writer.remark("WRITTEN OUT, THE ORDER OF APPROACHES DOES NOT REPEAT");
-  if (loop_limit > 0 && loops == loop_limit)
-    writer.remark(fmt::format("AT MOST {} LOOPS, WHAT IS LEFT IS WRITTEN OUT", loops));
-  for (std::size_t k = 0; k < stretches.size(); ++k) {
-    writer.stretch(stretches[k]);
-    if (k == 0 && options.stop_at_start)
-      writer.stop(
-          fmt::format("SET THE INSTRUMENT, {} IS AT {}", script.axis, coordinates.text(stretches[0].moves[0].to)));
+  script.heading = several ? headlines(plans, options) : headlines(plans.front(), options);
+  Writer writer(options, limits);
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    const Plan& plan = plans[k];
+    auto spelling = make_spelling(plan, options, limits);
+    if (!spelling && several) spelling.error().message += fmt::format(" ({})", place_of(plan, k));
+    AXIOMETRY_TRY_VOID(spelling);
+    std::vector<std::string> remarks = {decimals_remark(spelling->coordinates, plan, options)};
+    const std::vector<Stretch> stretches = writer.stretches_of(plan, remarks);
+    if (several) {
+      writer.remark(fmt::format("{} OF {}, {}", k + 1, plans.size(), line_name(plan)));
+      for (std::string& line : line_headlines(plan)) writer.remark(std::move(line));
+      for (std::string& line : remarks) writer.remark(std::move(line));
+    } else {
+      std::ranges::move(remarks, std::back_inserter(script.heading));
+    }
+    writer.walk_plan(plan, *spelling, stretches);
   }
-  script.has_loops = loops > 0;
+  script.has_loops = writer.has_loops();
   script.instructions = std::move(writer).finish();
   return script;
 }

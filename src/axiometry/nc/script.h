@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -12,8 +13,8 @@
 #include "axiometry/model/plan.h"
 #include "axiometry/nc/dialect.h"
 
-/// What every part program of a plan has, before it is spelled for one control: numbers are rounded and printed here,
-/// so that all dialects do it alike.
+/// What every part program of one or several plans has, before it is spelled for one control: numbers are rounded and
+/// printed here, so that all dialects do it alike.
 namespace axiometry::nc {
 
 /// From `first` to `last`; none when `last` is less.
@@ -42,9 +43,15 @@ struct ControlLimits {
 struct Remark {
   std::string text;
 };
-/// To a position at the feed of the program.
-struct Move {
+/// Where an axis goes.
+struct AxisWord {
+  std::string axis;        ///< in capitals
   std::string coordinate;  ///< "-12.5000", with a decimal point
+};
+/// To a position, straight and with all axes at once, at a feed along the path.
+struct Move {
+  std::vector<AxisWord> axes;
+  std::string feed;  ///< without a decimal point when it is a whole number
   std::string remark;
 };
 struct Dwell {
@@ -58,7 +65,7 @@ struct OperatorStop {
   std::string message;
 };
 struct LoopBegin {
-  std::size_t number = 1;  ///< 1, 2, … in the program
+  std::size_t number = 1;  ///< 1, 2, … in the program, over all its plans
   std::size_t times = 1;
 };
 struct LoopEnd {
@@ -68,22 +75,36 @@ struct LoopEnd {
 using Instruction = std::variant<Remark, Move, Dwell, Trigger, OperatorStop, LoopBegin, LoopEnd>;
 
 struct Script {
-  std::string axis;  ///< in capitals
-  std::string feed;  ///< without a decimal point when it is a whole number
+  std::vector<std::string> heading;  ///< comments before everything else
   bool inch = false;
   bool has_loops = false;
   std::vector<Instruction> instructions;
 };
 
-/// Coordinates have as many decimals as the options say, and up to 6 where the targets need them: in mm and degrees
-/// until each is exact, in inches until each is right within 0.05 µm. A dwell is rounded up to the control's step.
+/// The plans in their order. One with a line in space begins with its way in, by moves of X, Y and Z, goes to the first
+/// overrun on the line with all three, then names the axes that move on the line in every move, and ends with its way
+/// out. Another one names its axis. Numbers of loops and their limit go over all plans.
 ///
-/// Fails on an axis that the control cannot name, a number of decimals beyond 0 to 6, positions that cannot be told
-/// apart with 6, a position, a feed or a dwell beyond the control's range, an M code that is none of the control's,
-/// ends the program or moves spindle or tool. Needs a sound plan.
-Result<Script> make_script(const Plan& plan, const ProgramOptions& options, const ControlLimits& limits);
+/// Coordinates have as many decimals as the options say, and up to 6 where the targets of the plan need them
+/// (Coordinates::make()). A dwell is rounded up to the control's step.
+///
+/// Fails on no plan, on several of which one has no line in space, on an axis that the control cannot name, a number of
+/// decimals beyond 0 to 6, positions that cannot be told apart with 6, a position, a feed or a dwell beyond the
+/// control's range, an M code that is none of the control's, ends the program or moves spindle or tool. Needs sound
+/// plans.
+Result<Script> make_script(std::span<const Plan> plans, const ProgramOptions& options, const ControlLimits& limits);
 
-/// "DWELL 3 S" and the like: what stands at the top of the program, one comment each.
+/// Of a program of one plan. "DWELL 3 S" and the like: what stands at its top, one comment each.
 std::vector<std::string> headlines(const Plan& plan, const ProgramOptions& options);
+
+/// Of a program of several plans, each a line in space, what is true of all of them: how many, and between which
+/// coordinates each axis moves.
+std::vector<std::string> headlines(std::span<const Plan> lines, const ProgramOptions& options);
+
+/// What stands before one of them.
+std::vector<std::string> line_headlines(const Plan& line);
+
+/// "XY", or what else the plan's line is called; "THE LINE" when it has no name.
+std::string line_name(const Plan& line);
 
 }  // namespace axiometry::nc

@@ -19,14 +19,7 @@ struct Block {
 
 class Writer {
  public:
-  Writer(const WordControl& control, const Script& script) : c_(control), script_(script) {
-    if (control.feed_point && script.feed.find('.') == std::string::npos)
-      feed_ = script.feed + ".";
-    else
-      feed_ = script.feed;
-    // "X1100" would be the axis X at 1100.
-    axis_ = script.axis.size() > 1 ? script.axis + "=" : script.axis;
-  }
+  explicit Writer(const WordControl& control) : c_(control) {}
 
   void lines(const Lines& templates, bool numbered, std::string_view number = "") {
     for (std::string_view line : templates)
@@ -39,9 +32,21 @@ class Writer {
   }
 
   void operator()(const Move& move) {
-    std::string text = fmt::format(fmt::runtime(c_.move), fmt::arg("axis", axis_),
-                                   fmt::arg("coordinate", move.coordinate), fmt::arg("feed", feed_));
-    if (!move.remark.empty()) text += " " + comment(safe(move.remark));
+    std::string axes;
+    for (const auto& [axis, coordinate] : move.axes) {
+      // "X1100" would be the axis X at 1100.
+      axes += fmt::format("{}{}{}{}", axes.empty() ? "" : " ", axis, axis.size() > 1 ? "=" : "", coordinate);
+    }
+    const bool point = c_.feed_point && move.feed.find('.') == std::string::npos;
+    std::string text = fmt::format(fmt::runtime(c_.move), fmt::arg("axes", axes),
+                                   fmt::arg("feed", point ? move.feed + "." : move.feed));
+    if (!move.remark.empty()) {
+      const std::string remark = comment(safe(move.remark));
+      if (number_length + text.size() + 1 + remark.size() <= c_.line_length)
+        text += " " + remark;
+      else
+        (*this)(Remark{move.remark});
+    }
     blocks_.push_back({std::move(text), true});
   }
 
@@ -97,10 +102,9 @@ class Writer {
            false});
   }
 
+  static constexpr std::size_t number_length = 9;  ///< "N1234567 " at most
+
   const WordControl& c_;
-  const Script& script_;
-  std::string feed_;
-  std::string axis_;
   std::vector<Block> blocks_;
 };
 
@@ -117,18 +121,18 @@ Result<std::string> program_number(const WordControl& control, std::optional<uns
 
 }  // namespace
 
-Result<std::string> write_word_program(const WordControl& control, const Plan& plan, const ProgramOptions& options) {
+Result<std::string> write_word_program(const WordControl& control, std::span<const Plan> plans,
+                                       const ProgramOptions& options) {
   AXIOMETRY_TRY(const std::string number, program_number(control, options.number));
-  AXIOMETRY_TRY(const Script script, make_script(plan, options, control.limits));
-  const bool inch = script.inch && !(control.rotary_in_mm && plan.axis.kind == AxisKind::rotary);
-  Writer writer(control, script);
+  AXIOMETRY_TRY(const Script script, make_script(plans, options, control.limits));
+  const bool inch = script.inch && !(control.rotary_in_mm && plans.front().axis.kind == AxisKind::rotary);
+  Writer writer(control);
   writer.lines(control.head, false, number);
-  auto instruction = script.instructions.begin();
-  // The comments at the top first, so that they are read before anything moves.
-  for (; std::holds_alternative<Remark>(*instruction); ++instruction) std::visit(writer, *instruction);
+  // The comments first, so that they are read before anything moves.
+  for (const std::string& line : script.heading) writer(Remark{line});
   if (script.has_loops) writer.lines(control.declare, false);
   writer.lines(inch ? control.start_inch : control.start_mm, true);
-  for (; instruction != script.instructions.end(); ++instruction) std::visit(writer, *instruction);
+  for (const Instruction& instruction : script.instructions) std::visit(writer, instruction);
   writer.lines(control.end, true);
   writer.lines(control.tail, false);
   return std::move(writer).finish(options.block_numbers);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -47,25 +48,40 @@ struct WordControl {
   };
   std::optional<ProgramNumber> number = {};  ///< absent: the file's name is the program's
 
-  Lines head = {};            ///< {number}; before the comments, never numbered
-  Lines start_mm = {};        ///< the safe start
-  Lines start_inch = {};      ///< in an inch program
-  bool rotary_in_mm = false;  ///< whether the program of a rotary axis has the metric start always
-  std::string_view move = "G1 {axis}{coordinate} F{feed}";
-  bool feed_point = true;           ///< whether a whole feed has a decimal point
-  std::string_view dwell = {};      ///< {seconds}, with a point, or {steps} of the control
-  Lines stop = {"M0 ({message})"};  ///< {message}
-  Lines declare = {};               ///< before the start when there are loops, never numbered
-  Lines loop_begin = {};            ///< {loop} = 1, 2, …, {times}, {more} = times − 1, {label}, {end_label}
-  Lines loop_end = {};              ///< likewise
-  unsigned label_highest = 0;       ///< labels of the loops are numbers below it
-  Lines end = {};                   ///< numbered
-  Lines tail = {};                  ///< after it, never numbered
+  Lines head = {};                              ///< {number}; before the comments, never numbered
+  Lines start_mm = {};                          ///< the safe start
+  Lines start_inch = {};                        ///< in an inch program
+  bool rotary_in_mm = false;                    ///< whether the program of a rotary axis has the metric start always
+  std::string_view move = "G1 {axes} F{feed}";  ///< {axes}: "X1.0 Y2.0", "X1=1.0"
+  bool feed_point = true;                       ///< whether a whole feed has a decimal point
+  std::string_view dwell = {};                  ///< {seconds}, with a point, or {steps} of the control
+  Lines stop = {"M0 ({message})"};              ///< {message}
+  Lines declare = {};                           ///< before the start when there are loops, never numbered
+  Lines loop_begin = {};       ///< {loop} = 1, 2, …, {times}, {more} = times − 1, {label}, {end_label}
+  Lines loop_end = {};         ///< likewise
+  unsigned label_highest = 0;  ///< labels of the loops are numbers below it
+  Lines end = {};              ///< numbered
+  Lines tail = {};             ///< after it, never numbered
   unsigned block_number_highest = 99'999;
   std::size_t line_length = 79;  ///< comments are wrapped to it
 };
 
+/// What Fanuc's machining centres with custom macros have in common with those that follow them.
+inline constexpr WordControl fanuc_like = {
+    .limits = {.loops = 10'000},
+    .number = WordControl::ProgramNumber{},
+    .head = {"%", "O{number}"},
+    .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61"},
+    .start_inch = {"G20", "G17 G40 G49 G80 G90 G94", "G61"},
+    .dwell = "G4 X{seconds}",
+    .loop_begin = {"#1=1", "WHILE [#1 LE {times}] DO1"},
+    .loop_end = {"#1=#1+1", "END1"},
+    .end = {"G64", "M30"},
+    .tail = {"%"},
+};
+
 /// Fails as make_script() does, and on a program number where the control has none or that is beyond its range.
-Result<std::string> write_word_program(const WordControl& control, const Plan& plan, const ProgramOptions& options);
+Result<std::string> write_word_program(const WordControl& control, std::span<const Plan> plans,
+                                       const ProgramOptions& options);
 
 }  // namespace axiometry::nc

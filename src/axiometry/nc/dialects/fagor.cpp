@@ -58,7 +58,7 @@ const Dialect fagor_dialect = {
     .manual = manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
 };
 
 }  // namespace axiometry::nc

@@ -32,18 +32,7 @@ Try in single block first: the start blocks, the first two targets, and the firs
   direction [inferred].
 - Program numbers from 8000 are often protected.)manual";
 
-constexpr WordControl control = {
-    .limits = {.loops = 10'000},
-    .number = WordControl::ProgramNumber{},
-    .head = {"%", "O{number}"},
-    .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61"},
-    .start_inch = {"G20", "G17 G40 G49 G80 G90 G94", "G61"},
-    .dwell = "G4 X{seconds}",
-    .loop_begin = {"#1=1", "WHILE [#1 LE {times}] DO1"},
-    .loop_end = {"#1=#1+1", "END1"},
-    .end = {"G64", "M30"},
-    .tail = {"%"},
-};
+constexpr const WordControl& control = fanuc_like;
 
 }  // namespace
 
@@ -55,7 +44,7 @@ const Dialect fanuc_dialect = {
     .manual = manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
 };
 
 }  // namespace axiometry::nc

@@ -43,7 +43,7 @@ const Dialect grbl_dialect = {
     .manual = manual,
     .axes = "X Y Z A B C",
     .has_loops = false,
-    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
 };
 
 }  // namespace axiometry::nc

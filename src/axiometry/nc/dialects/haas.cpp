@@ -24,18 +24,13 @@ Try in single block first: the start blocks, the first target with its dwell, th
 rotary axis that is set to take the shortest way, or to count to 360° only, does not come from the planned
 direction [inferred]: look at the first move beyond 0° and 360°.)manual";
 
-constexpr WordControl control = {
-    .limits = {.loops = 10'000},
-    .number = WordControl::ProgramNumber{.lowest = 1, .highest = 99'999, .otherwise = 2302},
-    .head = {"%", "O{number:0>5}"},
-    .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61"},
-    .start_inch = {"G20", "G17 G40 G49 G80 G90 G94", "G61"},
-    .dwell = "G4 P{seconds}",
-    .loop_begin = {"#1=1", "WHILE [#1 LE {times}] DO1"},
-    .loop_end = {"#1=#1+1", "END1"},
-    .end = {"G64", "M30"},
-    .tail = {"%"},
-};
+constexpr WordControl control = [] {
+  WordControl c = fanuc_like;
+  c.number->highest = 99'999;
+  c.head = {"%", "O{number:0>5}"};
+  c.dwell = "G4 P{seconds}";
+  return c;
+}();
 
 }  // namespace
 
@@ -47,7 +42,7 @@ const Dialect haas_dialect = {
     .manual = manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
 };
 
 }  // namespace axiometry::nc

@@ -3,6 +3,7 @@
 // Klartext (conversational) is no word-address language: each line is a numbered sentence.
 #include <fmt/format.h>
 
+#include <span>
 #include <variant>
 
 #include "axiometry/nc/dialect.h"
@@ -46,21 +47,28 @@ constexpr ControlLimits limits = {
 };
 
 constexpr std::size_t line_length = 79;
+constexpr std::size_t number_length = 8;  // "1234567 " at most
 
 class Sentences {
  public:
-  explicit Sentences(const Script& script) : script_(script) {}
-
   void add(std::string sentence) { text_ += fmt::format("{} {}\n", number_++, sentence); }
 
   void operator()(const Remark& remark) {
-    // Ten characters for number and semicolon.
-    for (const std::string& part : wrapped(safe(remark.text), line_length - 10)) add("; " + part);
+    for (const std::string& part : wrapped(safe(remark.text), line_length - number_length - 2)) add("; " + part);
   }
   void operator()(const Move& move) {
-    const std::string sign = move.coordinate.starts_with('-') ? "" : "+";
-    const std::string remark = move.remark.empty() ? "" : " ; " + safe(move.remark);
-    add(fmt::format("L {}{}{} R0 F{}{}", script_.axis, sign, move.coordinate, script_.feed, remark));
+    std::string sentence = "L";
+    for (const auto& [axis, coordinate] : move.axes)
+      sentence += fmt::format(" {}{}{}", axis, coordinate.starts_with('-') ? "" : "+", coordinate);
+    sentence += fmt::format(" R0 F{}", move.feed);
+    if (!move.remark.empty()) {
+      const std::string remark = " ; " + safe(move.remark);
+      if (number_length + sentence.size() + remark.size() <= line_length)
+        sentence += remark;
+      else
+        (*this)(Remark{move.remark});
+    }
+    add(sentence);
   }
   void operator()(const Dwell& dwell) {
     add("CYCL DEF 9.0 DWELL TIME");
@@ -80,21 +88,21 @@ class Sentences {
  private:
   static std::string safe(std::string_view text) { return safe_text(text, ".,+-/=():"); }
 
-  const Script& script_;
   std::size_t number_ = 0;
   std::string text_;
 };
 
-Result<std::string> write(const Plan& plan, const ProgramOptions& options) {
+Result<std::string> write(std::span<const Plan> plans, const ProgramOptions& options) {
   const unsigned number = options.number.value_or(2302);
   if (number < 1 || number > 99'999'999)
     return fail(fmt::format("found program number {}, expected 1 to 99999999", number));
   if (!options.block_numbers)
     return fail("found blocks without numbers asked for, expected them numbered as Klartext always is");
-  AXIOMETRY_TRY(const Script script, make_script(plan, options, limits));
+  AXIOMETRY_TRY(const Script script, make_script(plans, options, limits));
   const std::string name = fmt::format("PGM {} {}", number, script.inch ? "INCH" : "MM");
-  Sentences sentences(script);
+  Sentences sentences;
   sentences.add("BEGIN " + name);
+  for (const std::string& line : script.heading) sentences(Remark{line});
   for (const Instruction& instruction : script.instructions) std::visit(sentences, instruction);
   sentences.add("M30");
   sentences.add("END " + name);

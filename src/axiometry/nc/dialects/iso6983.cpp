@@ -28,7 +28,7 @@ constexpr WordControl control = {
     .head = {"%", "O{number}"},
     .start_mm = {"G21", "G17 G40 G80 G90 G94"},
     .start_inch = {"G20", "G17 G40 G80 G90 G94"},
-    .move = "G9 G1 {axis}{coordinate} F{feed}",
+    .move = "G9 G1 {axes} F{feed}",
     .dwell = "G4 X{seconds}",
     .end = {"M30"},
     .tail = {"%"},
@@ -44,7 +44,7 @@ const Dialect iso6983_dialect = {
     .manual = manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = false,
-    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
 };
 
 }  // namespace axiometry::nc

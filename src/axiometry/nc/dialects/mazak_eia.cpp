@@ -22,18 +22,11 @@ Try in single block first: the start blocks, the first target with its dwell, th
 - Rotary axes: the shortest-way parameter must be off, or the axis does not come from the planned direction
   [inferred].)manual";
 
-constexpr WordControl control = {
-    .limits = {.loops = 10'000},
-    .number = WordControl::ProgramNumber{.lowest = 1, .highest = 99'999'999, .otherwise = 2302},
-    .head = {"%", "O{number}"},
-    .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61"},
-    .start_inch = {"G20", "G17 G40 G49 G80 G90 G94", "G61"},
-    .dwell = "G4 X{seconds}",
-    .loop_begin = {"#1=1", "WHILE [#1 LE {times}] DO1"},
-    .loop_end = {"#1=#1+1", "END1"},
-    .end = {"G64", "M30"},
-    .tail = {"%"},
-};
+constexpr WordControl control = [] {
+  WordControl c = fanuc_like;
+  c.number->highest = 99'999'999;
+  return c;
+}();
 
 }  // namespace
 
@@ -45,7 +38,7 @@ const Dialect mazak_eia_dialect = {
     .manual = manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
 };
 
 }  // namespace axiometry::nc

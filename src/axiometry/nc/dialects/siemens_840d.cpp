@@ -54,7 +54,7 @@ const Dialect siemens_840d_dialect = {
     .manual = manual,
     .axes = "X Y Z U V W A B C, with or without a number (X1)",
     .has_loops = true,
-    .write = [](const Plan& plan, const ProgramOptions& o) { return write_word_program(control, plan, o); },
+    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
 };
 
 }  // namespace axiometry::nc

@@ -23,8 +23,17 @@ Text label(Runs runs, Point at, double size, Anchor anchor) {
   return {.runs = std::move(runs), .at = at, .size = size, .colour = ink::black, .anchor = anchor, .degrees = 0.0};
 }
 
+/// Decimals of ticks that each have their own: 0.05, 0.1, 20.
+constexpr int of_each = -1;
+
+std::string label_of(double tick, const Ticks& ticks, NumberStyle style) {
+  constexpr int most = 9;
+  if (ticks.decimals != of_each) return tick_label(tick, ticks.decimals, style);
+  return tick_label(tick, std::clamp(static_cast<int>(-std::floor(std::log10(tick) + 1e-9)), 0, most), style);
+}
+
 double width_of(double tick, const Ticks& ticks, NumberStyle style) {
-  return text_width({plain(tick_label(tick, ticks.decimals, style))}, ink::tick_text_size);
+  return text_width({plain(label_of(tick, ticks, style))}, ink::tick_text_size);
 }
 
 double widest(const Ticks& ticks, NumberStyle style) {
@@ -36,16 +45,14 @@ double widest(const Ticks& ticks, NumberStyle style) {
 /// 1, 2, 5 times powers of ten; where that gives too few, equal steps.
 Ticks logarithmic_ticks(double low, double high) {
   Ticks ticks;
-  int lowest = 9;
   for (int decade = static_cast<int>(std::floor(std::log10(low))); std::pow(10.0, decade) <= high; ++decade)
     for (int digit = 1; digit <= 9; ++digit) {
       const double tick = digit * std::pow(10.0, decade);
       if (tick < low * (1.0 - 1e-9) || tick > high * (1.0 + 1e-9)) continue;
       const bool major = digit == 1 || digit == 2 || digit == 5;
       (major ? ticks.major : ticks.minor).push_back(tick);
-      if (major) lowest = std::min(lowest, decade);
     }
-  ticks.decimals = std::clamp(-lowest, 0, 9);
+  ticks.decimals = of_each;
   constexpr std::size_t fewest = 3;
   return ticks.major.size() >= fewest ? ticks : divide(low, high, 6.0, Division::decimal);
 }
@@ -108,14 +115,14 @@ void draw_axes(Operations& operations, const Chart& chart, const Ticks& x, const
   for (const double tick : y.major) {
     const double at = chart.y(tick * chart.y_axis.unit.native);
     operations.push_back(line({chart.left - tick_length, at}, {chart.left, at}, stroke));
-    operations.push_back(label({plain(tick_label(tick, y.decimals, style))},
+    operations.push_back(label({plain(label_of(tick, y, style))},
                                {chart.left - tick_length - 2.0, at + 0.35 * ink::tick_text_size}, ink::tick_text_size,
                                Anchor::end));
   }
   for (const double tick : x.major) {
     const double at = chart.x(tick * chart.x_axis.unit.native);
     operations.push_back(line({at, chart.bottom}, {at, chart.bottom + tick_length}, stroke));
-    operations.push_back(label({plain(tick_label(tick, x.decimals, style))}, {at, chart.bottom + tick_length + 8.0},
+    operations.push_back(label({plain(label_of(tick, x, style))}, {at, chart.bottom + tick_length + 8.0},
                                ink::tick_text_size, Anchor::middle));
   }
   const auto title = [](const ChartAxis& axis) { return joined({plain(axis.title + " / ")}, axis.unit.name); };

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment_flags.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "axiometry/base/text.h"
+#include "document_text.h"
+#include "failure.h"
+#include "option_text.h"
+
+namespace axiometry::cli {
+
+void add_experiment_flags(CLI::App& verb, ExperimentArguments& arguments) {
+  constexpr const char* group = "Outputs";
+  verb.add_option("--json", arguments.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
+      ->check([](const std::string& name) {
+        return name.empty() ? std::string("found an empty name, expected a file or -") : std::string();
+      })
+      ->type_name("FILE")
+      ->group(group);
+  verb.add_option("--report", arguments.outputs.reports,
+                  "Report to FILE, by its extension html, pdf, svg, png or csv; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->group(group);
+  add_read(verb, {"--decimal", "MARK", "Decimal mark: point or comma"},
+           [&arguments](const std::string& word) -> Result<void> {
+             if (word != "point" && word != "comma")
+               return fail(fmt::format("found {}, expected point or comma", text::quoted(word)));
+             arguments.report.numbers.decimal_mark = word == "point" ? '.' : ',';
+             return {};
+           })
+      ->group(group);
+  verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
+}
+
+void check_experiment_outputs(const ExperimentArguments& arguments) {
+  if (const auto outputs = app::check_outputs(arguments.outputs); !outputs)
+    throw CLI::ValidationError("--report", outputs.error().message);
+}
+
+int finish_experiment(const app::Experiment& experiment, const ExperimentArguments& arguments) {
+  if (!arguments.quiet && arguments.outputs.json != "-")
+    fmt::print("{}", document_text(experiment.document, Terminal(ColourChoice::automatic)));
+  if (const auto written = app::write_outputs(experiment, arguments.outputs, arguments.report); !written)
+    return failed(written.error());
+  return exit_done;
+}
+
+}  // namespace axiometry::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "axiometry/app/experiment.h"
+#include "axiometry/report/report.h"
+
+/// The outputs that verbs of computations have in common.
+namespace axiometry::cli {
+
+struct ExperimentArguments {
+  app::OutputNames outputs;
+  report::Options report;
+  bool quiet = false;
+};
+
+/// --json, --report, --decimal, --quiet.
+void add_experiment_flags(CLI::App& verb, ExperimentArguments& arguments);
+
+/// Checks the names of the outputs; throws a CLI::ValidationError. Before anything is computed.
+void check_experiment_outputs(const ExperimentArguments& arguments);
+
+/// Prints the document and writes the outputs; returns the exit code.
+int finish_experiment(const app::Experiment& experiment, const ExperimentArguments& arguments);
+
+}  // namespace axiometry::cli
