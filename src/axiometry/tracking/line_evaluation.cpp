@@ -131,6 +131,8 @@ Result<LinesEvaluation> evaluate_lines(const TrackingPlan& plan, std::span<const
   const Ordered in_order = ordered(plan, readings, numbers, options.times_s);
   AXIOMETRY_TRY_VOID(check_order(plan, turned(in_order.readings, options.reversed), options.in_program_order));
   TrackingSetup setup = plan.setup;
+  LineEvaluationOptions of_lines = options;
+  if (of_lines.metadata.machine.name.empty()) of_lines.metadata.machine.name = plan.machine;
   if (options.station_covariance_mm2) setup.station.covariance_mm2 = options.station_covariance_mm2;
   LinesEvaluation evaluation;
   evaluation.findings = findings_on_lines(plan, readings);
@@ -143,7 +145,7 @@ Result<LinesEvaluation> evaluate_lines(const TrackingPlan& plan, std::span<const
     while (end < in_order.readings.size() && in_order.readings[end].line == id) ++end;
     const std::span times(in_order.times_s);
     const LineInput input{plan.lines[numbers.at(id)], setup, std::span(in_order.readings).subspan(begin, end - begin),
-                          times.empty() ? times : times.subspan(begin, end - begin), options};
+                          times.empty() ? times : times.subspan(begin, end - begin), of_lines};
     AXIOMETRY_TRY(LineOutcome outcome, evaluate_line(input));
     slopes.push_back({id, outcome.direction, outcome.line.slope_um_per_m, outcome.line.slope_uncertainty_um_per_m,
                       outcome.line.test.series.travel_native()});
