@@ -33,11 +33,15 @@ struct Jumps {
 };
 
 /// The step from one sample to the next is compared with what the machine does between these two targets in the other
-/// runs, in the other direction, and by its mean slope (the median of these votes; with fewer than three, the nearest).
-/// What is left above the threshold is a break where it stays, an outlier where the next step takes it back; a first or
-/// last sample (also of a stated segment) that stands alone counts as an outlier. So neither reversal errors nor
-/// positioning errors that repeat are breaks. The threshold, when none is given, is the larger of 20 µm and 8 times the
-/// robust scatter of what is left; a step that nothing can be compared with (the only reversal) must exceed 1 mm.
+/// runs and in the other direction (the median of these votes). Where fewer than two such steps are known, the nearest
+/// of them and of what the machine's mean slope and reversal error make of it counts. The largest jump is taken first
+/// and has no vote on the others. What is left above the threshold is a break where it stays, an outlier where the next
+/// step takes it back; a first or last sample (also of a stated segment) that stands alone counts as an outlier. So
+/// neither reversal errors nor positioning errors that repeat are breaks.
+///
+/// The threshold, when none is given, is the larger of 20 µm and 8 times the robust scatter of what is left; by the
+/// mean slope alone, likewise from 50 µm. A step that nothing can be compared with (the only reversal) must exceed 1
+/// mm. Time grows with the number of jumps (at most 1000) times that of the samples.
 Jumps find_jumps(std::span<const LineSample> samples, std::span<const Position> targets,
                  std::optional<double> threshold_mm);
 
