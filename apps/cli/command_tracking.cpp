@@ -13,6 +13,7 @@ void add_tracking(CLI::App& program, int& exit_code) {
   verb->require_subcommand(1);
   add_tracking_evaluate(*verb, exit_code);
   add_tracking_length_difference(*verb, exit_code);
+  add_tracking_plan(*verb, exit_code);
 }
 
 }  // namespace axiometry::cli

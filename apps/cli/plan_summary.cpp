@@ -8,6 +8,7 @@
 #include "axiometry/report/plan_sheet.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/utf8.h"
+#include "axiometry/standards/test_standard.h"
 #include "findings_text.h"
 
 namespace axiometry::cli {
@@ -73,8 +74,8 @@ std::string conclusion(const app::PlannedTest& planned, const Terminal& terminal
   if (!planned.plan.further.empty())
     text += fmt::format(", {} of it over the whole travel", report::duration_text(planned.duration));
   text += ". ";
-  text += planned.conforming() ? terminal.green(fmt::format("Plan after {}.", iso230_2::edition))
-                               : terminal.red(fmt::format("Not a plan after {}: {}.", iso230_2::edition,
+  text += planned.conforming() ? terminal.green(fmt::format("Plan after {}.", edition_of(planned.plan.axis)))
+                               : terminal.red(fmt::format("Not a plan after {}: {}.", edition_of(planned.plan.axis),
                                                           plural(static_cast<std::size_t>(departures), "departure")));
   const std::string_view label = cycle_label(planned.plan.cycle);
   if (!label.empty()) text += " " + terminal.bold(fmt::format("{}.", label));
@@ -85,7 +86,7 @@ std::string conclusion(const app::PlannedTest& planned, const Terminal& terminal
 
 std::string plan_summary(const app::PlannedTest& planned, const report::Options& options, const Terminal& terminal) {
   const Plan& plan = planned.plan;
-  std::string title = plan.axis.name.empty() ? "Axis (not named)" : "Axis " + plan.axis.name;
+  std::string title = plan.axis.name.empty() ? title_of(plan.axis) + " (not named)" : title_of(plan.axis);
   if (!plan.machine.empty()) title += " of " + plan.machine;
   std::string text = fmt::format("{}  {}\n", terminal.bold(report::printable(title)), axis_kind_name(plan.axis.kind));
   text += programme(plan, options, terminal) + target_table(plan, options, terminal);

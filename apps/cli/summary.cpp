@@ -9,6 +9,7 @@
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/utf8.h"
+#include "axiometry/standards/test_standard.h"
 #include "findings_text.h"
 
 namespace axiometry::cli {
@@ -38,7 +39,7 @@ std::string heading(const app::Evaluated& e, const report::Options& options, con
   const Metadata& m = e.test.metadata;
   const Series& series = e.test.series;
   const auto target = [&](Position p) { return format_fixed(p.in_native(), 3, options.numbers); };
-  std::string title = m.axis.name.empty() ? "Axis (not named)" : "Axis " + m.axis.name;
+  std::string title = m.axis.name.empty() ? title_of(m.axis) + " (not named)" : title_of(m.axis);
   if (!m.machine.name.empty()) title += " of " + m.machine.name;
   std::string text = fmt::format("{}  {}\n", terminal.bold(report::printable(title)), axis_kind_name(m.axis.kind));
   text +=
@@ -164,8 +165,8 @@ std::string symbols_with(const app::Evaluated& e, Verdict verdict) {
 std::string conclusion(const app::Evaluated& e, const Terminal& terminal) {
   const auto departures = std::ranges::count(e.assessment.findings, Severity::departure, &iso230_2::Finding::severity);
   std::string text = e.assessment.conforming()
-                         ? terminal.green(fmt::format("Result after {}.", iso230_2::edition))
-                         : terminal.red(fmt::format("Not an {} result: {}.", iso230_2::edition,
+                         ? terminal.green(fmt::format("Result after {}.", edition_of(e.test.metadata.axis)))
+                         : terminal.red(fmt::format("Not an {} result: {}.", edition_of(e.test.metadata.axis),
                                                     plural(static_cast<std::size_t>(departures), "departure")));
   if (!e.assessment.label.empty()) text += " " + terminal.bold(e.assessment.label + ".");
   if (const std::string worst = symbols_with(e, Verdict::does_not_conform); !worst.empty())

@@ -7,7 +7,7 @@ Usage: linuxcnc_interpreter.py PROGRAM [--runs N]
 PROGRAM is axiometry. Plans of every cycle, linear and rotary, become programs in mm and inches, looped and written out,
 with and without a trigger; `rs274` (Debian package linuxcnc-uspace) interprets them without a machine or a display and
 prints the canonical commands. The plans are walked here a second time, from their JSON and the meaning of the cycles.
-Programs for grbl, whose words are a part of LinuxCNC's, go the same way.
+Programs for grbl, whose words are a part of LinuxCNC's, go the same way. Then lines in space (linuxcnc_lines.py).
 """
 import argparse
 import itertools
@@ -19,6 +19,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+
+import linuxcnc_lines
 
 INCH = 25.4
 AXES = "XYZABCUVW"
@@ -196,6 +198,11 @@ def main():
                     sys.exit(f"{error}\n{dialect} {' '.join(map(str, options))}\n{json.dumps(plan)}\n{done.stdout[:3000]}")
                 count += 1
                 moves += len(visits)
+        try:
+            lines = linuxcnc_lines.check(program, folder, rng, arguments.runs, make_plan, walk, interpret)
+        except AssertionError as error:
+            sys.exit(str(error))
+    print(f"{lines[0]} programs of lines in space, {lines[1]} moves;")
     print(f"{count} programs, {moves} moves: as LinuxCNC's interpreter drives them, so are they planned")
 
 

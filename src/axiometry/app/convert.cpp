@@ -12,6 +12,7 @@
 #include "axiometry/app/source.h"
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
+#include "axiometry/standards/test_standard.h"
 
 namespace axiometry::app {
 namespace {
@@ -41,7 +42,8 @@ std::string lost_in(const std::string& text, const formats::Format& format, cons
   const auto departures_in = [](const Test& t) {
     return std::ranges::count_if(t.provenance.remarks, &SourceRemark::departs);
   };
-  if (departures_in(*again) < departures_in(test)) return "why it is none of ISO 230-2";
+  if (departures_in(*again) < departures_in(test))
+    return fmt::format("why it is none of {}", standard_of(test.metadata.axis));
   for (const Field& field : metadata_fields())
     if (field.get(again->metadata) != field.get(test.metadata)) return std::string(field.key);
   return "";

@@ -4,16 +4,95 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <system_error>
 #include <vector>
 
 #include "axiometry/app/output.h"
-#include "axiometry/app/plan.h"
 #include "axiometry/app/whole_file.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/plan_json.h"
+#include "axiometry/formats/tracking_plan_json.h"
 #include "axiometry/standards/iso230_2_plan.h"
 
 namespace axiometry::app {
+namespace {
+
+/// What one program walks.
+struct Programme {
+  std::string title;
+  std::vector<Plan> plans;
+};
+
+Result<Programme> part_of(const Plan& plan, const NcRequest& request) {
+  if (!request.line.empty())
+    return fail(fmt::format("found the line {} asked for, expected none: this is no tracking plan, which has lines",
+                            text::quoted(request.line)));
+  if (request.part < 1 || request.part > plan.further.size() + 1)
+    return fail(fmt::format("found part {} asked for, expected {}", request.part,
+                            plan.further.empty() ? "1" : fmt::format("1 to {}", plan.further.size() + 1)));
+  return Programme{"", {request.part == 1 ? plan : plan.further[request.part - 2]}};
+}
+
+/// What a comment in the program can say.
+Plan named(const TrackingLine& line, const TrackingPlan& whole) {
+  Plan plan = line.plan;
+  if (plan.axis.name.empty()) plan.axis.name = line.id;
+  if (plan.machine.empty()) plan.machine = whole.machine;
+  if (plan.date.empty()) plan.date = whole.date;
+  return plan;
+}
+
+std::string line_ids(const TrackingPlan& plan) {
+  std::vector<std::string_view> ids;
+  for (const TrackingLine& line : plan.lines) ids.push_back(line.id);
+  return fmt::format("{}", fmt::join(ids, ", "));
+}
+
+/// The line that is asked for is lost, or there is none at all.
+std::unexpected<Error> no_line(const TrackingPlan& plan, const std::string& id) {
+  for (const LostLine& lost : plan.lost)
+    if (lost.id == id)
+      return fail(fmt::format("found the line {} asked for, which is lost ({}), expected one of {}", text::quoted(id),
+                              lost.reason, line_ids(plan)));
+  return fail(fmt::format("found the line {} asked for, expected one of {}", text::quoted(id), line_ids(plan)));
+}
+
+Result<Programme> lines_of(const TrackingPlan& plan, const NcRequest& request) {
+  if (request.part != 1)
+    return fail(fmt::format("found part {} asked for, expected none: a tracking plan has lines", request.part));
+  if (plan.lines.empty()) return fail("found a tracking plan without lines, expected at least one that is not lost");
+  Programme programme{plan.title, {}};
+  for (const TrackingLine& line : plan.lines)
+    if (request.line.empty() || request.line == line.id) programme.plans.push_back(named(line, plan));
+  if (programme.plans.empty()) return no_line(plan, request.line);
+  return programme;
+}
+
+Result<Programme> programme_of(std::string_view bytes, const NcRequest& request) {
+  if (formats::is_tracking_plan(bytes)) {
+    AXIOMETRY_TRY(const TrackingPlan plan, formats::read_tracking_plan(bytes));
+    return lines_of(plan, request);
+  }
+  AXIOMETRY_TRY(const Plan plan, formats::read_plan(bytes));
+  return part_of(plan, request);
+}
+
+/// Of several plans with the way from the end of each to the next.
+Duration duration_of(std::span<const Plan> plans) {
+  Duration sum;
+  std::optional<Vector3> at;
+  for (Plan plan : plans) {
+    const auto line = spatial_line(plan.axis);
+    if (at) plan.way_in_mm.insert(plan.way_in_mm.begin(), *at);
+    if (line) at = plan.way_out_mm.empty() ? line->at(reach(plan).lowest) : plan.way_out_mm.back();
+    sum = sum + iso230_2::estimated_duration(plan, iso230_2::usual_acceleration(plan.axis.kind));
+  }
+  return sum;
+}
+
+}  // namespace
 
 Result<const nc::Dialect*> dialect_of(std::string_view id) {
   if (const nc::Dialect* dialect = nc::find_dialect(id)) return dialect;
@@ -26,16 +105,12 @@ Result<const nc::Dialect*> dialect_of(std::string_view id) {
 
 Result<std::string> nc_program(const NcRequest& request) {
   AXIOMETRY_TRY(const nc::Dialect* const dialect, dialect_of(request.dialect));
-  AXIOMETRY_TRY(const Plan plan, read_plan_file(request.plan));
-  if (request.part < 1 || request.part > plan.further.size() + 1) {
-    const std::string expected = plan.further.empty() ? "1" : fmt::format("1 to {}", plan.further.size() + 1);
-    return std::unexpected(in_file(
-        Error{fmt::format("found part {} asked for, expected {}", request.part, expected), {}, {}}, request.plan));
-  }
-  const Plan& part = request.part == 1 ? plan : plan.further[request.part - 2];
+  AXIOMETRY_TRY(const std::string bytes, whole_file(request.plan));
+  AXIOMETRY_TRY(const Programme programme, in_file(programme_of(bytes, request), request.plan));
   nc::ProgramOptions options = request.options;
-  options.duration = iso230_2::estimated_duration(part, iso230_2::usual_acceleration(part.axis.kind));
-  return in_file(dialect->write({&part, 1}, options), request.plan);
+  options.title = programme.title;
+  options.duration = duration_of(programme.plans);
+  return in_file(dialect->write(programme.plans, options), request.plan);
 }
 
 Result<void> write_nc_program(const NcRequest& request, const std::string& output) {

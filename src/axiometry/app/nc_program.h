@@ -8,21 +8,23 @@
 #include "axiometry/base/result.h"
 #include "axiometry/nc/dialect.h"
 
-/// From the file of a plan to the part program that walks it.
+/// From the file of a plan, or of a measurement with a tracking interferometer, to the part program that walks it.
 namespace axiometry::app {
 
 struct NcRequest {
   std::string plan = {};     ///< file, "-" for the standard input
   std::string dialect = {};  ///< id
   std::size_t part = 1;      ///< 1 is the plan itself, 2 and more its further ones
+  std::string line = {};     ///< id of one line of a tracking plan; empty: all of them in one program
   nc::ProgramOptions options = {};
 };
 
 /// Fails, naming those there are, when no dialect has that id.
 Result<const nc::Dialect*> dialect_of(std::string_view id);
 
-/// The text of the program. Fails on an unknown dialect, a plan that cannot be read (formats/plan_json.h), a part that
-/// it does not have, and as the dialect does.
+/// The text of the program. Fails on an unknown dialect, a plan that cannot be read (formats/plan_json.h,
+/// tracking_plan_json.h), a part or a line that it does not have, a tracking plan that has no line, and as the dialect
+/// does.
 Result<std::string> nc_program(const NcRequest& request);
 
 /// As a file, or for "-" the standard output. Fails also when it cannot be written, or would take the plan's place.

@@ -59,5 +59,56 @@ TEST_F(NcProgram, DoesNotTakeThePlacesOfThePlanOrOfAFileWhenItFails) {
   EXPECT_EQ(kept.str(), plan_text);
 }
 
+constexpr std::string_view lines_text = R"({"format": "axiometry-tracking-plan/1", "title": "Seven lines",
+ "machine": "Mill 4", "date": "2026-11-22", "setup": {
+ "travel": {"lowest_mm": [0, 0, -500], "highest_mm": [800, 500, 0]},
+ "station": {"position_mm": [0, 0, 0]}}, "lines": [
+ {"id": "x", "plan": {"axis": {"name": "X", "kind": "linear", "line_origin_mm": [0, 5, 7], "line_direction": [1, 0, 0]},
+  "cycle": "standard", "targets": [100, 200], "runs": 2, "overrun": 5, "feed": 600, "dwell_s": 0}},
+ {"id": "xy", "plan": {"axis": {"kind": "linear", "line_origin_mm": [0, 5, 7], "line_direction": [1, 1, 0]},
+  "cycle": "standard", "targets": [100, 200], "runs": 2, "overrun": 5, "feed": 600, "dwell_s": 0,
+  "way_in_mm": [[95, 5, 100]]}}],
+ "lost": [{"id": "z", "reason": "the sphere is below reach"}]})";
+
+class NcProgramOfLines : public testing::Test {
+ protected:
+  NcProgramOfLines() : plan_(testing::TempDir() + "nc_program_lines.json") { std::ofstream(plan_) << lines_text; }
+
+  std::string reason(NcRequest request) const {
+    request.plan = plan_;
+    request.dialect = "grbl";
+    const auto program = nc_program(request);
+    return program ? "" : program.error().to_string();
+  }
+
+  std::string plan_;
+};
+
+TEST_F(NcProgramOfLines, DrivesTheWholeMeasurementOrOneLine) {
+  const auto all = nc_program({.plan = plan_, .dialect = "fanuc"});
+  ASSERT_TRUE(all) << all.error().to_string();
+  for (const char* text : {"(TITLE SEVEN LINES)", "(MACHINE MILL 4)", "(2 LINES, X, XY)", "(1 OF 2, LINE X)",
+                           "X95.0000 Y5.0000 Z7.0000 F600. (TO LINE X)", "X95.0000 Y5.0000 Z100.0000 F600. (WAY IN)"})
+    EXPECT_NE(all->find(text), std::string::npos) << text << "\n" << *all;
+  const auto one = nc_program({.plan = plan_, .dialect = "fanuc", .line = "xy"});
+  ASSERT_TRUE(one) << one.error().to_string();
+  EXPECT_EQ(one->find("LINE X)"), std::string::npos);
+  EXPECT_NE(one->find("(LINE XY)"), std::string::npos) << *one;
+  EXPECT_NE(one->find("(WAY IN)"), std::string::npos) << *one;
+}
+
+TEST_F(NcProgramOfLines, SaysWhatThereIsInsteadOfWhatIsNot) {
+  EXPECT_EQ(reason({.line = "yz"}), plan_ + ": found the line \"yz\" asked for, expected one of x, xy");
+  EXPECT_EQ(reason({.line = "z"}), plan_ +
+                                       ": found the line \"z\" asked for, which is lost (the sphere is below reach), "
+                                       "expected one of x, xy");
+  EXPECT_EQ(reason({.part = 2}), plan_ + ": found part 2 asked for, expected none: a tracking plan has lines");
+}
+
+TEST_F(NcProgram, HasNoLines) {
+  EXPECT_EQ(reason({.dialect = "grbl", .line = "xy"}),
+            plan_ + ": found the line \"xy\" asked for, expected none: this is no tracking plan, which has lines");
+}
+
 }  // namespace
 }  // namespace axiometry::app

@@ -12,6 +12,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
 #include "axiometry/formats/metadata_json.h"
+#include "axiometry/standards/test_standard.h"
 
 namespace axiometry::app {
 namespace {
@@ -130,7 +131,7 @@ json::Value to_json(const Evaluated& evaluated) {
   for (const auto& p : evaluated.assessment.evaluation.positions) positions.push(position_to_json(p));
 
   Value object = Value::object();
-  object.add("standard", iso230_2::edition);
+  object.add("standard", edition_of(metadata.axis));
   object.add("axis", std::move(axis));
   object.add("unit", deviation_unit_key(metadata.axis.kind));
   object.add("conforming", evaluated.assessment.conforming());

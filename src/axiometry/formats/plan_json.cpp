@@ -15,6 +15,7 @@
 #include "axiometry/formats/metadata_json.h"
 #include "axiometry/formats/test_schema.h"
 #include "axiometry/formats/text_source.h"
+#include "axiometry/formats/tracking_plan_json.h"
 
 namespace axiometry::formats {
 namespace {
@@ -236,13 +237,21 @@ Result<Duration> seconds_from(std::string_view name, const Value& value) {
   return Duration::s(x);
 }
 
-Result<void> check_format(Plan&, std::string_view, const Value& value) {
+/// First of all, since another format has other members.
+Result<void> check_format(const Value& value) {
   if (value.is(Kind::text) && value.text() == plan_format_name) return {};
-  return fail(fmt::format("found another \"format\", expected \"{}\"", plan_format_name), value.at());
+  if (value.is(Kind::text) && value.text() == tracking_plan_format_name)
+    return fail("found a tracking plan of several lines, expected the plan of one test, such as one of its lines",
+                value.at());
+  return fail(
+      fmt::format("found the \"format\" {}, expected \"{}\"",
+                  value.is(Kind::text) ? text::quoted(value.text()) : std::string(json::kind_name(value.kind())),
+                  plan_format_name),
+      value.at());
 }
 
 constexpr Member members[] = {
-    {"format", check_format},
+    {"format", nullptr},
     {"standard", take<&Plan::standard, text_from>},
     {"clause", take<&Plan::clause, text_from>},
     {"title", take<&Plan::title, text_from>},
@@ -288,6 +297,7 @@ const Value* given(const Value& root, std::string_view name) {
 
 Result<Plan> plan_from(const Value& root, bool further) {
   if (!root.is(Kind::object)) return fail("found JSON that is no object, expected a plan", root.at());
+  if (const Value* format = given(root, "format")) AXIOMETRY_TRY_VOID(check_format(*format));
   for (std::string_view name : required_members)
     if (root.find(name) == nullptr)
       return fail(

@@ -75,8 +75,8 @@ class AnyPlan {
     }
     if (plan.axis.kind == AxisKind::linear && random_() % 2) {
       // As given, of any length: what is read is what was written, bit by bit.
-      plan.axis.line_origin_mm = {number(1e8), number(1e8), number(1e8)};
-      plan.axis.line_direction = {number(1e8), 0.5, number(1e8)};
+      plan.axis.line_origin_mm = {number(1e6), number(1e6), number(1e6)};
+      plan.axis.line_direction = {number(1e6), 0.5, number(1e6)};
       for (std::size_t k = random_() % 4; k > 0; --k) plan.way_in_mm.push_back({number(1e8), number(1e8), number(1)});
       for (std::size_t k = random_() % 3; k > 0; --k) plan.way_out_mm.push_back({number(1e8), number(1), number(1)});
     }
@@ -188,6 +188,12 @@ TEST(PlanJson, RefusesWithTheRightPlace) {
   EXPECT_NE(reason(with("\"runs\": 2", "\"runs\": 2, \"seed\": -1")), "");
   EXPECT_NE(reason(with("\"runs\": 2", "\"runs\": 2, \"format\": \"axiometry-test/1\"")), "");
   EXPECT_NE(reason(with("\"runs\": 2", "\"runs\": null")), "");
+}
+
+TEST(PlanJson, TellsATrackingPlanFromAPlan) {
+  EXPECT_EQ(reason(R"({"format": "axiometry-tracking-plan/1", "setup": {}, "lines": []})"),
+            "line 1:12: found a tracking plan of several lines, expected the plan of one test, such as one of its "
+            "lines");
 }
 
 TEST(PlanJson, NamesTheWayOrLineThatIsNone) {

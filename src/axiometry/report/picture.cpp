@@ -12,6 +12,7 @@
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/symbols.h"
 #include "axiometry/report/svg.h"
+#include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
 namespace {
@@ -21,22 +22,22 @@ constexpr Colour grey{0.4, 0.4, 0.4};
 constexpr Colour white{1.0, 1.0, 1.0};
 
 std::string subject_line(const Metadata& metadata) {
-  std::string line = metadata.axis.name.empty() ? "Axis" : "Axis " + metadata.axis.name;
+  std::string line = title_of(metadata.axis);
   for (const std::string& part : {metadata.machine.name, metadata.machine.serial_number}) {
     if (!part.empty()) line += " · " + part;
   }
   return line;
 }
 
-std::string status_line(const iso230_2::Assessment& assessment) {
-  if (assessment.conforming()) return fmt::format("Evaluated according to {}", iso230_2::edition);
+std::string status_line(const iso230_2::Assessment& assessment, const Axis& axis) {
+  if (assessment.conforming()) return fmt::format("Evaluated according to {}", edition_of(axis));
   std::vector<std::string> clauses;
   for (const iso230_2::Finding& finding : assessment.findings) {
     const bool departs = finding.severity == iso230_2::Severity::departure;
     if (departs && std::ranges::find(clauses, finding.clause) == clauses.end()) clauses.push_back(finding.clause);
   }
-  return fmt::format("Evaluated with the formulas of {}; not an ISO 230-2 result (departs from {})", iso230_2::edition,
-                     fmt::join(clauses, ", "));
+  return fmt::format("Evaluated with the formulas of {}; not an {} result (departs from {})", edition_of(axis),
+                     standard_of(axis), fmt::join(clauses, ", "));
 }
 
 Text text(std::string_view line, Point at, double size, Colour colour, bool bold) {
@@ -86,8 +87,9 @@ Figure picture(const Subject& subject, const Options& options) {
   if (auto conformity = conformity_figure(subject, options)) parts.push_back(*std::move(conformity));
   if (auto distributions = distribution_figure(subject, options)) parts.push_back(*std::move(distributions));
   if (auto contributions = contribution_figure(subject, options)) parts.push_back(*std::move(contributions));
-  return on_paper(std::move(parts), {subject_line(subject.test.metadata), status_line(subject.assessment),
-                                     subject.test.metadata.conditions.date});
+  return on_paper(std::move(parts),
+                  {subject_line(subject.test.metadata), status_line(subject.assessment, subject.test.metadata.axis),
+                   subject.test.metadata.conditions.date});
 }
 
 Figure picture(const Document& document) {

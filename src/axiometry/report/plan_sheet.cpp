@@ -13,6 +13,7 @@
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/standards/iso230_2_plan.h"
+#include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
 namespace {
@@ -30,11 +31,6 @@ TableCell text_or_quiet(std::string_view text) { return text.empty() ? quiet_cel
 
 /// A line for a pen.
 TableCell to_fill_in() { return quiet_cell("__________________"); }
-
-std::string axis_text(const Axis& axis) {
-  const std::string_view kind = axis.kind == AxisKind::linear ? "linear axis" : "rotary axis";
-  return axis.name.empty() ? std::string(kind) : fmt::format("{} ({})", axis.name, kind);
-}
 
 std::string travel_text(const Plan& plan, const Options& options) {
   const Axis& axis = plan.axis;
@@ -179,17 +175,19 @@ Document title_page(const PlanSubject& subject) {
   const Plan& plan = subject.plan;
   Document document;
   document.kind = "Test plan";
-  document.title =
-      plan.axis.name.empty() ? "Positioning test of an NC axis" : "Positioning test of axis " + plan.axis.name;
+  document.title = fmt::format("{} of {}", is_diagonal(plan.axis) ? "Displacement test" : "Positioning test",
+                               plan.axis.name.empty()
+                                   ? fmt::format("{} {}", is_diagonal(plan.axis) ? "a" : "an NC", word_for(plan.axis))
+                                   : fmt::format("{} {}", word_for(plan.axis), plan.axis.name));
   document.edition = iso230_2::conforming(subject.findings) ? plan.standard : fmt::format("Terms of {}", plan.standard);
-  document.identity = {{plain("Axis"), text_cell(axis_text(plan.axis))},
+  document.identity = {{plain(is_diagonal(plan.axis) ? "Diagonal" : "Axis"), text_cell(description_of(plan.axis))},
                        {plain("Machine"), text_or_quiet(plan.machine)},
                        {plain("Date of plan"), text_or_quiet(plan.date)},
                        {plain("Duration, about"), text_cell(duration_text(subject.duration_in_all))}};
   document.status.push_back(status(subject));
   document.label = cycle_label(plan.cycle);
   if (!document.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + document.label), {}});
-  document.running_head = plan.axis.name.empty() ? axis_text(plan.axis) : "Axis " + plan.axis.name;
+  document.running_head = plan.axis.name.empty() ? description_of(plan.axis) : title_of(plan.axis);
   if (!plan.machine.empty()) document.running_head += " · " + plan.machine;
   document.running_status = "Test plan · " + document.edition;
   if (!document.label.empty()) document.running_status += " · " + document.label;

@@ -42,6 +42,10 @@ struct Layout {
 /// dimensioned. 500 points wide.
 Figure layout_figure(const Layout& layout, const Options& options);
 
+/// The set-up of a plan: travels of the reflector, station, lines from their first to their last target. A lost line of
+/// the seven points from the station into the travels, to their end; `with_way` adds the ways from line to line.
+Layout layout_of(const TrackingPlan& plan, bool with_way = false);
+
 struct StationSubject {
   std::span<const LocationPoint> points;
   const tracking::StationLocation& location;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -51,6 +52,32 @@ TestConditions conditions_of(const Request& request) {
   return c;
 }
 
+/// "X" or, of a line in space, the axes that move on it: "XZ".
+std::string usual_name(const Axis& axis) {
+  const auto line = spatial_line(axis);
+  if (!line) return axis.kind == AxisKind::linear ? "X" : "C";
+  std::string name;
+  for (std::size_t k = 0; k < 3; ++k) {
+    SpatialLine along{};
+    along.direction[k] = line->direction[k];
+    if (moving_axes(along) > 0) name += "XYZ"[k];
+  }
+  return name;
+}
+
+/// What the axes need to walk the plan.
+std::string travels_of(const Plan& plan, std::string_view name) {
+  const auto [lowest, highest] = reach(plan);
+  const auto line = spatial_line(plan.axis);
+  if (!line)
+    return fmt::format("{} {:g} to {:g} {}", name, lowest.in_native(), highest.in_native(),
+                       position_unit(plan.axis.kind));
+  const Vector3 from = line->at(lowest), to = line->at(highest);
+  return fmt::format("X {:g} to {:g} mm, Y {:g} to {:g} mm, Z {:g} to {:g} mm", std::min(from.x, to.x),
+                     std::max(from.x, to.x), std::min(from.y, to.y), std::max(from.y, to.y), std::min(from.z, to.z),
+                     std::max(from.z, to.z));
+}
+
 /// Clause 8.1, as far as a simulation has an answer.
 Metadata metadata_of(const Request& request) {
   const Plan& plan = request.plan;
@@ -58,14 +85,15 @@ Metadata metadata_of(const Request& request) {
   const auto expansion = instrument.expansion.value_or(VirtualInstrument::Expansion{});
   Metadata m;
   m.axis = plan.axis;
-  if (m.axis.name.empty()) m.axis.name = plan.axis.kind == AxisKind::linear ? "X" : "C";
-  if (m.axis.measurement_line.empty()) m.axis.measurement_line = "In the axis of motion, without offset";
+  if (m.axis.name.empty()) m.axis.name = usual_name(plan.axis);
+  if (m.axis.measurement_line.empty())
+    m.axis.measurement_line = is_diagonal(plan.axis) ? "Line in space, along the way of the axes, without offset"
+                                                     : "In the axis of motion, without offset";
   if (m.axis.scale_type.empty()) m.axis.scale_type = "Simulated";
   if (m.axis.compensation.empty()) m.axis.compensation = "none";
   m.machine.name = plan.machine.empty() ? "Virtual machine" : plan.machine;
   m.machine.type = "Simulated axis";
-  m.machine.axes_travel = fmt::format("{} {:g} to {:g} {}", m.axis.name, reach(plan).lowest.in_native(),
-                                      reach(plan).highest.in_native(), position_unit(plan.axis.kind));
+  m.machine.axes_travel = travels_of(plan, m.axis.name);
   m.conditions = conditions_of(request);
   m.equipment = {{"Instrument", "Axiometry", "Simulated", fmt::format("seed {}", request.seed)}};
   m.nde.applied = plan.axis.kind == AxisKind::linear;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/standards/iso230_2_plan_targets.h"
 #include "axiometry/standards/iso230_2_programme.h"
@@ -355,38 +354,6 @@ Result<Plan> make_plan(const PlanRequest& request) {
     return fail(fmt::format("found a normal working area for a test over {}, expected one above {} only",
                             frame.text(measured), frame.text(normal_stretch(frame.kind()).in_native())));
   return plan;
-}
-
-Result<void> check_acceleration(double acceleration) {
-  constexpr double least = 1e-3, highest = 1e6;
-  if (acceleration >= least && acceleration <= highest) return {};
-  return fail(fmt::format("found the acceleration {}, expected {} to {}", format_exact(acceleration), least, highest));
-}
-
-double usual_acceleration(AxisKind kind) { return kind == AxisKind::linear ? 1000.0 : 500.0; }
-
-Position distance_to_feed(const Plan& plan, double acceleration) {
-  const double feed_per_s = plan.feed / 60.0;
-  return Position::native(feed_per_s * feed_per_s / acceleration);
-}
-
-std::vector<Duration> move_durations(const std::vector<PlannedMove>& list, double feed, double acceleration) {
-  AXIOMETRY_CONTRACT(feed > 0.0 && acceleration > 0.0);
-  const double feed_per_s = feed / 60.0;
-  const double to_feed = feed_per_s * feed_per_s / acceleration;
-  std::vector<Duration> durations(list.size());
-  for (std::size_t k = 1; k < list.size(); ++k) {
-    const double way = std::abs(list[k].to.in_native() - list[k - 1].to.in_native());
-    durations[k] =
-        Duration::s(way < to_feed ? 2.0 * std::sqrt(way / acceleration) : way / feed_per_s + feed_per_s / acceleration);
-  }
-  return durations;
-}
-
-Duration estimated_duration(const Plan& plan, double acceleration) {
-  Duration sum = static_cast<double>(approaches(plan).size()) * plan.dwell;
-  for (Duration d : move_durations(moves(plan), plan.feed, acceleration)) sum = sum + d;
-  return sum;
 }
 
 }  // namespace axiometry::iso230_2

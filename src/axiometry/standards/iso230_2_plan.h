@@ -114,8 +114,8 @@ Result<void> check_acceleration(double acceleration);
 double usual_acceleration(AxisKind kind);
 
 /// From the first command to the last, from rest to rest on each: with the feed v, the acceleration a (of speeding up
-/// and slowing down) and the distance d, d/v + v/a, or 2·√(d/a) where d < v²/a; and a dwell at each approach. Without
-/// the further plans. Needs a sound plan and a > 0.
+/// and slowing down) and the distance d, d/v + v/a, or 2·√(d/a) where d < v²/a; and a dwell at each approach; the ways
+/// in and out of a line in space likewise, point by point. Without the further plans. Needs a sound plan and a > 0.
 Duration estimated_duration(const Plan& plan, double acceleration);
 
 /// How long each of moves(plan) takes, without the dwell at its end; 0 for the first, which comes from anywhere.

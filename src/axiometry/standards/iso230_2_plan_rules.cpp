@@ -51,6 +51,17 @@ std::optional<Finding> travel_known(const Plan& plan) {
                                  position_text(plan, lowest.in_native()), position_text(plan, highest.in_native())));
 }
 
+/// ISO 230-6 takes the programme over from ISO 230-2, along the diagonal in place of the axis.
+std::optional<Finding> line_of_several_axes(const Plan& plan) {
+  if (!is_diagonal(plan.axis)) return std::nullopt;
+  const auto& direction = plan.axis.line_direction;
+  return rules::note(
+      "230-6", fmt::format("found a line that {} axes drive together (direction {} {} {}): a diagonal displacement "
+                           "test, whose programme is judged along the line as that of one axis",
+                           moving_axes(*spatial_line(plan.axis)), rules::figure(direction[0]),
+                           rules::figure(direction[1]), rules::figure(direction[2])));
+}
+
 std::optional<Finding> warm_up_planned(const Plan& plan) {
   if (plan.warm_up_runs > 0) return std::nullopt;
   return rules::note("4.3", "found no warm-up run, expected the warm-up that was specified or agreed before the test");
@@ -137,7 +148,8 @@ std::optional<Series> as_series(const Plan& plan) {
 }
 
 /// What is said of every plan.
-constexpr PlanRule* common_rules[] = {travel_known, reach_within_travel, warm_up_planned, rests_at_targets};
+constexpr PlanRule* common_rules[] = {line_of_several_axes, travel_known, reach_within_travel, warm_up_planned,
+                                      rests_at_targets};
 /// Of the test for a periodic error.
 constexpr PlanRule* period_rules[] = {period_given, period_covered, period_resolved};
 /// Of a test after clause 5.

@@ -395,6 +395,31 @@ TEST(Plan230, DurationIsWhatAHandCalculationGives) {
   EXPECT_NEAR(estimated_duration(plan, 1000).in_s(), 2 * 1.3 + 4 * 0.2 + 2 * 1.1 + 4 * 2.0, 1e-12);
 }
 
+TEST(Plan230, DurationHasTheWaysToAndFromALine) {
+  Plan plan;
+  plan.targets = {at(0), at(100)};
+  plan.runs = 1;
+  plan.overrun = at(10);
+  plan.feed = 6000;
+  set_spatial_line(plan.axis, {{0, 0, 0}, {0, 1, 0}});
+  const double line = estimated_duration(plan, 1000).in_s();
+  plan.way_in_mm = {{-30, -10, 40}, {0, -10, 40}};  // 30 mm and 40 mm to (0, −10, 0): 0.3 and 0.4 s, 0.1 s more each
+  EXPECT_NEAR(estimated_duration(plan, 1000).in_s(), line + 0.4 + 0.5, 1e-12);
+  plan.way_out_mm = {{0, -10, 60}};
+  EXPECT_NEAR(estimated_duration(plan, 1000).in_s(), line + 0.4 + 0.5 + 0.7, 1e-12);
+}
+
+TEST(Plan230, TellsADiagonalFromATestOfOneAxis) {
+  Plan plan = make_plan(request(0, 500)).value();
+  set_spatial_line(plan.axis, {{0, 0, 0}, {1, 0, 0}});
+  EXPECT_THAT(kinds(plan), IsEmpty());
+  plan.axis.line_direction = {3, 4, 0};
+  EXPECT_THAT(messages(plan), Contains("found a line that 2 axes drive together (direction 3 4 0): a diagonal "
+                                       "displacement test, whose programme is judged along the line as that of one "
+                                       "axis"));
+  EXPECT_THAT(kinds(plan), ::testing::ElementsAre("230-6 note"));
+}
+
 TEST(Plan230, RefusesWhatCannotBePlannedWithTheNumbers) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(reason(request(500, 0)),

@@ -16,47 +16,63 @@
 ///
 /// Two estimators, always both, because under errors of the machine they can be millimetres apart:
 /// - **linear**, eq. 14: with ψ = |s|² − L0² (13) as a fifth unknown the squares of the lengths are linear in s, L0, ψ.
-///   Points are centred and scaled before, which changes nothing but the condition of the matrix. It minimises errors
-///   of squared lengths, and needs points off every surface of `CriticalSurface`.
-/// - **refined**: the s and L0 that minimise Σ ((|p_i − s| − L0 − ΔL_i)/σ_i)² (Gauss–Newton), rows [−uᵢ, −1].
+///   Points and lengths are centred and divided by the rms radius r of the points before, which changes nothing but
+///   the condition of the matrix with rows [2p, 2ΔL, −1]. It minimises errors of squared lengths, and needs points off
+///   every surface of `CriticalSurface`.
+/// - **refined**: the s and L0 that minimise Σ ((|p_i − s| − L0 − ΔL_i)/σ_i)² (Levenberg–Marquardt from many starts),
+///   rows [−uᵢ, −1], uᵢ the unit vector from the station to the point.
 namespace axiometry::tracking {
 
 /// Where a·p + bΔL + c = 0 for all points, so that eq. 14 has no unique solution. The refined problem is regular on all
-/// of them but the cone; points on a plane leave it a mirror image of the station.
+/// of them but the cone; points on a plane or a hyperboloid leave it a second station.
 enum class CriticalSurface {
   none,
-  plane,     ///< all points on one plane: the station or its mirror image
-  sphere,    ///< about the station: all lengths are alike
-  quadric,   ///< of revolution with a focus at the station: ellipsoid, paraboloid, hyperboloid
-  cone,      ///< about an axis through the station: all beams at one angle to it. No estimator can tell the station
-  repeated,  ///< too few different points
+  plane,        ///< all points on one plane: the station or its mirror image
+  sphere,       ///< about the station: all lengths are alike
+  ellipsoid,    ///< of revolution, a focus at the station
+  paraboloid,   ///< likewise
+  hyperboloid,  ///< likewise; the other focus may be the station as well
+  cone,         ///< about an axis through the station: all beams at one angle to it. No estimator can tell the station
+  repeated,     ///< fewer than five different points
 };
 std::string_view critical_surface_name(CriticalSurface surface);
 
 struct LinearFit {
-  Vector3 station_mm;
+  Vector3 station_mm;  ///< 0 where rank < 5, like all that follows from it
   double L0_mm = 0.0;
   double psi_mm2 = 0.0;
-  std::size_t rank = 0;  ///< of the 5 columns after scaling; below 5 the smallest solution is given, and counts as none
-  double condition = 0.0;  ///< largest over smallest singular value of the scaled matrix; infinite below full rank
+  std::size_t rank = 0;            ///< of the 5 columns after scaling: singular values above what noise may produce
+  std::size_t numerical_rank = 0;  ///< singular values above n ε of the largest: what rounding leaves
+  double rank_tolerance = 0.0;     ///< for the smallest singular value, see docs/theory/station.md
+  double condition = 0.0;          ///< largest over smallest singular value of the scaled matrix, at most 1/ε = 4.5e15
   std::vector<double> singular_values;
-  std::vector<double> residuals_mm;  ///< |p_i − s| − L0 − ΔL_i with this solution
-  double misclosure_mm2 = 0.0;  ///< ψ − (|s|² − L0²), 0 for exact data; relative to the centre of the points
+  std::vector<double> residuals_mm;            ///< |p_i − s| − L0 − ΔL_i with this solution
+  std::vector<double> equation_residuals_mm2;  ///< of eq. 14 itself; of six points one is free: the redundant residual
+  double redundant_residual_mm2 = 0.0;         ///< root of the sum of their squares
+  double misclosure_mm2 = 0.0;    ///< ψ − (|s|² − L0²), 0 for exact data; does not depend on the origin
+  double misclosure_u_mm2 = 0.0;  ///< its standard uncertainty, from the σ stated
+  Matrix3 covariance_mm2{};       ///< of this s, from the σ stated
 };
 
 struct RefinedFit {
   Vector3 station_mm;
   double L0_mm = 0.0;
-  Matrix3 covariance_mm2{};  ///< of s, from the σ stated; times χ²/ν where that is above 1 and ν > 0
-  double L0_variance_mm2 = 0.0;
+  Matrix3 covariance_mm2{};         ///< of s: the one that follows, times the inflation
+  Matrix3 covariance_stated_mm2{};  ///< (JᵀWJ)⁻¹, from the σ stated alone
+  /// χ²/ν where χ² is larger than the σ stated explain with 5 % probability, else 1.
+  double inflation = 1.0;
+  double L0_variance_mm2 = 0.0;  ///< inflated likewise
   std::vector<double> residuals_mm;
   std::vector<double> sigma_mm;  ///< σ_i: of the instrument, and of the machine where given, combined
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;  ///< ν = n − 4
-  double condition = 0.0;              ///< of the rows [−uᵢ, −1], columns scaled alike
+  /// Probability of a χ² as large as this or larger, with the σ stated; 1 without degrees of freedom.
+  double chance = 1.0;
+  double condition = 0.0;  ///< of the rows [−uᵢ, −1], at most 1/ε
+  std::vector<double> singular_values;
   std::size_t iterations = 0;
   bool converged = false;
-  std::optional<Vector3> mirror_mm{};  ///< the other station that fits as well, when the points lie on a plane
+  std::optional<Vector3> mirror_mm{};  ///< another station that the lengths do not rule out
 };
 
 /// What the user should know, with the numbers.
@@ -74,18 +90,23 @@ struct StationOptions {
 struct StationLocation {
   std::optional<LinearFit> linear;  ///< absent with fewer than 5 points, all else is in its rank
   RefinedFit refined;
-  Vector3 difference_mm;  ///< refined − linear station; 0 where eq. 14 has no unique solution
+  Vector3 difference_mm;    ///< refined − linear station; 0 where eq. 14 has no unique solution
+  Vector3 difference_u_mm;  ///< its standard uncertainty by components, from the σ stated
   CriticalSurface surface = CriticalSurface::none;
-  std::vector<Finding> findings;
+  std::optional<double> eccentricity{};  ///< of ellipsoid, paraboloid, hyperboloid
+  std::vector<Finding> findings;         ///< serious ones first
+
+  bool has_linear() const { return linear && linear->rank == 5; }
+  bool is_serious() const;
 
   /// As the rest of a test takes it.
   Station station() const { return {refined.station_mm, refined.covariance_mm2}; }
 };
 
 /// Fails, with the numbers, on fewer than 4 different points (6 are asked for, fewer are a finding), coordinates or
-/// lengths that are not finite, two lengths that differ by more than the distance of their points allows (and what the
-/// instrument may err), points on a cone about the station, a solution that lies absurdly far away (mixed-up units),
-/// and when no start converges.
+/// lengths that are not finite or beyond 1e9 mm, an uncertainty of 0 or less, two lengths that differ by far more than
+/// the distance of their points allows, lengths that fit only in another unit or with the other sign, and a solution
+/// more than 100 m away (mixed-up units). A cone, which no estimator can solve, is a serious finding.
 Result<StationLocation> locate_station(std::span<const LocationPoint> points, const StationOptions& options);
 
 }  // namespace axiometry::tracking

@@ -17,6 +17,8 @@ For 8055 and 8055i, and relatives that read its ISO programs (8035, 8037, 8040).
 - Dwell: `G4 K300`, in hundredths of a second: the dwell is rounded up to 0.01 s, 999.99 s at most
 - Trigger: an M code between two halves of the dwell
 - Comments: behind a semicolon
+- Lines in space: X, Y and Z in one block. F is the speed along the path, G7 brings all of them to rest. The tool
+  length is not cancelled: do that before (D0), or Z is that of the tool [inferred]
 - Message: with `--stop-at-start`, `(MSG "…")` shows what to do, and `M0` waits
 
 Try in single block first: the start blocks, the first target with its dwell, and the end of the first loop: it

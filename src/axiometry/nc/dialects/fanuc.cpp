@@ -19,6 +19,10 @@ B or C.
 - Trigger: an M code between two halves of the dwell
 - Comments: in round brackets, capitals
 
+- Lines in space: X, Y and Z in one G1 block. F is the speed along the path, G61 brings all of them to rest, G49
+  cancels the tool length: positions are those of the axes. Rotation (G69), scaling (G50), mirroring (G50.1) and
+  tilted planes (G69.1) must be off: the program does not cancel them
+
 Try in single block first: the start blocks, the first two targets, and the first turn of the loop (up to
 `END1`).
 

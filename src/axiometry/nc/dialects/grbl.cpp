@@ -17,6 +17,8 @@ constexpr std::string_view manual = R"manual(# grbl 1.1 and grblHAL
 - Trigger: M7 (if it was compiled in), M8, M9: coolant outputs, which stay as they are put. grbl has no pulse
 - Stop: `M0`; cycle start goes on
 
+- Lines in space: X, Y and Z in one block, F is the speed along the path. G49 cancels the tool length (G43.1)
+
 Set the feed in the plan below the axis' `$110` to `$112` (or 113 and more): grbl lowers a feed above it without
 a word. Soft limits (`$20`) should be on. Run all of it in check mode (`$C`) first, then try in single block,
 which is sending line by line, up to the first dwell.)manual";

@@ -17,6 +17,10 @@ For mills (NGC and classic).
 - Trigger: an M code between two halves of the dwell; spare ones are M21 to M28 and, newer, M121 to M128 (these
   wait for an answer), M51 to M58 switch on and M61 to M68 off
 
+- Lines in space: X, Y and Z in one G1 block. F is the speed along the path, G61 brings all of them to rest, G49
+  cancels the tool length: positions are those of the axes. Rotation (G69), scaling (G50), mirroring (G100) and
+  dynamic work offsets (G255) must be off: the program does not cancel them
+
 Haas checks setting 9: a program in inches stops with an alarm on a machine in mm, and the other way round.
 Setting 9 decides how many decimals are kept: 3 in mm, 4 in inches.
 

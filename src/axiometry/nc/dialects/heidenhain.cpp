@@ -24,6 +24,10 @@ For TNC 426, 430, iTNC 530, TNC 320, 620, 640 and TNC7.
   the oldest of these controls have them; what comes after is written out
 - Moves: `L X+100.0000 R0 F1000`. In inch programs F is in tenths of an inch per minute, of rotary axes in
   degrees per minute always
+- Lines in space: `L X+100.0000 Y+50.0000 Z+20.0000 R0 F1000`; F is the speed along the path. The tool of the last
+  TOOL CALL lengthens Z: call tool 0 (or one of length 0) before, so that positions are those of the axes. An axis
+  comes to rest by the dwells; on overruns and ways between lines, corners may be rounded within the tolerance of
+  cycle 32, which is harmless as long as there is room for it
 - Dwell: cycle 9, `CYCL DEF 9.0 DWELL TIME` and `CYCL DEF 9.1 DWELL 3`, seconds, up to 3600. It also brings
   the axis to rest, and is written for 0 s too
 - Trigger: an M code between two halves of the dwell

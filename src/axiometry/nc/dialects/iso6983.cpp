@@ -18,6 +18,8 @@ words of ISO 6983-1 is needed.
 - Exact stop: `G9` in every block: it needs no cancelling
 - Trigger: an M code between two halves of the dwell
 
+- Lines in space: X, Y and Z in one block; F is the speed along the path [inferred for a control that is not known]
+
 Try in single block first: the start blocks, one target, the dwell with a watch. Tool length offsets, scaling,
 rotation and mirroring must be off; coordinates refer to the work offset that is active.)manual";
 

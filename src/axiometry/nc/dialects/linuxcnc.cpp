@@ -17,6 +17,10 @@ For version 2.4 and later. Programs of this dialect are run through LinuxCNC's o
   an output. The interpreter refuses one that does not exist
 - Message: with `--stop-at-start`, `(MSG, …)` shows what to do, and `M0` waits
 
+- Lines in space: X, Y and Z in one block. With G94 F is the speed along the path; G61.1 brings all of them to rest;
+  G49 cancels the tool length, so that positions are those of the axes. A machine whose kinematics are not trivial
+  (five axes, hexapod) must be in the mode in which X, Y and Z are those of the plan
+
 Rotary axes A, B, C are in degrees and degrees per minute whatever the unit. An axis that is configured as
 wrapped (`WRAPPED_ROTARY`) takes the sign of a target as the direction and cannot be tested with this program:
 switch it off.

@@ -15,6 +15,10 @@ For Mazatrol controls of machining centres that run EIA/ISO programs (Fusion 640
 - Dwell: `G4 X3.0`, seconds
 - Trigger: an M code between two halves of the dwell
 
+- Lines in space: X, Y and Z in one G1 block. F is the speed along the path, G61 brings all of them to rest, G49
+  cancels the tool length: positions are those of the axes. Rotation, scaling, mirroring and tilted planes must be
+  off: the program does not cancel them [inferred]
+
 Try in single block first: the start blocks, the first target with its dwell, the first turn of the loop.
 
 - Inch needs the inch option, and a parameter decides what is active at power on [inferred].

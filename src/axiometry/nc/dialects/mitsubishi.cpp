@@ -15,6 +15,10 @@ For M60, M70, M80, M700 and M800, machining centre system (L system lathes: as t
 - Dwell: `G4 X3.0`, seconds
 - Trigger: an M code between two halves of the dwell
 
+- Lines in space: X, Y and Z in one G1 block. F is the speed along the path, G61 brings all of them to rest, G49
+  cancels the tool length: positions are those of the axes. Rotation, scaling, mirroring and tilted planes must be
+  off: the program does not cancel them [inferred]
+
 Try in single block first: the start blocks, the first target with its dwell, the first turn of the loop.
 
 - Whether G20/G21 may be commanded is a parameter (#1041 is the initial state) [inferred].

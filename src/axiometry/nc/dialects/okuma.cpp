@@ -17,6 +17,9 @@ For OSP controls of machining centres (OSP-E100M, P200M, P300M and relatives).
 - Dwell: `G4 F3.0`, seconds
 - Trigger: an M code between two halves of the dwell
 
+- Lines in space: X, Y and Z in one block. F is the speed along the path, G61 brings all of them to rest. The tool
+  length offset is not cancelled: do that before (G53), or Z is that of the tool [inferred]
+
 Try in single block first: the start blocks, the first target with its dwell (time it: the unit of F in G4
 follows the control's unit setting), and the jump at the end of the first loop [inferred].
 

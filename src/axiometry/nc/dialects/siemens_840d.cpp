@@ -17,6 +17,8 @@ For 840D, 840D sl, 828D and SINUMERIK ONE in Siemens language (not in ISO dialec
 - Axes: X, Y, Z, U, V, W, A, B, C, with a number where the machine has one: `X1=100.0`
 - Dwell: `G4 F3.0`, seconds
 - Trigger: an M code between two halves of the dwell
+- Lines in space: X, Y and Z in one block, which must be the geometry axes of the channel. F is the speed along the
+  path as long as they are the axes of FGROUP, as they are by default; G60 G601 brings all of them to rest
 - Message: with `--stop-at-start`, `MSG("…")` shows what to do, and `M0` waits
 
 Try in single block first: the start blocks, the first target with its dwell, the first turn of the loop.

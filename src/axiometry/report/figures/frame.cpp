@@ -6,6 +6,7 @@
 
 #include "axiometry/report/figures/ink.h"
 #include "axiometry/report/text_layout.h"
+#include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report::plot {
 namespace {
@@ -40,7 +41,8 @@ void draw_titles(Operations& operations, const Plate& plate, const PlateLayout& 
   constexpr double longest_name = 220.0;
   constexpr double below_plot = 24.5;
   const std::string& name = plate.test.metadata.axis.name;
-  const std::string position = name.empty() ? "Position" : "Position " + shortened(name, longest_name, ink::text_size);
+  const std::string what = is_diagonal(plate.test.metadata.axis) ? "Position along the diagonal" : "Position";
+  const std::string position = name.empty() ? what : what + " " + shortened(name, longest_name, ink::text_size);
   operations.push_back(label(joined({plain(position + " / ")}, layout.x_unit.name),
                              {(layout.left + layout.right) / 2.0, layout.bottom + below_plot}, ink::text_size,
                              Anchor::middle));

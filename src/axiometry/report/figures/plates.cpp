@@ -6,6 +6,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report::plot {
 namespace {
@@ -33,7 +34,8 @@ std::string with_unit(const std::string& number, std::string_view unit) {
 std::string axis_phrase(const Subject& subject) {
   constexpr double longest_name = 150.0;
   const std::string& name = subject.test.metadata.axis.name;
-  return name.empty() ? "the axis" : "axis " + shortened(name, longest_name, 8.0);
+  const std::string word(word_for(subject.test.metadata.axis));
+  return name.empty() ? "the " + word : word + " " + shortened(name, longest_name, 8.0);
 }
 
 const iso230_2::ParameterInfo& info(Parameter parameter) {

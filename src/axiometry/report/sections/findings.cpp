@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "axiometry/report/sections/sections.h"
 
 namespace axiometry::report {
@@ -16,13 +20,57 @@ TableCell severity_cell(Severity severity) {
   return {};
 }
 
+constexpr std::string_view none = "None: nothing departs from clauses 4 to 8, and nothing they ask for is missing.";
+
+/// What several tests have in common.
+struct Shared {
+  const iso230_2::Finding* finding = nullptr;
+  std::string names;
+};
+
+std::vector<Shared> merged(std::span<const NamedFindings> tests) {
+  std::vector<Shared> all;
+  for (const NamedFindings& test : tests)
+    for (const iso230_2::Finding& finding : test.findings) {
+      const auto same = std::ranges::find_if(all, [&](const Shared& shared) {
+        return shared.finding->severity == finding.severity && shared.finding->clause == finding.clause &&
+               shared.finding->message == finding.message;
+      });
+      if (same == all.end())
+        all.push_back({&finding, std::string(test.name)});
+      else
+        same->names += fmt::format(", {}", test.name);
+    }
+  return all;
+}
+
 }  // namespace
+
+Section finding_section(std::span<const NamedFindings> tests) {
+  Section section{"findings", "Findings", false, {}};
+  const std::vector<Shared> all = merged(tests);
+  if (all.empty()) {
+    section.blocks.emplace_back(Paragraph{plain(none)});
+    return section;
+  }
+  Table table;
+  table.columns = {{plain("Kind"), Align::start, true},
+                   {plain("Clause")},
+                   {plain("Lines")},
+                   {plain("Finding"), Align::start, false, true}};
+  for (Severity severity : {Severity::departure, Severity::missing, Severity::note})
+    for (const Shared& shared : all)
+      if (shared.finding->severity == severity)
+        table.rows.push_back({severity_cell(severity), text_cell(shared.finding->clause), text_cell(shared.names),
+                              TableCell{sentence(shared.finding->message)}});
+  section.blocks.emplace_back(std::move(table));
+  return section;
+}
 
 Section finding_section(std::span<const iso230_2::Finding> findings) {
   Section section{"findings", "Findings", false, {}};
   if (findings.empty()) {
-    section.blocks.emplace_back(
-        Paragraph{plain("None: nothing departs from clauses 4 to 8, and nothing they ask for is missing.")});
+    section.blocks.emplace_back(Paragraph{plain(none)});
     return section;
   }
   Table table;

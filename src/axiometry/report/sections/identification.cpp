@@ -5,6 +5,7 @@
 
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
 
@@ -17,10 +18,11 @@ struct Group {
   std::string_view title_when_resumed{};  ///< of fields that stand apart from the first ones
 };
 constexpr std::string_view conditions_title = "Test conditions";
+constexpr std::string_view axis_title = "Axis under test";
 constexpr Group groups[] = {
     {"test", "Test", conditions_title},
     {"machine", "Machine"},
-    {"axis", "Axis under test"},
+    {"axis", axis_title},
     {"equipment", "Test equipment"},
     {"nde", "Correction for nominal differential expansion (NDE)"},
     {"sensors", "Temperature sensors"},
@@ -160,6 +162,8 @@ void append_group(Identification& all, std::string_view title, std::span<const F
       add(field.title, stated(field, metadata, options));
     }
   }
+  if (title == axis_title && !octant_of(metadata.axis).empty())
+    facts.facts.push_back({plain("Moves with growing position"), text_cell(octant_of(metadata.axis))});
   if (title == conditions_title)
     for (Fact& fact : facts_of_readings(subject, options)) facts.facts.push_back(std::move(fact));
   if (!facts.facts.empty()) all.facts.emplace_back(std::move(facts));

@@ -7,6 +7,7 @@
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
 
@@ -133,13 +134,14 @@ std::vector<TableCell> row(const iso230_2::ParameterInfo& parameter, const Subje
 }  // namespace
 
 Section parameter_section(const Subject& subject, const Options& options) {
-  const bool with_iso230_1 = fits_a_symbol(subject.test.metadata.axis.name);
+  const Axis& axis = subject.test.metadata.axis;
+  const bool with_iso230_1 = fits_a_symbol(axis.name) && !is_diagonal(axis);
   Table table;
   table.columns = columns(with_iso230_1, !subject.judgements.empty(), uncertainty_head(subject.assessment, options));
   for (const auto& parameter : iso230_2::parameters)
     table.rows.push_back(row(parameter, subject, with_iso230_1, options));
   table.notes = notes(subject, options);
-  return {"parameters", "Parameters of the axis", true, {std::move(table)}};
+  return {"parameters", fmt::format("Parameters of the {}", word_for(axis)), true, {std::move(table)}};
 }
 
 }  // namespace axiometry::report

@@ -4,6 +4,7 @@
 #include "axiometry/base/version.h"
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
 
@@ -40,8 +41,8 @@ Section provenance_section(const Subject& subject, const Options& options) {
       {plain("SHA-256 of the source"), or_not_recorded(source.sha256)},
       {plain("Format"), or_not_recorded(source.format)},
       {plain("Program"), text_cell(fmt::format("Axiometry {}", version))},
-      {plain("Edition of the standard"),
-       text_cell(fmt::format("{}; Amendment 1:2016 has not been taken into account", iso230_2::edition))},
+      {plain("Edition of the standard"), text_cell(fmt::format("{}; {}", edition_of(subject.test.metadata.axis),
+                                                               edition_remark(subject.test.metadata.axis)))},
   };
   Section section{"provenance", "Provenance", false, {std::move(facts)}};
   std::size_t number = 0;

@@ -33,6 +33,13 @@ Section figure_section(const Subject& subject, const Options& options);
 
 Section finding_section(std::span<const iso230_2::Finding> findings);
 
+/// Of several tests in one report: what was found in all the same way is told once, with the names of all.
+struct NamedFindings {
+  std::string_view name;
+  std::span<const iso230_2::Finding> findings;
+};
+Section finding_section(std::span<const NamedFindings> tests);
+
 /// Clause 8.1, read from the table of metadata fields.
 Section identification_section(const Subject& subject, const Options& options);
 

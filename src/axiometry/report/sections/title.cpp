@@ -7,6 +7,7 @@
 #include "axiometry/base/version.h"
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
 
@@ -30,18 +31,18 @@ std::size_t count(const std::vector<Finding>& findings, Severity severity) {
   return static_cast<std::size_t>(std::ranges::count(findings, severity, &Finding::severity));
 }
 
-Notice conforming_notice(const std::vector<Finding>& findings) {
-  Notice notice{Tone::good, plain(fmt::format("Result according to {}", iso230_2::edition)), {}};
+Notice conforming_notice(const std::vector<Finding>& findings, const Axis& axis) {
+  Notice notice{Tone::good, plain(fmt::format("Result according to {}", edition_of(axis))), {}};
   if (count(findings, Severity::missing) > 0)
     notice.lines.push_back(plain("Not everything that the report shall state was given; see Findings."));
   return notice;
 }
 
-Notice departing_notice(const std::vector<Finding>& findings) {
-  Notice notice{
-      Tone::bad,
-      plain(fmt::format("Evaluated with the formulas of {}; not an ISO 230-2 result, see Findings", iso230_2::edition)),
-      {}};
+Notice departing_notice(const std::vector<Finding>& findings, const Axis& axis) {
+  Notice notice{Tone::bad,
+                plain(fmt::format("Evaluated with the formulas of {}; not an {} result, see Findings", edition_of(axis),
+                                  standard_of(axis))),
+                {}};
   const std::size_t departures = count(findings, Severity::departure);
   for (const Finding& finding : findings) {
     if (finding.severity != Severity::departure) continue;
@@ -52,11 +53,6 @@ Notice departing_notice(const std::vector<Finding>& findings) {
     notice.lines.push_back(sentence(fmt::format("{} ({})", finding.message, finding.clause)));
   }
   return notice;
-}
-
-std::string axis_text(const Axis& axis) {
-  const std::string_view kind = axis.kind == AxisKind::linear ? "linear axis" : "rotary axis";
-  return axis.name.empty() ? std::string(kind) : fmt::format("{} ({})", axis.name, kind);
 }
 
 /// At most so many characters, since running heads have one line; cut ones end in "…".
@@ -70,15 +66,15 @@ std::string shortened(std::string_view text, std::size_t characters) {
 }
 
 std::string running_head(const Metadata& metadata) {
-  std::string head = metadata.axis.name.empty() ? axis_text(metadata.axis) : "Axis " + metadata.axis.name;
+  std::string head = metadata.axis.name.empty() ? description_of(metadata.axis) : title_of(metadata.axis);
   if (!metadata.machine.name.empty()) head += " · " + metadata.machine.name;
   return shortened(head, running_head_length);
 }
 
-std::string running_status(const iso230_2::Assessment& assessment) {
+std::string running_status(const iso230_2::Assessment& assessment, const Axis& axis) {
   std::string status = assessment.conforming()
-                           ? std::string(iso230_2::edition)
-                           : fmt::format("Formulas of {}; not an ISO 230-2 result", iso230_2::edition);
+                           ? edition_of(axis)
+                           : fmt::format("Formulas of {}; not an {} result", edition_of(axis), standard_of(axis));
   if (!assessment.label.empty()) status += " · " + assessment.label;
   return shortened(status, running_status_length);
 }
@@ -89,13 +85,20 @@ Document title_page(const Subject& subject, const Options& options) {
   const Metadata& metadata = subject.test.metadata;
   const auto& assessment = subject.assessment;
   Document document;
-  document.title = "Positioning accuracy and repeatability of an NC axis";
-  document.edition =
-      assessment.conforming() ? std::string(iso230_2::edition) : fmt::format("Formulas of {}", iso230_2::edition);
-  document.identity = {{plain("Axis"), text_cell(axis_text(metadata.axis))}};
+  const Axis& axis = metadata.axis;
+  document.title = is_diagonal(axis) ? "Diagonal displacement test of a machine tool"
+                                     : "Positioning accuracy and repeatability of an NC axis";
+  document.edition = assessment.conforming() ? edition_of(axis) : fmt::format("Formulas of {}", edition_of(axis));
+  document.identity = {{plain(is_diagonal(axis) ? "Diagonal" : "Axis"), text_cell(description_of(axis))}};
   for (const auto& [name, key] : identity_fields) document.identity.push_back({plain(name), stated(key, metadata)});
-  document.status.push_back(assessment.conforming() ? conforming_notice(assessment.findings)
-                                                    : departing_notice(assessment.findings));
+  document.status.push_back(assessment.conforming() ? conforming_notice(assessment.findings, axis)
+                                                    : departing_notice(assessment.findings, axis));
+  if (is_diagonal(axis))
+    document.status.push_back(
+        {Tone::caution,
+         plain("Errors of several axes may cancel along a diagonal"),
+         {plain("A small result proves little alone: all diagonals of the set and the single axes "
+                "belong beside it.")}});
   if (const std::string corrected = correction_statement(subject.test.provenance.corrections); !corrected.empty())
     document.status.push_back(
         {Tone::normal,
@@ -107,7 +110,7 @@ Document title_page(const Subject& subject, const Options& options) {
   document.running_head = running_head(metadata);
   if (!metadata.conditions.report_number.empty())
     document.running_number = shortened("Report " + metadata.conditions.report_number, running_number_length);
-  document.running_status = running_status(assessment);
+  document.running_status = running_status(assessment, axis);
   document.date = metadata.conditions.date;
   document.generator = fmt::format("Axiometry {}", version);
   return document;

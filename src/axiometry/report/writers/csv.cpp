@@ -11,8 +11,8 @@
 //   U            expanded uncertainty, of "parameter" after Annex A, k = 2; empty where none was estimated
 //   unit         "um", "mm", "nm", "arcsec", "deg"; empty for counts
 //   clause       of ISO 230-2:2014
-//   remark       what the result must not be mistaken for: not an ISO 230-2 result, the label, which corrections of
-//                the readings it contains; else empty
+//   remark       what the result must not be mistaken for: not an ISO 230-2 (or 230-6) result, that it is a diagonal
+//                after ISO 230-6, the label, which corrections of the readings it contains; else empty
 //   limit        of a parameter with a tolerance, in `unit`; else empty
 //   verdict      "conforms", "does not conform", "undecided" or "not applicable"; empty without a limit
 //
@@ -24,6 +24,7 @@
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/writer.h"
+#include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
 
@@ -54,8 +55,10 @@ class Csv {
       : mark_(options.numbers.decimal_mark),
         separator_(mark_ == ',' ? ';' : ','),
         kind_(subject.test.metadata.axis.kind) {
-    axis_ = text::no_formula(subject.test.metadata.axis.name);
-    if (!subject.assessment.conforming()) remark_ = "not an ISO 230-2 result";
+    const Axis& axis = subject.test.metadata.axis;
+    axis_ = text::no_formula(axis.name);
+    if (!subject.assessment.conforming()) remark_ = fmt::format("not an {} result", standard_of(axis));
+    if (is_diagonal(axis)) remark_ += fmt::format("{}{}", remark_.empty() ? "" : "; ", edition_of(axis));
     if (!subject.assessment.label.empty()) remark_ += (remark_.empty() ? "" : "; ") + subject.assessment.label;
     if (const std::string corrected = correction_statement(subject.test.provenance.corrections); !corrected.empty())
       remark_ += (remark_.empty() ? "" : "; ") + corrected;

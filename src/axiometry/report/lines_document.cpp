@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/base/version.h"
+#include "axiometry/report/figures/figures.h"
+#include "axiometry/report/lines_sections.h"
+#include "axiometry/report/sections/sections.h"
+#include "axiometry/report/shown_number.h"
+#include "axiometry/standards/test_standard.h"
+
+namespace axiometry::report {
+namespace {
+
+using iso230_2::Severity;
+
+constexpr std::size_t departures_named = 3;  // on the first page
+
+/// "ISO 230-2:2014 and ISO 230-6:2002", of what was measured.
+std::string editions(const LinesSubject& subject) {
+  const bool axes = std::ranges::any_of(
+      subject.lines, [](const AssessedLine& line) { return !is_diagonal(line.line.test.metadata.axis); });
+  if (!has_diagonal(subject)) return std::string(iso230_2::edition);
+  return axes ? fmt::format("{} and {}", iso230_2::edition, iso230_6::edition)
+              : fmt::format("{}, parameters as in {}", iso230_6::edition, iso230_2::edition);
+}
+
+std::string names_of(const LinesSubject& subject, bool conforming) {
+  std::string names;
+  for (const AssessedLine& line : subject.lines)
+    if (line.assessment.conforming() == conforming) names += (names.empty() ? "" : ", ") + line.line.id;
+  return names;
+}
+
+bool all_conform(const LinesSubject& subject) { return names_of(subject, false).empty() && !subject.lines.empty(); }
+
+std::vector<NamedFindings> findings_of(const LinesSubject& subject) {
+  std::vector<NamedFindings> all;
+  for (const AssessedLine& line : subject.lines) all.push_back({line.line.id, line.assessment.findings});
+  return all;
+}
+
+Notice conformance_notice(const LinesSubject& subject) {
+  if (all_conform(subject)) {
+    Notice notice{Tone::good, plain(fmt::format("All lines according to {}", editions(subject))), {}};
+    const bool incomplete = std::ranges::any_of(subject.lines, [](const AssessedLine& line) {
+      return std::ranges::any_of(line.assessment.findings,
+                                 [](const auto& finding) { return finding.severity == Severity::missing; });
+    });
+    if (incomplete)
+      notice.lines.push_back(plain("Not everything that the report shall state was given; see Findings."));
+    return notice;
+  }
+  Notice notice{Tone::bad, plain("Not every line keeps its standard, see Findings"), {}};
+  if (const std::string good = names_of(subject, true); !good.empty())
+    notice.lines.push_back(plain(fmt::format("According to the standard: {}.", good)));
+  notice.lines.push_back(plain(fmt::format("Evaluated with its formulas only: {}.", names_of(subject, false))));
+  std::vector<std::string> named;
+  for (const AssessedLine& line : subject.lines)
+    for (const iso230_2::Finding& finding : line.assessment.findings) {
+      const bool told = std::ranges::find(named, finding.message) != named.end();
+      if (finding.severity != Severity::departure || told || named.size() >= departures_named) continue;
+      named.push_back(finding.message);
+      notice.lines.push_back(sentence(fmt::format("{}: {} ({})", line.line.id, finding.message, finding.clause)));
+    }
+  return notice;
+}
+
+std::vector<Notice> status(const LinesSubject& subject, const Options& options) {
+  std::vector<Notice> all = {conformance_notice(subject)};
+  Notice serious{Tone::bad, plain("The lengths or the station are in doubt"), {}};
+  for (const tracking::Finding& finding : subject.evaluation.findings)
+    if (finding.serious) serious.lines.push_back(sentence(finding.message));
+  if (!serious.lines.empty()) all.push_back(std::move(serious));
+  if (!subject.plan.lost.empty()) {
+    Notice lost{Tone::caution, plain("Not all lines could be measured from this station"), {}};
+    for (const LostLine& line : subject.plan.lost)
+      lost.lines.push_back(joined({strong(line.id), plain(": "), prose(line.reason)}));
+    all.push_back(std::move(lost));
+  }
+  for (const AssessedLine& line : subject.lines)
+    if (auto notice = tolerance_notice(subject_of(line), options)) {
+      notice->heading = joined({plain("Line "), strong(line.line.id), plain(": "), notice->heading});
+      all.push_back(*std::move(notice));
+    }
+  return all;
+}
+
+std::string line_names(const LinesSubject& subject) {
+  std::string names;
+  for (const AssessedLine& line : subject.lines) names += (names.empty() ? "" : ", ") + line.line.id;
+  return names;
+}
+
+Document front_page(const LinesSubject& subject, const Options& options) {
+  Document document;
+  const bool good = all_conform(subject);
+  document.kind = "Test report";
+  document.title = has_diagonal(subject) ? "Axes and diagonals of a machine tool, by a tracking interferometer"
+                                         : "Axes of a machine tool, by a tracking interferometer";
+  document.edition = good ? editions(subject) : fmt::format("Formulas of {}", editions(subject));
+  document.identity = {{plain("Lines"), text_cell(line_names(subject))}};
+  const Metadata none;
+  const Metadata& metadata = subject.lines.empty() ? none : subject.lines.front().line.test.metadata;
+  const std::string& machine = metadata.machine.name.empty() ? subject.plan.machine : metadata.machine.name;
+  document.identity.push_back({plain("Machine"), machine.empty() ? quiet_cell("not stated") : text_cell(machine)});
+  document.identity.push_back({plain("Serial number"), stated("machine.serial_number", metadata)});
+  document.identity.push_back({plain("Date of test"), stated("test.date", metadata)});
+  document.identity.push_back({plain("Report number"), stated("test.report_number", metadata)});
+  document.status = status(subject, options);
+  for (const AssessedLine& line : subject.lines)
+    if (document.label.empty()) document.label = line.assessment.label;
+  if (!document.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + document.label), {}});
+  document.running_head = "Lines " + line_names(subject);
+  if (!machine.empty()) document.running_head += " · " + machine;
+  if (!metadata.conditions.report_number.empty())
+    document.running_number = "Report " + metadata.conditions.report_number;
+  document.running_status = document.edition + (document.label.empty() ? "" : " · " + document.label);
+  document.date = metadata.conditions.date;
+  document.generator = fmt::format("Axiometry {}", version);
+  return document;
+}
+
+Facts line_facts(const AssessedLine& line, const Options& options) {
+  const Test& test = line.line.test;
+  const Axis& axis = test.metadata.axis;
+  Facts facts;
+  const auto add = [&](std::string_view name, std::string value) {
+    facts.facts.push_back({plain(name), value.empty() ? quiet_cell("not stated") : text_cell(value)});
+  };
+  add("Line", description_of(axis));
+  add("Moves with growing position", octant_of(axis));
+  add("Edition", edition_of(axis));
+  const auto& targets = test.series.targets();
+  const int decimals = position_decimals(targets);
+  add("Targets", fmt::format("{} from {} to {}, up to {} approaches from a direction", targets.size(),
+                             shown_mm(targets.front().in_native(), decimals, options),
+                             shown_mm(targets.back().in_native(), decimals, options), test.series.run_count()));
+  if (!line.line.distances_mm.empty()) {
+    const auto [least, most] = std::ranges::minmax(line.line.distances_mm);
+    add("Distance from the station", fmt::format("{} to {}", shown_mm(least, 1, options), shown_mm(most, 1, options)));
+  }
+  return facts;
+}
+
+Table break_table(const std::vector<tracking::BeamBreak>& breaks, const Options& options) {
+  Table table;
+  table.caption = plain("Breaks of the beam");
+  table.columns = {{plain("Before reading"), Align::decimal, true}, {plain("Jump of the length / mm"), Align::decimal}};
+  for (const tracking::BeamBreak& found : breaks)
+    table.rows.push_back({text_cell(fmt::format("{}", found.before_reading + 1)),
+                          text_cell(format_fixed(found.jump_mm, 4, options.numbers))});
+  table.notes = {plain("What was measured between two breaks has a dead path of its own.")};
+  return table;
+}
+
+/// "Figure 2. Bidirectional …" would stand in the report once for each line.
+std::string caption(const std::string& title, const std::string& line) {
+  const auto end = title.find(". ");
+  return fmt::format("Line {}. {}", line,
+                     title.starts_with("Figure ") && end != title.npos ? title.substr(end + 2) : title);
+}
+
+Section line_section(const AssessedLine& line, const Options& asked) {
+  const Options options = fitted(asked, line.assessment.evaluation.parameters);
+  const Subject subject = subject_of(line);
+  Section section{"line-" + line.line.id,
+                  fmt::format("Line {} ({})", line.line.id, standard_of(line.line.test.metadata.axis)),
+                  true,
+                  {}};
+  section.blocks.emplace_back(line_facts(line, options));
+  if (auto all = figures(subject, options); !all.empty()) {
+    all.front().title = caption(all.front().title, line.line.id);
+    section.blocks.emplace_back(std::move(all.front()));
+  }
+  for (Block& block : parameter_section(subject, options).blocks) section.blocks.push_back(std::move(block));
+  if (!line.line.breaks.empty()) section.blocks.emplace_back(break_table(line.line.breaks, options));
+  if (line.assessment.annex_a)
+    for (Block& block : uncertainty_section(subject, options).blocks) section.blocks.push_back(std::move(block));
+  return section;
+}
+
+/// Of the first line, without what belongs to that line alone.
+Section common_identification(const LinesSubject& subject, const Options& options) {
+  Section section = identification_section(subject_of(subject.lines.front()), options);
+  std::erase_if(section.blocks, [](const Block& block) {
+    const auto* facts = std::get_if<Facts>(&block);
+    return facts != nullptr && facts->title == "Axis under test";
+  });
+  for (Block& block : section.blocks)
+    if (auto* facts = std::get_if<Facts>(&block))
+      std::erase_if(facts->facts, [](const Fact& fact) {
+        const std::string name = plain_text(fact.name);
+        return name == "Target positions" || name.starts_with("Number of approaches") ||
+               name.starts_with("Tracking interferometer");
+      });
+  return section;
+}
+
+/// The folders of this machine are nobody's business.
+std::string file_name(const std::string& path) {
+  return path == "-" ? "standard input" : path.substr(path.find_last_of("/\\") + 1);
+}
+
+Section lines_provenance(const LinesSubject& subject) {
+  Facts facts;
+  const auto add = [&](std::string_view name, const std::string& value) {
+    facts.facts.push_back({plain(name), value.empty() ? quiet_cell("not recorded") : text_cell(value)});
+  };
+  add("Measured lengths", file_name(subject.file));
+  add("SHA-256 of the file", subject.sha256);
+  add("Plan", subject.plan.title);
+  add("Program", fmt::format("Axiometry {}", version));
+  for (const bool diagonal : {false, true})
+    for (const AssessedLine& line : subject.lines) {
+      const Axis& axis = line.line.test.metadata.axis;
+      if (is_diagonal(axis) != diagonal) continue;
+      add(diagonal ? "Edition for diagonals" : "Edition for axes",
+          fmt::format("{}; {}", edition_of(axis), edition_remark(axis)));
+      break;  // the others have the same
+    }
+  return {"provenance", "Provenance", false, {std::move(facts)}};
+}
+
+}  // namespace
+
+Document compose(const LinesSubject& subject, const Options& options) {
+  Document document = front_page(subject, options);
+  auto& sections = document.sections;
+  sections.push_back(overview_section(subject, options));
+  if (has_diagonal(subject)) sections.push_back(diagonal_section(subject, options));
+  if (subject.evaluation.squareness) sections.push_back(squareness_section(subject, options));
+  sections.push_back(length_difference_section(subject, options));
+  for (const AssessedLine& line : subject.lines) sections.push_back(line_section(line, options));
+  Section findings = finding_section(findings_of(subject));
+  if (auto table = tracking_finding_table(subject.evaluation.findings))
+    findings.blocks.insert(findings.blocks.begin(), *std::move(table));
+  sections.push_back(std::move(findings));
+  sections.push_back(setup_section(subject, options));
+  if (!subject.lines.empty()) sections.push_back(common_identification(subject, options));
+  for (const AssessedLine& line : subject.lines) {
+    Section readings = position_section(subject_of(line), fitted(options, line.assessment.evaluation.parameters));
+    readings.id = "readings-" + line.line.id;
+    readings.title = fmt::format("Line {}: {}", line.line.id, readings.title);
+    sections.push_back(std::move(readings));
+  }
+  sections.push_back(lines_provenance(subject));
+  return document;
+}
+
+}  // namespace axiometry::report
