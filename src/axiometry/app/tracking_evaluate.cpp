@@ -123,6 +123,14 @@ void note_provenance(EvaluatedLines& evaluated, const formats::TrackingLengths& 
   }
 }
 
+Result<void> write_report(const report::Document& document, const std::string& file, const report::Options& options) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  const report::Writer* writer = report::find_writer(std::string_view(extension).substr(extension.empty() ? 0 : 1));
+  auto bytes = writer->set(document, options);
+  if (!bytes) return std::unexpected(Error{bytes.error().message, file, {}});
+  return write_file(file, *bytes);
+}
+
 }  // namespace
 
 Result<void> add_tolerance(const std::string& text, TrackingEvaluateOptions& options) {
@@ -168,9 +176,18 @@ Result<EvaluatedLines> evaluate_tracking(const std::string& lengths, const Track
   return evaluated;
 }
 
-Result<void> write_outputs(const EvaluatedLines& evaluated, const OutputNames& names, const report::Options&) {
+Result<void> write_outputs(const EvaluatedLines& evaluated, const OutputNames& names, const report::Options& options) {
   AXIOMETRY_TRY_VOID(check_inputs_spared(names));
-  if (!names.reports.empty()) return fail("found a report asked for, expected --json: there is none of lines yet");
+  if (!names.reports.empty()) {
+    std::vector<report::AssessedLine> lines;
+    for (std::size_t k = 0; k < evaluated.tests.size(); ++k)
+      lines.push_back({evaluated.evaluation.lines[k], evaluated.tests[k].assessment, evaluated.tests[k].judgements});
+    const report::Document document =
+        report::compose(report::LinesSubject{evaluated.plan, evaluated.evaluation, lines, evaluated.diagonals,
+                                             evaluated.lengths.file, evaluated.lengths.sha256},
+                        options);
+    for (const std::string& file : names.reports) AXIOMETRY_TRY_VOID(write_report(document, file, options));
+  }
   if (!names.json.empty()) AXIOMETRY_TRY_VOID(write_file(names.json, json::dump(to_json(evaluated)) + "\n"));
   return {};
 }
