@@ -56,7 +56,10 @@ std::string row(const tracking::EvaluatedLine& line, const app::Evaluated& test,
   text += right(slope_text(line.slope_um_per_m, line.slope_uncertainty_um_per_m, options), slope_width);
   const double bound =
       line.length_difference_bounds.empty() ? std::nan("") : std::ranges::max(line.length_difference_bounds).in_um();
-  text += right(std::isnan(bound) ? "–" : format_fixed(bound, 2, options.numbers), cell_width);
+  const std::string shown = std::isnan(bound)              ? "–"
+                            : bound > 0.0 && bound < 0.005 ? "< " + format_fixed(0.01, 2, options.numbers)
+                                                           : format_fixed(bound, 2, options.numbers);
+  text += right(shown, cell_width);
   text += "  " + std::string(is_diagonal(test.test.metadata.axis) ? "230-6" : "230-2");
   if (const auto verdict = iso230_2::overall_verdict(test.judgements)) {
     const std::string name = "  " + std::string(uncertainty::verdict_name(*verdict));

@@ -175,8 +175,8 @@ std::string_view reason_for(double factor) {
     double factor;
     std::string_view reason;
   };
-  constexpr Known known[] = {{1000.0, "lengths in µm read as mm"},
-                             {0.001, "lengths in m read as mm"},
+  constexpr Known known[] = {{1000.0, "lengths in µm read as mm, or in mm read as m"},
+                             {0.001, "lengths in m read as mm, or in mm read as µm"},
                              {1e6, "lengths in nm read as mm"},
                              {1.0 / 25.4, "lengths in inches read as mm"},
                              {25.4, "lengths in mm read as inches"},
