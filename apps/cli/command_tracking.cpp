@@ -12,6 +12,7 @@ void add_tracking(CLI::App& program, int& exit_code) {
       "tracking", "Tests with a tracking interferometer: its station, seven lines, multilateration");
   verb->require_subcommand(1);
   add_tracking_locate(*verb, exit_code);
+  add_tracking_evaluate(*verb, exit_code);
   add_tracking_length_difference(*verb, exit_code);
   add_tracking_plan(*verb, exit_code);
   add_tracking_simulate(*verb, exit_code);
