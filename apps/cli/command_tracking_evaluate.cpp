@@ -207,7 +207,7 @@ void add_tracking_evaluate(CLI::App& tracking, int& exit_code) {
 the order of the program. Examples:
   axiometry tracking evaluate lengths.csv --plan seven.json --station located.json
   axiometry tracking evaluate lengths.csv --plan seven.json --json - --save-tests 'tests/{name}.json'
-  axiometry tracking evaluate lengths.csv --plan seven.json --tolerance A=10um --tolerance xy:E=20um --report seven.pdf)");
+  axiometry tracking evaluate lengths.csv --plan seven.json --tolerance A=10um --tolerance xy:E=20um)");
 }
 
 }  // namespace axiometry::cli
