@@ -19,9 +19,9 @@ namespace axiometry::cli {
 namespace {
 
 constexpr const char* examples =
-    R"(The columns are point,station,length_mm, where a beam was broken segment, and x_mm,y_mm,z_mm of the nominal
-points here or in --points. Readings of one station stand in the order of measurement. Four stations need ten points, five
-seven, six and more six; up to five must not stand on one plane.
+    R"(The columns are point,station,length_mm, where a beam was broken segment, and x_mm,y_mm,z_mm of the
+nominal points here or in --points. Readings of one station stand in the order of measurement. Four
+stations need ten points, five seven, six and more six; up to five must not stand on one plane.
 Examples:
   axiometry tracking multilaterate ranges.csv --points nominal.csv
   axiometry tracking multilaterate ranges.csv --repeatability 0.5 --out points.csv --report m.pdf

@@ -84,10 +84,11 @@ class Multilateration {
   Result<void> solve() {
     run_ = iterate(problem(), state_);
     if (run_.converged) return {};
-    return fail(
-        fmt::format("the solution does not settle within {} iterations (points still move by {:.3g} mm), "
-                    "expected nominal points and lengths that belong together",
-                    run_.iterations, run_.system.largest_move_mm));
+    return fail(fmt::format(
+        "the solution does not settle within {} iterations (points still move by {:.3g} mm), expected "
+        "nominal points and lengths that belong together, and more readings than there are now ({} "
+        "to spare, condition {:.1e})",
+        run_.iterations, run_.system.largest_move_mm, fit_.rank.equations - fit_.rank.unknowns, fit_.rank.condition));
   }
 
   /// What cannot be determined at this state. `factor` is that of the variances.
