@@ -9,20 +9,15 @@
 #include "axiometry/app/wire.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/json_members.h"
 #include "axiometry/report/writer.h"
 
 namespace axiometry::app {
 namespace {
 
+using formats::matrix_value;
+using formats::vector_value;
 using json::Value;
-
-Value vector_value(Vector3 v) { return Value::array({v.x, v.y, v.z}); }
-
-Value matrix_value(const Matrix3& m) {
-  Value rows = Value::array();
-  for (const auto& row : m) rows.push(Value::array({row[0], row[1], row[2]}));
-  return rows;
-}
 
 std::string_view scale_name(tracking::ScaleModel scale) {
   switch (scale) {

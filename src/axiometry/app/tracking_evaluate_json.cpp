@@ -4,16 +4,16 @@
 #include "axiometry/app/tracking_evaluate.h"
 #include "axiometry/app/wire.h"
 #include "axiometry/app/wire_uncertainty.h"
+#include "axiometry/formats/json_members.h"
 #include "axiometry/formats/tracking_plan_json.h"
 
 namespace axiometry::app {
 namespace {
 
+using formats::vector_value;
 using json::Value;
 
 Value finite_or_null(double x) { return std::isfinite(x) ? Value(x) : Value(); }
-
-Value vector_to_json(Vector3 v) { return Value::array({v.x, v.y, v.z}); }
 
 /// Null when nothing is known about the station.
 Value length_difference_to_json(const tracking::EvaluatedLine& line) {
@@ -56,7 +56,7 @@ Value line_to_json(const tracking::EvaluatedLine& line, const Evaluated& test) {
   object.add("id", line.id);
   object.add("standard", is_diagonal(metadata.axis) ? iso230_6::edition : iso230_2::edition);
   const auto spatial = spatial_line(metadata.axis);
-  object.add("direction", spatial ? vector_to_json(spatial->direction) : Value());
+  object.add("direction", spatial ? vector_value(spatial->direction) : Value());
   Value& slope = object.add("slope", Value::object());
   slope.add("um_per_m", line.slope_um_per_m);
   slope.add("u_um_per_m", line.slope_uncertainty_um_per_m);

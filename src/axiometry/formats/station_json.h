@@ -14,7 +14,7 @@ namespace axiometry::formats {
 /// out. Other members are passed over.
 ///
 /// Fails, with line and column, on what is no JSON, on a station that is missing or is not three numbers up to 1e9 mm,
-/// and on a covariance that is not symmetric with variances of 0 or more and |cov_ij| ≤ √(var_i var_j).
+/// and as covariance_in() does.
 Result<Station> read_station(std::string_view bytes);
 
 }  // namespace axiometry::formats
