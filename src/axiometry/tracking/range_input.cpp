@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "axiometry/tracking/multilateration_findings.h"
 
@@ -14,6 +15,8 @@ namespace {
 
 constexpr std::size_t stations_least = 4;
 constexpr std::size_t stations_of_point_least = 3;
+// Of the stations, whose matrix is dense: 128 MB, and seconds. Eight stations with a break every few minutes have 100.
+constexpr std::size_t columns_most = 4000;
 
 Result<void> check_numbers(const RangeInput& in) {
   for (std::size_t i = 0; i < in.nominal_mm.size(); ++i)
@@ -138,10 +141,18 @@ Result<RangeCounts> check_ranges(const RangeInput& in) {
   AXIOMETRY_TRY_VOID(check_numbers(in));
 
   std::vector<std::size_t> seen(in.stations, 0), segments(in.stations, 0), stations_of(in.nominal_mm.size(), 0);
+  for (const RangeReading& r : in.readings) segments[r.station] = std::max(segments[r.station], r.segment + 1);
+  const std::size_t all_segments = std::accumulate(segments.begin(), segments.end(), std::size_t{0});
+  if (4 * in.stations + all_segments > columns_most)
+    return fail(fmt::format(
+        "found {} stations with {} segments and {} points, expected at most {} unknowns of stations (here {}){}",
+        in.stations, all_segments, in.nominal_mm.size(), columns_most, 4 * in.stations + all_segments,
+        in.stations > in.nominal_mm.size() ? "; are points and stations exchanged?"
+        : all_segments > 2 * in.stations   ? "; a segment begins only where the beam was broken"
+                                           : ""));
   std::vector<std::vector<bool>> sees(in.stations, std::vector<bool>(in.nominal_mm.size()));
   for (const RangeReading& r : in.readings) {
     ++seen[r.station];
-    segments[r.station] = std::max(segments[r.station], r.segment + 1);
     if (sees[r.station][r.point]) continue;
     sees[r.station][r.point] = true;
     ++stations_of[r.point];
