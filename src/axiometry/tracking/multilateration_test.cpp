@@ -351,6 +351,12 @@ TEST(Multilateration, refuses_lengths_in_another_unit_and_other_nonsense) {
   EXPECT_THAT(error_of(solve(stranger)), HasSubstr("of point 1001"));
 }
 
+TEST(Multilateration, refuses_lengths_that_nothing_weighs) {
+  const Truth truth = make_truth({.seed = 14});
+  EXPECT_THAT(error_of(solve(truth, with_sigma(0.0))), HasSubstr("without any uncertainty"));
+  EXPECT_THAT(error_of(solve(truth, with_sigma(std::nan("")))), HasSubstr("negative or not finite"));
+}
+
 TEST(Multilateration, refuses_points_and_stations_exchanged_before_their_matrix_grows) {
   // 20 000 "stations" would have a dense matrix of 100 000 rows, 80 GB.
   std::vector<RangeReading> readings;

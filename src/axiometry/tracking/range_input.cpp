@@ -18,6 +18,19 @@ constexpr std::size_t stations_of_point_least = 3;
 // Of the stations, whose matrix is dense: 128 MB, and seconds. Eight stations with a break every few minutes have 100.
 constexpr std::size_t columns_most = 4000;
 
+/// What weighs the lengths: not negative, finite, and above 0 at the distance 0 too.
+Result<void> check_uncertainties(const MultilaterationOptions& options) {
+  const double a = options.ranging.constant.in_mm(), b = options.ranging.per_length.in_um_per_m();
+  for (const double u : {a, b, options.repeatability_sigma_mm, options.scale_prior})
+    if (!(u >= 0.0) || !std::isfinite(u))
+      return fail(
+          "found an uncertainty of lengths, points or scale that is negative or not finite, expected 0 or more");
+  if (a > 0.0 || options.repeatability_sigma_mm > 0.0) return {};
+  return fail(
+      "found lengths and points without any uncertainty, expected the constant part of the instrument's U or the "
+      "machine's repeatability above 0: they weigh the lengths");
+}
+
 Result<void> check_numbers(const RangeInput& in) {
   for (std::size_t i = 0; i < in.nominal_mm.size(); ++i)
     if (!is_finite(in.nominal_mm[i]) || norm(in.nominal_mm[i]) > 1e9)
@@ -138,6 +151,7 @@ Result<RangeCounts> check_ranges(const RangeInput& in) {
   if (in.readings.empty()) return fail("found no readings, expected lengths of points from stations");
   if (in.readings.size() > std::numeric_limits<std::uint32_t>::max() / 2)
     return fail(fmt::format("found {} readings, expected fewer than 2 billion", in.readings.size()));
+  AXIOMETRY_TRY_VOID(check_uncertainties(in.options));
   AXIOMETRY_TRY_VOID(check_numbers(in));
 
   std::vector<std::size_t> seen(in.stations, 0), segments(in.stations, 0), stations_of(in.nominal_mm.size(), 0);
