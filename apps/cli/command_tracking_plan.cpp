@@ -5,18 +5,15 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "axiometry/app/number_list.h"
 #include "axiometry/app/plan.h"
-#include "axiometry/app/tracking_locate.h"
 #include "axiometry/app/tracking_plan.h"
 #include "axiometry/base/text.h"
 #include "command_tracking.h"
 #include "commands.h"
 #include "failure.h"
 #include "option_text.h"
-#include "ranging_flag.h"
 #include "tracking_plan_summary.h"
 
 namespace axiometry::cli {
@@ -26,8 +23,7 @@ constexpr const char* examples =
     R"(The station and obstacles are in the coordinates of the reflector: where it stands when the axes
 stand at X, Y, Z, plus the tool offset. Lengths are in mm unless they carry a unit (0.2m).
 Examples:
-  axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station 100,80,-600 \
-      --location-points points.csv --out lines.json
+  axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station 100,80,-600 --out lines.json
   axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station station.json \
       --obstacle vice=box:450,130,-700:550,230,-520 --period 10 --sheet lines.pdf --out lines.json
   axiometry tracking plan --setup lines.json --station 400,-20,-600 --suggest --out other.json
@@ -38,8 +34,6 @@ struct Arguments {
   app::TrackingPlanRequest request;
   std::optional<std::uint64_t> seed;
   app::OutputNames outputs;
-  std::vector<std::string> location_files;
-  std::size_t location_points = 6;
   report::Options report;
   bool quiet = false;
 };
@@ -114,7 +108,9 @@ void add_limits(CLI::App& verb, Arguments& arguments) {
   add_number(verb, {"--min-length", "MM", "A shorter line is lost (100)"}, [&setup](double x) {
     setup.line_least_mm = x;
   })->group(group);
-  add_ranging(verb, [&setup](const RangingUncertainty& ranging) { setup.ranging = ranging; })->group(group);
+  add_read(verb, {"--ranging", "U", "Expanded uncertainty of lengths (0.2um+0.3um/m)"},
+           into(setup.ranging, app::parse_ranging))
+      ->group(group);
 }
 
 /// "x,y,NNN-PPP", appended: --lines and --diagonals may both be given.
@@ -198,15 +194,6 @@ void add_outputs(CLI::App& verb, Arguments& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group(group);
-  verb.add_option("--location-points", arguments.location_files,
-                  "Points for `tracking locate` to FILE: csv to be filled in at the machine, json, or a sheet (html, "
-                  "pdf, svg, png); may be repeated")
-      ->type_name("FILE")
-      ->allow_extra_args(false)
-      ->group(group);
-  add_count(verb, {"--location-count", "N", "How many of them, 6 to 50 (6)"}, [&arguments](unsigned long long n) {
-    arguments.location_points = static_cast<std::size_t>(n);
-  })->group(group);
   add_read(verb, {"--decimal", "MARK", "Decimal mark in summary and sheet: point or comma"},
            [&arguments](const std::string& word) -> Result<void> {
              if (word != "point" && word != "comma")
@@ -225,13 +212,6 @@ app::InputFiles inputs_of(const app::SetupRequest& setup) {
   return app::InputFiles(inputs);
 }
 
-/// From where the instrument stands about, before it is located.
-Result<void> write_location(const Arguments& arguments, const TrackingSetup& setup) {
-  if (arguments.location_files.empty()) return {};
-  AXIOMETRY_TRY(const app::PlannedLocation location, app::plan_location_points(setup, arguments.location_points));
-  return app::write_location_points(location, arguments.location_files, arguments.outputs.inputs, arguments.report);
-}
-
 int run(Arguments& arguments) {
   arguments.outputs.inputs = inputs_of(arguments.request.setup);
   if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) return failed(spared.error(), exit_usage);
@@ -242,7 +222,6 @@ int run(Arguments& arguments) {
   if (!planned) return failed(planned.error());
   if (auto written = app::write_outputs(*planned, arguments.outputs, arguments.report); !written)
     return failed(written.error());
-  if (auto written = write_location(arguments, planned->plan.setup); !written) return failed(written.error());
   if (!arguments.quiet && arguments.outputs.json != "-")
     fmt::print("{}", tracking_plan_summary(*planned, arguments.report, Terminal(ColourChoice::automatic)));
   return !lines.ids.empty() && !planned->plan.lost.empty() ? exit_exceeded : exit_done;
@@ -262,8 +241,6 @@ void add_tracking_plan(CLI::App& tracking, int& exit_code) {
   verb->callback([arguments, &exit_code] {
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
       throw CLI::ValidationError("--sheet", outputs.error().message);
-    if (auto files = app::check_location_files(arguments->location_files); !files)
-      throw CLI::ValidationError("--location-points", files.error().message);
     exit_code = run(*arguments);
   });
 }

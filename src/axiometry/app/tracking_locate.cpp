@@ -3,26 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <string_view>
-
 #include "axiometry/app/source.h"
 #include "axiometry/app/whole_file.h"
 #include "axiometry/app/wire_tracking.h"
 #include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
 #include "axiometry/formats/location_points_csv.h"
 #include "axiometry/report/tracking.h"
 
 namespace axiometry::app {
-namespace {
-
-bool is_kind(std::string_view file, std::string_view extension) {
-  const std::size_t dot = file.rfind('.');
-  return dot != std::string_view::npos && text::equal_ignoring_case(file.substr(dot + 1), extension);
-}
-
-}  // namespace
 
 Result<Located> locate(const LocateRequest& request) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.file));
@@ -58,35 +46,6 @@ std::string location_points_csv(const PlannedLocation& planned) {
     text += fmt::format("{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},\n", i + 1, q.x, q.y, q.z, p.x, p.y, p.z);
   }
   return text;
-}
-
-Result<void> check_location_files(const std::vector<std::string>& files) {
-  OutputNames sheets;
-  for (const std::string& file : files) {
-    if (std::ranges::count(files, file) > 1)
-      return fail(fmt::format("found the output {} twice, expected different names", text::quoted(file)));
-    if (!is_kind(file, "csv") && !is_kind(file, "json")) sheets.reports.push_back(file);
-  }
-  return check_outputs(sheets);
-}
-
-Result<void> write_location_points(const PlannedLocation& planned, const std::vector<std::string>& files,
-                                   const InputFiles& inputs, const report::Options& options) {
-  const Experiment presented = present(planned, options);
-  for (const std::string& file : files) {
-    AXIOMETRY_TRY_VOID(inputs.check_spared(file));
-    OutputNames names;
-    if (is_kind(file, "csv")) {
-      AXIOMETRY_TRY_VOID(write_file(file, location_points_csv(planned)));
-      continue;
-    }
-    if (is_kind(file, "json"))
-      names.json = file;
-    else
-      names.reports = {file};
-    AXIOMETRY_TRY_VOID(write_outputs(presented, names, options));
-  }
-  return {};
 }
 
 }  // namespace axiometry::app

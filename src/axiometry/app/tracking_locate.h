@@ -47,12 +47,4 @@ Experiment present(const PlannedLocation& planned, const report::Options& option
 /// column length_difference_mm. `axiometry tracking locate` reads it when it is full.
 std::string location_points_csv(const PlannedLocation& planned);
 
-/// Fails on a name whose extension is neither csv nor json nor that of a report, and on one given twice.
-Result<void> check_location_files(const std::vector<std::string>& files);
-
-/// By the extension of each: csv the table, json, or the sheet. Fails when one is among the inputs or cannot be
-/// written.
-Result<void> write_location_points(const PlannedLocation& planned, const std::vector<std::string>& files,
-                                   const InputFiles& inputs, const report::Options& options);
-
 }  // namespace axiometry::app

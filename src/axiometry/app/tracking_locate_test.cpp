@@ -62,27 +62,6 @@ TEST(TrackingLocate, PlannedPointsFindTheStationWhenTheirTableIsFilledIn) {
   EXPECT_EQ(present(*planned, {}).document.sections.size(), 3);
 }
 
-TEST(TrackingLocate, PointsAreWrittenByTheExtensionOfEachFile) {
-  const auto planned = plan_location_points(setup(), 6);
-  ASSERT_TRUE(planned) << planned.error().to_string();
-  const std::vector<std::string> files = {temporary("points.csv", ""), temporary("points.json", ""),
-                                          temporary("points.html", "")};
-  ASSERT_TRUE(check_location_files(files));
-  const auto written = write_location_points(*planned, files, {}, {});
-  ASSERT_TRUE(written) << written.error().to_string();
-  const auto begins = [](const std::string& file) {
-    std::string line;
-    std::getline(std::ifstream(file), line);
-    return line;
-  };
-  EXPECT_EQ(begins(files[0]).substr(0, 16), "# Drive the axes");
-  EXPECT_EQ(begins(files[1]), "{");
-  EXPECT_EQ(begins(files[2]), "<!DOCTYPE html>");
-  for (const std::string& file : files) std::filesystem::remove(file);
-  EXPECT_FALSE(check_location_files({"points.txt"}));
-  EXPECT_FALSE(check_location_files({"points.csv", "points.csv"}));
-}
-
 TEST(TrackingLocate, TheToolIsAddedToCoordinatesOfTheAxes) {
   const Vector3 truth{500, 300, -200}, tool{10, -20, -150};
   std::string table = "x_mm,y_mm,z_mm,length_difference_mm\n";
