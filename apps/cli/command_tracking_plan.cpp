@@ -7,11 +7,14 @@
 #include <string>
 
 #include "axiometry/app/number_list.h"
+#include "axiometry/app/output.h"
 #include "axiometry/app/plan.h"
+#include "axiometry/app/tracking_locate.h"
 #include "axiometry/app/tracking_plan.h"
 #include "axiometry/base/text.h"
 #include "command_tracking.h"
 #include "commands.h"
+#include "document_text.h"
 #include "failure.h"
 #include "option_text.h"
 #include "tracking_plan_summary.h"
@@ -26,6 +29,8 @@ Examples:
   axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station 100,80,-600 --out lines.json
   axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station station.json \
       --obstacle vice=box:450,130,-700:550,230,-520 --period 10 --sheet lines.pdf --out lines.json
+  axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station 100,80,-600 \
+      --locate 6 --points points.csv
   axiometry tracking plan --setup lines.json --station 400,-20,-600 --suggest --out other.json
   axiometry tracking plan --setup lines.json --lines x,y,xy --rule corner --out three.json
   axiometry tracking plan --setup lines.json --diagonals body --out diagonals.json)";
@@ -33,6 +38,8 @@ Examples:
 struct Arguments {
   app::TrackingPlanRequest request;
   std::optional<std::uint64_t> seed;
+  std::optional<std::size_t> location_points;  ///< how many to plan, instead of lines
+  std::string points;                          ///< file of their table
   app::OutputNames outputs;
   report::Options report;
   bool quiet = false;
@@ -181,6 +188,20 @@ void add_programme(CLI::App& verb, Arguments& arguments) {
   for (CLI::Option* option : options) option->group("Programme");
 }
 
+void add_location(CLI::App& verb, Arguments& arguments) {
+  constexpr const char* group = "Station location";
+  CLI::Option* locate =
+      add_count(verb, {"--locate", "N", "Plan N points (6 or more) that find the station well, instead of lines"},
+                [&arguments](unsigned long long n) { arguments.location_points = n; });
+  locate->group(group);
+  verb.add_option("--points", arguments.points,
+                  "Their table to FILE, or to the standard output with -: to be filled in at the machine, and read by "
+                  "`tracking locate`")
+      ->type_name("FILE")
+      ->needs(locate)
+      ->group(group);
+}
+
 void add_outputs(CLI::App& verb, Arguments& arguments) {
   constexpr const char* group = "Outputs";
   verb.add_option("--out,--json", arguments.outputs.json, "The plan as JSON to FILE, or to the standard output with -")
@@ -212,9 +233,31 @@ app::InputFiles inputs_of(const app::SetupRequest& setup) {
   return app::InputFiles(inputs);
 }
 
+int run_location(const Arguments& arguments) {
+  auto mounted = app::mounted_setup(arguments.request);
+  if (!mounted) return failed(mounted.error());
+  const auto planned = app::plan_location_points(mounted->setup, *arguments.location_points);
+  if (!planned) return failed(planned.error());
+  const app::Experiment presented = app::present(*planned, arguments.report);
+  if (auto written = app::write_outputs(presented, arguments.outputs, arguments.report); !written)
+    return failed(written.error());
+  if (!arguments.points.empty())
+    if (auto written = app::write_file(arguments.points, app::location_points_csv(*planned)); !written)
+      return failed(written.error());
+  if (!arguments.quiet && arguments.outputs.json != "-" && arguments.points != "-") {
+    fmt::print("{}", document_text(presented.document, Terminal(ColourChoice::automatic)));
+    for (const std::string& remark : mounted->remarks) fmt::print("{}\n", remark);
+  }
+  return exit_done;
+}
+
 int run(Arguments& arguments) {
   arguments.outputs.inputs = inputs_of(arguments.request.setup);
   if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) return failed(spared.error(), exit_usage);
+  if (!arguments.points.empty())
+    if (auto spared = arguments.outputs.inputs.check_spared(arguments.points); !spared)
+      return failed(spared.error(), exit_usage);
+  if (arguments.location_points) return run_location(arguments);
   tracking::LinesRequest& lines = arguments.request.lines;
   lines.seed = arguments.seed ? *arguments.seed : app::drawn_seed();
   if (lines.date.empty()) lines.date = app::today();
@@ -237,6 +280,7 @@ void add_tracking_plan(CLI::App& tracking, int& exit_code) {
   add_limits(*verb, *arguments);
   add_lines(*verb, *arguments);
   add_programme(*verb, *arguments);
+  add_location(*verb, *arguments);
   add_outputs(*verb, *arguments);
   verb->callback([arguments, &exit_code] {
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
