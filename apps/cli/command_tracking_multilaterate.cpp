@@ -125,7 +125,7 @@ void add_tracking_multilaterate(CLI::App& tracking, int& exit_code) {
     if (options.scale == ScaleModel::fixed && options.scale_prior > 0.0)
       throw CLI::ValidationError("--scale-prior", "found it with a fixed scale, expected --scale common or free");
     if (!(options.ranging.standard_mm(1000.0) > 0.0) && options.repeatability_sigma_mm == 0.0)
-      throw CLI::ValidationError("--ranging-constant", "found an uncertainty of 0, expected one above 0 to weigh by");
+      throw CLI::ValidationError("--ranging", "found an uncertainty of 0, expected one above 0 to weigh by");
     exit_code = run(*arguments);
   });
 }
