@@ -18,17 +18,17 @@ constexpr std::size_t stations_of_point_least = 3;
 // Of the stations, whose matrix is dense: 128 MB, and seconds. Eight stations with a break every few minutes have 100.
 constexpr std::size_t columns_most = 4000;
 
-/// What weighs the lengths: not negative, finite, and above 0 at the distance 0 too.
+/// What weighs the lengths: not negative, finite, and something above 0.
 Result<void> check_uncertainties(const MultilaterationOptions& options) {
   const double a = options.ranging.constant.in_mm(), b = options.ranging.per_length.in_um_per_m();
   for (const double u : {a, b, options.repeatability_sigma_mm, options.scale_prior})
     if (!(u >= 0.0) || !std::isfinite(u))
       return fail(
           "found an uncertainty of lengths, points or scale that is negative or not finite, expected 0 or more");
-  if (a > 0.0 || options.repeatability_sigma_mm > 0.0) return {};
+  if (a > 0.0 || b > 0.0 || options.repeatability_sigma_mm > 0.0) return {};
   return fail(
-      "found lengths and points without any uncertainty, expected the constant part of the instrument's U or the "
-      "machine's repeatability above 0: they weigh the lengths");
+      "found lengths and points without any uncertainty, expected that of the instrument or the machine's "
+      "repeatability above 0: they weigh the lengths");
 }
 
 Result<void> check_numbers(const RangeInput& in) {
