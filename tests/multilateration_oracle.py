@@ -61,8 +61,8 @@ def run(program, case, folder):
     with open(f"{folder}/r.csv", "w", encoding="utf-8") as file:
         file.write("point,station,segment,length_mm\n" + "".join(f"P{i},S{j},{s},{l}\n" for i, j, s, l in case["readings"]))
     command = [program, "tracking", "multilaterate", f"{folder}/r.csv", "--points", f"{folder}/p.csv", "--json", "-",
-               "--scale", case["model"], "--ranging-constant", repr(case["a"]), "--ranging-per-length", repr(case["b"]),
-               "--repeatability", repr(case["rep"]), "--no-breaks"]
+               "--scale", case["model"], "--ranging", f"{case['a']!r}um+{case['b']!r}um/m",
+               "--repeatability", f"{case['rep']!r}um", "--no-breaks"]
     if case["prior"]:
         command += ["--scale-prior", repr(case["prior"])]
     done = subprocess.run(command, capture_output=True, check=False)

@@ -17,6 +17,7 @@
 #include "document_text.h"
 #include "failure.h"
 #include "option_text.h"
+#include "ranging_flag.h"
 #include "tracking_plan_summary.h"
 
 namespace axiometry::cli {
@@ -115,9 +116,7 @@ void add_limits(CLI::App& verb, Arguments& arguments) {
   add_number(verb, {"--min-length", "MM", "A shorter line is lost (100)"}, [&setup](double x) {
     setup.line_least_mm = x;
   })->group(group);
-  add_read(verb, {"--ranging", "U", "Expanded uncertainty of lengths (0.2um+0.3um/m)"},
-           into(setup.ranging, app::parse_ranging))
-      ->group(group);
+  add_ranging(verb, [&setup](const RangingUncertainty& ranging) { setup.ranging = ranging; })->group(group);
 }
 
 /// "x,y,NNN-PPP", appended: --lines and --diagonals may both be given.

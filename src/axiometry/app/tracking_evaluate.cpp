@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "axiometry/app/convert.h"
+#include "axiometry/app/file_name_part.h"
 #include "axiometry/app/output.h"
 #include "axiometry/app/source.h"
 #include "axiometry/app/whole_file.h"
@@ -198,9 +200,13 @@ Result<void> save_tests(const EvaluatedLines& evaluated, const std::string& name
     return fail(fmt::format("found the name {} for the tests of all lines, expected one with {} for that of the line",
                             text::quoted(name), name_mark));
   AXIOMETRY_TRY(const formats::Format* format, format_to_write("", name));
+  std::map<std::string, std::string> taken;
   for (const Evaluated& e : evaluated.tests) {
     std::string file = name;
-    file.replace(mark, name_mark.size(), e.name);
+    file.replace(mark, name_mark.size(), file_name_part(e.name));
+    if (const auto [other, is_new] = taken.emplace(file, e.name); !is_new)
+      return fail(fmt::format("found the lines {} and {} with the same file {}, expected different ones",
+                              text::quoted(other->second), text::quoted(e.name), text::quoted(file)));
     AXIOMETRY_TRY_VOID(inputs.check_spared(file));
     Test test = e.test;
     test.provenance.file = base_name(test.provenance.file);

@@ -12,10 +12,6 @@ namespace axiometry::app {
 json::Value to_json(const Located& located);
 json::Value to_json(const PlannedLocation& planned);
 
-/// [x, y, z]; [[…], […], […]].
-json::Value vector_to_json(Vector3 vector);
-json::Value matrix_to_json(const Matrix3& matrix);
-
 /// [{"severity": "serious" or "note", "message": …}].
 json::Value tracking_findings_to_json(std::span<const tracking::Finding> findings);
 

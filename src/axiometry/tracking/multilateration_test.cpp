@@ -351,6 +351,26 @@ TEST(Multilateration, refuses_lengths_in_another_unit_and_other_nonsense) {
   EXPECT_THAT(error_of(solve(stranger)), HasSubstr("of point 1001"));
 }
 
+TEST(Multilateration, refuses_lengths_that_nothing_weighs) {
+  const Truth truth = make_truth({.seed = 14});
+  EXPECT_THAT(error_of(solve(truth, with_sigma(0.0))), HasSubstr("without any uncertainty"));
+  EXPECT_THAT(error_of(solve(truth, with_sigma(std::nan("")))), HasSubstr("negative or not finite"));
+}
+
+TEST(Multilateration, refuses_points_and_stations_exchanged_before_their_matrix_grows) {
+  // 20 000 "stations" would have a dense matrix of 100 000 rows, 80 GB.
+  std::vector<RangeReading> readings;
+  for (std::size_t station = 0; station < 20'000; ++station)
+    for (std::size_t point = 0; point < 8; ++point)
+      readings.push_back({.point = point, .station = station, .length_mm = 100.0, .segment = 0});
+  const std::vector<Vector3> nominal(8);
+  EXPECT_THAT(error_of(multilaterate(nominal, 20'000, readings, {})), HasSubstr("are points and stations exchanged?"));
+  // and a segment for every third reading of one
+  Truth truth = make_truth({.points = 3000, .stations = 8});
+  for (RangeReading& r : truth.readings) r.segment = r.point / 3;
+  EXPECT_THAT(error_of(solve(truth)), HasSubstr("8 stations with 8000 segments"));
+}
+
 TEST(Multilateration, tells_that_points_of_a_plane_leave_mirror_images) {
   Truth truth = make_truth({.points = 40, .error_mm = 0.0, .seed = 15});
   for (std::size_t i = 0; i < 40; ++i) truth.points[i].z = truth.nominal[i].z = 120.0;

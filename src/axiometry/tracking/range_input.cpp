@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "axiometry/tracking/multilateration_findings.h"
 
@@ -14,6 +15,21 @@ namespace {
 
 constexpr std::size_t stations_least = 4;
 constexpr std::size_t stations_of_point_least = 3;
+// Of the stations, whose matrix is dense: 128 MB, and seconds. Eight stations with a break every few minutes have 100.
+constexpr std::size_t columns_most = 4000;
+
+/// What weighs the lengths: not negative, finite, and something above 0.
+Result<void> check_uncertainties(const MultilaterationOptions& options) {
+  const double a = options.ranging.constant.in_mm(), b = options.ranging.per_length.in_um_per_m();
+  for (const double u : {a, b, options.repeatability_sigma_mm, options.scale_prior})
+    if (!(u >= 0.0) || !std::isfinite(u))
+      return fail(
+          "found an uncertainty of lengths, points or scale that is negative or not finite, expected 0 or more");
+  if (a > 0.0 || b > 0.0 || options.repeatability_sigma_mm > 0.0) return {};
+  return fail(
+      "found lengths and points without any uncertainty, expected that of the instrument or the machine's "
+      "repeatability above 0: they weigh the lengths");
+}
 
 Result<void> check_numbers(const RangeInput& in) {
   for (std::size_t i = 0; i < in.nominal_mm.size(); ++i)
@@ -135,13 +151,22 @@ Result<RangeCounts> check_ranges(const RangeInput& in) {
   if (in.readings.empty()) return fail("found no readings, expected lengths of points from stations");
   if (in.readings.size() > std::numeric_limits<std::uint32_t>::max() / 2)
     return fail(fmt::format("found {} readings, expected fewer than 2 billion", in.readings.size()));
+  AXIOMETRY_TRY_VOID(check_uncertainties(in.options));
   AXIOMETRY_TRY_VOID(check_numbers(in));
 
   std::vector<std::size_t> seen(in.stations, 0), segments(in.stations, 0), stations_of(in.nominal_mm.size(), 0);
+  for (const RangeReading& r : in.readings) segments[r.station] = std::max(segments[r.station], r.segment + 1);
+  const std::size_t all_segments = std::accumulate(segments.begin(), segments.end(), std::size_t{0});
+  if (4 * in.stations + all_segments > columns_most)
+    return fail(fmt::format(
+        "found {} stations with {} segments and {} points, expected at most {} unknowns of stations (here {}){}",
+        in.stations, all_segments, in.nominal_mm.size(), columns_most, 4 * in.stations + all_segments,
+        in.stations > in.nominal_mm.size() ? "; are points and stations exchanged?"
+        : all_segments > 2 * in.stations   ? "; a segment begins only where the beam was broken"
+                                           : ""));
   std::vector<std::vector<bool>> sees(in.stations, std::vector<bool>(in.nominal_mm.size()));
   for (const RangeReading& r : in.readings) {
     ++seen[r.station];
-    segments[r.station] = std::max(segments[r.station], r.segment + 1);
     if (sees[r.station][r.point]) continue;
     sees[r.station][r.point] = true;
     ++stations_of[r.point];
