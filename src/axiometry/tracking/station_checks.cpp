@@ -176,6 +176,12 @@ std::string better_reading(std::span<const LocationPoint> points, const StationO
   return "";
 }
 
+double machine_error_mm(const RefinedFit& fit) {
+  if (fit.degrees_of_freedom == 0) return 0.0;
+  const double ratio = fit.chi_squared / static_cast<double>(fit.degrees_of_freedom);
+  return std::sqrt(std::max(0.0, ratio - 1.0)) * rms(fit.sigma_mm);
+}
+
 void add_scatter_findings(const RefinedSolution& solution, std::vector<Finding>& findings) {
   const RefinedFit& fit = solution.fit;
   const std::size_t nu = fit.degrees_of_freedom;
@@ -183,7 +189,7 @@ void add_scatter_findings(const RefinedSolution& solution, std::vector<Finding>&
   const double misfit = rms(fit.residuals_mm);
   if (fit.chance < 0.001) {
     const double ratio = fit.chi_squared / static_cast<double>(nu);
-    const double machine = std::sqrt(ratio - 1.0) * rms(fit.sigma_mm);
+    const double machine = machine_error_mm(fit);
     findings.push_back(
         {misfit > absurd_error_mm,
          fmt::format("the residuals ({} root mean square) are {} times what the stated uncertainties explain "

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/report/figures/layout_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "axiometry/report/figures/ink.h"
 #include "axiometry/report/figures/layout_solids.h"
@@ -183,16 +188,21 @@ class Scene {
   void name_points() {
     if (layout_.points_mm.size() > most_points_numbered) return;
     for (std::size_t k = 0; k < layout_.points_mm.size(); ++k)
-      name(std::to_string(k + 1), view_(layout_.points_mm[k]), {1.0, -1.0}, ink::black, point_radius() + 1.0,
-           style_.text - 0.5);
+      name(named(layout_.point_names, layout_.points_mm.size(), k, ""), view_(layout_.points_mm[k]), {1.0, -1.0},
+           ink::black, point_radius() + 1.0, style_.text - 0.5);
+  }
+
+  static std::string named(std::span<const std::string> names, std::size_t count, std::size_t k,
+                           std::string_view letter) {
+    return names.size() == count ? names[k] : fmt::format("{}{}", letter, k + 1);
   }
 
   void name_stations() {
     const bool several = layout_.stations_mm.size() > 1;
     if (layout_.stations_mm.size() > most_points_numbered) return;
     for (std::size_t k = 0; k < layout_.stations_mm.size(); ++k)
-      name(several ? "S" + std::to_string(k + 1) : std::string("station"), view_(layout_.stations_mm[k]), {-1.0, 0.6},
-           ink::black, style_.ball + 1.5, style_.text - 0.5);
+      name(several ? named(layout_.station_names, layout_.stations_mm.size(), k, "S") : std::string("station"),
+           view_(layout_.stations_mm[k]), {-1.0, 0.6}, ink::black, style_.ball + 1.5, style_.text - 0.5);
   }
 
   void name_obstacles() {
@@ -246,8 +256,8 @@ Layout drawable(const Layout& layout) {
   if (kept.safe_radius_mm && !(*kept.safe_radius_mm > 0.0 && *kept.safe_radius_mm < farthest))
     kept.safe_radius_mm.reset();
   const auto unsound = [&](Vector3 p) { return !sound(p); };
-  std::erase_if(kept.stations_mm, unsound);
-  std::erase_if(kept.points_mm, unsound);
+  if (std::erase_if(kept.stations_mm, unsound) > 0) kept.station_names.clear();
+  if (std::erase_if(kept.points_mm, unsound) > 0) kept.point_names.clear();
   std::erase_if(kept.way_mm, unsound);
   std::erase_if(kept.lines, [&](const Layout::Item& item) { return !sound(item.begin_mm) || !sound(item.end_mm); });
   std::erase_if(kept.obstacles,
