@@ -158,6 +158,15 @@ Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
   return PlannedLines{*std::move(plan), acceleration, duration};
 }
 
+Result<PlannedLocation> plan_location_points(const TrackingPlanRequest& request, std::size_t count) {
+  AXIOMETRY_TRY(TrackingSetup setup, setup_of(request.setup));
+  std::optional<std::string> turned;
+  if (may_turn(request)) turned = turn_reflector(setup, request.lines);
+  AXIOMETRY_TRY(PlannedLocation planned, plan_location_points(setup, count));
+  if (turned) planned.plan.remarks.insert(planned.plan.remarks.begin(), *std::move(turned));
+  return planned;
+}
+
 Result<TrackingPlan> read_tracking_plan_file(const std::string& file) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(file));
   return in_file(formats::read_tracking_plan(bytes), file);

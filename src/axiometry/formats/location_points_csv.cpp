@@ -58,6 +58,7 @@ struct Columns {
   std::size_t count = 0;
   std::size_t needed = 0;  ///< up to the last one that is read
   std::size_t line = 0;
+  bool has_axes = false;
   char delimiter = ',';
   std::vector<std::string> passed_over;
 };
@@ -85,7 +86,9 @@ Result<Columns> columns_of(std::string_view text, std::size_t line) {
     const NamedUnit named = parted(heads[k].text);
     const auto role = role_of(named.name);
     if (!role) {
-      if (!heads[k].text.empty()) columns.passed_over.push_back(heads[k].text);
+      const bool is_axis = named.name == "axes x" || named.name == "axes y" || named.name == "axes z";
+      columns.has_axes = columns.has_axes || is_axis;
+      if (!heads[k].text.empty() && !is_axis && named.name != "point") columns.passed_over.push_back(heads[k].text);
       continue;
     }
     if (columns.at[*role])
@@ -158,6 +161,7 @@ Result<LocationPointsFile> read_location_points(std::string_view bytes) {
       if (text::to_lower(content.substr(0, 4)) == "sep=") continue;  // a spreadsheet's
       AXIOMETRY_TRY(columns, columns_of(line.text, line.number));
       numbers.emplace(columns->delimiter);
+      file.has_axes = columns->has_axes;
       if (!columns->passed_over.empty()) file.remarks.push_back(passed_over_remark(columns->passed_over));
       continue;
     }

@@ -210,6 +210,22 @@ TEST(LinesDocument, ShowsUncertaintiesVerdictsAndDeparturesOfEachLine) {
   EXPECT_THAT(plain_text(tables(section(document, "line-xy")).back().caption), HasSubstr("Budget"));
 }
 
+TEST(LinesDocument, StatesOnceWhatHoldsForAllLinesAndWithALineWhatIsItsOwn) {
+  Measured m = measured({"x", "y"});
+  for (tracking::EvaluatedLine& line : m.evaluation.lines)
+    line.test.metadata.tracking.station_position = Position::native(150.0);
+  m.evaluation.lines[0].test.metadata.conditions.axes_not_under_test = "Y = 120 mm; Z = 60 mm";
+  m.evaluation.lines[1].test.metadata.conditions.axes_not_under_test = "X = 150 mm; Z = 60 mm";
+  const Document document = compose(m.subject(), {});
+  const std::string common = all_words(section(document, "identification"));
+  EXPECT_THAT(common, HasSubstr("Mill 7"));
+  EXPECT_THAT(common, Not(HasSubstr("120 mm; Z")));
+  EXPECT_THAT(all_words(section(document, "line-x")), HasSubstr("Y = 120 mm; Z = 60 mm"));
+  EXPECT_THAT(all_words(section(document, "line-y")), HasSubstr("X = 150 mm; Z = 60 mm"));
+  for (const Block& block : section(document, "identification").blocks)
+    if (const auto* facts = std::get_if<Facts>(&block)) EXPECT_FALSE(facts->facts.empty()) << facts->title;
+}
+
 TEST(LinesDocument, NamesNoFolder) {
   const Document document = compose(measured().subject(), {});
   const auto* facts = std::get_if<Facts>(&section(document, "provenance").blocks.front());

@@ -120,8 +120,7 @@ void add_difference_findings(StationLocation& location) {
   const double misclosure = std::abs(fit.misclosure_mm2);
   if (fit.misclosure_u_mm2 > 0.0 && misclosure > 4.0 * fit.misclosure_u_mm2 && misclosure > 1e-6)
     location.findings.push_back(
-        {false, fmt::format("psi of eq. 13 misses |s|^2 - L_0^2 by {} mm^2, {} times what the stated uncertainties "
-                            "explain",
+        {false, fmt::format("ψ of eq. 13 misses |s|² − L0² by {} mm², {} times what the stated uncertainties explain",
                             format_fixed(fit.misclosure_mm2, 4), format_fixed(misclosure / fit.misclosure_u_mm2, 1))});
 }
 
