@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 #include "axiometry/app/output.h"
@@ -11,10 +13,24 @@
 #include "axiometry/app/whole_file.h"
 #include "axiometry/app/wire_tracking.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "axiometry/formats/location_points_csv.h"
 #include "axiometry/report/tracking.h"
 
 namespace axiometry::app {
+
+namespace {
+
+/// Whether a table of planned points holds one length or more: the last cell of a row is not empty.
+bool has_lengths(std::string_view table) {
+  if (!table.contains("axes_x_mm")) return false;
+  return std::ranges::any_of(text::split(table, '\n'), [](std::string_view line) {
+    line = text::trim(line);
+    return !line.empty() && line.front() >= '0' && line.front() <= '9' && !line.ends_with(',') && !line.ends_with(';');
+  });
+}
+
+}  // namespace
 
 Result<Located> locate(const LocateRequest& request) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.file));
@@ -61,7 +77,7 @@ std::string location_points_csv(const PlannedLocation& planned) {
 Result<void> write_location_points(const PlannedLocation& planned, const std::string& file) {
   if (std::error_code error; file != "-" && std::filesystem::is_regular_file(file, error)) {
     const auto bytes = whole_file(file);
-    if (bytes && formats::read_location_points(*bytes))
+    if (bytes && (has_lengths(*bytes) || formats::read_location_points(*bytes)))
       return std::unexpected(Error{"found measured lengths there, expected another name", file, {}});
   }
   return write_file(file, location_points_csv(planned));
