@@ -168,9 +168,13 @@ def solve(case):
     s = np.eye(columns) - g @ np.linalg.inv(h.T @ g) @ h.T
     covariance = s @ covariance @ s.T
     chi, nu = float(w @ w), len(w) - (used - rank_lost)
+    factor = max(1.0, chi / nu)
+    if model == "common" and prior:  # no residual tests the prior of a size, so that it is not made larger with them
+        size = gauge(points, stations, kappa, columns, True)[:, 6] * prior
+        covariance = covariance + (1 / factor - 1) * np.outer(size, size)
     offset = case["nominal"].mean(axis=0)
     return dict(points=points + offset, stations=stations + offset, dead=dead, keys=keys, kappa=kappa, chi=chi, nu=nu,
-                covariance=covariance * max(1.0, chi / nu))
+                covariance=covariance * factor)
 
 
 def compare(case, ours, theirs):

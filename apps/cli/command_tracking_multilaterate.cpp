@@ -19,9 +19,9 @@ namespace axiometry::cli {
 namespace {
 
 constexpr const char* examples =
-    R"(The columns are point,station,length_mm, where a beam was broken segment, and x_mm,y_mm,z_mm of the nominal
-points here or in --points. Readings of one station stand in the order of measurement. Four stations need ten points,
-five seven, six and more six; up to five must not stand on one plane.
+    R"(The columns are point,station,length_mm, where a beam was broken segment, and x_mm,y_mm,z_mm of the
+nominal points here or in --points. Readings of one station stand in the order of measurement. Four
+stations need ten points, five seven, six and more six; up to five must not stand on one plane.
 Examples:
   axiometry tracking multilaterate ranges.csv --points nominal.csv
   axiometry tracking multilaterate ranges.csv --repeatability 0.5 --out points.csv --report m.pdf
@@ -91,6 +91,9 @@ int run(Arguments& arguments) {
   arguments.names.outputs.inputs = app::InputFiles(inputs);
   if (auto spared = app::check_inputs_spared(arguments.names.outputs); !spared)
     return failed(spared.error(), exit_usage);
+  for (const std::string& file : {arguments.names.points, arguments.names.residuals})
+    if (auto spared = arguments.names.outputs.inputs.check_spared(file); !file.empty() && !spared)
+      return failed(spared.error(), exit_usage);
   const auto result = app::multilaterate_files(arguments.request);
   if (!result) return failed(result.error());
   const report::Document document = app::compose(**result, arguments.outputs.report);

@@ -28,7 +28,8 @@ Examples:
   axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station 100,80,-600 --out lines.json
   axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station station.json \
       --obstacle vice=box:450,130,-700:550,230,-520 --period 10 --sheet lines.pdf --out lines.json
-  axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station 100,80,-600 --points points.csv
+  axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station 100,80,-600 \
+      --locate 6 --points points.csv
   axiometry tracking plan --setup lines.json --station 400,-20,-600 --suggest --out other.json
   axiometry tracking plan --setup lines.json --lines x,y,xy --rule corner --out three.json
   axiometry tracking plan --setup lines.json --diagonals body --out diagonals.json)";
@@ -36,8 +37,8 @@ Examples:
 struct Arguments {
   app::TrackingPlanRequest request;
   std::optional<std::uint64_t> seed;
-  std::string points_file;  ///< points of the station location are planned instead of lines
-  std::optional<std::size_t> point_count;
+  std::optional<std::size_t> location_points;  ///< how many to plan, instead of lines
+  std::string points;                          ///< file of their table
   app::OutputNames outputs;
   report::Options report;
   bool quiet = false;
@@ -154,18 +155,6 @@ void add_lines(CLI::App& verb, Arguments& arguments) {
       ->group(group);
 }
 
-void add_location(CLI::App& verb, Arguments& arguments) {
-  constexpr const char* group = "Station location, instead of lines";
-  verb.add_option("--points", arguments.points_file,
-                  "Points at which to locate the station: a table to be filled in at the machine (CSV) to FILE, or to "
-                  "the standard output with -; --sheet and --out then are of these points")
-      ->type_name("FILE")
-      ->group(group);
-  add_count(verb, {"--point-count", "N", "How many of them, 6 to 50 (8)"}, [&arguments](unsigned long long n) {
-    arguments.point_count = n;
-  })->group(group);
-}
-
 void add_programme(CLI::App& verb, Arguments& arguments) {
   tracking::LinesRequest& lines = arguments.request.lines;
   const std::vector<CLI::Option*> options = {
@@ -196,6 +185,18 @@ void add_programme(CLI::App& verb, Arguments& arguments) {
       verb.add_option("--date", lines.date, "Of the plan, such as 2026-11-21; today when not given")->type_name("DATE"),
   };
   for (CLI::Option* option : options) option->group("Programme");
+}
+
+void add_location(CLI::App& verb, Arguments& arguments) {
+  constexpr const char* group = "Station location";
+  add_count(verb, {"--locate", "N", "Plan N points (6 to 50) that find the station well, instead of lines (8)"},
+            [&arguments](unsigned long long n) { arguments.location_points = n; })
+      ->group(group);
+  verb.add_option("--points", arguments.points,
+                  "Their table to FILE, or to the standard output with -: to be filled in at the machine, and read by "
+                  "`tracking locate`; --sheet and --out are of these points")
+      ->type_name("FILE")
+      ->group(group);
 }
 
 void add_outputs(CLI::App& verb, Arguments& arguments) {
@@ -229,20 +230,17 @@ app::InputFiles inputs_of(const app::SetupRequest& setup) {
   return app::InputFiles(inputs);
 }
 
-constexpr std::size_t usual_point_count = 8;  // two more than needed: a misread length is then known by its number
+constexpr std::size_t usual_points = 8;  // two more than needed: a misread length is then known by its number
 
 int run_location(const Arguments& arguments) {
-  const app::OutputNames& names = arguments.outputs;
-  if (auto spared = names.inputs.check_spared(arguments.points_file); !spared)
-    return failed(spared.error(), exit_usage);
-  const auto planned = app::plan_location_points(arguments.request, arguments.point_count.value_or(usual_point_count));
+  const auto planned = app::plan_location_points(arguments.request, arguments.location_points.value_or(usual_points));
   if (!planned) return failed(planned.error());
   const app::Experiment presented = app::present(*planned, arguments.report);
-  if (auto written = app::write_outputs(presented, names, arguments.report); !written) return failed(written.error());
-  if (!arguments.points_file.empty())
-    if (auto written = app::write_location_points(*planned, arguments.points_file); !written)
-      return failed(written.error());
-  if (!arguments.quiet && names.json != "-" && arguments.points_file != "-")
+  if (auto written = app::write_outputs(presented, arguments.outputs, arguments.report); !written)
+    return failed(written.error());
+  if (!arguments.points.empty())
+    if (auto written = app::write_location_points(*planned, arguments.points); !written) return failed(written.error());
+  if (!arguments.quiet && arguments.outputs.json != "-" && arguments.points != "-")
     fmt::print("{}", document_text(presented.document, Terminal(ColourChoice::automatic)));
   return exit_done;
 }
@@ -250,7 +248,10 @@ int run_location(const Arguments& arguments) {
 int run(Arguments& arguments) {
   arguments.outputs.inputs = inputs_of(arguments.request.setup);
   if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) return failed(spared.error(), exit_usage);
-  if (!arguments.points_file.empty() || arguments.point_count) return run_location(arguments);
+  if (!arguments.points.empty())
+    if (auto spared = arguments.outputs.inputs.check_spared(arguments.points); !spared)
+      return failed(spared.error(), exit_usage);
+  if (arguments.location_points || !arguments.points.empty()) return run_location(arguments);
   tracking::LinesRequest& lines = arguments.request.lines;
   lines.seed = arguments.seed ? *arguments.seed : app::drawn_seed();
   if (lines.date.empty()) lines.date = app::today();
@@ -272,8 +273,8 @@ void add_tracking_plan(CLI::App& tracking, int& exit_code) {
   add_setup(*verb, *arguments);
   add_limits(*verb, *arguments);
   add_lines(*verb, *arguments);
-  add_location(*verb, *arguments);
   add_programme(*verb, *arguments);
+  add_location(*verb, *arguments);
   add_outputs(*verb, *arguments);
   verb->callback([arguments, &exit_code] {
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)

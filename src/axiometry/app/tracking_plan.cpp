@@ -137,13 +137,19 @@ Result<TrackingSetup> setup_of(const SetupRequest& request) {
   return setup;
 }
 
+Result<MountedSetup> mounted_setup(const TrackingPlanRequest& request) {
+  MountedSetup mounted;
+  AXIOMETRY_TRY(mounted.setup, setup_of(request.setup));
+  if (may_turn(request))
+    if (auto turned = turn_reflector(mounted.setup, request.lines)) mounted.remarks.push_back(*std::move(turned));
+  return mounted;
+}
+
 Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
-  AXIOMETRY_TRY(TrackingSetup setup, setup_of(request.setup));
+  AXIOMETRY_TRY(auto mounted, mounted_setup(request));
+  auto& [setup, remarks] = mounted;
   const double acceleration = request.lines.acceleration.value_or(iso230_2::usual_acceleration(AxisKind::linear));
   AXIOMETRY_TRY_VOID(iso230_2::check_acceleration(acceleration));
-  std::vector<std::string> remarks;
-  if (may_turn(request))
-    if (auto turned = turn_reflector(setup, request.lines)) remarks.push_back(*std::move(turned));
   if (request.suggest)
     for (std::string& text : suggestions(setup, request)) remarks.push_back(std::move(text));
   auto plan = tracking::plan_lines(setup, request.lines);
@@ -159,11 +165,9 @@ Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
 }
 
 Result<PlannedLocation> plan_location_points(const TrackingPlanRequest& request, std::size_t count) {
-  AXIOMETRY_TRY(TrackingSetup setup, setup_of(request.setup));
-  std::optional<std::string> turned;
-  if (may_turn(request)) turned = turn_reflector(setup, request.lines);
-  AXIOMETRY_TRY(PlannedLocation planned, plan_location_points(setup, count));
-  if (turned) planned.plan.remarks.insert(planned.plan.remarks.begin(), *std::move(turned));
+  AXIOMETRY_TRY(const MountedSetup mounted, mounted_setup(request));
+  AXIOMETRY_TRY(PlannedLocation planned, plan_location_points(mounted.setup, count));
+  planned.plan.remarks.insert(planned.plan.remarks.begin(), mounted.remarks.begin(), mounted.remarks.end());
   return planned;
 }
 

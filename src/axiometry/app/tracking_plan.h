@@ -33,9 +33,8 @@ struct SetupRequest {
   std::vector<Obstacle> obstacles{};
 };
 
-/// The set-up, with the usual limits where nothing is said; elevations up to 90° then, since an instrument that cannot
-/// look up has no line z. Fails on travels or a station that nobody gave, on files as their readers do, and as
-/// check_setup() does.
+/// The set-up, with the usual limits where nothing is said. Fails on travels or a station that nobody gave, on files as
+/// their readers do, and as check_setup() does.
 Result<TrackingSetup> setup_of(const SetupRequest& request);
 
 struct TrackingPlanRequest {
@@ -44,6 +43,16 @@ struct TrackingPlanRequest {
   bool turn_reflector = false;  ///< so that the most lines are kept; without file and axis given it is turned, too
   bool suggest = false;         ///< say which station would be better
 };
+
+/// A set-up with the reflector mounted so that it sees the station best, where nobody said how it is mounted.
+struct MountedSetup {
+  TrackingSetup setup;
+  std::vector<std::string> remarks;  ///< how it was turned
+};
+
+/// What plan_tracking() plans on, so that points of the station location are seen by the same reflector. Fails as
+/// setup_of() does.
+Result<MountedSetup> mounted_setup(const TrackingPlanRequest& request);
 
 struct PlannedLines {
   TrackingPlan plan;

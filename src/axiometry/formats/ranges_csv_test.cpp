@@ -68,7 +68,7 @@ TEST(RangesCsv, reads_nominal_points_and_refuses_one_given_twice) {
   EXPECT_DOUBLE_EQ(points->at_mm[1].z, 6.5);
   const auto twice = read_named_points("point,x_mm,y_mm,z_mm\nP1,1,2,3\nP1,1,2,3\n");
   ASSERT_FALSE(twice);
-  EXPECT_EQ(twice.error().to_string(), "3:1: found point P1 a second time, expected it once as on line 2");
+  EXPECT_EQ(twice.error().to_string(), "line 3:1: found point P1 a second time, expected it once as on line 2");
 }
 
 }  // namespace

@@ -27,8 +27,11 @@ class Multilateration {
   Result<MultilaterationFit> carry_out() {
     AXIOMETRY_TRY(const RangeCounts counts, check_ranges(in_));
     AXIOMETRY_TRY_VOID(check_counts(in_, fit_.rank, counts.segments));
-    AXIOMETRY_TRY(starts_, start_all(in_));
-    AXIOMETRY_TRY_VOID(check_counts(in_, fit_.rank, segments()));
+    AXIOMETRY_TRY(starts_, start_all(in_, in_.options.find_breaks));
+    if (!check_counts(in_, fit_.rank, segments())) {  // too few readings to say that a beam was broken
+      AXIOMETRY_TRY(starts_, start_all(in_, false));
+      AXIOMETRY_TRY_VOID(check_counts(in_, fit_.rank, segments()));
+    }
     lay_out_start();
     AXIOMETRY_TRY_VOID(check_rank(reduce(problem().input(), state_, std::nullopt, 0.0), 1.0));
     AXIOMETRY_TRY_VOID(solve());
@@ -81,10 +84,11 @@ class Multilateration {
   Result<void> solve() {
     run_ = iterate(problem(), state_);
     if (run_.converged) return {};
-    return fail(
-        fmt::format("the solution does not settle within {} iterations (points still move by {:.3g} mm), "
-                    "expected nominal points and lengths that belong together",
-                    run_.iterations, run_.system.largest_move_mm));
+    return fail(fmt::format(
+        "the solution does not settle within {} iterations (points still move by {:.3g} mm), expected "
+        "nominal points and lengths that belong together, and more readings than there are now ({} "
+        "to spare, condition {:.1e})",
+        run_.iterations, run_.system.largest_move_mm, fit_.rank.equations - fit_.rank.unknowns, fit_.rank.condition));
   }
 
   /// What cannot be determined at this state. `factor` is that of the variances.
@@ -208,6 +212,7 @@ class Multilateration {
     fit_.dead_paths_mm = starts_.dead;
     fit_.segments = starts_.segments;
     fit_.breaks = starts_.breaks;
+    settle_jumps();
     fit_.scales = state_.scales;
     fit_.points_mm = std::move(state_.points);
     fit_.stations_mm = std::move(state_.stations);
@@ -217,6 +222,18 @@ class Multilateration {
     fit_.findings =
         multilateration_findings({in_.readings, fit_, in_.options, starts_.mirrored, mirrored_,
                                   counts.points_seen_by_three, sigma, weighting_.scale_length_mm, weakest_station_});
+  }
+
+  /// The size of a break by the dead paths of the result.
+  void settle_jumps() {
+    for (RangeBreak& b : fit_.breaks) {
+      std::size_t before = b.reading;
+      while (before > 0 && in_.readings[--before].station != b.station) {
+      }
+      const auto& dead = fit_.dead_paths_mm[b.station];
+      if (in_.readings[before].station == b.station)
+        b.jump_mm = dead[fit_.segments[before]] - dead[fit_.segments[b.reading]];
+    }
   }
 
   static void multiply(std::vector<Matrix3>& matrices, double factor) {

@@ -255,7 +255,7 @@ TEST(Multilateration, finds_a_beam_break_that_nobody_stated) {
     ASSERT_EQ(fit->breaks.size(), 1u) << jump;
     EXPECT_EQ(fit->breaks[0].station, 3u);
     EXPECT_EQ(fit->breaks[0].reading, 3 * 60 + 25u);
-    EXPECT_NEAR(fit->breaks[0].jump_mm, jump, jump > 0.1 ? 0.05 : 0.002);
+    EXPECT_NEAR(fit->breaks[0].jump_mm, jump, 0.002);
     EXPECT_EQ(fit->dead_paths_mm[3].size(), 2u);
     EXPECT_LT(shape_difference(fit->points_mm, truth.points), 0.003);
     EXPECT_NEAR(fit->chi_squared / static_cast<double>(fit->degrees_of_freedom), 1.0, 0.4);

@@ -92,12 +92,12 @@ double spread_of(const StationReadings& s) {
   return distance(lowest, highest);
 }
 
-Result<StationStart> start_one(const RangeInput& in, StationReadings& s, std::size_t j,
+Result<StationStart> start_one(const RangeInput& in, StationReadings& s, std::size_t j, bool find_breaks,
                                std::vector<RangeBreak>& breaks) {
   const std::string name = station_name(in.options, j);
   AXIOMETRY_TRY(std::vector<LengthStep> broken, broken_triangles(in, s, j));
   const auto note = [&](const LengthStep& step) { breaks.push_back({j, s.reading[step.before], step.jump_mm}); };
-  if (in.options.find_breaks)
+  if (find_breaks)
     for (const LengthStep& step : broken) {
       if (s.length_mm.size() < 4 + s.segments) break;
       note(step);
@@ -105,7 +105,7 @@ Result<StationStart> start_one(const RangeInput& in, StationReadings& s, std::si
     }
   AXIOMETRY_TRY(StationStart start, start_station(s, name));
   constexpr std::size_t breaks_most = 20;
-  for (std::size_t k = 0; in.options.find_breaks && k < breaks_most; ++k) {
+  for (std::size_t k = 0; find_breaks && k < breaks_most; ++k) {
     const auto step = find_step(s, start);
     if (!step || s.length_mm.size() < 5 + s.segments) break;
     restart_segment(s, step->before);
@@ -180,13 +180,13 @@ Result<void> check_counts(const RangeInput& in, MultilaterationRank& rank, std::
                   n, in.stations, rank.equations, rank.unknowns, rank.points_least, in.stations));
 }
 
-Result<RangeStarts> start_all(const RangeInput& in) {
+Result<RangeStarts> start_all(const RangeInput& in, bool find_breaks) {
   std::vector<StationReadings> stations = by_station(in);
   RangeStarts starts;
   starts.segments.resize(in.readings.size());
   for (std::size_t j = 0; j < in.stations; ++j) {
     StationReadings& s = stations[j];
-    AXIOMETRY_TRY(const StationStart start, start_one(in, s, j, starts.breaks));
+    AXIOMETRY_TRY(const StationStart start, start_one(in, s, j, find_breaks, starts.breaks));
     starts.stations.push_back(start.station_mm);
     starts.dead.push_back(start.dead_mm);
     if (start.mirror_mm) starts.mirrored.push_back(j);
