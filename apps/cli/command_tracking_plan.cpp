@@ -236,10 +236,10 @@ int run_location(const Arguments& arguments) {
   const auto planned = app::plan_location_points(arguments.request, arguments.location_points.value_or(usual_points));
   if (!planned) return failed(planned.error());
   const app::Experiment presented = app::present(*planned, arguments.report);
-  if (auto written = app::write_outputs(presented, arguments.outputs, arguments.report); !written)
-    return failed(written.error());
   if (!arguments.points.empty())
     if (auto written = app::write_location_points(*planned, arguments.points); !written) return failed(written.error());
+  if (auto written = app::write_outputs(presented, arguments.outputs, arguments.report); !written)
+    return failed(written.error());
   if (!arguments.quiet && arguments.outputs.json != "-" && arguments.points != "-")
     fmt::print("{}", document_text(presented.document, Terminal(ColourChoice::automatic)));
   return exit_done;
