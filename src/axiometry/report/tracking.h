@@ -26,6 +26,7 @@ struct Layout {
     Vector3 end_mm;
     std::string label;  ///< "xyz"; may be empty
     bool lost = false;  ///< shown, but as something that is not there
+    bool beam = false;  ///< from a station to a point: nothing moves along it
   };
   std::optional<TravelBox> box{};  ///< of the reflector
   std::vector<Vector3> stations_mm{};

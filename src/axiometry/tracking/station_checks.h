@@ -20,9 +20,10 @@ inline constexpr double usual_machine_error_mm = 0.02;
 /// checks them.
 double machine_error_mm(const RefinedFit& fit);
 
-std::string shown_mm(double x);      ///< "12.3456 mm", true minus sign
-std::string shown_um(double x_mm);   ///< "0.31 µm"
-std::string shown_point(Vector3 p);  ///< "(12.346, 0.000, −5.100) mm"
+std::string shown_chi_squared(double x);  ///< "1.9", "3.55e+06"
+std::string shown_mm(double x);           ///< "12.3456 mm", true minus sign
+std::string shown_um(double x_mm);        ///< "0.31 µm"
+std::string shown_point(Vector3 p);       ///< "(12.346, 0.000, −5.100) mm"
 
 /// Before: counts, finite numbers, uncertainties above 0. Fails as locate_station() does.
 Result<void> check_points(std::span<const LocationPoint> points, const StationOptions& options);

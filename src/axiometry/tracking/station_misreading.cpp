@@ -102,7 +102,7 @@ void add_misreading_findings(std::span<const LocationPoint> points, const Statio
       all, [](const Hypothesis& a, const Hypothesis& b) { return a.minimum.chi_squared < b.minimum.chi_squared; });
   const Hypothesis& best = all.front();
   std::string message = fmt::format("{} would explain the residuals, chi-squared falling from {} to {}", words(best),
-                                    format_fixed(fit.chi_squared, 1), format_fixed(best.minimum.chi_squared, 1));
+                                    shown_chi_squared(fit.chi_squared), shown_chi_squared(best.minimum.chi_squared));
   for (std::size_t k = 1; k < std::min<std::size_t>(all.size(), 3); ++k)
     message += fmt::format("{} {}", k == 1 ? "; so would" : " or", words(all[k]));
   message += fmt::format("; without it the station would be {}", shown_point(best.minimum.station_mm));

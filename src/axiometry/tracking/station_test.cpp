@@ -350,6 +350,13 @@ TEST(Station, NonsenseAsAPlaceDoesNotDisturb) {
   }
 }
 
+TEST(Station, AStationFarFromWhereItWasSaidToBeIsTold) {
+  const auto mistaken = located(measured(six), {.near_mm = Vector3{station.x, station.y, station.z - 2000}});
+  EXPECT_TRUE(says(mistaken, "the station is 2000 mm from where it was said to stand")) << messages(mistaken);
+  const auto rough = located(measured(six), {.near_mm = station + Vector3{20, -30, 10}});
+  EXPECT_FALSE(says(rough, "from where it was said to stand")) << messages(rough);
+}
+
 TEST(Station, FewPointsAreAFindingAndThreeAnError) {
   const auto five = located(measured(std::span(six).first(5)));
   expect_near(five.refined.station_mm, station, 1e-6);

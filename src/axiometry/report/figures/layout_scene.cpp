@@ -39,8 +39,6 @@ class Reach {
   bool any_ = false;
 };
 
-Point middle(Point a, Point b) { return {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0}; }
-
 class Scene {
  public:
   Scene(Operations& operations, LabelPlaces& labels, const Layout& layout, const Projection& view,
@@ -121,7 +119,7 @@ class Scene {
     }
     labels_.avoid(from, to, 2.0);
     operations_.push_back(line(from, to, stroke));
-    if (item.lost) return;
+    if (item.lost || item.beam) return;
     const double length = std::hypot(to.x - from.x, to.y - from.y);
     if (length > 3.0 * style_.ball) draw_head(from, to, length, stroke.colour);
     operations_.push_back(
@@ -238,6 +236,7 @@ double separation(const Layout& layout, const Sight& sight) {
 
 Stroke line_stroke(const Layout::Item& item, double width) {
   if (item.lost) return {.colour = ink::extension_grey, .width = 0.7 * width, .dashes = {3.5, 2.2}};
+  if (item.beam) return ink::solid(ink::vermilion, 0.6 * width);
   return ink::solid(is_diagonal(item) ? ink::vermilion : ink::blue, width);
 }
 
