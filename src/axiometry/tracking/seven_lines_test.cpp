@@ -292,6 +292,30 @@ TEST(SevenLines, MovesFromLineToLineAreSafe) {
   }
 }
 
+TEST(SevenLines, ALineAloneIsReachedFromAboveAndLeftThere) {
+  TrackingSetup setup = machine({400, 300, -600});
+  setup.obstacles = {{"vice", BoxObstacle{{350, 30, -700}, {450, 130, -500}}}};
+  const auto plan = plan_lines(setup, {.seed = 1});
+  ASSERT_TRUE(plan) << plan.error().message;
+  for (const TrackingLine& one : plan->lines) {
+    const Plan alone = plan_alone(setup, one);
+    const Vector3 begin = spatial_line(one.plan.axis)->at(reach(one.plan).lowest);
+    ASSERT_FALSE(alone.way_in_mm.empty()) << one.id;
+    EXPECT_EQ(alone.way_in_mm.front(), (Vector3{begin.x, begin.y, 0}));
+    EXPECT_EQ(alone.way_out_mm.back(), (Vector3{begin.x, begin.y, 0}));
+    std::vector<Vector3> stops = alone.way_in_mm;
+    stops.push_back(begin);
+    stops.insert(stops.end(), alone.way_out_mm.begin(), alone.way_out_mm.end());
+    for (std::size_t k = 1; k < stops.size(); ++k)
+      EXPECT_FALSE(blocked_because(setup, stops[k - 1] + setup.tool_offset_mm, stops[k] + setup.tool_offset_mm))
+          << one.id;
+  }
+  // Where there is none, the plan's own way stays.
+  TrackingLine fenced = plan->lines.back();
+  setup.obstacles = {{"roof", BoxObstacle{{-500, -500, -300}, {1500, 1500, -290}}}};
+  EXPECT_EQ(plan_alone(setup, fenced).way_in_mm, fenced.plan.way_in_mm);
+}
+
 TEST(SevenLines, DiagonalsOfTheBoxAreFullTravels) {
   TrackingSetup setup = machine({400, 300, -900});
   const auto plan = plan_lines(setup, {.ids = {"body", "face"}});
