@@ -7,7 +7,8 @@ Usage: tests/seven_lines_oracle.py PROGRAM [COUNT] [SEED]
 The program plans the lines from a station; this script moves a machine with scales, squareness, reversal errors and noise
 along them, measures lengths from the true station, and has the program evaluate. Checked: the deviations and E, R, B of
 every line against the definitions (ISO 230-2:2014 clause 3, with x = ±(ΔL − d)), slopes and squareness against the truth,
-where the lines were planned against travel, range and elevation. Shares nothing with the C++ code.
+where the lines were planned against travel, range and elevation; and all of it again with one break of the beam in every
+line. Shares nothing with the C++ code.
 """
 import json
 import math
@@ -76,6 +77,34 @@ def parameters(x):
     return dict(E=mean.max() - mean.min(), R=both.max(), B=np.abs(B_i).max(), R_up=up.max(), E_up=np.ptp(mean[0]))
 
 
+def check_broken(program, rng, index, folder, machine, rows, expected):
+    """The same lengths with the beam broken once in every line: found at its reading, and the line as if it were whole."""
+    broken, breaks, lost, line, number = [rows[0]], {}, 0.0, None, 0
+    for row in rows[1:]:
+        *place, length = row.split(",")
+        number = number + 1 if place[0] == line else 0
+        if place[0] != line:
+            line = place[0]
+            readings = expected[line][0].size
+            size = 10.0 ** rng.uniform(-1, 2.7) * rng.choice([-1.0, 1.0])
+            at = int(rng.integers(1, readings)) if abs(size) > 1.2 else int(rng.integers(2, readings - 1))
+            breaks[line] = (at, size)
+        lost += breaks[line][1] if number == breaks[line][0] else 0.0
+        broken.append(",".join(place) + f",{round(float(length) + lost, 7)!r}")
+    file = folder / "broken.csv"
+    file.write_text("\n".join(broken) + "\n")
+    answer = json.loads(run(program, "tracking", "evaluate", file, "--plan", folder / "plan.json", "--json", "-", "--quiet"))
+    for result in answer["lines"]:
+        at, size = breaks[result["id"]]
+        where = f"case {index}, {result['id']}, broken by {size} mm before reading {at + 1}"
+        found = [(b["before_reading"] - 1, b["jump_mm"]) for b in result["breaks"]]
+        if [k for k, _ in found] != [at] or abs(found[0][1] - size) > 1e-5 + 6 * machine.noise:
+            raise SystemExit(f"{where}: found {found}")
+        for key, value in parameters(expected[result["id"]][0]).items():
+            if key in "ERB" and abs(result["test"]["parameters"][key] - value) > 1e-3 + 6e3 * machine.noise:
+                raise SystemExit(f"{where}: {key} found {result['test']['parameters'][key]}, expected {value}")
+
+
 def check(program, rng, index, folder):
     machine = Machine(rng)
     travel = ",".join(f"{a}={lo!r}:{hi!r}" for a, lo, hi in zip("XYZ", map(float, machine.low), map(float, machine.high)))
@@ -115,6 +144,7 @@ def check(program, rng, index, folder):
             rows.append(f"{line['id']},{i + 1},{way},{j + 1},{shown!r}")
         expected[line["id"]] = (x, direction, np.array(targets), line["plan"])
     lengths_file.write_text("\n".join(rows) + "\n")
+    check_broken(program, rng, index, folder, machine, rows, expected)
     answer = json.loads(run(program, "tracking", "evaluate", lengths_file, "--plan", plan_file, "--json", "-", "--quiet"))
     for line in answer["lines"]:
         x, direction, targets, p = expected.pop(line["id"])

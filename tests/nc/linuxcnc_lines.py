@@ -81,6 +81,23 @@ def drive(commands, exact):
     return visits, unit
 
 
+def alone(plan, visits, unit, walk):
+    """A line driven without the others: from above and back, or as it was planned where no such way is safe."""
+    moves = len(walk(plan))
+    around = len(visits) - moves - len(plan["way_in_mm"]) - len(plan["way_out_mm"])
+    line = path_of({**plan, "way_in_mm": [], "way_out_mm": []}, walk)
+    begin, within = line[0][0], 2 * PRINTED * unit + 1e-9
+    own = plan["way_in_mm"] + [begin]
+    if around == 0 and all(abs(a - b) <= within for v, p in zip(visits, own) for a, b in zip(v["at"], p)):
+        return plan
+    steps, odd = divmod(len(visits) - moves, 2)
+    assert not odd, "there and back by different ways"
+    way = [visit["at"] for visit in visits[:steps]]
+    assert not way or all(abs(a - b) <= within for a, b in zip(way[0], [*begin[:2], 0.0])), f"begins at {way[0]}"
+    assert all(low <= x <= high for p in way for x, low, high in zip(p, (0, 0, -500), (800, 500, 0))), f"{way}"
+    return {**plan, "way_in_mm": way, "way_out_mm": way[::-1]}
+
+
 def compare(plans, visits, unit, trigger, stop, walk):
     """`stop`: "start", "lines" or nothing, at the first move on the first line or on each."""
     path = [(plan, *step) for plan in plans for step in path_of(plan, walk)]
@@ -143,6 +160,8 @@ def check(program, folder, rng, runs, make_plan, walk, interpret):
         try:
             assert done.returncode == 0, done.stderr
             visits, unit = drive(interpret(folder, done.stdout), exact)
+            if "--line" in options:
+                plans = [alone(plans[0], visits, unit, walk)]
             compare(plans, visits, unit, trigger, stop, walk)
             words_in_text(plans, done.stdout, unit, walk)
         except AssertionError as error:

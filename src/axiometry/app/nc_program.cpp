@@ -15,6 +15,7 @@
 #include "axiometry/formats/plan_json.h"
 #include "axiometry/formats/tracking_plan_json.h"
 #include "axiometry/standards/iso230_2_plan.h"
+#include "axiometry/tracking/seven_lines.h"
 
 namespace axiometry::app {
 namespace {
@@ -36,8 +37,8 @@ Result<Programme> part_of(const Plan& plan, const NcRequest& request) {
 }
 
 /// What a comment in the program can say.
-Plan named(const TrackingLine& line, const TrackingPlan& whole) {
-  Plan plan = line.plan;
+Plan named(const TrackingLine& line, const TrackingPlan& whole, bool alone) {
+  Plan plan = alone ? tracking::plan_alone(whole.setup, line) : line.plan;
   if (plan.axis.name.empty()) plan.axis.name = line.id;
   if (plan.machine.empty()) plan.machine = whole.machine;
   if (plan.date.empty()) plan.date = whole.date;
@@ -64,8 +65,9 @@ Result<Programme> lines_of(const TrackingPlan& plan, const NcRequest& request) {
     return fail(fmt::format("found part {} asked for, expected none: a tracking plan has lines", request.part));
   if (plan.lines.empty()) return fail("found a tracking plan without lines, expected at least one that is not lost");
   Programme programme{plan.title, {}};
+  const bool all = request.line.empty();
   for (const TrackingLine& line : plan.lines)
-    if (request.line.empty() || request.line == line.id) programme.plans.push_back(named(line, plan));
+    if (all || request.line == line.id) programme.plans.push_back(named(line, plan, !all));
   if (programme.plans.empty()) return no_line(plan, request.line);
   return programme;
 }

@@ -97,6 +97,23 @@ TEST_F(NcProgramOfLines, DrivesTheWholeMeasurementOrOneLine) {
   EXPECT_NE(one->find("(WAY IN)"), std::string::npos) << *one;
 }
 
+TEST_F(NcProgramOfLines, DrivesOneLineFromAboveAndNotFromTheEndOfTheOneBefore) {
+  std::string text(lines_text);
+  const std::string low = R"("position_mm": [0, 0, 0])";
+  text.replace(text.find(low), low.size(), R"("position_mm": [0, 5, -490])");
+  for (std::size_t at = 0; (at = text.find("[0, 5, 7]", at)) != std::string::npos;) text.replace(at, 9, "[0, 5, -490]");
+  for (std::size_t at = 0; (at = text.find("[100, 200]", at)) != std::string::npos;) text.replace(at, 10, "[300, 400]");
+  const std::string file = testing::TempDir() + "nc_program_alone.json";
+  std::ofstream(file) << text;
+  const auto one = nc_program({.plan = file, .dialect = "fanuc", .line = "x"});
+  ASSERT_TRUE(one) << one.error().to_string();
+  EXPECT_NE(one->find("G1 X295.0000 Y5.0000 Z0.0000 F600. (WAY IN)"), std::string::npos) << *one;
+  EXPECT_NE(one->find("G1 X295.0000 Y5.0000 Z0.0000 F600. (WAY OUT)"), std::string::npos) << *one;
+  const auto all = nc_program({.plan = file, .dialect = "fanuc"});
+  ASSERT_TRUE(all) << all.error().to_string();
+  EXPECT_EQ(all->find("(WAY OUT)"), std::string::npos);
+}
+
 TEST_F(NcProgramOfLines, SaysWhatThereIsInsteadOfWhatIsNot) {
   EXPECT_EQ(reason({.line = "yz"}), plan_ + ": found the line \"yz\" asked for, expected one of x, xy");
   EXPECT_EQ(reason({.line = "z"}), plan_ +

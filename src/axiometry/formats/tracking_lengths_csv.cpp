@@ -81,6 +81,7 @@ Result<Columns> columns_of(std::string_view header, std::size_t line) {
   columns.delimiter = delimiter_of(header);
   AXIOMETRY_TRY(const std::vector<CsvCell> heads, split_row(header, columns.delimiter, line));
   columns.count = heads.size();
+  if (columns.count == 1) columns.delimiter = ';';  // nothing to part: a comma is the decimal mark
   for (std::size_t k = 0; k < heads.size(); ++k) {
     const TableHead named = table_head(heads[k].text);
     const auto role = role_of(named);

@@ -65,6 +65,13 @@ TEST(TrackingLengthsCsv, ReadsLengthsInTheOrderOfTheProgram) {
   EXPECT_EQ(lengths.rows[2].reading.length_difference_mm, 2.5);
 }
 
+TEST(TrackingLengthsCsv, ReadsAColumnAloneWithDecimalCommas) {
+  const auto lengths = read("length_difference_mm\n1,5\n-\n-1202,25\n7\n");
+  ASSERT_EQ(lengths.rows.size(), 4u);
+  EXPECT_EQ(lengths.rows[0].reading.length_difference_mm, 1.5);
+  EXPECT_EQ(lengths.rows[2].reading.length_difference_mm, -1202.25);
+}
+
 TEST(TrackingLengthsCsv, ReadsWhatItWrites) {
   const std::vector<LengthReading> readings = {{"x", {2, Direction::down, 1}, 0.1 + 0.2, 0},
                                                {"xyz", {0, Direction::up, 0}, -1234.56789012345, 3}};

@@ -250,11 +250,29 @@ TEST(Lines, HaveAsManyDecimalsAsTheirTargetsNeed) {
     plan.targets[i] = Position::native(x * std::sqrt(2.0));
   }
   EXPECT_EQ(words(plan, 3), "(COORDINATES WITH 3 DECIMALS)") << "they are on the grid";
-  EXPECT_EQ(words(plan, 0), "(COORDINATES WITH 0 DECIMALS)");
+  EXPECT_EQ(words(plan, 0), "(COORDINATES WITH 3 DECIMALS, 0 WOULD MOVE WAYS)") << "the overruns are not";
   // Of one axis alone the target is given, not found on a slant: it is exact.
   set_spatial_line(plan.axis, {{0, 1.0 / 3.0, 0}, {1, 0, 0}});
   plan.targets = {Position::native(0), Position::native(10.12345)};
   EXPECT_EQ(words(plan, 3), "(COORDINATES WITH 5 DECIMALS, 3 WOULD MOVE TARGETS, ROUNDED BY UP TO 0.0033 UM)");
+}
+
+TEST(Lines, KeepWaysWithinTheTravelsAtFewDecimals) {
+  Plan plan;
+  set_spatial_line(plan.axis, {{0, 100, -200}, {1, 0, 0}});
+  plan.targets = {Position::native(300), Position::native(400)};
+  plan.overrun = Position::native(5);
+  plan.runs = 2;
+  plan.feed = 1000;
+  plan.way_in_mm = {{295, 100, -14.21}};  // the upper end of Z
+  for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch}) {
+    const auto program = find_dialect("fanuc")->write({&plan, 1}, {.unit = unit, .decimals = 0});
+    ASSERT_TRUE(program) << program.error().message;
+    const Trace trace = run_program("fanuc", *program);
+    EXPECT_NEAR(trace.visits.front().at.at("Z"), -14.21, 1.28e-3) << *program;
+  }
+  plan.way_in_mm = {{295, 100, -14}};
+  EXPECT_NE(find_dialect("fanuc")->write({&plan, 1}, {.decimals = 0})->find("Z-14. F1000"), std::string::npos);
 }
 
 TEST(Lines, AreRefusedWhereTheyCannotBeDriven) {

@@ -22,6 +22,11 @@ constexpr double inch_within_mm = 0.5e-4;
 /// Likewise on a slanting line in space, which 4 decimals of a mm always satisfy.
 constexpr double line_within_mm = 0.5e-4 + exact_within;
 
+/// Of ways and overruns in space, which keep a safe radius and stay within travels: half of the least step that a
+/// control has at the least, 0.001 mm or 0.0001 in.
+constexpr double way_within_mm = 0.5e-3 + exact_within;
+constexpr double way_within_inch_mm = 0.5e-4 * mm_per_inch + exact_within;
+
 std::string fixed(double x, int decimals) {
   std::string text = fmt::format("{:.{}f}", x, decimals);
   if (text.front() == '-' && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);
@@ -56,6 +61,18 @@ bool Coordinates::targets_right(const Plan& plan, const std::optional<SpatialLin
   return true;
 }
 
+bool Coordinates::ways_right(const Plan& plan, const std::optional<SpatialLine>& line) const {
+  if (!line) return true;
+  const double within = in_inch_ ? way_within_inch_mm : way_within_mm;
+  const auto right = [&](Vector3 at) {
+    const Vector3 error = printed(at) - at;
+    return std::max({std::abs(error.x), std::abs(error.y), std::abs(error.z)}) <= within;
+  };
+  const Reach ends = reach(plan);
+  return std::ranges::all_of(plan.way_in_mm, right) && std::ranges::all_of(plan.way_out_mm, right) &&
+         right(line->at(ends.lowest)) && right(line->at(ends.highest));
+}
+
 /// Target and overrun may both be rounded by half a unit in each coordinate, together by less than √3 units of their
 /// distance, so two units keep the way to a target from vanishing.
 bool Coordinates::told_apart(const Plan& plan, const std::optional<SpatialLine>& line) const {
@@ -76,9 +93,11 @@ Result<Coordinates> Coordinates::make(const Plan& plan, const ProgramOptions& op
   const bool in_inch = options.unit == LengthUnit::inch && plan.axis.kind == AxisKind::linear;
   const std::optional<SpatialLine> line = spatial_line(plan.axis);
   Coordinates coordinates(in_inch, options.decimals);
-  while (coordinates.decimals_ < decimals_highest &&
-         !(coordinates.targets_right(plan, line) && coordinates.told_apart(plan, line)))
-    ++coordinates.decimals_;
+  for (; coordinates.decimals_ < decimals_highest; ++coordinates.decimals_) {
+    const bool targets = coordinates.targets_right(plan, line) && coordinates.told_apart(plan, line);
+    if (targets && coordinates.ways_right(plan, line)) break;
+    if (!targets) coordinates.moved_ = "TARGETS";
+  }
   if (!coordinates.told_apart(plan, line))
     return fail(
         fmt::format("found targets, or target and overrun, that are alike with {} decimals, expected positions "

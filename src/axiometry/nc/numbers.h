@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "axiometry/base/result.h"
 #include "axiometry/model/plan.h"
@@ -27,13 +28,16 @@ class Coordinates {
   /// - In mm and degrees a target is exact; in inches right within 0.05 µm.
   /// - On a line in space each coordinate is right within 0.05 µm, since a slanting line has targets that no number of
   ///   decimals tells exactly. Where one axis alone moves, its own coordinate is exact as above.
-  /// - Ways and overruns have the decimals of the targets.
+  /// - Ways and overruns have the decimals of the targets; on a line in space, where they keep a safe radius and stay
+  ///   within the travels, each coordinate is right within half of 0.001 mm, in inches of 0.0001 in.
   ///
   /// Fails when the options ask for fewer than 0 decimals or too many, when two targets would be the same in print, or
   /// the overrun is less than two units of the last decimal.
   static Result<Coordinates> make(const Plan& plan, const ProgramOptions& options);
 
   int decimals() const { return decimals_; }
+  /// What fewer decimals, where they were asked for, would move: "TARGETS" or "WAYS".
+  std::string_view moved() const { return moved_; }
   bool in_inch() const { return in_inch_; }
 
   /// A coordinate of one axis in mm or degrees, as it is printed: "-12.5000"; "12." without decimals.
@@ -48,10 +52,12 @@ class Coordinates {
   double printed(double mm_or_deg) const;
   Vector3 printed(Vector3 mm) const;
   bool targets_right(const Plan& plan, const std::optional<SpatialLine>& line) const;
+  bool ways_right(const Plan& plan, const std::optional<SpatialLine>& line) const;
   bool told_apart(const Plan& plan, const std::optional<SpatialLine>& line) const;
 
   bool in_inch_ = false;
   int decimals_ = 4;
+  std::string_view moved_ = "WAYS";
 };
 
 /// Rounded to at most `decimals` decimals, without the zeros at their end, and without a point when none are left:

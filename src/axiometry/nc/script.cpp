@@ -248,7 +248,8 @@ class Writer {
 std::string decimals_remark(const Coordinates& coordinates, const Plan& plan, const ProgramOptions& options) {
   const double error = coordinates.target_error(plan).in_native() * deviation_per_position(plan.axis.kind);
   std::string text = fmt::format("COORDINATES WITH {} DECIMALS", coordinates.decimals());
-  if (coordinates.decimals() > options.decimals) text += fmt::format(", {} WOULD MOVE TARGETS", options.decimals);
+  if (coordinates.decimals() > options.decimals)
+    text += fmt::format(", {} WOULD MOVE {}", options.decimals, coordinates.moved());
   if (error > 1e-5)
     text += fmt::format(", ROUNDED BY UP TO {:.4f} {}", error, plan.axis.kind == AxisKind::linear ? "UM" : "ARCSEC");
   return text;

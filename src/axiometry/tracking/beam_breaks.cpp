@@ -11,7 +11,7 @@ namespace {
 
 constexpr double least_mm = 0.02;        // smaller jumps are the machine's, or thermal
 constexpr double weak_least_mm = 0.05;   // where only the mean slope of the machine is known
-constexpr double incomparable_mm = 1.0;  // no reversal error is as large
+constexpr double incomparable_mm = 1.0;  // neither a reversal error nor a single bad reading is as large
 constexpr double scatters = 8.0;         // so many robust standard deviations no noise reaches
 constexpr double sd_per_mad = 1.4826;    // of normal noise
 constexpr std::size_t votes_most = 100;
@@ -188,8 +188,21 @@ Thresholds thresholds(const Steps& steps, std::optional<double> given_mm) {
   return {limit_from(std::move(strong), least_mm), limit_from(std::move(all), weak_least_mm)};
 }
 
+/// What is left of a step that is a jump, and from what size on it is one.
+struct Found {
+  double size_mm = 0.0;  // 0: no jump
+  double limit_mm = 0.0;
+};
+
+/// Whether the second takes back the first.
+bool cancels(const Found& a, const Found& b) {
+  const double left = std::abs(a.size_mm + b.size_mm);
+  return b.size_mm != 0.0 && left < 0.5 * std::max(std::abs(a.size_mm), std::abs(b.size_mm)) &&
+         left <= std::max(a.limit_mm, b.limit_mm);
+}
+
 /// The largest first, so that what it does to the votes on others is gone before they are judged.
-std::vector<double> jumps_of(Steps& steps, const Thresholds& limits) {
+std::vector<Found> jumps_of(Steps& steps, const Thresholds& limits) {
   for (std::size_t found = 0; found < jumps_most; ++found) {
     std::optional<std::size_t> largest;
     double excess = 1.0;
@@ -204,11 +217,11 @@ std::vector<double> jumps_of(Steps& steps, const Thresholds& limits) {
     if (!largest) break;
     steps.mark(*largest);
   }
-  std::vector<double> jumps(steps.count(), 0.0);  // judged again now that no jump has a vote
+  std::vector<Found> jumps(steps.count());  // judged again now that no jump has a vote
   for (std::size_t k = 0; k < steps.count(); ++k) {
     if (!steps.jumped(k)) continue;
     const Left left = steps.left(k);
-    if (std::abs(left.size_mm) > limits.of(left.by)) jumps[k] = left.size_mm;
+    if (const double limit = limits.of(left.by); std::abs(left.size_mm) > limit) jumps[k] = {left.size_mm, limit};
   }
   return jumps;
 }
@@ -221,22 +234,22 @@ Jumps find_jumps(std::span<const LineSample> samples, std::span<const Position> 
   const Thresholds limits = thresholds(steps, threshold_mm);
   Jumps jumps;
   jumps.threshold_mm = limits.strong_mm;
-  const std::vector<double> sizes = jumps_of(steps, limits);
+  const std::vector<Found> found = jumps_of(steps, limits);
   bool first = true;  // of its segment
-  for (std::size_t k = 0; k < sizes.size(); ++k) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
     const bool single = first;
     first = !steps.exists(k);
-    if (sizes[k] == 0.0) continue;
-    const double next = k + 1 < sizes.size() ? sizes[k + 1] : 0.0;
-    if (next != 0.0 && std::abs(sizes[k] + next) < 0.5 * std::max(std::abs(sizes[k]), std::abs(next))) {
-      jumps.outliers.push_back({k + 1, sizes[k]});
+    const double size = found[k].size_mm;
+    if (size == 0.0) continue;
+    if (k + 1 < found.size() && cancels(found[k], found[k + 1])) {
+      jumps.outliers.push_back({k + 1, size});
       ++k;
+    } else if (std::abs(size) > incomparable_mm || (!single && steps.exists(k + 1))) {
+      jumps.breaks.push_back({k + 1, size});
     } else if (single) {
-      jumps.outliers.push_back({k, -sizes[k]});
-    } else if (!steps.exists(k + 1)) {
-      jumps.outliers.push_back({k + 1, sizes[k]});
+      jumps.outliers.push_back({k, -size});
     } else {
-      jumps.breaks.push_back({k + 1, sizes[k]});
+      jumps.outliers.push_back({k + 1, size});
     }
   }
   return jumps;

@@ -36,8 +36,9 @@ struct Jumps {
 /// runs and in the other direction (the median of these votes). Where fewer than two such steps are known, the nearest
 /// of them and of what the machine's mean slope and reversal error make of it counts. The largest jump is taken first
 /// and has no vote on the others. What is left above the threshold is a break where it stays, an outlier where the next
-/// step takes it back; a first or last sample (also of a stated segment) that stands alone counts as an outlier. So
-/// neither reversal errors nor positioning errors that repeat are breaks.
+/// step takes it back but for less than the threshold. A first or last sample (also of a stated segment) that stands
+/// alone is an outlier up to 1 mm, and behind a break where it is farther away. So neither reversal errors nor
+/// positioning errors that repeat are breaks.
 ///
 /// The threshold, when none is given, is the larger of 20 µm and 8 times the robust scatter of what is left; by the
 /// mean slope alone, likewise from 50 µm. A step that nothing can be compared with (the only reversal) must exceed 1

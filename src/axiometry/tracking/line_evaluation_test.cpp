@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "axiometry/standards/iso230_2.h"
 #include "axiometry/tracking/line_test_support.h"
@@ -157,6 +158,45 @@ TEST(LineEvaluation, KeepsASingleReadingThatLiesApart) {
   EXPECT_THAT(result.findings[0].message, HasSubstr("reading 31"));
 }
 
+TEST(LineEvaluation, TakesAFarReadingAtAnEndForOneBehindABreak) {
+  const TrackingPlan plan = two_lines();
+  const auto whole = evaluated(plan, measured(plan, {}));
+  for (const std::size_t before : {1u, 69u}) {
+    const auto broken = evaluated(plan, measured(plan, {}, {[&](const std::string& id, std::size_t k) {
+                                                   return id == "x" && k >= before ? -472.7 : -212.7;
+                                                 }}));
+    const EvaluatedLine& line = broken.lines[0];
+    ASSERT_EQ(line.breaks.size(), 1u) << before;
+    EXPECT_EQ(line.breaks[0].before_reading, before);
+    EXPECT_NEAR(line.breaks[0].jump_mm, -260.0, 0.005);
+    EXPECT_THAT(broken.findings.back().message, HasSubstr("alone has a dead path of its own"));
+    EXPECT_TRUE(broken.findings.back().serious);
+    EXPECT_NEAR(parameters(line).E->in_native(), parameters(whole.lines[0]).E->in_native(), 0.5);
+    EXPECT_NEAR(parameters(line).R->in_native(), parameters(whole.lines[0]).R->in_native(), 1.0);
+  }
+  // Nearer it may be a bad reading as well: kept, and told.
+  auto readings = measured(plan, {});
+  readings[69].length_difference_mm += 0.7;
+  const auto apart = evaluated(plan, readings);
+  EXPECT_TRUE(apart.lines[0].breaks.empty());
+  EXPECT_GT(parameters(apart.lines[0]).R->in_native(), 500.0);
+  EXPECT_TRUE(apart.findings.at(0).serious);
+}
+
+TEST(LineEvaluation, TellsTwoBreaksInARowFromABadReading) {
+  const TrackingPlan plan = two_lines();
+  const auto whole = evaluated(plan, measured(plan, {}));
+  const auto broken = evaluated(plan, measured(plan, {}, {[](const std::string& id, std::size_t k) {
+                                                 return id != "x" || k < 30 ? 0.0 : k == 30 ? 0.9 : 0.25;
+                                               }}));
+  const EvaluatedLine& line = broken.lines[0];
+  ASSERT_EQ(line.breaks.size(), 2u);
+  EXPECT_NEAR(line.breaks[0].jump_mm, 0.9, 0.005);
+  EXPECT_NEAR(line.breaks[1].jump_mm, -0.65, 0.005);
+  EXPECT_NEAR(parameters(line).E->in_native(), parameters(whole.lines[0]).E->in_native(), 0.5);
+  EXPECT_NEAR(parameters(line).R->in_native(), parameters(whole.lines[0]).R->in_native(), 1.0);
+}
+
 TEST(LineEvaluation, SaysWhereALineIsSplit) {
   // One way only, once: nothing ties the two parts.
   const TrackingPlan plan = two_lines(1, TestCycle::unidirectional);
@@ -242,6 +282,19 @@ TEST(LineEvaluation, RefusesLengthsThatNoPositionExplains) {
   EXPECT_EQ(message_of(plan, changed(-1.0), reversed), "");
   EXPECT_NEAR(parameters(evaluated(plan, changed(-1.0), reversed).lines[0]).E->in_native(),
               parameters(evaluated(plan, good).lines[0]).E->in_native(), 1e-9);
+}
+
+TEST(LineEvaluation, RefusesLengthsInDisorderThatHideEachOther) {
+  // All scatter so much that nothing of it is a break, and none is so far off that it is at another target.
+  const TrackingPlan plan = two_lines();
+  auto readings = measured(plan, {});
+  std::mt19937 random(5);
+  for (std::size_t k = 0; k < 70; ++k)
+    readings[k].length_difference_mm += 3.0 * static_cast<double>(random()) / 4294967295.0 - 1.5;
+  EXPECT_THAT(message_of(plan, readings), HasSubstr("no machine exceeds"));
+  LineEvaluationOptions as_it_is;
+  as_it_is.find_breaks = false;
+  EXPECT_EQ(message_of(plan, readings, as_it_is), "");
 }
 
 TEST(LineEvaluation, RefusesWhatIsNoReadingOfThePlan) {

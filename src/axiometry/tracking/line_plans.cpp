@@ -70,6 +70,18 @@ Result<void> check_request(const LinesRequest& request) {
 
 Vector3 begin_of(const Plan& plan) { return spatial_line(plan.axis)->at(reach(plan).lowest); }
 
+/// From above, at the upper end of Z, down to a place: the point above it, and what lies between. Absent where no such
+/// way is safe.
+std::optional<std::vector<Vector3>> way_from_above(const TrackingSetup& setup, Vector3 place) {
+  const Vector3 above{place.x, place.y, setup.travel.highest_mm.z};
+  if (above == place) return std::vector<Vector3>{};
+  const auto transfer = safe_transfer(setup, above, place);
+  if (!transfer) return std::nullopt;
+  std::vector<Vector3> way = {above};
+  way.insert(way.end(), transfer->over_mm.begin(), transfer->over_mm.end());
+  return way;
+}
+
 /// Makes the plan line by line; what it drops says why.
 class Planner {
  public:
@@ -243,20 +255,12 @@ class Planner {
     return {};
   }
 
-  /// From above, at the upper end of Z, down to a place: the point above it, and what lies between.
   std::vector<Vector3> way_from_above(Vector3 place, const std::string& id) {
-    const Vector3 above{place.x, place.y, setup_.travel.highest_mm.z};
-    if (above == place) return {};
-    const auto transfer = safe_transfer(setup_, above, place);
-    if (!transfer) {
-      plan_.remarks.push_back(
-          fmt::format("{}: there is no way to it from above; drive to X {:.3f}, Y {:.3f}, Z {:.3f} mm by hand", id,
-                      place.x, place.y, place.z));
-      return {};
-    }
-    std::vector<Vector3> way = {above};
-    way.insert(way.end(), transfer->over_mm.begin(), transfer->over_mm.end());
-    return way;
+    if (auto way = tracking::way_from_above(setup_, place)) return *std::move(way);
+    plan_.remarks.push_back(
+        fmt::format("{}: there is no way to it from above; drive to X {:.3f}, Y {:.3f}, Z {:.3f} mm by hand", id,
+                    place.x, place.y, place.z));
+    return {};
   }
 
   const TrackingSetup& setup_;
@@ -271,6 +275,17 @@ Result<TrackingPlan> plan_lines(const TrackingSetup& setup, const LinesRequest& 
   AXIOMETRY_TRY_VOID(check_request(request));
   AXIOMETRY_TRY(const std::vector<std::string> ids, wanted_ids(setup, request));
   return Planner(setup, request).make(ids);
+}
+
+Plan plan_alone(const TrackingSetup& setup, const TrackingLine& line) {
+  Plan plan = line.plan;
+  if (!spatial_line(plan.axis)) return plan;
+  auto way = way_from_above(setup, begin_of(plan));
+  if (!way) return plan;
+  plan.way_in_mm = *way;
+  std::ranges::reverse(*way);
+  plan.way_out_mm = *std::move(way);
+  return plan;
 }
 
 std::optional<UsableInterval> interval_of(const TrackingSetup& setup, const TrackingLine& line) {

@@ -22,7 +22,14 @@ namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 constexpr double um_per_mm = 1000.0;
-constexpr double oblique_deg = 1.0;  // a straightness error of 10 µm then counts with 0.2 µm
+constexpr double beyond_machines_mm = 1.0;  // no machine stands that far from where its scale puts it
+constexpr double oblique_deg = 1.0;         // a straightness error of 10 µm then counts with 0.2 µm
+
+double median(std::vector<double> x) {
+  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
+  std::ranges::nth_element(x, middle);
+  return *middle;
+}
 
 std::string named(const LengthReading& r) {
   return fmt::format("target {}{} run {}", r.approach.target + 1, arrow(r.approach.direction), r.approach.run + 1);
@@ -41,12 +48,14 @@ class Course {
   Result<LineOutcome> run() {
     find_breaks();
     fit();
+    AXIOMETRY_TRY_VOID(check_deviations());
     AXIOMETRY_TRY(Test test, make_test());
     LineOutcome outcome{
         EvaluatedLine{in_.line.id, std::move(test), {}, {}, {}, 0.0, 0.0, 0.0, 0.0, {}, {}}, geometry_.direction, {}};
     describe(outcome.line);
     tell_jumps(outcome);
     tell_dead_paths(outcome);
+    tell_lone_readings(outcome);
     tell_angle(outcome);
     return outcome;
   }
@@ -114,6 +123,37 @@ class Course {
       if (directions > 0.0) return level / directions;
     }
     return 0.0;
+  }
+
+  /// What neither breaks nor single bad readings explain is no machine's: lengths in disorder raise the threshold of
+  /// breaks above themselves. Judged against the straight line through the medians, which a scale is.
+  Result<void> check_deviations() const {
+    if (!in_.options.find_breaks) return {};
+    const auto& targets = in_.line.plan.targets;
+    std::vector<std::size_t> used;
+    for (std::size_t k = 0; k < in_.readings.size(); ++k)
+      if (!is_outlier(k)) used.push_back(k);
+    const auto position = [&](std::size_t k) { return targets[reading(k).approach.target].in_native(); };
+    const auto mm = [&](std::size_t k) { return deviation_um(k, fit_.stretches[stretch_[k]].shift_mm) / um_per_mm; };
+    std::vector<double> slopes;
+    for (std::size_t i = 1; i < used.size(); ++i)
+      if (const double way = position(used[i]) - position(used[i - 1]); way != 0.0)
+        slopes.push_back((mm(used[i]) - mm(used[i - 1])) / way);
+    if (slopes.empty()) return {};
+    const double slope = median(std::move(slopes));
+    std::vector<double> left;
+    for (const std::size_t k : used) left.push_back(mm(k) - slope * position(k));
+    const double level = median(left);
+    const auto off = [&](double x) { return std::abs(x - level); };
+    const auto worst = std::ranges::max_element(left, {}, off) - left.begin();
+    const double limit = std::max(beyond_machines_mm, in_.options.break_threshold_mm.value_or(0.0));
+    const double found = off(left[static_cast<std::size_t>(worst)]);
+    if (found <= limit) return {};
+    return fail(fmt::format(
+        "found a length of line {} that puts the reflector {} mm from its place ({}), expected {} mm at most, which no "
+        "machine exceeds: the lengths stand in another order, belong to another plan, or are not of this line",
+        in_.line.id, format_fixed(found, 3), named(reading(used[static_cast<std::size_t>(worst)])),
+        format_exact(limit)));
   }
 
   double deviation_um(std::size_t k, double shift_mm) const {
@@ -235,6 +275,7 @@ class Course {
   void tell_dead_paths(LineOutcome& outcome) const {
     for (std::size_t s = 1; s < stretches_; ++s) {
       const DeadPath& path = outcome.line.dead_paths[s];
+      if (path.tied && path.readings == 1) continue;  // told apart
       std::string message;
       if (path.tied) {
         message = fmt::format(
@@ -251,6 +292,18 @@ class Course {
       }
       outcome.line.test.provenance.remarks.push_back({!path.tied, message});
       outcome.findings.push_back({!path.tied, fmt::format("line {}: {}", in_.line.id, message)});
+    }
+  }
+
+  /// Its dead path follows from what the other runs show there.
+  void tell_lone_readings(LineOutcome& outcome) const {
+    for (const DeadPath& path : outcome.line.dead_paths) {
+      if (path.readings != 1 || stretches_ == 1) continue;
+      const std::string message = fmt::format(
+          "reading {} ({}) alone has a dead path of its own, so that it tells nothing of the machine: take it again",
+          path.first_reading + 1, named(reading(path.first_reading)));
+      outcome.line.test.provenance.remarks.push_back({false, message});
+      outcome.findings.push_back({true, fmt::format("line {}: {}", in_.line.id, message)});
     }
   }
 

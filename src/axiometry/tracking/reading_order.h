@@ -31,9 +31,10 @@ std::vector<LengthReading> approaches_of(const TrackingPlan& plan);
 Result<std::vector<LengthReading>> assign_in_order(const TrackingPlan& plan, std::span<const OrderedLength> lengths);
 
 /// Fails when lengths change by another factor than distances do (sign reversed, units, another plan), and when from
-/// some reading on they fit the approaches before or after theirs (one reading too few or too many), naming it.
-/// Line and reading are counted in the order given. `in_program_order`: the readings have no label but their order, so
-/// that a single jump by a whole interval of targets is taken for a lost reading and not for a break of the beam.
+/// some reading on they fit the approaches before or after theirs (one reading too few or too many), naming it, be it
+/// for a while only (one too few here, one too many there). Line and reading are counted in the order given.
+/// `in_program_order`: the readings have no label but their order, so that a single jump by a whole interval of targets
+/// is taken for a lost reading and not for a break of the beam.
 Result<void> check_order(const TrackingPlan& plan, std::span<const LengthReading> readings, bool in_program_order);
 
 }  // namespace axiometry::tracking

@@ -63,6 +63,28 @@ TEST(ReadingOrder, FindsWhereAReadingIsTooMany) {
   EXPECT_THAT(fault(plan, more), HasSubstr("from reading 25 on"));
 }
 
+TEST(ReadingOrder, FindsWhereOneWasLostAndAnotherTakenTwice) {
+  const TrackingPlan plan = two_lines();
+  for (const std::size_t lost : {3u, 23u, 44u, 65u})
+    for (const std::size_t twice : {10u, 31u, 54u, 80u, 115u}) {
+      if (twice > lost ? twice < lost + 4 : lost < twice + 4) continue;
+      auto lengths = shown(plan);
+      const auto at = [&](std::size_t k) { return lengths.begin() + static_cast<std::ptrdiff_t>(k); };
+      const OrderedLength again = lengths[twice];
+      if (twice > lost) {
+        lengths.insert(at(twice), again);
+        lengths.erase(at(lost));
+      } else {
+        lengths.erase(at(lost));
+        lengths.insert(at(twice), again);
+      }
+      // Where nearly all that follows is shifted, the loss alone is told.
+      EXPECT_THAT(fault(plan, lengths),
+                  HasSubstr(twice > 100 ? "do not fit the order" : "and others again from reading"))
+          << lost << ' ' << twice;
+    }
+}
+
 TEST(ReadingOrder, LeavesReadingsOutThatWereNotTaken) {
   const TrackingPlan plan = two_lines();
   auto lengths = shown(plan);

@@ -94,6 +94,11 @@ inline constexpr std::string_view none_left = "found no line that can be measure
 ///   are lost.
 Result<TrackingPlan> plan_lines(const TrackingSetup& setup, const LinesRequest& request);
 
+/// The plan of a line that is driven without the others: its ways lead from the upper end of Z above its beginning and
+/// back there, in place of those from and to its neighbours, where the axes do not stand. As it is where no such way is
+/// safe.
+Plan plan_alone(const TrackingSetup& setup, const TrackingLine& line);
+
 /// The usable interval that a line of the seven of a plan lies in; absent for other lines, and where an edited plan
 /// leads along a line that cannot be measured.
 std::optional<UsableInterval> interval_of(const TrackingSetup& setup, const TrackingLine& line);

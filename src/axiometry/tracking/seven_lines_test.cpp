@@ -51,7 +51,11 @@ std::string reason(const LineChoice& choice, std::string_view id) {
   return found == choice.lost.end() ? "" : found->reason;
 }
 const UsableInterval& line(const LineChoice& choice, std::string_view id) {
-  return *std::ranges::find(choice.lines, id, &UsableInterval::id);
+  static const UsableInterval absent{.id = "absent", .direction = {}, .octant = {}, .begin_mm = NAN, .end_mm = NAN};
+  const auto found = std::ranges::find(choice.lines, id, &UsableInterval::id);
+  if (found != choice.lines.end()) return *found;
+  ADD_FAILURE() << "line " << id << " is lost: " << reason(choice, id);
+  return absent;
 }
 
 // The four cases of Fig. 9.
@@ -163,7 +167,10 @@ TEST(SevenLines, AnObstacleBesideTheBeamLeavesTheLongerPiece) {
   EXPECT_NEAR(line(choice, "x").begin_mm, 300 + half, 1e-6);
   EXPECT_NEAR(line(choice, "x").end_mm, 700, 1e-6);
   setup.obstacles = {{"post", CylinderObstacle{{400, 84, -700}, 1, 200}}};  // 3 mm beside: in the beam
-  EXPECT_LT(line(chosen(setup), "x").end_mm, 300);
+  EXPECT_THAT(reason(chosen(setup), "x"), HasSubstr("from least range of the instrument (200.0 mm from the station) to "
+                                                    "post in the way (249.2 mm)"));
+  setup.limits.line_least_mm = 40;
+  EXPECT_NEAR(line(chosen(setup), "x").end_mm, 300 - std::sqrt(51.0 * 51.0 - 4.0 * 4.0), 1e-6);
 }
 
 TEST(SevenLines, IntervalsAgreeWithBruteForce) {
@@ -283,6 +290,30 @@ TEST(SevenLines, MovesFromLineToLineAreSafe) {
     EXPECT_EQ(plan->lines.back().plan.way_out_mm.back().z, 0.0);
     EXPECT_TRUE(check_sound(plan->lines.front().plan));
   }
+}
+
+TEST(SevenLines, ALineAloneIsReachedFromAboveAndLeftThere) {
+  TrackingSetup setup = machine({400, 300, -600});
+  setup.obstacles = {{"vice", BoxObstacle{{350, 30, -700}, {450, 130, -500}}}};
+  const auto plan = plan_lines(setup, {.seed = 1});
+  ASSERT_TRUE(plan) << plan.error().message;
+  for (const TrackingLine& one : plan->lines) {
+    const Plan alone = plan_alone(setup, one);
+    const Vector3 begin = spatial_line(one.plan.axis)->at(reach(one.plan).lowest);
+    ASSERT_FALSE(alone.way_in_mm.empty()) << one.id;
+    EXPECT_EQ(alone.way_in_mm.front(), (Vector3{begin.x, begin.y, 0}));
+    EXPECT_EQ(alone.way_out_mm.back(), (Vector3{begin.x, begin.y, 0}));
+    std::vector<Vector3> stops = alone.way_in_mm;
+    stops.push_back(begin);
+    stops.insert(stops.end(), alone.way_out_mm.begin(), alone.way_out_mm.end());
+    for (std::size_t k = 1; k < stops.size(); ++k)
+      EXPECT_FALSE(blocked_because(setup, stops[k - 1] + setup.tool_offset_mm, stops[k] + setup.tool_offset_mm))
+          << one.id;
+  }
+  // Where there is none, the plan's own way stays.
+  TrackingLine fenced = plan->lines.back();
+  setup.obstacles = {{"roof", BoxObstacle{{-500, -500, -300}, {1500, 1500, -290}}}};
+  EXPECT_EQ(plan_alone(setup, fenced).way_in_mm, fenced.plan.way_in_mm);
 }
 
 TEST(SevenLines, DiagonalsOfTheBoxAreFullTravels) {
