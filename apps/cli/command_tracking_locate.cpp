@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -89,8 +90,13 @@ std::string summary(const app::Located& located, const report::Options& options,
   }
   text += fmt::format("L0  {}{}{}\n\n", mm(refined.L0_mm, options), u_um(refined.L0_variance_mm2, options),
                       location.has_linear() ? mm(location.linear->L0_mm, options) : "");
-  const auto condition = [](double x) {
-    return x < 1e15 ? x < 1e5 ? format_fixed(x, 1) : fmt::format("{:.1e}", x) : std::string("infinite");
+  const auto exponential = [&](double x) {
+    std::string power = fmt::format("{:.1e}", x);
+    std::ranges::replace(power, '.', options.numbers.decimal_mark);
+    return power;
+  };
+  const auto condition = [&](double x) {
+    return x < 1e15 ? x < 1e5 ? format_fixed(x, 1, options.numbers) : exponential(x) : std::string("infinite");
   };
   if (location.linear)
     text += fmt::format(
@@ -98,9 +104,11 @@ std::string summary(const app::Located& located, const report::Options& options,
         location.has_linear()
             ? fmt::format(", misclosure {} mm²", format_fixed(location.linear->misclosure_mm2, 4, options.numbers))
             : std::string(", no station"));
-  text += fmt::format("Refined: condition {}, chi-squared {} with {} degree{} of freedom\n",
-                      condition(refined.condition), format_fixed(refined.chi_squared, 2, options.numbers),
-                      refined.degrees_of_freedom, refined.degrees_of_freedom == 1 ? "" : "s");
+  text +=
+      fmt::format("Refined: condition {}, chi-squared {} with {} degree{} of freedom\n", condition(refined.condition),
+                  refined.chi_squared < 1e5 ? format_fixed(refined.chi_squared, 2, options.numbers)
+                                            : exponential(refined.chi_squared),
+                  refined.degrees_of_freedom, refined.degrees_of_freedom == 1 ? "" : "s");
   if (!location.findings.empty()) text += "\n";
   for (const tracking::Finding& f : location.findings)
     text += (f.serious ? terminal.red(left("serious", 9)) : terminal.faint(left("note", 9))) +

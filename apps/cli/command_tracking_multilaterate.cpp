@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ constexpr const char* examples =
     R"(The columns are point,station,length_mm, where a beam was broken segment, and x_mm,y_mm,z_mm of the
 nominal points here or in --points. Readings of one station stand in the order of measurement. Four
 stations need ten points, five seven, six and more six; up to five must not stand on one plane.
+Exit code 3: the result should not be used as it is, a finding says why.
 Examples:
   axiometry tracking multilaterate ranges.csv --points nominal.csv
   axiometry tracking multilaterate ranges.csv --repeatability 0.5um --out points.csv --report m.pdf
@@ -98,7 +100,10 @@ int run(Arguments& arguments) {
   if (!arguments.outputs.quiet && arguments.outputs.outputs.json != "-")
     fmt::print("{}", document_text(summary_of(document), Terminal(ColourChoice::automatic)));
   const auto written = app::write_outputs(**result, document, arguments.names, arguments.outputs.report);
-  return written ? exit_done : failed(written.error());
+  if (!written) return failed(written.error());
+  return std::ranges::any_of((*result)->fit.findings, [](const tracking::Finding& f) { return f.serious; })
+             ? exit_exceeded
+             : exit_done;
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "axiometry/app/number_list.h"
-#include "axiometry/app/output.h"
 #include "axiometry/app/plan.h"
 #include "axiometry/app/tracking_locate.h"
 #include "axiometry/app/tracking_plan.h"
@@ -189,15 +188,13 @@ void add_programme(CLI::App& verb, Arguments& arguments) {
 
 void add_location(CLI::App& verb, Arguments& arguments) {
   constexpr const char* group = "Station location";
-  CLI::Option* locate =
-      add_count(verb, {"--locate", "N", "Plan N points (6 or more) that find the station well, instead of lines"},
-                [&arguments](unsigned long long n) { arguments.location_points = n; });
-  locate->group(group);
+  add_count(verb, {"--locate", "N", "Plan N points (6 to 50) that find the station well, instead of lines (8)"},
+            [&arguments](unsigned long long n) { arguments.location_points = n; })
+      ->group(group);
   verb.add_option("--points", arguments.points,
                   "Their table to FILE, or to the standard output with -: to be filled in at the machine, and read by "
-                  "`tracking locate`")
+                  "`tracking locate`; --sheet and --out are of these points")
       ->type_name("FILE")
-      ->needs(locate)
       ->group(group);
 }
 
@@ -232,21 +229,18 @@ app::InputFiles inputs_of(const app::SetupRequest& setup) {
   return app::InputFiles(inputs);
 }
 
+constexpr std::size_t usual_points = 8;  // two more than needed: a misread length is then known by its number
+
 int run_location(const Arguments& arguments) {
-  auto mounted = app::mounted_setup(arguments.request);
-  if (!mounted) return failed(mounted.error());
-  const auto planned = app::plan_location_points(mounted->setup, *arguments.location_points);
+  const auto planned = app::plan_location_points(arguments.request, arguments.location_points.value_or(usual_points));
   if (!planned) return failed(planned.error());
   const app::Experiment presented = app::present(*planned, arguments.report);
+  if (!arguments.points.empty())
+    if (auto written = app::write_location_points(*planned, arguments.points); !written) return failed(written.error());
   if (auto written = app::write_outputs(presented, arguments.outputs, arguments.report); !written)
     return failed(written.error());
-  if (!arguments.points.empty())
-    if (auto written = app::write_file(arguments.points, app::location_points_csv(*planned)); !written)
-      return failed(written.error());
-  if (!arguments.quiet && arguments.outputs.json != "-" && arguments.points != "-") {
+  if (!arguments.quiet && arguments.outputs.json != "-" && arguments.points != "-")
     fmt::print("{}", document_text(presented.document, Terminal(ColourChoice::automatic)));
-    for (const std::string& remark : mounted->remarks) fmt::print("{}\n", remark);
-  }
   return exit_done;
 }
 
@@ -256,7 +250,7 @@ int run(Arguments& arguments) {
   if (!arguments.points.empty())
     if (auto spared = arguments.outputs.inputs.check_spared(arguments.points); !spared)
       return failed(spared.error(), exit_usage);
-  if (arguments.location_points) return run_location(arguments);
+  if (arguments.location_points || !arguments.points.empty()) return run_location(arguments);
   tracking::LinesRequest& lines = arguments.request.lines;
   lines.seed = arguments.seed ? *arguments.seed : app::drawn_seed();
   if (lines.date.empty()) lines.date = app::today();

@@ -164,6 +164,13 @@ Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
   return PlannedLines{*std::move(plan), acceleration, duration};
 }
 
+Result<PlannedLocation> plan_location_points(const TrackingPlanRequest& request, std::size_t count) {
+  AXIOMETRY_TRY(const MountedSetup mounted, mounted_setup(request));
+  AXIOMETRY_TRY(PlannedLocation planned, plan_location_points(mounted.setup, count));
+  planned.plan.remarks.insert(planned.plan.remarks.begin(), mounted.remarks.begin(), mounted.remarks.end());
+  return planned;
+}
+
 Result<TrackingPlan> read_tracking_plan_file(const std::string& file) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(file));
   return in_file(formats::read_tracking_plan(bytes), file);

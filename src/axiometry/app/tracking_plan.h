@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "axiometry/app/outputs.h"
+#include "axiometry/app/tracking_locate.h"
 #include "axiometry/app/tracking_text.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/tracking.h"
@@ -61,6 +63,10 @@ struct PlannedLines {
 /// The plan. Where the reflector may be turned, and where a station is to be suggested, remarks say what was found; the
 /// error of a set-up in which no line is left says it as well.
 Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request);
+
+/// Points at which to locate the station of that set-up, its reflector turned as plan_tracking() would turn it, so that
+/// one mounting serves both. Fails as setup_of() and tracking::plan_location() do.
+Result<PlannedLocation> plan_location_points(const TrackingPlanRequest& request, std::size_t count);
 
 /// A tracking plan from a file ("-" is the standard input). Fails with the file's name.
 Result<TrackingPlan> read_tracking_plan_file(const std::string& file);

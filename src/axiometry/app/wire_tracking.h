@@ -6,7 +6,8 @@
 #include "axiometry/app/tracking_locate.h"
 #include "axiometry/base/json.h"
 
-/// Results of station locations as machines read them; docs/howto/find-the-station.md tells their members.
+/// Results of station locations as machines read them, and what results of tracking tests have in common;
+/// docs/howto/find-the-station.md tells their members.
 namespace axiometry::app {
 
 json::Value to_json(const Located& located);

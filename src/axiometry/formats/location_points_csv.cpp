@@ -31,6 +31,7 @@ struct Columns {
   std::size_t count = 0;
   std::size_t needed = 0;  ///< up to the last one that is read
   std::size_t line = 0;
+  bool has_axes = false;
   char delimiter = ',';
   std::vector<std::string> passed_over;
 };
@@ -45,7 +46,9 @@ Result<Columns> columns_of(std::string_view text, std::size_t line) {
     const TableHead named = table_head(heads[k].text);
     const auto role = role_of(named.name);
     if (!role) {
-      if (!heads[k].text.empty()) columns.passed_over.push_back(heads[k].text);
+      const bool is_axis = named.name == "axes x" || named.name == "axes y" || named.name == "axes z";
+      columns.has_axes = columns.has_axes || is_axis;
+      if (!heads[k].text.empty() && !is_axis && named.name != "point") columns.passed_over.push_back(heads[k].text);
       continue;
     }
     if (columns.at[*role])
@@ -88,6 +91,7 @@ Result<LocationPointsFile> read_location_points(std::string_view bytes) {
     if (!columns) {
       AXIOMETRY_TRY(columns, columns_of(line.text, line.number));
       numbers.emplace(columns->delimiter);
+      file.has_axes = columns->has_axes;
       if (!columns->passed_over.empty()) file.remarks.push_back(passed_over(columns->passed_over));
       return {};
     }

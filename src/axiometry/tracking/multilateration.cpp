@@ -22,6 +22,7 @@ class Multilateration {
   explicit Multilateration(const RangeInput& input)
       : in_(input),
         free_(input.options.scale == ScaleModel::free),
+        unknown_scales_(free_ && !(input.options.scale_prior > 0.0)),
         with_size_(input.options.scale != ScaleModel::fixed && !(input.options.scale_prior > 0.0)) {}
 
   Result<MultilaterationFit> carry_out() {
@@ -102,7 +103,7 @@ class Multilateration {
     weakest_station_ = rank.weakest_station;
     // The height over the common plane is what makes the stations' system regular; when it is known no better than
     // itself it may as well be 0.
-    const std::size_t open = coplanar_null_directions(in_.stations, free_);
+    const std::size_t open = coplanar_null_directions(in_.stations, unknown_scales_);
     fit_.rank.stations_coplanar =
         open > 0 && (spread.off_plane_mm <= 2.0 * fit_.rank.weakest_mm ||
                      (rank.null_directions > 0 && spread.off_plane_mm < 1e-3 * spread.off_line_mm));
@@ -116,7 +117,7 @@ class Multilateration {
       return fail(
           fmt::format("found {} stations on one plane within {:.2g} mm, expected one well off it or {} stations: "
                       "{} direction{} stay{} undetermined beyond position and orientation",
-                      in_.stations, spread.off_plane_mm, free_ ? 8 : 6, fit_.rank.null_directions,
+                      in_.stations, spread.off_plane_mm, unknown_scales_ ? 8 : 6, fit_.rank.null_directions,
                       fit_.rank.null_directions == 1 ? "" : "s", fit_.rank.null_directions == 1 ? "s" : ""));
     if (system.weak_points > 0)
       return fail(fmt::format(
@@ -258,7 +259,8 @@ class Multilateration {
 
   const RangeInput& in_;
   bool free_;
-  bool with_size_;  // whether nothing tells the size, so that it is taken from the nominal points
+  bool unknown_scales_;  // a prior tells as much as six coplanar stations lack, how well is a matter of covariances
+  bool with_size_;       // whether nothing tells the size, so that it is taken from the nominal points
   Vector3 centre_{};
   std::vector<Vector3> nominal_;  // about centre_
   RangeStarts starts_;

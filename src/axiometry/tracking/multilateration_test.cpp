@@ -220,6 +220,18 @@ TEST(Multilateration, names_coplanar_stations_and_what_they_leave_open) {
     }
   }
   EXPECT_TRUE(solve(make_truth({.stations = 6, .sigma_mm = 1e-4, .coplanar = true})));
+  // Scales that are known a little leave coplanar stations no more open than known ones.
+  auto options = with_sigma(1e-4);
+  options.scale = ScaleModel::free;
+  const Truth six = make_truth({.stations = 6, .sigma_mm = 1e-4, .coplanar = true, .scale_sigma = 3e-7});
+  EXPECT_FALSE(solve(six, options));
+  options.scale_prior = 3e-7;
+  const auto fit = solve(six, options);
+  ASSERT_TRUE(fit) << error_of(fit);
+  EXPECT_FALSE(fit->rank.stations_coplanar);
+  EXPECT_LT(shape_difference(fit->points_mm, six.points), 0.05);  // they see little across their plane
+  const Truth four = make_truth({.stations = 4, .sigma_mm = 1e-4, .coplanar = true, .scale_sigma = 3e-7});
+  EXPECT_THAT(error_of(solve(four, options)), HasSubstr("expected one well off it or 6 stations"));
 }
 
 TEST(Multilateration, counts_the_least_points_as_the_numerical_rank_does) {

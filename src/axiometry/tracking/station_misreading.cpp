@@ -102,12 +102,16 @@ void add_misreading_findings(std::span<const LocationPoint> points, const Statio
       all, [](const Hypothesis& a, const Hypothesis& b) { return a.minimum.chi_squared < b.minimum.chi_squared; });
   const Hypothesis& best = all.front();
   std::string message = fmt::format("{} would explain the residuals, chi-squared falling from {} to {}", words(best),
-                                    format_fixed(fit.chi_squared, 1), format_fixed(best.minimum.chi_squared, 1));
+                                    shown_chi_squared(fit.chi_squared), shown_chi_squared(best.minimum.chi_squared));
   for (std::size_t k = 1; k < std::min<std::size_t>(all.size(), 3); ++k)
     message += fmt::format("{} {}", k == 1 ? "; so would" : " or", words(all[k]));
   message += fmt::format("; without it the station would be {}", shown_point(best.minimum.station_mm));
-  if (fit.degrees_of_freedom == 2) message += "; this rests on one redundant length, measure more points";
-  findings.push_back({std::abs(best.minimum.step_mm) > 0.02, std::move(message)});
+  // One redundant length is explained by one of a dozen hypotheses often enough by chance: what a machine may err by
+  // speaks for the machine.
+  const bool one_check = fit.degrees_of_freedom == 2;
+  if (one_check) message += "; this rests on one redundant length, measure more points";
+  const bool by_machine = one_check && machine_error_mm(fit) < usual_machine_error_mm;
+  findings.push_back({std::abs(best.minimum.step_mm) > 0.02 && !by_machine, std::move(message)});
 }
 
 }  // namespace axiometry::tracking
