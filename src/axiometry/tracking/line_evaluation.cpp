@@ -16,7 +16,6 @@
 #include "axiometry/base/text.h"
 #include "axiometry/tracking/one_line.h"
 #include "axiometry/tracking/reading_order.h"
-
 #include "axiometry/tracking/seven_lines.h"
 
 namespace axiometry::tracking {
