@@ -160,11 +160,11 @@ def check(program, rng, index, folder):
         truth = direction @ machine.D @ direction * 1e6
         within = 1.0 + 5 * machine.noise * 1e9 / (np.ptp(targets) * math.sqrt(len(targets) * p["runs"])) / 1000
         if abs(line["slope"]["um_per_m"] - truth) > within:
-            raise SystemExit(f"case {index}, {line['id']}: slope found {line['slope_um_per_m']}, expected {truth}")
+            raise SystemExit(f"case {index}, {line['id']}: slope found {line['slope']['um_per_m']}, expected {truth}")
     if expected:
         raise SystemExit(f"case {index}: no result for {list(expected)}")
     if len(answer["lines"]) == 7 and machine.noise == 0.0:
-        found = {term["id"]: term.get("um_per_m") for term in answer["squareness"]["terms"]}
+        found = {term["id"]: term["um_per_m"] for term in answer["squareness"]["terms"]}
         for key, value in machine.truth.items():
             if found[key] is None or abs(found[key] - value * 1e6) > 1.5:
                 raise SystemExit(f"case {index}: {key} found {found[key]}, expected {value * 1e6}")

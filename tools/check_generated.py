@@ -11,6 +11,7 @@ GENERATED = {
     "schema/axiometry-test.schema.json": ["schema"],
     "schema/axiometry-import-profile.schema.json": ["schema", "import-profile"],
     "schema/axiometry-plan.schema.json": ["schema", "plan"],
+    "schema/axiometry-station.schema.json": ["schema", "station"],
     "schema/axiometry-tracking-plan.schema.json": ["schema", "tracking-plan"],
 }
 

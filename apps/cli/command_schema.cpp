@@ -11,6 +11,7 @@
 #include "axiometry/base/json.h"
 #include "axiometry/formats/import_profile.h"
 #include "axiometry/formats/plan_json.h"
+#include "axiometry/formats/station_json.h"
 #include "axiometry/formats/test_schema.h"
 #include "axiometry/formats/tracking_plan_json.h"
 #include "commands.h"
@@ -26,6 +27,7 @@ struct Schema {
 constexpr Schema schemas[] = {
     {"test", formats::test_schema},
     {"plan", [] { return json::dump(formats::plan_schema()) + "\n"; }},
+    {"station", [] { return json::dump(formats::station_schema()) + "\n"; }},
     {"tracking-plan", [] { return json::dump(formats::tracking_plan_schema()) + "\n"; }},
     {"import-profile", formats::profile_schema},
 };

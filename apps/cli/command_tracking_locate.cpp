@@ -2,21 +2,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
 
-#include "axiometry/app/amount_text.h"
 #include "axiometry/app/number_list.h"
 #include "axiometry/app/tracking_locate.h"
 #include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
 #include "axiometry/report/utf8.h"
 #include "command_tracking.h"
 #include "commands.h"
 #include "experiment_flags.h"
 #include "failure.h"
 #include "option_text.h"
+#include "ranging_flag.h"
 #include "terminal.h"
 
 namespace axiometry::cli {
@@ -35,12 +35,6 @@ struct Arguments {
   ExperimentArguments outputs;
 };
 
-Result<double> um_of(const std::string& text) {
-  AXIOMETRY_TRY(const Deviation x, app::parse_deviation(text, AxisKind::linear));
-  if (!(x.in_native() >= 0.0)) return fail(fmt::format("found {}, expected 0 or more", text::quoted(text)));
-  return x.in_native();
-}
-
 void add_request(CLI::App& verb, app::LocateRequest& request) {
   verb.add_option("FILE", request.file, "Points with the lengths measured there, or - for the standard input")
       ->required();
@@ -58,23 +52,13 @@ void add_request(CLI::App& verb, app::LocateRequest& request) {
            })
       ->group(group);
   constexpr const char* weights = "Uncertainties";
-  add_read(verb, {"--ranging-constant", "LENGTH", "a of the instrument's U = a + b L, k = 2 (0.2um)"},
-           [&request](const std::string& text) -> Result<void> {
-             AXIOMETRY_TRY(const double um, um_of(text));
-             request.options.ranging.constant = Length::um(um);
-             return {};
-           })
-      ->group(weights);
-  add_read(verb, {"--ranging-slope", "SLOPE", "b of it (0.3um/m)"},
-           [&request](const std::string& text) -> Result<void> {
-             AXIOMETRY_TRY(request.options.ranging.per_length, app::parse_slope(text, AxisKind::linear));
-             return {};
-           })
-      ->group(weights);
+  add_ranging(verb, [&request](const RangingUncertainty& ranging) {
+    request.options.ranging = ranging;
+  })->group(weights);
   add_read(verb, {"--machine-sigma", "LENGTH", "Standard uncertainty of the machine's points, per axis (0um)"},
            [&request](const std::string& text) -> Result<void> {
-             AXIOMETRY_TRY(const double um, um_of(text));
-             request.options.machine_sigma_mm = um / 1000.0;
+             AXIOMETRY_TRY(const Length sigma, sigma_of(text));
+             request.options.machine_sigma_mm = sigma.in_mm();
              return {};
            })
       ->group(weights);
@@ -106,8 +90,13 @@ std::string summary(const app::Located& located, const report::Options& options,
   }
   text += fmt::format("L0  {}{}{}\n\n", mm(refined.L0_mm, options), u_um(refined.L0_variance_mm2, options),
                       location.has_linear() ? mm(location.linear->L0_mm, options) : "");
-  const auto condition = [](double x) {
-    return x < 1e15 ? x < 1e5 ? format_fixed(x, 1) : fmt::format("{:.1e}", x) : std::string("infinite");
+  const auto exponential = [&](double x) {
+    std::string power = fmt::format("{:.1e}", x);
+    std::ranges::replace(power, '.', options.numbers.decimal_mark);
+    return power;
+  };
+  const auto condition = [&](double x) {
+    return x < 1e15 ? x < 1e5 ? format_fixed(x, 1, options.numbers) : exponential(x) : std::string("infinite");
   };
   if (location.linear)
     text += fmt::format(
@@ -115,9 +104,11 @@ std::string summary(const app::Located& located, const report::Options& options,
         location.has_linear()
             ? fmt::format(", misclosure {} mm²", format_fixed(location.linear->misclosure_mm2, 4, options.numbers))
             : std::string(", no station"));
-  text += fmt::format("Refined: condition {}, chi-squared {} with {} degree{} of freedom\n",
-                      condition(refined.condition), format_fixed(refined.chi_squared, 2, options.numbers),
-                      refined.degrees_of_freedom, refined.degrees_of_freedom == 1 ? "" : "s");
+  text +=
+      fmt::format("Refined: condition {}, chi-squared {} with {} degree{} of freedom\n", condition(refined.condition),
+                  refined.chi_squared < 1e5 ? format_fixed(refined.chi_squared, 2, options.numbers)
+                                            : exponential(refined.chi_squared),
+                  refined.degrees_of_freedom, refined.degrees_of_freedom == 1 ? "" : "s");
   if (!location.findings.empty()) text += "\n";
   for (const tracking::Finding& f : location.findings)
     text += (f.serious ? terminal.red(left("serious", 9)) : terminal.faint(left("note", 9))) +

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,17 +15,19 @@
 #include "experiment_flags.h"
 #include "failure.h"
 #include "option_text.h"
+#include "ranging_flag.h"
 
 namespace axiometry::cli {
 namespace {
 
 constexpr const char* examples =
-    R"(The columns are point,station,length_mm, where a beam was broken segment, and x_mm,y_mm,z_mm of the nominal
-points here or in --points. Readings of one station stand in the order of measurement. Four stations need ten points,
-five seven, six and more six; up to five must not stand on one plane.
+    R"(The columns are point,station,length_mm, where a beam was broken segment, and x_mm,y_mm,z_mm of the
+nominal points here or in --points. Readings of one station stand in the order of measurement. Four
+stations need ten points, five seven, six and more six; up to five must not stand on one plane.
+Exit code 3: the result should not be used as it is, a finding says why.
 Examples:
   axiometry tracking multilaterate ranges.csv --points nominal.csv
-  axiometry tracking multilaterate ranges.csv --repeatability 0.5 --out points.csv --report m.pdf
+  axiometry tracking multilaterate ranges.csv --repeatability 0.5um --out points.csv --report m.pdf
   axiometry tracking multilaterate ranges.csv --scale free --scale-prior 0.1 --json -)";
 
 struct Arguments {
@@ -42,16 +45,6 @@ Result<ScaleModel> scale_of(const std::string& word) {
   return fail(fmt::format("found {}, expected fixed, common or free", text::quoted(word)));
 }
 
-/// A number of 0 or more, or above it.
-void add_bounded(CLI::App& verb, const OptionText& text, bool zero_allowed, std::function<void(double)> put) {
-  add_number(verb, text, [name = text.name, zero_allowed, put = std::move(put)](double x) {
-    if (x < 0.0 || (!zero_allowed && x == 0.0))
-      throw CLI::ValidationError(
-          name, fmt::format("found {}, expected {}", x, zero_allowed ? "0 or more" : "a number above 0"));
-    put(x);
-  })->group("Model");
-}
-
 void add_model(CLI::App& verb, tracking::MultilaterationOptions& options) {
   add_read(verb, {"--scale", "MODEL", "Scale of the lengths: fixed, common (one unknown) or free (one each) (fixed)"},
            [&options](const std::string& word) -> Result<void> {
@@ -59,15 +52,22 @@ void add_model(CLI::App& verb, tracking::MultilaterationOptions& options) {
              return {};
            })
       ->group("Model");
-  add_bounded(verb, {"--scale-prior", "PPM", "Standard uncertainty of an unknown scale about 1, in 10⁻⁶ (none)"}, false,
-              [&options](double ppm) { options.scale_prior = 1e-6 * ppm; });
-  add_bounded(verb, {"--ranging-constant", "UM", "a of U = a + b·L of the instrument (k = 2), µm (0.2)"}, true,
-              [&options](double um) { options.ranging.constant = Length::um(um); });
-  add_bounded(verb, {"--ranging-per-length", "UM_PER_M", "b of it, µm/m (0.3)"}, true,
-              [&options](double b) { options.ranging.per_length = RelativeLength::um_per_m(b); });
-  add_bounded(verb,
-              {"--repeatability", "UM", "Standard uncertainty of the machine between stations along a beam, µm (0)"},
-              true, [&options](double um) { options.repeatability_sigma_mm = 1e-3 * um; });
+  add_number(verb, {"--scale-prior", "PPM", "Standard uncertainty of an unknown scale about 1, in 10⁻⁶ (none)"},
+             [&options](double ppm) {
+               if (!(ppm > 0.0))
+                 throw CLI::ValidationError("--scale-prior", fmt::format("found {}, expected a number above 0", ppm));
+               options.scale_prior = 1e-6 * ppm;
+             })
+      ->group("Model");
+  add_ranging(verb, [&options](const RangingUncertainty& ranging) { options.ranging = ranging; })->group("Model");
+  add_read(verb,
+           {"--repeatability", "LENGTH", "Standard uncertainty of the machine between stations along a beam (0um)"},
+           [&options](const std::string& text) -> Result<void> {
+             AXIOMETRY_TRY(const Length sigma, sigma_of(text));
+             options.repeatability_sigma_mm = sigma.in_mm();
+             return {};
+           })
+      ->group("Model");
   verb.add_flag_callback(
           "--no-breaks", [&options] { options.find_breaks = false; },
           "Do not look for breaks of the beam that the file does not state")
@@ -91,13 +91,19 @@ int run(Arguments& arguments) {
   arguments.names.outputs.inputs = app::InputFiles(inputs);
   if (auto spared = app::check_inputs_spared(arguments.names.outputs); !spared)
     return failed(spared.error(), exit_usage);
+  for (const std::string& file : {arguments.names.points, arguments.names.residuals})
+    if (auto spared = arguments.names.outputs.inputs.check_spared(file); !file.empty() && !spared)
+      return failed(spared.error(), exit_usage);
   const auto result = app::multilaterate_files(arguments.request);
   if (!result) return failed(result.error());
   const report::Document document = app::compose(**result, arguments.outputs.report);
   if (!arguments.outputs.quiet && arguments.outputs.outputs.json != "-")
     fmt::print("{}", document_text(summary_of(document), Terminal(ColourChoice::automatic)));
   const auto written = app::write_outputs(**result, document, arguments.names, arguments.outputs.report);
-  return written ? exit_done : failed(written.error());
+  if (!written) return failed(written.error());
+  return std::ranges::any_of((*result)->fit.findings, [](const tracking::Finding& f) { return f.serious; })
+             ? exit_exceeded
+             : exit_done;
 }
 
 }  // namespace
@@ -124,7 +130,7 @@ void add_tracking_multilaterate(CLI::App& tracking, int& exit_code) {
     if (options.scale == ScaleModel::fixed && options.scale_prior > 0.0)
       throw CLI::ValidationError("--scale-prior", "found it with a fixed scale, expected --scale common or free");
     if (!(options.ranging.standard_mm(1000.0) > 0.0) && options.repeatability_sigma_mm == 0.0)
-      throw CLI::ValidationError("--ranging-constant", "found an uncertainty of 0, expected one above 0 to weigh by");
+      throw CLI::ValidationError("--ranging", "found an uncertainty of 0, expected one above 0 to weigh by");
     exit_code = run(*arguments);
   });
 }

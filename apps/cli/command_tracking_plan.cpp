@@ -8,12 +8,15 @@
 
 #include "axiometry/app/number_list.h"
 #include "axiometry/app/plan.h"
+#include "axiometry/app/tracking_locate.h"
 #include "axiometry/app/tracking_plan.h"
 #include "axiometry/base/text.h"
 #include "command_tracking.h"
 #include "commands.h"
+#include "document_text.h"
 #include "failure.h"
 #include "option_text.h"
+#include "ranging_flag.h"
 #include "tracking_plan_summary.h"
 
 namespace axiometry::cli {
@@ -26,6 +29,8 @@ Examples:
   axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station 100,80,-600 --out lines.json
   axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station station.json \
       --obstacle vice=box:450,130,-700:550,230,-520 --period 10 --sheet lines.pdf --out lines.json
+  axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --station 100,80,-600 \
+      --locate 6 --points points.csv
   axiometry tracking plan --setup lines.json --station 400,-20,-600 --suggest --out other.json
   axiometry tracking plan --setup lines.json --lines x,y,xy --rule corner --out three.json
   axiometry tracking plan --setup lines.json --diagonals body --out diagonals.json)";
@@ -33,6 +38,8 @@ Examples:
 struct Arguments {
   app::TrackingPlanRequest request;
   std::optional<std::uint64_t> seed;
+  std::optional<std::size_t> location_points;  ///< how many to plan, instead of lines
+  std::string points;                          ///< file of their table
   app::OutputNames outputs;
   report::Options report;
   bool quiet = false;
@@ -108,9 +115,7 @@ void add_limits(CLI::App& verb, Arguments& arguments) {
   add_number(verb, {"--min-length", "MM", "A shorter line is lost (100)"}, [&setup](double x) {
     setup.line_least_mm = x;
   })->group(group);
-  add_read(verb, {"--ranging", "U", "Expanded uncertainty of lengths (0.2um+0.3um/m)"},
-           into(setup.ranging, app::parse_ranging))
-      ->group(group);
+  add_ranging(verb, [&setup](const RangingUncertainty& ranging) { setup.ranging = ranging; })->group(group);
 }
 
 /// "x,y,NNN-PPP", appended: --lines and --diagonals may both be given.
@@ -181,6 +186,18 @@ void add_programme(CLI::App& verb, Arguments& arguments) {
   for (CLI::Option* option : options) option->group("Programme");
 }
 
+void add_location(CLI::App& verb, Arguments& arguments) {
+  constexpr const char* group = "Station location";
+  add_count(verb, {"--locate", "N", "Plan N points (6 to 50) that find the station well, instead of lines (8)"},
+            [&arguments](unsigned long long n) { arguments.location_points = n; })
+      ->group(group);
+  verb.add_option("--points", arguments.points,
+                  "Their table to FILE, or to the standard output with -: to be filled in at the machine, and read by "
+                  "`tracking locate`; --sheet and --out are of these points")
+      ->type_name("FILE")
+      ->group(group);
+}
+
 void add_outputs(CLI::App& verb, Arguments& arguments) {
   constexpr const char* group = "Outputs";
   verb.add_option("--out,--json", arguments.outputs.json, "The plan as JSON to FILE, or to the standard output with -")
@@ -212,9 +229,28 @@ app::InputFiles inputs_of(const app::SetupRequest& setup) {
   return app::InputFiles(inputs);
 }
 
+constexpr std::size_t usual_points = 8;  // two more than needed: a misread length is then known by its number
+
+int run_location(const Arguments& arguments) {
+  const auto planned = app::plan_location_points(arguments.request, arguments.location_points.value_or(usual_points));
+  if (!planned) return failed(planned.error());
+  const app::Experiment presented = app::present(*planned, arguments.report);
+  if (!arguments.points.empty())
+    if (auto written = app::write_location_points(*planned, arguments.points); !written) return failed(written.error());
+  if (auto written = app::write_outputs(presented, arguments.outputs, arguments.report); !written)
+    return failed(written.error());
+  if (!arguments.quiet && arguments.outputs.json != "-" && arguments.points != "-")
+    fmt::print("{}", document_text(presented.document, Terminal(ColourChoice::automatic)));
+  return exit_done;
+}
+
 int run(Arguments& arguments) {
   arguments.outputs.inputs = inputs_of(arguments.request.setup);
   if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) return failed(spared.error(), exit_usage);
+  if (!arguments.points.empty())
+    if (auto spared = arguments.outputs.inputs.check_spared(arguments.points); !spared)
+      return failed(spared.error(), exit_usage);
+  if (arguments.location_points || !arguments.points.empty()) return run_location(arguments);
   tracking::LinesRequest& lines = arguments.request.lines;
   lines.seed = arguments.seed ? *arguments.seed : app::drawn_seed();
   if (lines.date.empty()) lines.date = app::today();
@@ -237,6 +273,7 @@ void add_tracking_plan(CLI::App& tracking, int& exit_code) {
   add_limits(*verb, *arguments);
   add_lines(*verb, *arguments);
   add_programme(*verb, *arguments);
+  add_location(*verb, *arguments);
   add_outputs(*verb, *arguments);
   verb->callback([arguments, &exit_code] {
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)

@@ -5,22 +5,18 @@
 
 #include "axiometry/app/wire.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/formats/json_members.h"
 
 namespace axiometry::app::lee {
 namespace {
 
+using formats::vector_value;
 using json::Value;
 using report::Align;
 using report::plain;
 using report::Tone;
 
 constexpr std::string_view paper = "Lee et al., Sensors 16 (2016) 482, {}";
-
-Value vector_value(Vector3 v) {
-  Value array = Value::array();
-  for (std::size_t k = 0; k < 3; ++k) array.push(v[k]);
-  return array;
-}
 
 Value points_value(const std::vector<Vector3>& points) {
   Value array = Value::array();

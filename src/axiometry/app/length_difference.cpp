@@ -8,11 +8,13 @@
 
 #include "axiometry/app/wire.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/formats/json_members.h"
 #include "axiometry/report/figures/length_difference.h"
 
 namespace axiometry::app {
 namespace {
 
+using formats::vector_value;
 using json::Value;
 using report::Align;
 using report::plain;
@@ -24,8 +26,6 @@ Value numbers(const std::vector<double>& list) {
   for (const double x : list) array.push(x);
   return array;
 }
-
-Value vector_value(Vector3 v) { return numbers({v.x, v.y, v.z}); }
 
 std::vector<double> degrees(const LengthDifferenceLine& line) {
   std::vector<double> list;

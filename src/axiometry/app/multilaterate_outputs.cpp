@@ -7,22 +7,18 @@
 #include "axiometry/app/multilaterate.h"
 #include "axiometry/app/output.h"
 #include "axiometry/app/wire.h"
+#include "axiometry/app/wire_tracking.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/json_members.h"
 #include "axiometry/report/writer.h"
 
 namespace axiometry::app {
 namespace {
 
+using formats::matrix_value;
+using formats::vector_value;
 using json::Value;
-
-Value vector_value(Vector3 v) { return Value::array({v.x, v.y, v.z}); }
-
-Value matrix_value(const Matrix3& m) {
-  Value rows = Value::array();
-  for (const auto& row : m) rows.push(Value::array({row[0], row[1], row[2]}));
-  return rows;
-}
 
 std::string_view scale_name(tracking::ScaleModel scale) {
   switch (scale) {
@@ -58,8 +54,8 @@ Value stations_value(const Multilaterated& r) {
   for (std::size_t j = 0; j < r.ranges.stations.size(); ++j) {
     Value& station = list.push(Value::object());
     station.add("name", r.ranges.stations[j]);
-    station.add("position_mm", vector_value(r.fit.stations_mm[j]));
-    station.add("covariance_mm2", matrix_value(r.fit.station_covariances_mm2[j]));
+    station.add("position_mm", vector_to_json(r.fit.stations_mm[j]));
+    station.add("covariance_mm2", matrix_to_json(r.fit.station_covariances_mm2[j]));
     Value& dead = station.add("dead_paths", Value::array());
     for (std::size_t k = 0; k < r.fit.dead_paths_mm[j].size(); ++k) {
       Value& path = dead.push(Value::object());
@@ -86,22 +82,12 @@ Value breaks_value(const Multilaterated& r) {
   return list;
 }
 
-Value findings_value(const Multilaterated& r) {
-  Value list = Value::array();
-  for (const auto& f : r.fit.findings) {
-    Value& item = list.push(Value::object());
-    item.add("serious", f.serious);
-    item.add("message", f.message);
-  }
-  return list;
-}
-
 Value point_value(const Multilaterated& r, std::size_t i) {
   Value point = Value::object();
   point.add("name", r.ranges.points[i]);
-  point.add("position_mm", vector_value(r.fit.points_mm[i]));
-  point.add("deviation_um", vector_value(1000.0 * (r.fit.points_mm[i] - r.ranges.nominal_mm[i])));
-  if (!r.fit.point_covariances_mm2.empty()) point.add("covariance_mm2", matrix_value(r.fit.point_covariances_mm2[i]));
+  point.add("position_mm", vector_to_json(r.fit.points_mm[i]));
+  point.add("deviation_um", vector_to_json(1000.0 * (r.fit.points_mm[i] - r.ranges.nominal_mm[i])));
+  if (!r.fit.point_covariances_mm2.empty()) point.add("covariance_mm2", matrix_to_json(r.fit.point_covariances_mm2[i]));
   return point;
 }
 
@@ -118,7 +104,7 @@ Value head_value(const Multilaterated& r) {
   object.add("rank", rank_value(r.fit.rank));
   object.add("stations", stations_value(r));
   object.add("breaks", breaks_value(r));
-  object.add("findings", findings_value(r));
+  object.add("findings", tracking_findings_to_json(r.fit.findings));
   Value& remarks = object.add("remarks", Value::array());
   for (const std::string& remark : r.ranges.remarks) remarks.push(remark);
   Provenance source;

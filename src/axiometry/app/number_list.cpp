@@ -84,8 +84,8 @@ Result<std::vector<double>> parse_distances(std::string_view text) {
   if (going_on) return fail(fmt::format("found {}, expected a number after …", text::quoted(text)));
   if (list.size() > most) return fail(fmt::format("found {} distances, expected at most {}", list.size(), most));
   for (std::size_t k = 0; k < list.size(); ++k) {
-    if (!(list[k] > 0.0) || list[k] > 1e9)
-      return fail(fmt::format("found a distance of {:g} mm, expected above 0 and up to 1e9 mm", list[k]));
+    if (!(list[k] >= 1e-6) || list[k] > 1e9)
+      return fail(fmt::format("found a distance of {:g} mm, expected 1e-6 mm to 1e9 mm", list[k]));
     if (k > 0 && list[k] <= list[k - 1])
       return fail(fmt::format("found {:g} mm after {:g} mm, expected ascending distances", list[k], list[k - 1]));
   }

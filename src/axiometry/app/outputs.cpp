@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "axiometry/app/file_name_part.h"
 #include "axiometry/app/wire.h"
 #include "axiometry/base/text.h"
 
@@ -29,9 +30,7 @@ std::string report_name(const Evaluated& evaluated) {
   const std::string& file = evaluated.test.provenance.file;
   std::string name = file == "-" ? "stdin" : std::filesystem::path(file).stem().string();
   if (!evaluated.name.empty()) name += "-" + evaluated.name;
-  std::ranges::replace_if(
-      name, [](unsigned char c) { return c == '/' || c < 0x20; }, '_');
-  return name;
+  return file_name_part(std::move(name));
 }
 
 Result<void> write_report(const Evaluated& evaluated, const std::string& file, const report::Options& options) {

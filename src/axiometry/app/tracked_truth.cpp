@@ -5,18 +5,14 @@
 
 #include "axiometry/app/wire.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/formats/json_members.h"
 
 namespace axiometry::app {
 namespace {
 
+using formats::vector_value;
 using json::Value;
 using simulation::TrueLength;
-
-Value vector_value(Vector3 v) {
-  Value array = Value::array();
-  for (std::size_t k = 0; k < 3; ++k) array.push(v[k]);
-  return array;
-}
 
 Value vectors_value(std::span<const Vector3> vectors) {
   Value array = Value::array();

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "axiometry/app/convert.h"
+#include "axiometry/app/file_name_part.h"
 #include "axiometry/app/output.h"
 #include "axiometry/app/source.h"
 #include "axiometry/app/whole_file.h"
@@ -20,6 +22,7 @@
 #include "axiometry/report/tracking.h"
 #include "axiometry/report/writer.h"
 #include "axiometry/tracking/reading_order.h"
+#include "axiometry/tracking/seven_lines.h"
 
 namespace axiometry::app {
 namespace {
@@ -131,6 +134,15 @@ Result<void> write_report(const report::Document& document, const std::string& f
   return write_file(file, *bytes);
 }
 
+/// The lines as people look for them: x, y, z, xy, … and diagonals of the box behind; a plan has them as they are
+/// driven.
+TrackingPlan in_reading_order(TrackingPlan plan) {
+  std::ranges::stable_sort(plan.lines, {}, [](const TrackingLine& line) {
+    return std::ranges::find(tracking::seven_lines, std::string_view(line.id)) - tracking::seven_lines.begin();
+  });
+  return plan;
+}
+
 }  // namespace
 
 Result<void> add_tolerance(const std::string& text, TrackingEvaluateOptions& options) {
@@ -167,8 +179,9 @@ Result<EvaluatedLines> evaluate_tracking(const std::string& lengths, const Track
   of_lines.in_program_order = read.in_program_order;
   of_lines.times_s = std::move(readings.times_s);
   std::vector<tracking::Finding> before = std::move(evaluated.evaluation.findings);
-  AXIOMETRY_TRY(evaluated.evaluation,
-                in_file(tracking::evaluate_lines(evaluated.plan, readings.readings, of_lines), lengths));
+  AXIOMETRY_TRY(
+      evaluated.evaluation,
+      in_file(tracking::evaluate_lines(in_reading_order(evaluated.plan), readings.readings, of_lines), lengths));
   auto& findings = evaluated.evaluation.findings;
   findings.insert(findings.begin(), before.begin(), before.end());
   note_provenance(evaluated, read);
@@ -198,9 +211,13 @@ Result<void> save_tests(const EvaluatedLines& evaluated, const std::string& name
     return fail(fmt::format("found the name {} for the tests of all lines, expected one with {} for that of the line",
                             text::quoted(name), name_mark));
   AXIOMETRY_TRY(const formats::Format* format, format_to_write("", name));
+  std::map<std::string, std::string> taken;
   for (const Evaluated& e : evaluated.tests) {
     std::string file = name;
-    file.replace(mark, name_mark.size(), e.name);
+    file.replace(mark, name_mark.size(), file_name_part(e.name));
+    if (const auto [other, is_new] = taken.emplace(file, e.name); !is_new)
+      return fail(fmt::format("found the lines {} and {} with the same file {}, expected different ones",
+                              text::quoted(other->second), text::quoted(e.name), text::quoted(file)));
     AXIOMETRY_TRY_VOID(inputs.check_spared(file));
     Test test = e.test;
     test.provenance.file = base_name(test.provenance.file);

@@ -3,17 +3,18 @@
 
 #include "axiometry/app/tracking_evaluate.h"
 #include "axiometry/app/wire.h"
+#include "axiometry/app/wire_tracking.h"
 #include "axiometry/app/wire_uncertainty.h"
+#include "axiometry/formats/json_members.h"
 #include "axiometry/formats/tracking_plan_json.h"
 
 namespace axiometry::app {
 namespace {
 
+using formats::vector_value;
 using json::Value;
 
 Value finite_or_null(double x) { return std::isfinite(x) ? Value(x) : Value(); }
-
-Value vector_to_json(Vector3 v) { return Value::array({v.x, v.y, v.z}); }
 
 /// Null when nothing is known about the station.
 Value length_difference_to_json(const tracking::EvaluatedLine& line) {
@@ -56,7 +57,7 @@ Value line_to_json(const tracking::EvaluatedLine& line, const Evaluated& test) {
   object.add("id", line.id);
   object.add("standard", is_diagonal(metadata.axis) ? iso230_6::edition : iso230_2::edition);
   const auto spatial = spatial_line(metadata.axis);
-  object.add("direction", spatial ? vector_to_json(spatial->direction) : Value());
+  object.add("direction", spatial ? vector_value(spatial->direction) : Value());
   Value& slope = object.add("slope", Value::object());
   slope.add("um_per_m", line.slope_um_per_m);
   slope.add("u_um_per_m", line.slope_uncertainty_um_per_m);
@@ -129,12 +130,7 @@ json::Value to_json(const EvaluatedLines& evaluated) {
     lines.push(line_to_json(evaluated.evaluation.lines[k], evaluated.tests[k]));
   object.add("iso230_6", diagonals_to_json(evaluated));
   object.add("squareness", squareness_to_json(evaluated.evaluation.squareness));
-  Value& findings = object.add("findings", Value::array());
-  for (const tracking::Finding& finding : evaluated.evaluation.findings) {
-    Value& row = findings.push(Value::object());
-    row.add("serious", finding.serious);
-    row.add("message", finding.message);
-  }
+  object.add("findings", tracking_findings_to_json(evaluated.evaluation.findings));
   Value& source = object.add("source", file_to_json(evaluated.lengths));
   source.add("format", evaluated.in_program_order ? "tracking-lengths-in-order" : "tracking-lengths");
   source.add("plan", file_to_json(evaluated.plan_file));

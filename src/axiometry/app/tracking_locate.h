@@ -47,4 +47,7 @@ Experiment present(const PlannedLocation& planned, const report::Options& option
 /// column length_difference_mm. `axiometry tracking locate` reads it when it is full.
 std::string location_points_csv(const PlannedLocation& planned);
 
+/// Writes that table ("-" is the standard output). Fails rather than replace a table in which a length stands.
+Result<void> write_location_points(const PlannedLocation& planned, const std::string& file);
+
 }  // namespace axiometry::app

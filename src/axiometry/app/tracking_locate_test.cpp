@@ -49,8 +49,11 @@ TEST(TrackingLocate, PlannedPointsFindTheStationWhenTheirTableIsFilledIn) {
   const Vector3 truth{481.234, 308.765, -251.111};
   const std::string file = temporary("filled.csv", filled(*planned, truth));
   const auto located = locate({file, {}, {}});
+  EXPECT_FALSE(locate({file, {}, {0, 0, -150}})) << "its coordinates hold the tool already";
   std::filesystem::remove(file);
   ASSERT_TRUE(located) << located.error().to_string();
+  for (const tracking::Finding& finding : located->location.findings)
+    EXPECT_FALSE(finding.message.starts_with("passed over")) << finding.message;
   EXPECT_NEAR(distance(located->location.refined.station_mm, truth), 0.0, 1e-4);
   EXPECT_FALSE(located->location.is_serious());
 
@@ -60,6 +63,23 @@ TEST(TrackingLocate, PlannedPointsFindTheStationWhenTheirTableIsFilledIn) {
   EXPECT_EQ(station->position_mm, located->location.refined.station_mm);
   EXPECT_EQ(station->covariance_mm2, located->location.refined.covariance_mm2);
   EXPECT_EQ(present(*planned, {}).document.sections.size(), 3);
+}
+
+TEST(TrackingLocate, ATableThatWasFilledInIsNotReplaced) {
+  const auto planned = plan_location_points(setup(), 8);
+  ASSERT_TRUE(planned) << planned.error().to_string();
+  const std::string file = temporary("table.csv", "anything");
+  ASSERT_TRUE(write_location_points(*planned, file));
+  ASSERT_TRUE(write_location_points(*planned, file)) << "nothing was filled in yet";
+  std::string full = location_points_csv(*planned);
+  full.insert(full.find('\n', full.find("\n1,") + 1), "12.345");  // the first length alone
+  std::ofstream(file, std::ios::binary) << full;
+  const auto again = write_location_points(*planned, file);
+  std::ifstream left(file, std::ios::binary);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(left), {}), full);
+  std::filesystem::remove(file);
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().file, file);
 }
 
 TEST(TrackingLocate, TheToolIsAddedToCoordinatesOfTheAxes) {

@@ -137,13 +137,19 @@ Result<TrackingSetup> setup_of(const SetupRequest& request) {
   return setup;
 }
 
+Result<MountedSetup> mounted_setup(const TrackingPlanRequest& request) {
+  MountedSetup mounted;
+  AXIOMETRY_TRY(mounted.setup, setup_of(request.setup));
+  if (may_turn(request))
+    if (auto turned = turn_reflector(mounted.setup, request.lines)) mounted.remarks.push_back(*std::move(turned));
+  return mounted;
+}
+
 Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
-  AXIOMETRY_TRY(TrackingSetup setup, setup_of(request.setup));
+  AXIOMETRY_TRY(auto mounted, mounted_setup(request));
+  auto& [setup, remarks] = mounted;
   const double acceleration = request.lines.acceleration.value_or(iso230_2::usual_acceleration(AxisKind::linear));
   AXIOMETRY_TRY_VOID(iso230_2::check_acceleration(acceleration));
-  std::vector<std::string> remarks;
-  if (may_turn(request))
-    if (auto turned = turn_reflector(setup, request.lines)) remarks.push_back(*std::move(turned));
   if (request.suggest)
     for (std::string& text : suggestions(setup, request)) remarks.push_back(std::move(text));
   auto plan = tracking::plan_lines(setup, request.lines);
@@ -156,6 +162,13 @@ Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
   plan->remarks.insert(plan->remarks.begin(), remarks.begin(), remarks.end());
   const Duration duration = tracking::estimated_duration(*plan, acceleration);
   return PlannedLines{*std::move(plan), acceleration, duration};
+}
+
+Result<PlannedLocation> plan_location_points(const TrackingPlanRequest& request, std::size_t count) {
+  AXIOMETRY_TRY(const MountedSetup mounted, mounted_setup(request));
+  AXIOMETRY_TRY(PlannedLocation planned, plan_location_points(mounted.setup, count));
+  planned.plan.remarks.insert(planned.plan.remarks.begin(), mounted.remarks.begin(), mounted.remarks.end());
+  return planned;
 }
 
 Result<TrackingPlan> read_tracking_plan_file(const std::string& file) {

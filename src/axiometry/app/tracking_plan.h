@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "axiometry/app/outputs.h"
+#include "axiometry/app/tracking_locate.h"
 #include "axiometry/app/tracking_text.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/tracking.h"
@@ -31,9 +33,8 @@ struct SetupRequest {
   std::vector<Obstacle> obstacles{};
 };
 
-/// The set-up, with the usual limits where nothing is said; elevations up to 90° then, since an instrument that cannot
-/// look up has no line z. Fails on travels or a station that nobody gave, on files as their readers do, and as
-/// check_setup() does.
+/// The set-up, with the usual limits where nothing is said. Fails on travels or a station that nobody gave, on files as
+/// their readers do, and as check_setup() does.
 Result<TrackingSetup> setup_of(const SetupRequest& request);
 
 struct TrackingPlanRequest {
@@ -42,6 +43,16 @@ struct TrackingPlanRequest {
   bool turn_reflector = false;  ///< so that the most lines are kept; without file and axis given it is turned, too
   bool suggest = false;         ///< say which station would be better
 };
+
+/// A set-up with the reflector mounted so that it sees the station best, where nobody said how it is mounted.
+struct MountedSetup {
+  TrackingSetup setup;
+  std::vector<std::string> remarks;  ///< how it was turned
+};
+
+/// What plan_tracking() plans on, so that points of the station location are seen by the same reflector. Fails as
+/// setup_of() does.
+Result<MountedSetup> mounted_setup(const TrackingPlanRequest& request);
 
 struct PlannedLines {
   TrackingPlan plan;
@@ -52,6 +63,10 @@ struct PlannedLines {
 /// The plan. Where the reflector may be turned, and where a station is to be suggested, remarks say what was found; the
 /// error of a set-up in which no line is left says it as well.
 Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request);
+
+/// Points at which to locate the station of that set-up, its reflector turned as plan_tracking() would turn it, so that
+/// one mounting serves both. Fails as setup_of() and tracking::plan_location() do.
+Result<PlannedLocation> plan_location_points(const TrackingPlanRequest& request, std::size_t count);
 
 /// A tracking plan from a file ("-" is the standard input). Fails with the file's name.
 Result<TrackingPlan> read_tracking_plan_file(const std::string& file);

@@ -53,6 +53,15 @@ TEST_F(TrackingPlanFiles, AReflectorThatNobodyChoseIsTurnedTowardsTheStation) {
   EXPECT_EQ(plan_tracking(chosen)->plan.lines.size(), 4u);
 }
 
+TEST_F(TrackingPlanFiles, PointsOfTheLocationAreChosenForTheMountingThatTheLinesNeed) {
+  const auto planned = plan_location_points(request("100,80,-600"), 8);
+  ASSERT_TRUE(planned) << planned.error().message;
+  EXPECT_EQ(planned->plan.points_mm.size(), 8u);
+  EXPECT_THAT(planned->plan.remarks, Contains(HasSubstr("mount the reflector so that it looks along (-0.577")));
+  EXPECT_NEAR(planned->setup.limits.reflector_axis.x, -0.577, 1e-3);
+  EXPECT_FALSE(plan_location_points(request("100,80,-600"), 5));
+}
+
 TEST_F(TrackingPlanFiles, ALocatedStationComesWithItsCovariance) {
   const std::string name = written(
       "station.json", R"({"station": [100, 80, -600], "covariance": [[1e-6, 0, 0], [0, 1e-6, 0], [0, 0, 9e-6]]})");

@@ -3,10 +3,13 @@
 
 #include "axiometry/app/source.h"
 #include "axiometry/app/wire.h"
+#include "axiometry/formats/json_members.h"
 
 namespace axiometry::app {
 namespace {
 
+using formats::matrix_value;
+using formats::vector_value;
 using json::Value;
 using tracking::LinearFit;
 using tracking::RefinedFit;
@@ -21,7 +24,7 @@ Value linear_to_json(const LinearFit& fit) {
   const bool solved = fit.rank == 5;
   const auto or_null = [&](Value value) { return solved ? std::move(value) : Value(); };
   Value object = Value::object();
-  object.add("station", or_null(vector_to_json(fit.station_mm)));
+  object.add("station", or_null(vector_value(fit.station_mm)));
   object.add("L0", or_null(fit.L0_mm));
   object.add("psi", or_null(fit.psi_mm2));
   object.add("rank", fit.rank);
@@ -29,7 +32,7 @@ Value linear_to_json(const LinearFit& fit) {
   object.add("rank_tolerance", fit.rank_tolerance);
   object.add("condition", fit.condition);
   object.add("singular_values", list(fit.singular_values));
-  object.add("covariance", or_null(matrix_to_json(fit.covariance_mm2)));
+  object.add("covariance", or_null(matrix_value(fit.covariance_mm2)));
   object.add("residuals", or_null(list(fit.residuals_mm)));
   object.add("equation_residuals", or_null(list(fit.equation_residuals_mm2)));
   object.add("redundant_residual", or_null(fit.redundant_residual_mm2));
@@ -40,10 +43,10 @@ Value linear_to_json(const LinearFit& fit) {
 
 Value refined_to_json(const RefinedFit& fit) {
   Value object = Value::object();
-  object.add("station", vector_to_json(fit.station_mm));
+  object.add("station", vector_value(fit.station_mm));
   object.add("L0", fit.L0_mm);
-  object.add("covariance", matrix_to_json(fit.covariance_mm2));
-  object.add("covariance_stated", matrix_to_json(fit.covariance_stated_mm2));
+  object.add("covariance", matrix_value(fit.covariance_mm2));
+  object.add("covariance_stated", matrix_value(fit.covariance_stated_mm2));
   object.add("inflation", fit.inflation);
   object.add("L0_variance", fit.L0_variance_mm2);
   object.add("residuals", list(fit.residuals_mm));
@@ -75,8 +78,8 @@ Value options_to_json(const LocateRequest& request) {
   object.add("ranging_constant_um", options.ranging.constant.in_um());
   object.add("ranging_per_length_um_per_m", options.ranging.per_length.in_um_per_m());
   object.add("machine_sigma_um", options.machine_sigma_mm * 1000.0);
-  object.add("near", options.near_mm ? vector_to_json(*options.near_mm) : Value());
-  object.add("tool_offset", vector_to_json(request.tool_offset_mm));
+  object.add("near", options.near_mm ? vector_value(*options.near_mm) : Value());
+  object.add("tool_offset", vector_value(request.tool_offset_mm));
   return object;
 }
 
@@ -84,21 +87,13 @@ Value points_to_json(std::span<const LocationPoint> points) {
   Value array = Value::array();
   for (const LocationPoint& p : points) {
     Value& row = array.push(Value::object());
-    row.add("at", vector_to_json(p.at_mm));
+    row.add("at", vector_value(p.at_mm));
     row.add("length_difference", p.length_difference_mm);
   }
   return array;
 }
 
 }  // namespace
-
-Value vector_to_json(Vector3 vector) { return list(std::vector{vector.x, vector.y, vector.z}); }
-
-Value matrix_to_json(const Matrix3& matrix) {
-  Value rows = Value::array();
-  for (const auto& row : matrix) rows.push(list(row));
-  return rows;
-}
 
 Value tracking_findings_to_json(std::span<const tracking::Finding> findings) {
   Value array = Value::array();
@@ -119,12 +114,12 @@ Value to_json(const Located& located) {
   object.add("units", units_to_json());
   object.add("linear", location.linear ? linear_to_json(*location.linear) : Value());
   object.add("refined", refined_to_json(refined));
-  object.add("difference", both ? vector_to_json(location.difference_mm) : Value());
-  object.add("difference_u", both ? vector_to_json(location.difference_u_mm) : Value());
+  object.add("difference", both ? vector_value(location.difference_mm) : Value());
+  object.add("difference_u", both ? vector_value(location.difference_u_mm) : Value());
   object.add("misclosure", both ? Value(location.linear->misclosure_mm2) : Value());
   object.add("critical_surface", tracking::critical_surface_name(location.surface));
   object.add("eccentricity", location.eccentricity ? Value(*location.eccentricity) : Value());
-  object.add("mirror", refined.mirror_mm ? vector_to_json(*refined.mirror_mm) : Value());
+  object.add("mirror", refined.mirror_mm ? vector_value(*refined.mirror_mm) : Value());
   object.add("findings", tracking_findings_to_json(location.findings));
   object.add("points", points_to_json(located.points));
   object.add("options", options_to_json(located.request));
@@ -142,12 +137,12 @@ Value to_json(const PlannedLocation& planned) {
   Value& points = object.add("points", Value::array());
   for (Vector3 p : planned.plan.points_mm) {
     Value& row = points.push(Value::object());
-    row.add("axes", vector_to_json(p - planned.setup.tool_offset_mm));
-    row.add("reflector", vector_to_json(p));
+    row.add("axes", vector_value(p - planned.setup.tool_offset_mm));
+    row.add("reflector", vector_value(p));
   }
   Value& expected = object.add("expected", Value::object());
-  expected.add("covariance_mm2", matrix_to_json(quality.covariance_mm2));
-  expected.add("amplification", vector_to_json(quality.amplification));
+  expected.add("covariance_mm2", matrix_value(quality.covariance_mm2));
+  expected.add("amplification", vector_value(quality.amplification));
   expected.add("condition_refined", quality.condition_refined);
   expected.add("condition_linear", quality.condition_linear);
   Value& remarks = object.add("remarks", Value::array());

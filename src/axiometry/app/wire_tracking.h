@@ -6,15 +6,12 @@
 #include "axiometry/app/tracking_locate.h"
 #include "axiometry/base/json.h"
 
-/// Results of station locations as machines read them; docs/howto/find-the-station.md tells their members.
+/// Results of station locations as machines read them, and what results of tracking tests have in common;
+/// docs/howto/find-the-station.md tells their members.
 namespace axiometry::app {
 
 json::Value to_json(const Located& located);
 json::Value to_json(const PlannedLocation& planned);
-
-/// [x, y, z]; [[…], […], […]].
-json::Value vector_to_json(Vector3 vector);
-json::Value matrix_to_json(const Matrix3& matrix);
 
 /// [{"severity": "serious" or "note", "message": …}].
 json::Value tracking_findings_to_json(std::span<const tracking::Finding> findings);

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 
 namespace axiometry::formats {
@@ -12,6 +14,9 @@ namespace {
 
 using json::Kind;
 using json::Value;
+
+constexpr double asymmetry = 1e-9;  // of a covariance, relative to its largest member: both halves print alike
+constexpr double rounding = 1e-3;   // relative, of numbers with three digits
 
 std::unexpected<Error> wrong_kind(const Value& value, std::string_view what, std::string_view expected) {
   return fail(
@@ -61,6 +66,42 @@ Result<Matrix3> matrix_in(const Value& value, std::string_view what) {
         m[k] = {row.x, row.y, row.z};
         return {};
       }));
+  return m;
+}
+
+Result<Matrix3> covariance_in(const Value& value, std::string_view what) {
+  constexpr std::string_view axes = "XYZ";
+  AXIOMETRY_TRY(const Matrix3 m, matrix_in(value, what));
+  double largest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(m[k][k] >= 0.0))
+      return fail(fmt::format("found the variance {} of {}, expected 0 or more", format_exact(m[k][k]), axes[k]),
+                  value.items()[k].at());
+    largest = std::max(largest, m[k][k]);
+  }
+  double r[3] = {};  // correlations of Y and X, Z and X, Z and Y
+  for (std::size_t i = 1, at = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < i; ++k, ++at) {
+      const auto refused = [&](std::string_view expected) {
+        return fail(
+            fmt::format("found the covariances {} and {} of {} and {} beside variances of {} and {}, expected {}",
+                        format_exact(m[i][k]), format_exact(m[k][i]), axes[i], axes[k], format_exact(m[i][i]),
+                        format_exact(m[k][k]), expected),
+            value.items()[i].at());
+      };
+      if (std::abs(m[i][k] - m[k][i]) > asymmetry * largest) return refused("a symmetric matrix");
+      const double most = std::sqrt(m[i][i]) * std::sqrt(m[k][k]);
+      if (std::abs(m[i][k]) > most * (1.0 + rounding)) return refused("covariances that such variances can have");
+      r[at] = most > 0.0 ? m[i][k] / most : 0.0;
+    }
+  // of the matrix of correlations; errors of `rounding` in its three members move it by 6 of them at most
+  if (const double determinant = 1.0 + 2.0 * r[0] * r[1] * r[2] - r[0] * r[0] - r[1] * r[1] - r[2] * r[2];
+      determinant < -6.0 * rounding)
+    return fail(
+        fmt::format("found {} with the correlations {:.3f}, {:.3f} and {:.3f}, which would make the variance of "
+                    "some direction negative; expected a positive semidefinite matrix",
+                    text::quoted(what), r[0], r[1], r[2]),
+        value.at());
   return m;
 }
 

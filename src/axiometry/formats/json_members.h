@@ -48,6 +48,10 @@ Result<double> number_in(const json::Value& value, std::string_view what);
 Result<std::string> text_in(const json::Value& value, std::string_view what);
 Result<Vector3> vector_in(const json::Value& value, std::string_view what);  ///< [x, y, z]
 Result<Matrix3> matrix_in(const json::Value& value, std::string_view what);  ///< three rows of three
+/// matrix_in() of a covariance of X, Y, Z. Fails on one that no place can have: not symmetric, a variance below 0, a
+/// covariance beyond what the variances allow, or not positive semidefinite, each but for numbers rounded to three
+/// digits.
+Result<Matrix3> covariance_in(const json::Value& value, std::string_view what);
 Result<const std::vector<json::Value>*> items_in(const json::Value& value, std::string_view what);
 
 json::Value vector_value(Vector3 v);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -15,13 +14,10 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv_cells.h"
 #include "axiometry/formats/decoded_text.h"
-#include "axiometry/formats/text_lines.h"
-#include "axiometry/formats/units.h"
+#include "axiometry/formats/table_heads.h"
 
 namespace axiometry::formats {
 namespace {
-
-constexpr double limit_mm = 1e9;  // the Plan's own limit of coordinates
 
 enum Role : std::size_t { role_point, role_station, role_segment, role_length, role_x, role_y, role_z, role_count };
 constexpr std::array<std::string_view, role_count> canonical = {"point", "station", "segment", "length_mm",
@@ -48,27 +44,9 @@ constexpr Word words[] = {{"point", role_point},
                           {"z", role_z}};
 constexpr bool is_text(std::size_t role) { return role <= role_segment; }
 
-struct NamedUnit {
-  std::string name;  ///< lower case, parts parted by one blank
-  std::string unit;  ///< as it stands there, or empty
-};
-
-/// "x_mm", "X [mm]", "range (µm)".
-NamedUnit parted(std::string_view head) {
-  head = text::trim(head);
-  const std::size_t open = head.find_first_of("[(");
-  if (open != std::string_view::npos && (head.ends_with(']') || head.ends_with(')')))
-    return {plain_name(text::trim(head.substr(0, open))),
-            std::string(text::trim(head.substr(open + 1, head.size() - open - 2)))};
-  const std::size_t mark = head.find_last_of("_ ");
-  if (mark != std::string_view::npos && find_unit(head.substr(mark + 1)) != nullptr)
-    return {plain_name(head.substr(0, mark)), std::string(head.substr(mark + 1))};
-  return {plain_name(head), ""};
-}
-
 struct Columns {
   std::array<std::optional<std::size_t>, role_count> at;
-  std::array<double, role_count> mm{};  ///< of one unit of the column
+  std::array<const Unit*, role_count> unit{};
   std::size_t count = 0;
   std::size_t needed = 0;  ///< up to the last one that is read
   std::size_t line = 0;
@@ -78,19 +56,6 @@ struct Columns {
   bool has(std::size_t role) const { return at[role].has_value(); }
 };
 
-Result<double> unit_of(const CsvCell& head, const NamedUnit& named, std::size_t role, std::size_t line) {
-  if (named.unit.empty())
-    return fail(fmt::format("found the column {} without a unit, expected one as in {}", text::quoted(head.text),
-                            canonical[role]),
-                {line, head.column});
-  const Unit* unit = find_unit(named.unit);
-  if (unit == nullptr || unit->kind != AxisKind::linear)
-    return fail(fmt::format("found the unit {} of the column {}, expected a unit of length: um, mm, nm, m or in",
-                            text::quoted(named.unit), text::quoted(head.text)),
-                {line, head.column});
-  return position_in(*unit, 1.0).in_native();
-}
-
 /// Those of `needed` must be there.
 Result<Columns> columns_of(std::string_view text, std::size_t line, std::span<const Role> needed) {
   Columns columns;
@@ -99,7 +64,7 @@ Result<Columns> columns_of(std::string_view text, std::size_t line, std::span<co
   AXIOMETRY_TRY(const std::vector<CsvCell> heads, split_row(text, columns.delimiter, line));
   columns.count = heads.size();
   for (std::size_t k = 0; k < heads.size(); ++k) {
-    const NamedUnit named = parted(heads[k].text);
+    const TableHead named = table_head(heads[k].text);
     const auto word = std::ranges::find(words, named.name, &Word::word);
     if (word == std::end(words)) {
       if (!heads[k].text.empty()) columns.passed_over.push_back(heads[k].text);
@@ -111,7 +76,7 @@ Result<Columns> columns_of(std::string_view text, std::size_t line, std::span<co
     columns.at[word->role] = k;
     columns.needed = k + 1;
     if (!is_text(word->role)) {
-      AXIOMETRY_TRY(columns.mm[word->role], unit_of(heads[k], named, word->role, line));
+      AXIOMETRY_TRY(columns.unit[word->role], length_unit(heads[k], named, canonical[word->role], line));
     }
   }
   std::vector<std::string_view> names;
@@ -226,10 +191,7 @@ class Cells {
     } else {
       AXIOMETRY_TRY(value, numbers_->read(cell, row.at(role)));
     }
-    value *= columns_.mm[role];
-    if (!(std::abs(value) <= limit_mm))
-      return fail(fmt::format("found {}, expected a length up to 1e9 mm", text::quoted(cell)), row.at(role));
-    return value;
+    return length_in_mm(*columns_.unit[role], value, cell, row.at(role));
   }
   Result<Vector3> place(const Row& row) {
     Vector3 at;
@@ -248,32 +210,17 @@ class Cells {
 template <typename Take>
 Result<void> for_rows(std::string_view text, Columns& columns, std::span<const Role> needed, const Take& take) {
   Row row(columns);
-  std::size_t number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t line_break = text.find('\n', begin);
-    const std::size_t end = std::min(line_break, text.size());
-    std::string_view line = text.substr(begin, end - begin);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    begin = end + 1;
-    ++number;
-    if (const std::string_view content = text::trim(line); content.empty() || content.front() == '#') continue;
+  AXIOMETRY_TRY_VOID(for_table_lines(text, [&](const TableLine& line) -> Result<void> {
+    if (line.content.starts_with('#')) return {};
     if (columns.count == 0) {
-      AXIOMETRY_TRY(columns, columns_of(line, number, needed));
-      continue;
+      AXIOMETRY_TRY(columns, columns_of(line.text, line.number, needed));
+      return {};
     }
-    AXIOMETRY_TRY_VOID(row.take(line, number, line_break != std::string_view::npos));
-    AXIOMETRY_TRY_VOID(take(row));
-  }
+    AXIOMETRY_TRY_VOID(row.take(line.text, line.number, line.has_break));
+    return take(row);
+  }));
   if (columns.count != 0) return {};
   return fail("found no header, expected one as point,station,length_mm");
-}
-
-void remark_columns(const Columns& columns, std::vector<std::string>& remarks) {
-  if (columns.passed_over.empty()) return;
-  std::string list;
-  for (const std::string& name : columns.passed_over)
-    list += fmt::format("{}{}", list.empty() ? "" : ", ", text::quoted(name));
-  remarks.push_back(fmt::format("passed over the column{} {}", columns.passed_over.size() == 1 ? "" : "s", list));
 }
 
 std::string place_text(Vector3 p) {
@@ -290,7 +237,7 @@ class RangesReader {
     file_.points = points_.take();
     file_.stations = stations_.take();
     for (Names& names : segments_) file_.segments.push_back(names.take());
-    remark_columns(columns_, file_.remarks);
+    if (!columns_.passed_over.empty()) file_.remarks.push_back(passed_over(columns_.passed_over));
     if (missing_ > 0)
       file_.remarks.push_back(fmt::format("passed over {} row{} without a length", missing_, missing_ == 1 ? "" : "s"));
     return std::move(file_);
@@ -369,7 +316,7 @@ Result<NamedPoints> read_named_points(std::string_view bytes) {
   }));
   if (points.at_mm.empty()) return fail("found a header and no points below it, expected one in each row");
   points.names = names.take();
-  remark_columns(columns, points.remarks);
+  if (!columns.passed_over.empty()) points.remarks.push_back(passed_over(columns.passed_over));
   for (const SourceRemark& remark : encoding_remarks(decoded)) points.remarks.push_back(remark.message);
   return points;
 }

@@ -46,6 +46,12 @@ TEST(RangesCsv, passes_over_lost_lengths_and_other_columns_and_says_so) {
   EXPECT_THAT(file->remarks, ElementsAre(HasSubstr("temperature"), HasSubstr("2 rows without a length")));
 }
 
+TEST(RangesCsv, knows_the_hint_of_a_spreadsheet) {
+  const auto file = read_ranges("sep=;\npoint;station;length_mm\n1;2;3,5\n");
+  ASSERT_TRUE(file) << file.error().to_string();
+  EXPECT_DOUBLE_EQ(file->readings[0].length_mm, 3.5);
+}
+
 TEST(RangesCsv, says_where_something_is_wrong) {
   EXPECT_THAT(error_of("point,station\n"), HasSubstr("1:1: found no column length_mm"));
   EXPECT_THAT(error_of("point,station,length\n"), HasSubstr("1:15: found the column \"length\" without a unit"));
@@ -68,7 +74,7 @@ TEST(RangesCsv, reads_nominal_points_and_refuses_one_given_twice) {
   EXPECT_DOUBLE_EQ(points->at_mm[1].z, 6.5);
   const auto twice = read_named_points("point,x_mm,y_mm,z_mm\nP1,1,2,3\nP1,1,2,3\n");
   ASSERT_FALSE(twice);
-  EXPECT_EQ(twice.error().to_string(), "3:1: found point P1 a second time, expected it once as on line 2");
+  EXPECT_EQ(twice.error().to_string(), "line 3:1: found point P1 a second time, expected it once as on line 2");
 }
 
 }  // namespace

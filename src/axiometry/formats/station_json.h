@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/tracking.h"
 
@@ -14,7 +15,10 @@ namespace axiometry::formats {
 /// out. Other members are passed over.
 ///
 /// Fails, with line and column, on what is no JSON, on a station that is missing or is not three numbers up to 1e9 mm,
-/// and on a covariance that is not symmetric with variances of 0 or more and |cov_ij| ≤ √(var_i var_j).
+/// and as covariance_in() does.
 Result<Station> read_station(std::string_view bytes);
+
+/// JSON Schema (draft 2020-12) of such files. schema/axiometry-station.schema.json is this text.
+json::Value station_schema();
 
 }  // namespace axiometry::formats

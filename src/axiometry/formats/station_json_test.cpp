@@ -33,9 +33,10 @@ TEST(StationJson, AHandWrittenStationNeedsNoCovariance) {
 TEST(StationJson, WhatIsWrongIsNamedWithItsPlace) {
   EXPECT_EQ(error_of("[1]"), "line 1:1: found array at the top, expected an object with the station");
   EXPECT_NE(error_of("{}").find("line 1:1: found no member \"station\""), std::string::npos);
-  EXPECT_NE(error_of(R"({"station": [1, 2]})").find("line 1:13: found \"station\" that is no array of three numbers"),
-            std::string::npos);
-  EXPECT_NE(error_of(R"({"station": [1, "2", 3]})").find("line 1:17: found a string in \"station\""),
+  EXPECT_NE(
+      error_of(R"({"station": [1, 2]})").find("line 1:13: found \"station\" with 2 values, expected three numbers"),
+      std::string::npos);
+  EXPECT_NE(error_of(R"({"station": [1, "2", 3]})").find("line 1:17: found \"station\" of the kind string"),
             std::string::npos);
   EXPECT_NE(error_of(R"({"station": [1, 2e12, 3]})").find("found the coordinate 2e+12"), std::string::npos);
   EXPECT_NE(error_of(R"({"station": [1, 2, 3], "covariance": [[1, 0, 0], [0, -1, 0], [0, 0, 1]]})")
@@ -45,7 +46,11 @@ TEST(StationJson, WhatIsWrongIsNamedWithItsPlace) {
                 .find("expected a symmetric matrix"),
             std::string::npos);
   EXPECT_NE(error_of(R"({"station": [1, 2, 3], "covariance": [[1, 2, 0], [2, 1, 0], [0, 0, 1]]})")
-                .find("found the covariance 2 of Y and X"),
+                .find("found the covariances 2 and 2 of Y and X"),
+            std::string::npos);
+  // Each pair may be so, all three may not: the variance of (1, 1, -1) would be -2.4.
+  EXPECT_NE(error_of(R"({"station": [1, 2, 3], "covariance": [[1, -0.9, 0.9], [-0.9, 1, 0.9], [0.9, 0.9, 1]]})")
+                .find("expected a positive semidefinite matrix"),
             std::string::npos);
 }
 

@@ -17,9 +17,8 @@
 #include "axiometry/formats/csv_cells.h"
 #include "axiometry/formats/csv_values.h"
 #include "axiometry/formats/decoded_text.h"
-#include "axiometry/formats/text_lines.h"
+#include "axiometry/formats/table_heads.h"
 #include "axiometry/formats/text_source.h"
-#include "axiometry/formats/units.h"
 
 namespace axiometry::formats {
 namespace {
@@ -38,36 +37,14 @@ enum Role : std::size_t {
   roles
 };
 
-constexpr std::string_view length_words[] = {
-    "length difference", "length change", "delta length", "delta l", "deltal", "dl", "d l", "length",
-    "\u0394l",           "\u0394L",       "\u2206l",      "\u2206L"};
-
-struct NamedUnit {
-  std::string name;  // lower case, parts parted by one blank
-  std::string unit;  // as it stands there, or empty
-};
-
-/// "position_mm", "Length [mm]", "length difference (µm)".
-NamedUnit parted(std::string_view head) {
-  head = text::trim(head);
-  const std::size_t open = head.find_first_of("[(");
-  if (open != std::string_view::npos && (head.ends_with(']') || head.ends_with(')')))
-    return {plain_name(text::trim(head.substr(0, open))),
-            std::string(text::trim(head.substr(open + 1, head.size() - open - 2)))};
-  const std::size_t mark = head.find_last_of("_ ");
-  if (mark != std::string_view::npos && (find_unit(head.substr(mark + 1)) != nullptr || head.substr(mark + 1) == "s"))
-    return {plain_name(head.substr(0, mark)), std::string(head.substr(mark + 1))};
-  return {plain_name(head), ""};
-}
-
-std::optional<Role> role_of(const NamedUnit& head) {
+std::optional<Role> role_of(const TableHead& head) {
   if (head.name == "line") return line_role;
   if (head.name == "target" || head.name == "position" || head.name == "target position") return target_role;
   if (head.name == "direction" || head.name == "dir" || head.name == "approach") return direction_role;
   if (head.name == "run") return run_role;
   if (head.name == "segment") return segment_role;
   if (head.name == "time" && head.unit == "s") return time_role;
-  if (std::ranges::find(length_words, head.name) != std::end(length_words)) return length_role;
+  if (head.name == "length" || is_length_difference(head.name)) return length_role;
   return std::nullopt;
 }
 
@@ -83,16 +60,6 @@ struct Columns {
 
   bool labelled() const { return at[line_role] || at[target_role] || at[direction_role] || at[run_role]; }
 };
-
-Result<const Unit*> unit_of_length(const CsvCell& head, std::string_view unit_text, std::size_t line) {
-  const Unit* unit = find_unit(unit_text);
-  if (unit != nullptr && unit->kind == AxisKind::linear) return unit;
-  return fail(
-      fmt::format(
-          "found the column {} {}, expected a unit of length as in length_difference_mm", text::quoted(head.text),
-          unit_text.empty() ? std::string("without a unit") : fmt::format("in the unit {}", text::quoted(unit_text))),
-      {line, head.column});
-}
 
 Result<void> check_labels(const Columns& columns) {
   const auto missing = [&](std::string_view name) {
@@ -116,7 +83,7 @@ Result<Columns> columns_of(std::string_view header, std::size_t line) {
   columns.count = heads.size();
   if (columns.count == 1) columns.delimiter = ';';  // nothing to part: a comma is the decimal mark
   for (std::size_t k = 0; k < heads.size(); ++k) {
-    const NamedUnit named = parted(heads[k].text);
+    const TableHead named = table_head(heads[k].text);
     const auto role = role_of(named);
     if (!role) {
       if (!heads[k].text.empty()) columns.passed_over.push_back(heads[k].text);
@@ -128,34 +95,14 @@ Result<Columns> columns_of(std::string_view header, std::size_t line) {
     columns.at[*role] = k;
     columns.needed = k + 1;
     if (*role == length_role) {
-      AXIOMETRY_TRY(columns.length_unit, unit_of_length(heads[k], named.unit, line));
+      AXIOMETRY_TRY(columns.length_unit, length_unit(heads[k], named, "length_difference_mm", line));
     }
     if (*role == target_role && !(named.name == "target" && named.unit.empty())) {
-      AXIOMETRY_TRY(columns.position_unit, unit_of_length(heads[k], named.unit, line));
+      AXIOMETRY_TRY(columns.position_unit, length_unit(heads[k], named, "position_mm", line));
     }
   }
   AXIOMETRY_TRY_VOID(check_labels(columns));
   return columns;
-}
-
-/// Blanks at the ends stay, since a tab there parts cells.
-struct Line {
-  std::string_view text;
-  std::size_t number = 0;
-  bool has_break = true;
-};
-
-std::vector<Line> lines_of(std::string_view text) {
-  std::vector<Line> lines;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t line_break = text.find('\n', begin);
-    const std::size_t end = std::min(line_break, text.size());
-    std::string_view line = text.substr(begin, end - begin);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    lines.push_back({line, lines.size() + 1, line_break != std::string_view::npos});
-    begin = end + 1;
-  }
-  return lines;
 }
 
 /// Rows below the header, one after the other.
@@ -164,7 +111,7 @@ class Reader {
   Reader(const TrackingPlan& plan, Columns columns)
       : plan_(plan), columns_(std::move(columns)), numbers_(columns_.delimiter) {}
 
-  Result<void> row(const Line& line, TrackingLengths& lengths) {
+  Result<void> row(const TableLine& line, TrackingLengths& lengths) {
     AXIOMETRY_TRY(const std::vector<CsvCell> cells, split_row(line.text, columns_.delimiter, line.number));
     AXIOMETRY_TRY_VOID(check_cell_count(cells, {.expected = columns_.count,
                                                 .needed = columns_.needed,
@@ -177,7 +124,8 @@ class Reader {
     row.missing = is_missing(cells[*columns_.at[length_role]].text);
     if (!row.missing) {
       AXIOMETRY_TRY(const double value, numbers_.read(cells[*columns_.at[length_role]].text, row.at));
-      row.reading.length_difference_mm = position_in(*columns_.length_unit, value).in_native();
+      AXIOMETRY_TRY(row.reading.length_difference_mm,
+                    length_in_mm(*columns_.length_unit, value, cells[*columns_.at[length_role]].text, row.at));
     }
     if (columns_.at[segment_role]) {
       AXIOMETRY_TRY(row.reading.segment, segment_of(cells[*columns_.at[segment_role]], line.number));
@@ -228,7 +176,7 @@ class Reader {
                               text::quoted(cell.text), own.id, targets.size()),
                   at);
     }
-    const double position = position_in(*columns_.position_unit, value).in_native();
+    AXIOMETRY_TRY(const double position, length_in_mm(*columns_.position_unit, value, cell.text, at));
     std::size_t nearest = 0;
     double interval = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -303,26 +251,15 @@ Result<TrackingLengths> read_tracking_lengths(std::string_view bytes, const Trac
   TrackingLengths lengths;
   lengths.remarks = encoding_remarks(decoded);
   std::optional<Reader> reader;
-  for (const Line& line : lines_of(decoded.text)) {
-    const std::string_view content = text::trim(line.text);
-    if (content.empty()) continue;
-    if (content.starts_with('#')) {
-      AXIOMETRY_TRY_VOID(take_comment(content, line.number, lengths.metadata));
-      continue;
-    }
-    if (reader) {
-      AXIOMETRY_TRY_VOID(reader->row(line, lengths));
-      continue;
-    }
-    if (text::to_lower(content.substr(0, 4)) == "sep=") continue;  // a spreadsheet's
+  AXIOMETRY_TRY_VOID(for_table_lines(decoded.text, [&](const TableLine& line) -> Result<void> {
+    if (line.content.starts_with('#')) return take_comment(line.content, line.number, lengths.metadata);
+    if (reader) return reader->row(line, lengths);
     AXIOMETRY_TRY(Columns columns, columns_of(line.text, line.number));
     lengths.in_program_order = !columns.labelled();
-    if (!columns.passed_over.empty())
-      lengths.remarks.push_back(
-          {false, fmt::format("passed over the column{} {}", columns.passed_over.size() == 1 ? "" : "s",
-                              fmt::join(columns.passed_over, ", "))});
+    if (!columns.passed_over.empty()) lengths.remarks.push_back({false, passed_over(columns.passed_over)});
     reader.emplace(plan, std::move(columns));
-  }
+    return {};
+  }));
   if (!reader)
     return fail("found no header, expected one with line, target, direction, run, length_difference_mm", {1, 1});
   if (lengths.rows.empty()) return fail("found no lengths below the header, expected one on each line");

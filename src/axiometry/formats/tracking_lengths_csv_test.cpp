@@ -105,6 +105,8 @@ TEST(TrackingLengthsCsv, SaysWhereItIsWrong) {
   EXPECT_THAT(error(head + "x,1,up\n"), HasSubstr("found 3 fields"));
   EXPECT_THAT(error("line,position_mm,direction,length_mm\nx,211,up,1\n"), HasSubstr("nearest is 210.123 mm"));
   EXPECT_THAT(error("length_mm,segment\n1,-1\n"), HasSubstr("2:3: found the segment"));
+  EXPECT_THAT(error("length_m\n1e308\n"), HasSubstr("1: found \"1e308\", expected a length up to 1e9 mm"));
+  EXPECT_THAT(error("line,position_m,direction,length_mm\nx,1e308,up,1\n"), HasSubstr("expected a length up to"));
   EXPECT_THAT(error("length_mm,length_um\n"), HasSubstr("second time"));
 }
 

@@ -17,7 +17,6 @@ namespace {
 using json::Value;
 
 constexpr double farthest_mm = 1e9;
-constexpr double asymmetry = 1e-9;  // of a covariance, relative to its largest member: a rounded print has more digits
 
 Result<void> check_size(double x, std::string_view what, const Value& at) {
   if (x > 0.0 && x <= farthest_mm) return {};
@@ -49,30 +48,12 @@ Result<TravelBox> box_from(const Value& value, std::string_view what) {
   return box;
 }
 
-Result<Matrix3> covariance_from(const Value& value) {
-  AXIOMETRY_TRY(const Matrix3 m, matrix_in(value, "covariance_mm2"));
-  double largest = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) largest = std::max(largest, std::abs(m[k][k]));
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (m[i][i] < 0.0)
-      return fail(fmt::format("found a variance of {} mm², expected none below 0", format_exact(m[i][i])), value.at());
-    for (std::size_t k = 0; k < i; ++k)
-      if (std::abs(m[i][k] - m[k][i]) > asymmetry * largest || std::abs(m[i][k]) > std::sqrt(m[i][i] * m[k][k]) * 1.001)
-        return fail(
-            fmt::format("found the covariances {} and {} beside variances of {} and {} mm², expected a symmetric "
-                        "matrix with covariances that such variances can have",
-                        format_exact(m[i][k]), format_exact(m[k][i]), format_exact(m[i][i]), format_exact(m[k][k])),
-            value.at());
-  }
-  return m;
-}
-
 Result<Station> station_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "station"));
   Station station;
   AXIOMETRY_TRY(station.position_mm, required_vector(members, "position_mm"));
   if (const Value* covariance = members.optional("covariance_mm2")) {
-    AXIOMETRY_TRY(station.covariance_mm2, covariance_from(*covariance));
+    AXIOMETRY_TRY(station.covariance_mm2, covariance_in(*covariance, "covariance_mm2"));
   }
   AXIOMETRY_TRY_VOID(members.finish());
   if (norm(station.position_mm) > farthest_mm)

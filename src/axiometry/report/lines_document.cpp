@@ -5,6 +5,8 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "axiometry/base/version.h"
@@ -174,6 +176,7 @@ Facts line_facts(const AssessedLine& line, const Options& options) {
   add("Line", description_of(axis));
   add("Moves with growing position", octant_of(axis));
   add("Edition", edition_of(axis));
+  add("Axes not under test", test.metadata.conditions.axes_not_under_test);
   const auto& targets = test.series.targets();
   const int decimals = position_decimals(targets);
   add("Targets", fmt::format("{} from {} to {}, up to {} approaches from a direction", targets.size(),
@@ -228,20 +231,38 @@ Section line_section(const AssessedLine& line, const Options& asked) {
   return section;
 }
 
-/// Of the first line, without what belongs to that line alone.
+/// "Machine name: Mill 5" of each group.
+std::set<std::string> facts_in(const Section& section) {
+  std::set<std::string> all;
+  for (const Block& block : section.blocks)
+    if (const auto* facts = std::get_if<Facts>(&block))
+      for (const Fact& fact : facts->facts)
+        all.insert(fmt::format("{}\n{}\n{}", facts->title, plain_text(fact.name), plain_text(fact.value.text)));
+  return all;
+}
+
+/// What holds for every line. What is a line's own stands with the line.
 Section common_identification(const LinesSubject& subject, const Options& options) {
   Section section = identification_section(subject_of(subject.lines.front()), options);
   std::erase_if(section.blocks, [](const Block& block) {
     const auto* facts = std::get_if<Facts>(&block);
     return facts != nullptr && facts->title == "Axis under test";
   });
-  for (Block& block : section.blocks)
-    if (auto* facts = std::get_if<Facts>(&block))
-      std::erase_if(facts->facts, [](const Fact& fact) {
-        const std::string name = plain_text(fact.name);
-        return name == "Target positions" || name.starts_with("Number of approaches") ||
-               name.starts_with("Tracking interferometer");
-      });
+  for (const AssessedLine& line : subject.lines) {
+    const std::set<std::string> of_line = facts_in(identification_section(subject_of(line), options));
+    for (Block& block : section.blocks)
+      if (auto* facts = std::get_if<Facts>(&block))
+        std::erase_if(facts->facts, [&](const Fact& fact) {
+          const std::string name = plain_text(fact.name);
+          return name == "Target positions" || name.starts_with("Number of approaches") ||
+                 name.starts_with("Tracking interferometer") ||
+                 !of_line.contains(fmt::format("{}\n{}\n{}", facts->title, name, plain_text(fact.value.text)));
+        });
+  }
+  std::erase_if(section.blocks, [](const Block& block) {
+    const auto* facts = std::get_if<Facts>(&block);
+    return facts != nullptr && facts->facts.empty();
+  });
   return section;
 }
 

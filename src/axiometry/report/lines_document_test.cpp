@@ -210,6 +210,30 @@ TEST(LinesDocument, ShowsUncertaintiesVerdictsAndDeparturesOfEachLine) {
   EXPECT_THAT(plain_text(tables(section(document, "line-xy")).back().caption), HasSubstr("Budget"));
 }
 
+std::string facts_of(const Section& section) {
+  std::string all;
+  for (const Block& block : section.blocks)
+    if (const auto* facts = std::get_if<Facts>(&block)) {
+      EXPECT_FALSE(facts->facts.empty()) << facts->title;
+      for (const Fact& fact : facts->facts) all += plain_text(fact.name) + ": " + plain_text(fact.value.text) + "\n";
+    }
+  return all;
+}
+
+TEST(LinesDocument, StatesOnceWhatHoldsForAllLinesAndWithALineWhatIsItsOwn) {
+  Measured m = measured({"x", "y"});
+  for (tracking::EvaluatedLine& line : m.evaluation.lines)
+    line.test.metadata.tracking.station_position = Position::native(150.0);
+  m.evaluation.lines[0].test.metadata.conditions.axes_not_under_test = "Y = 120 mm; Z = 60 mm";
+  m.evaluation.lines[1].test.metadata.conditions.axes_not_under_test = "X = 150 mm; Z = 60 mm";
+  const Document document = compose(m.subject(), {});
+  const std::string common = facts_of(section(document, "identification"));
+  EXPECT_THAT(common, HasSubstr("Mill 7"));
+  EXPECT_THAT(common, Not(HasSubstr("120 mm; Z")));
+  EXPECT_THAT(facts_of(section(document, "line-x")), HasSubstr("Y = 120 mm; Z = 60 mm"));
+  EXPECT_THAT(facts_of(section(document, "line-y")), HasSubstr("X = 150 mm; Z = 60 mm"));
+}
+
 TEST(LinesDocument, NamesNoFolder) {
   const Document document = compose(measured().subject(), {});
   const auto* facts = std::get_if<Facts>(&section(document, "provenance").blocks.front());

@@ -152,7 +152,9 @@ std::vector<TableCell> length_difference_row(const tracking::EvaluatedLine& line
   }
   const double distance = line.distances_mm[*at], from = line.negligible_from_mm;
   row.push_back(number_cell(distance, 1, options));
-  row.push_back(number_cell(line.length_difference_bounds[*at].in_um(), 3, options));
+  const double bound_um = line.length_difference_bounds[*at].in_um();
+  row.push_back(bound_um > 0.0 && bound_um < 0.0005 ? text_cell("<\u00a0" + format_fixed(0.001, 3, options.numbers))
+                                                    : number_cell(bound_um, 3, options));
   row.push_back(number_cell(2.0 * Length::mm(ranging.standard_mm(distance)).in_um(), 3, options));
   row.push_back(std::isfinite(from) ? number_cell(from, from < 10.0 ? 1 : 0, options) : quiet_cell("nowhere"));
   row.push_back(distance >= from ? TableCell{plain("negligible"), Tone::good}

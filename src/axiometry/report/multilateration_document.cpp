@@ -220,7 +220,12 @@ class Composition {
     layout.description = "A parallel projection of the stations and the points, with three views along the axes.";
     layout.stations_mm = fit_.stations_mm;
     const std::size_t n = fit_.points_mm.size(), shown = std::min(n, most_points_drawn);
-    for (std::size_t k = 0; k < shown; ++k) layout.points_mm.push_back(fit_.points_mm[k * n / shown]);
+    for (std::size_t k = 0; k < shown; ++k) {
+      layout.points_mm.push_back(fit_.points_mm[k * n / shown]);
+      layout.point_names.push_back(name_of(s_.options.point_names, k * n / shown));
+    }
+    for (std::size_t j = 0; j < fit_.stations_mm.size(); ++j)
+      layout.station_names.push_back(name_of(s_.options.station_names, j));
     section.blocks.emplace_back(layout_figure(layout, options_));
     if (auto figure = residual_figure(fit_.normalised_residuals, options_))
       section.blocks.emplace_back(*std::move(figure));

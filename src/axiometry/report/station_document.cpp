@@ -165,7 +165,8 @@ Layout station_layout(const StationSubject& subject) {
     if (layout.points_mm.size() == most_points_shown) break;
     layout.points_mm.push_back(p.at_mm);
     if (subject.points.size() <= most_beams_shown)
-      layout.lines.push_back({.begin_mm = subject.location.refined.station_mm, .end_mm = p.at_mm, .label = ""});
+      layout.lines.push_back(
+          {.begin_mm = subject.location.refined.station_mm, .end_mm = p.at_mm, .label = "", .beam = true});
   }
   layout.title = "The station and the points from which it was found";
   layout.description =
@@ -208,6 +209,25 @@ Section method_section(const StationSubject& subject, const Options& options) {
   return section;
 }
 
+std::string place(Vector3 v, const Options& options) {
+  return fmt::format("X {}, Y {}, Z {} mm", format_fixed(v.x, 3, options.numbers),
+                     format_fixed(v.y, 3, options.numbers), format_fixed(v.z, 3, options.numbers));
+}
+
+/// What the points were chosen for: with another tool or another mounting they may be out of reach or sight.
+Facts planned_setup(const TrackingSetup& setup, const Options& options) {
+  const Vector3 axis = setup.limits.reflector_axis;
+  return {"For this set-up",
+          {{plain("Station, about"), text_cell(place(setup.station.position_mm, options))},
+           {plain("Reflector, from where the axes stand"), text_cell(place(setup.tool_offset_mm, options))},
+           {plain("The reflector looks along"),
+            text_cell(fmt::format("({}, {}, {}), up to {}° aside", shown_short(axis.x, options, 3),
+                                  shown_short(axis.y, options, 3), shown_short(axis.z, options, 3),
+                                  shown_short(setup.limits.incidence_most_deg, options)))},
+           {plain("Safe radius about the station"),
+            text_cell(shown_short(setup.limits.safe_radius_mm, options) + "\u00a0mm")}}};
+}
+
 Document title_page(std::string_view kind, std::string_view title) {
   Document document;
   document.kind = std::string(kind);
@@ -231,10 +251,10 @@ Document compose(const StationSubject& subject, const Options& options) {
   results.blocks.emplace_back(estimator_table(location, options));
   results.blocks.emplace_back(quality_facts(location, options));
   document.sections.push_back(std::move(results));
+  document.sections.push_back(findings_of(location.findings));
   Section figures{"figures", "Layout", true, {}};
   figures.blocks.emplace_back(layout_figure(station_layout(subject), options));
   document.sections.push_back(std::move(figures));
-  document.sections.push_back(findings_of(location.findings));
   Section residuals{"residuals", "Points and residuals", true, {}};
   residuals.blocks.emplace_back(residual_table(subject, options));
   residuals.blocks.emplace_back(covariance_table(location.refined.covariance_mm2, options));
@@ -269,14 +289,14 @@ Document compose(const LocationPlanSubject& subject, const Options& options) {
     row.push_back(quiet_cell("______________"));
   }
   points.notes = {plain("Drive in this order without breaking the beam. Each length is the change since the zero.")};
-  Section list{"points", "Points", true, {std::move(points)}};
+  Section list{"points", "Points", true, {planned_setup(subject.setup, options), std::move(points)}};
   document.sections.push_back(std::move(list));
 
   Facts expected{"What they will tell", {}};
   for (std::size_t k = 0; k < 3; ++k)
     expected.facts.push_back({plain(fmt::format("Station in {}", axis_names[k])),
                               text_cell(fmt::format("standard uncertainty {} µm; {} µm for each µm of a length",
-                                                    few_digits(u_um(quality.covariance_mm2, k), options),
+                                                    shown_short(u_um(quality.covariance_mm2, k), options, 2),
                                                     format_fixed(quality.amplification[k], 2, options.numbers)))});
   expected.facts.push_back({plain("Condition, refined"), text_cell(few_digits(quality.condition_refined, options))});
   expected.facts.push_back({plain("Condition, eq. 14"), text_cell(few_digits(quality.condition_linear, options))});

@@ -217,11 +217,11 @@ Table target_table(const Sheet& sheet, const TrackingLine& line) {
 
 RichText programme_text(const Sheet& sheet, const TrackingLine& line) {
   const Plan& plan = line.plan;
-  return joined(
-      {strong(line.id),
-       plain(fmt::format(": {} times in each direction, feed {}/min, dwell {} s, overrun {}{}", plan.runs,
-                         sheet.mm(plan.feed), shown_short(plan.dwell.in_s(), sheet.options),
-                         sheet.mm(plan.overrun.in_native()), plan.seed ? fmt::format(", seed {}", *plan.seed) : ""))});
+  return joined({strong(line.id),
+                 plain(fmt::format(": {} in each direction, feed {}/min, dwell {} s, overrun {}{}",
+                                   plan.runs == 1 ? "once" : fmt::format("{} times", plan.runs), sheet.mm(plan.feed),
+                                   shown_short(plan.dwell.in_s(), sheet.options), sheet.mm(plan.overrun.in_native()),
+                                   plan.seed ? fmt::format(", seed {}", *plan.seed) : ""))});
 }
 
 Section target_section(const Sheet& sheet) {

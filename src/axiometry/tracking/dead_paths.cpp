@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace axiometry::tracking {
 namespace {
@@ -124,7 +125,11 @@ struct Level {
 void join_parts(std::span<const TiedSample> samples, std::span<const Position> targets, const Parts& parts,
                 DeadPathFit& fit) {
   std::map<std::size_t, std::map<std::size_t, Level>> levels;  // by part, by target
+  std::set<std::size_t> with_used;
+  for (const TiedSample& s : samples)
+    if (s.used) with_used.insert(parts[s.stretch]);
   for (const TiedSample& s : samples) {
+    if (!s.used && with_used.contains(parts[s.stretch])) continue;  // an outlier tells no level where others do
     Level& level = levels[parts[s.stretch]][s.target];
     level.sum += s.excess_mm - fit.stretches[s.stretch].shift_mm;
     level.count += 1.0;

@@ -53,5 +53,19 @@ TEST(DeadPaths, AreSetWithoutAStepWhereNothingTies) {
   EXPECT_NEAR(fit.stretches[1].shift_mm, 5.0, 1e-12);
 }
 
+TEST(DeadPaths, LeaveOutliersOutOfTheLevelsWhereNothingTies) {
+  const std::vector<TiedSample> samples = {{0, up, 1.0, 1.0, 0},
+                                           {1, up, 2.0, 1.0, 0},
+                                           {1, down, 7.0, 1.0, 1},
+                                           {0, down, 6.0, 1.0, 1},
+                                           {0, down, 106.0, 1.0, 1, false}};
+  EXPECT_NEAR(fit_dead_paths(samples, targets, 2).stretches[1].shift_mm, 5.0, 1e-12);
+}
+
+TEST(DeadPaths, TakeTheLevelOfAPartThatIsAllOutliers) {
+  const std::vector<TiedSample> samples = {{0, up, 1.0, 1.0, 0}, {1, up, 2.0, 1.0, 0}, {1, down, 7.0, 1.0, 1, false}};
+  EXPECT_NEAR(fit_dead_paths(samples, targets, 2).stretches[1].shift_mm, 5.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace axiometry::tracking

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/standards/station_offset.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -29,19 +29,6 @@ double excess_mm(const Split& error, double distance_mm) {
   const double actual = std::hypot(along, error.across_mm);
   if (along < 0.0) return actual - along;
   return actual == 0.0 ? 0.0 : error.across_mm * (error.across_mm / (actual + along));
-}
-
-constexpr std::size_t nodes = 64;
-
-/// w/u1² at the middle of each part of a quarter turn.
-std::array<double, nodes> weights_of(double ratio) {
-  std::array<double, nodes> weights;
-  for (std::size_t k = 0; k < nodes; ++k) {
-    const double theta = (static_cast<double>(k) + 0.5) / nodes * std::numbers::pi / 2.0;
-    const double c = std::cos(theta), s = ratio * std::sin(theta);
-    weights[k] = c * c + s * s;
-  }
-  return weights;
 }
 
 }  // namespace
@@ -85,30 +72,8 @@ OffsetUncertainty offset_uncertainty(const Matrix3& covariance_mm2, Vector3 dire
 }
 
 double squared_offset_quantile_mm2(const OffsetUncertainty& offset, double probability) {
-  AXIOMETRY_CONTRACT(probability > 0.0 && probability < 1.0);
-  const double larger = std::max(offset.larger_mm, offset.smaller_mm);
-  if (larger == 0.0) return 0.0;
-  const double ratio = std::min(offset.larger_mm, offset.smaller_mm) / larger;
-  const std::array<double, nodes> weights = weights_of(ratio);
-  // Between the quantiles of χ²₁ and χ²₂; Newton's steps on F − p, halved where they leave the bracket.
-  const double z = numeric::normal_quantile((1.0 + probability) / 2.0);
-  double low = z * z * (1.0 - 1e-12), high = -2.0 * std::log1p(-probability) * (1.0 + 1e-12);
-  double q = low + ratio * (high - low);
-  for (int step = 0; step < 100; ++step) {
-    double tail = 0.0, density = 0.0;
-    for (const double w : weights) {
-      const double e = std::exp(-q / (2.0 * w)) / nodes;
-      tail += e;
-      density += e / (2.0 * w);
-    }
-    const double excess = (1.0 - probability) - tail;  // F − p
-    (excess < 0.0 ? low : high) = q;
-    const double newton = q - excess / density;
-    const double next = newton > low && newton < high ? newton : (low + high) / 2.0;
-    if (std::abs(next - q) <= 1e-15 * q) break;
-    q = next;
-  }
-  return q * larger * larger;
+  const auto [smaller, larger] = std::minmax(offset.smaller_mm, offset.larger_mm);
+  return offset_squared_quantile({.at = {}, .larger_mm = larger, .smaller_mm = smaller}, probability);
 }
 
 std::vector<Length> length_difference_bounds(const OffsetUncertainty& offset, std::span<const double> distances_mm,

@@ -42,9 +42,9 @@ struct OffsetUncertainty {
 };
 OffsetUncertainty offset_uncertainty(const Matrix3& covariance_mm2, Vector3 direction);
 
-/// The q with P(Δ⊥² ≤ q) = probability, in mm², for Δ⊥² = u1² z1² + u2² z2² (z standard normal): between χ²₁ and χ²₂
-/// times u1². P = 1 − (2/π)∫ exp(−q/(2w)) dθ over a quarter turn, w = u1² cos²θ + u2² sin²θ, is a periodic integral
-/// that 64 points give within 1e-15. The quantile is within 1e-13 of itself. Contract: 0 < probability < 1.
+/// The q with P(Δ⊥² ≤ q) = probability, in mm², for Δ⊥² = u1² z1² + u2² z2² (z standard normal): that of
+/// standards/station_offset.h, where the method and its error are told. The two uncertainties may stand in any order.
+/// Contract: 0 < probability < 1.
 double squared_offset_quantile_mm2(const OffsetUncertainty& offset, double probability);
 
 /// Half width that holds |Δd| at each distance with 95 %, for Δ⊥ normal with these standard uncertainties: the 95 %

@@ -241,6 +241,8 @@ TEST(LineEvaluation, DescribesTheTestOfEveryLine) {
   EXPECT_EQ(m.machine.name, "Mill 5");
   EXPECT_EQ(m.conditions.tool_offset_mm, (std::vector<double>{0.0, 12.0, -120.0}));
   EXPECT_EQ(m.conditions.feed, 1000.0);
+  EXPECT_TRUE(m.machine.axes_travel.starts_with("X ")) << m.machine.axes_travel;
+  EXPECT_TRUE(m.conditions.axes_not_under_test.starts_with("Y = ")) << m.conditions.axes_not_under_test;
   EXPECT_NEAR(m.tracking.station_position->in_native(), 0.0, 1e-9);
   ASSERT_EQ(m.tracking.station_uncertainty_mm.size(), 2u);
   EXPECT_NEAR(m.tracking.station_uncertainty_mm[0], std::sqrt((4e-6 + 25e-6) / 2.0), 1e-9);

@@ -45,14 +45,24 @@ Axis axis_of(const LineDescription& d) {
   return axis;
 }
 
-/// "Y = 300 mm; Z = 350 mm", where the axes that stand are.
+/// "Y = 300 mm; Z = 350 mm", where the axes that stand are; "none" where all of them move.
 std::string resting_axes(const Axis& axis) {
   const auto line = spatial_line(axis);
+  if (!line) return "";
   std::string text;
-  for (std::size_t k = 0; line && k < 3; ++k)
+  for (std::size_t k = 0; k < 3; ++k)
     if (std::abs(line->direction[k]) <= 1e-9)
       text += fmt::format("{}{} = {} mm", text.empty() ? "" : "; ", axis_names[k],
                           format_exact(std::round(line->origin_mm[k] * 1e3) / 1e3));
+  return text.empty() ? "none" : text;
+}
+
+/// "X 0 to 800 mm, Y 0 to 600 mm, Z -500 to 0 mm"
+std::string travels_text(const TravelBox& travel) {
+  std::string text;
+  for (std::size_t k = 0; k < 3; ++k)
+    text += fmt::format("{}{} {} to {} mm", k == 0 ? "" : ", ", axis_names[k], format_exact(travel.lowest_mm[k]),
+                        format_exact(travel.highest_mm[k]));
   return text;
 }
 
@@ -63,7 +73,8 @@ bool device_given(const Metadata& given) {
 
 Deviation ranging_um(const LineDescription& d) {
   const RangingUncertainty& ranging = d.setup.ranging;
-  return Deviation::native(ranging.constant.in_um() + ranging.per_length.in_um_per_m() * d.travel_mm / 1000.0);
+  const double um = ranging.constant.in_um() + ranging.per_length.in_um_per_m() * d.travel_mm / 1000.0;
+  return Deviation::native(std::round(um * 1e5) / 1e5);  // reports show an input as it stands: no digits of a quotient
 }
 
 }  // namespace
@@ -73,6 +84,7 @@ Metadata line_metadata(const LineDescription& d) {
   Metadata m = d.given;
   m.axis = axis_of(d);
   if (m.machine.name.empty()) m.machine.name = plan.machine;
+  if (m.machine.axes_travel.empty()) m.machine.axes_travel = travels_text(d.setup.travel);
   m.conditions.cycle = plan.cycle;
   if (!m.conditions.feed) m.conditions.feed = plan.feed;
   if (!m.conditions.dwell) m.conditions.dwell = plan.dwell;

@@ -162,10 +162,11 @@ class Planner {
   }
 
   void note_long(const std::string& id) {
+    const std::size_t runs = plan_.lines.back().plan.runs;
     plan_.remarks.push_back(fmt::format(
-        "{}: above 2 000 mm the whole is measured {} times in each direction, at five targets per metre, which holds "
+        "{}: above 2 000 mm the whole is measured {} in each direction, at five targets per metre, which holds "
         "the test of every 2 000 mm in it",
-        id, plan_.lines.back().plan.runs));
+        id, runs == 1 ? "once" : fmt::format("{} times", runs)));
   }
 
   /// From which distance on what the station's uncertainty does to the lengths may be left out of the budget.
@@ -181,8 +182,8 @@ class Planner {
     plan_.remarks.push_back(
         from <= nearest
             ? fmt::format("{}: the length difference may be neglected on the whole line, its first target is {:.1f} mm "
-                          "from the station, {:.1f} mm would do",
-                          interval.id, nearest, from)
+                          "from the station{}",
+                          interval.id, nearest, from < 0.1 ? "" : fmt::format(", {:.1f} mm would do", from))
         : std::isfinite(from)
             ? fmt::format("{}: the length difference may be neglected from {:.1f} mm on, the first target is {:.1f} mm "
                           "from the station",

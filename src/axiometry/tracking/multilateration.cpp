@@ -22,13 +22,17 @@ class Multilateration {
   explicit Multilateration(const RangeInput& input)
       : in_(input),
         free_(input.options.scale == ScaleModel::free),
+        unknown_scales_(free_ && !(input.options.scale_prior > 0.0)),
         with_size_(input.options.scale != ScaleModel::fixed && !(input.options.scale_prior > 0.0)) {}
 
   Result<MultilaterationFit> carry_out() {
     AXIOMETRY_TRY(const RangeCounts counts, check_ranges(in_));
     AXIOMETRY_TRY_VOID(check_counts(in_, fit_.rank, counts.segments));
-    AXIOMETRY_TRY(starts_, start_all(in_));
-    AXIOMETRY_TRY_VOID(check_counts(in_, fit_.rank, segments()));
+    AXIOMETRY_TRY(starts_, start_all(in_, in_.options.find_breaks));
+    if (!check_counts(in_, fit_.rank, segments())) {  // too few readings to say that a beam was broken
+      AXIOMETRY_TRY(starts_, start_all(in_, false));
+      AXIOMETRY_TRY_VOID(check_counts(in_, fit_.rank, segments()));
+    }
     lay_out_start();
     AXIOMETRY_TRY_VOID(check_rank(reduce(problem().input(), state_, std::nullopt, 0.0), 1.0));
     AXIOMETRY_TRY_VOID(solve());
@@ -81,10 +85,11 @@ class Multilateration {
   Result<void> solve() {
     run_ = iterate(problem(), state_);
     if (run_.converged) return {};
-    return fail(
-        fmt::format("the solution does not settle within {} iterations (points still move by {:.3g} mm), "
-                    "expected nominal points and lengths that belong together",
-                    run_.iterations, run_.system.largest_move_mm));
+    return fail(fmt::format(
+        "the solution does not settle within {} iterations (points still move by {:.3g} mm), expected "
+        "nominal points and lengths that belong together, and more readings than there are now ({} "
+        "to spare, condition {:.1e})",
+        run_.iterations, run_.system.largest_move_mm, fit_.rank.equations - fit_.rank.unknowns, fit_.rank.condition));
   }
 
   /// What cannot be determined at this state. `factor` is that of the variances.
@@ -98,7 +103,7 @@ class Multilateration {
     weakest_station_ = rank.weakest_station;
     // The height over the common plane is what makes the stations' system regular; when it is known no better than
     // itself it may as well be 0.
-    const std::size_t open = coplanar_null_directions(in_.stations, free_);
+    const std::size_t open = coplanar_null_directions(in_.stations, unknown_scales_);
     fit_.rank.stations_coplanar =
         open > 0 && (spread.off_plane_mm <= 2.0 * fit_.rank.weakest_mm ||
                      (rank.null_directions > 0 && spread.off_plane_mm < 1e-3 * spread.off_line_mm));
@@ -112,7 +117,7 @@ class Multilateration {
       return fail(
           fmt::format("found {} stations on one plane within {:.2g} mm, expected one well off it or {} stations: "
                       "{} direction{} stay{} undetermined beyond position and orientation",
-                      in_.stations, spread.off_plane_mm, free_ ? 8 : 6, fit_.rank.null_directions,
+                      in_.stations, spread.off_plane_mm, unknown_scales_ ? 8 : 6, fit_.rank.null_directions,
                       fit_.rank.null_directions == 1 ? "" : "s", fit_.rank.null_directions == 1 ? "s" : ""));
     if (system.weak_points > 0)
       return fail(fmt::format(
@@ -208,6 +213,7 @@ class Multilateration {
     fit_.dead_paths_mm = starts_.dead;
     fit_.segments = starts_.segments;
     fit_.breaks = starts_.breaks;
+    settle_jumps();
     fit_.scales = state_.scales;
     fit_.points_mm = std::move(state_.points);
     fit_.stations_mm = std::move(state_.stations);
@@ -217,6 +223,18 @@ class Multilateration {
     fit_.findings =
         multilateration_findings({in_.readings, fit_, in_.options, starts_.mirrored, mirrored_,
                                   counts.points_seen_by_three, sigma, weighting_.scale_length_mm, weakest_station_});
+  }
+
+  /// The size of a break by the dead paths of the result.
+  void settle_jumps() {
+    for (RangeBreak& b : fit_.breaks) {
+      std::size_t before = b.reading;
+      while (before > 0 && in_.readings[--before].station != b.station) {
+      }
+      const auto& dead = fit_.dead_paths_mm[b.station];
+      if (in_.readings[before].station == b.station)
+        b.jump_mm = dead[fit_.segments[before]] - dead[fit_.segments[b.reading]];
+    }
   }
 
   static void multiply(std::vector<Matrix3>& matrices, double factor) {
@@ -241,7 +259,8 @@ class Multilateration {
 
   const RangeInput& in_;
   bool free_;
-  bool with_size_;  // whether nothing tells the size, so that it is taken from the nominal points
+  bool unknown_scales_;  // a prior tells as much as six coplanar stations lack, how well is a matter of covariances
+  bool with_size_;       // whether nothing tells the size, so that it is taken from the nominal points
   Vector3 centre_{};
   std::vector<Vector3> nominal_;  // about centre_
   RangeStarts starts_;

@@ -50,7 +50,8 @@ class Course {
     fit();
     AXIOMETRY_TRY_VOID(check_deviations());
     AXIOMETRY_TRY(Test test, make_test());
-    LineOutcome outcome{{.id = in_.line.id, .test = std::move(test)}, geometry_.direction, {}};
+    LineOutcome outcome{
+        EvaluatedLine{in_.line.id, std::move(test), {}, {}, {}, 0.0, 0.0, 0.0, 0.0, {}, {}}, geometry_.direction, {}};
     describe(outcome.line);
     tell_jumps(outcome);
     tell_dead_paths(outcome);

@@ -11,6 +11,7 @@ namespace {
 constexpr double machine_error_most_mm = 1.0;
 constexpr double step_least_mm = 0.05;
 constexpr double step_over_scatter = 8.0;
+constexpr double freedom_least = 8.0;  // below it the scatter itself is too uncertain
 
 /// A segment's residuals and rows about a start: [−u, w], less their means.
 struct Segment {
@@ -47,7 +48,7 @@ std::optional<LengthStep> find_step(const StationReadings& r, const StationStart
   const Eigen::LDLT<Eigen::Matrix3d> solver(normal + 1e-12 * normal.trace() * Eigen::Matrix3d::Identity());
   const double unknowns = 4.0 + static_cast<double>(r.segments);
   const double freedom = static_cast<double>(r.length_mm.size()) - unknowns;
-  if (freedom < 3.0) return std::nullopt;
+  if (freedom < freedom_least) return std::nullopt;
 
   // A further column that is 1 from t on: what it takes from the sum of squares, (Σ w)² over its squared length beside
   // the other columns.

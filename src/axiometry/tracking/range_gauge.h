@@ -30,7 +30,7 @@ struct ReducedRank {
 };
 
 /// Rounding in S comes from the difference of U and Σ WᵀV⁻¹W, a few units of 1e-16 for each scaled entry; directions
-/// that a geometry leaves open show eigenvalues of 1e-14 and less, the worst of usable ones 1e-9.
+/// that a geometry leaves open show eigenvalues of 1e-14 and less, set-ups of as few points as can be 1e-11.
 ReducedRank reduced_rank(const ReducedSystem& system, const GaugeDirections& gauge, const RangeLayout& layout);
 
 }  // namespace axiometry::tracking::detail

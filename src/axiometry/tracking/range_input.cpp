@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "axiometry/tracking/multilateration_findings.h"
 
@@ -14,6 +15,21 @@ namespace {
 
 constexpr std::size_t stations_least = 4;
 constexpr std::size_t stations_of_point_least = 3;
+// Of the stations, whose matrix is dense: 128 MB, and seconds. Eight stations with a break every few minutes have 100.
+constexpr std::size_t columns_most = 4000;
+
+/// What weighs the lengths: not negative, finite, and something above 0.
+Result<void> check_uncertainties(const MultilaterationOptions& options) {
+  const double a = options.ranging.constant.in_mm(), b = options.ranging.per_length.in_um_per_m();
+  for (const double u : {a, b, options.repeatability_sigma_mm, options.scale_prior})
+    if (!(u >= 0.0) || !std::isfinite(u))
+      return fail(
+          "found an uncertainty of lengths, points or scale that is negative or not finite, expected 0 or more");
+  if (a > 0.0 || b > 0.0 || options.repeatability_sigma_mm > 0.0) return {};
+  return fail(
+      "found lengths and points without any uncertainty, expected that of the instrument or the machine's "
+      "repeatability above 0: they weigh the lengths");
+}
 
 Result<void> check_numbers(const RangeInput& in) {
   for (std::size_t i = 0; i < in.nominal_mm.size(); ++i)
@@ -92,12 +108,12 @@ double spread_of(const StationReadings& s) {
   return distance(lowest, highest);
 }
 
-Result<StationStart> start_one(const RangeInput& in, StationReadings& s, std::size_t j,
+Result<StationStart> start_one(const RangeInput& in, StationReadings& s, std::size_t j, bool find_breaks,
                                std::vector<RangeBreak>& breaks) {
   const std::string name = station_name(in.options, j);
   AXIOMETRY_TRY(std::vector<LengthStep> broken, broken_triangles(in, s, j));
   const auto note = [&](const LengthStep& step) { breaks.push_back({j, s.reading[step.before], step.jump_mm}); };
-  if (in.options.find_breaks)
+  if (find_breaks)
     for (const LengthStep& step : broken) {
       if (s.length_mm.size() < 4 + s.segments) break;
       note(step);
@@ -105,7 +121,7 @@ Result<StationStart> start_one(const RangeInput& in, StationReadings& s, std::si
     }
   AXIOMETRY_TRY(StationStart start, start_station(s, name));
   constexpr std::size_t breaks_most = 20;
-  for (std::size_t k = 0; in.options.find_breaks && k < breaks_most; ++k) {
+  for (std::size_t k = 0; find_breaks && k < breaks_most; ++k) {
     const auto step = find_step(s, start);
     if (!step || s.length_mm.size() < 5 + s.segments) break;
     restart_segment(s, step->before);
@@ -135,13 +151,22 @@ Result<RangeCounts> check_ranges(const RangeInput& in) {
   if (in.readings.empty()) return fail("found no readings, expected lengths of points from stations");
   if (in.readings.size() > std::numeric_limits<std::uint32_t>::max() / 2)
     return fail(fmt::format("found {} readings, expected fewer than 2 billion", in.readings.size()));
+  AXIOMETRY_TRY_VOID(check_uncertainties(in.options));
   AXIOMETRY_TRY_VOID(check_numbers(in));
 
   std::vector<std::size_t> seen(in.stations, 0), segments(in.stations, 0), stations_of(in.nominal_mm.size(), 0);
+  for (const RangeReading& r : in.readings) segments[r.station] = std::max(segments[r.station], r.segment + 1);
+  const std::size_t all_segments = std::accumulate(segments.begin(), segments.end(), std::size_t{0});
+  if (4 * in.stations + all_segments > columns_most)
+    return fail(fmt::format(
+        "found {} stations with {} segments and {} points, expected at most {} unknowns of stations (here {}){}",
+        in.stations, all_segments, in.nominal_mm.size(), columns_most, 4 * in.stations + all_segments,
+        in.stations > in.nominal_mm.size() ? "; are points and stations exchanged?"
+        : all_segments > 2 * in.stations   ? "; a segment begins only where the beam was broken"
+                                           : ""));
   std::vector<std::vector<bool>> sees(in.stations, std::vector<bool>(in.nominal_mm.size()));
   for (const RangeReading& r : in.readings) {
     ++seen[r.station];
-    segments[r.station] = std::max(segments[r.station], r.segment + 1);
     if (sees[r.station][r.point]) continue;
     sees[r.station][r.point] = true;
     ++stations_of[r.point];
@@ -180,13 +205,13 @@ Result<void> check_counts(const RangeInput& in, MultilaterationRank& rank, std::
                   n, in.stations, rank.equations, rank.unknowns, rank.points_least, in.stations));
 }
 
-Result<RangeStarts> start_all(const RangeInput& in) {
+Result<RangeStarts> start_all(const RangeInput& in, bool find_breaks) {
   std::vector<StationReadings> stations = by_station(in);
   RangeStarts starts;
   starts.segments.resize(in.readings.size());
   for (std::size_t j = 0; j < in.stations; ++j) {
     StationReadings& s = stations[j];
-    AXIOMETRY_TRY(const StationStart start, start_one(in, s, j, starts.breaks));
+    AXIOMETRY_TRY(const StationStart start, start_one(in, s, j, find_breaks, starts.breaks));
     starts.stations.push_back(start.station_mm);
     starts.dead.push_back(start.dead_mm);
     if (start.mirror_mm) starts.mirrored.push_back(j);

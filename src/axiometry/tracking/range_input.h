@@ -38,7 +38,7 @@ struct RangeStarts {
 };
 
 /// Fails on lengths that contradict the nominal points.
-Result<RangeStarts> start_all(const RangeInput& input);
+Result<RangeStarts> start_all(const RangeInput& input, bool find_breaks);
 
 /// A step in the residuals of a station that is far above their scatter. Needs residuals of all readings.
 std::optional<RangeBreak> find_residual_step(const RangeInput& input, std::span<const double> residuals_mm,

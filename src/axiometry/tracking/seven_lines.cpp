@@ -76,11 +76,12 @@ Result<void> check_station_near(const TrackingSetup& setup) {
     outside[k] = std::max({low - station[k], station[k] - high, 0.0});
   }
   if (norm(outside) <= setup.limits.range_most_mm) return {};
-  return fail(
-      fmt::format("found the station at {} mm, {:.4g} mm from all that the reflector reaches, expected it within the "
-                  "range of {} mm "
-                  "(are its coordinates in mm, and in those of the reflector?)",
-                  place_text(station), norm(outside), format_exact(setup.limits.range_most_mm)));
+  return fail(fmt::format(
+      "found the station at ({}, {}, {}) mm, {} mm from all that the reflector reaches, expected it within the "
+      "range of {} mm "
+      "(are its coordinates in mm, and in those of the reflector?)",
+      format_fixed(station.x, 1), format_fixed(station.y, 1), format_fixed(station.z, 1),
+      format_fixed(norm(outside), 0), format_exact(setup.limits.range_most_mm)));
 }
 
 }  // namespace

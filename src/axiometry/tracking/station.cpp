@@ -120,8 +120,7 @@ void add_difference_findings(StationLocation& location) {
   const double misclosure = std::abs(fit.misclosure_mm2);
   if (fit.misclosure_u_mm2 > 0.0 && misclosure > 4.0 * fit.misclosure_u_mm2 && misclosure > 1e-6)
     location.findings.push_back(
-        {false, fmt::format("psi of eq. 13 misses |s|^2 - L_0^2 by {} mm^2, {} times what the stated uncertainties "
-                            "explain",
+        {false, fmt::format("ψ of eq. 13 misses |s|² − L0² by {} mm², {} times what the stated uncertainties explain",
                             format_fixed(fit.misclosure_mm2, 4), format_fixed(misclosure / fit.misclosure_u_mm2, 1))});
 }
 
@@ -159,6 +158,16 @@ Result<void> check_reading(std::span<const LocationPoint> points, const StationO
   return {};
 }
 
+/// What was said of the station's place need not be exact, but axes or a sign exchanged show in it.
+void add_place_finding(const StationOptions& options, const RefinedSolution& refined, std::vector<Finding>& findings) {
+  if (!options.near_mm) return;
+  const double off = distance(refined.fit.station_mm, *options.near_mm);
+  if (off > 0.5 * mean(refined.distances_mm))
+    findings.push_back({false, fmt::format("the station is {} mm from where it was said to stand about, {}: are "
+                                           "axes, signs or tools of the two those of the points?",
+                                           format_fixed(off, 0), shown_point(*options.near_mm))});
+}
+
 }  // namespace
 
 bool StationLocation::is_serious() const {
@@ -189,6 +198,7 @@ Result<StationLocation> locate_station(std::span<const LocationPoint> points, co
   add_count_findings(points, options, location.findings);
   add_surface_findings(linear, refined, points, options, location);
   add_distance_findings(refined.distances_mm, location.findings);
+  add_place_finding(options, refined, location.findings);
   add_misreading_findings(points, options, refined, location.findings);
   add_scatter_findings(refined, location.findings);
   if (location.has_linear()) add_difference_findings(location);

@@ -38,13 +38,14 @@ constexpr Reading readings[] = {
     {1e3, "in m"},
     {1e-6, "in nm"},
     {1e6, "in km, or the coordinates in nm"},
-    {25.4, "in in"},
+    {25.4, "in inches"},
     {1 / 25.4, "in mm and the coordinates in inches"},
     {-1.0, "with the other sign: L_0 − L_i"},
 };
 
 }  // namespace
 
+std::string shown_chi_squared(double x) { return x < 1e4 ? format_fixed(x, 1) : fmt::format("{:.2e}", x); }
 std::string shown_mm(double x) { return format_fixed(x, std::abs(x) < 1e6 ? 4 : 0) + " mm"; }
 
 std::string shown_um(double x_mm) {
@@ -176,6 +177,12 @@ std::string better_reading(std::span<const LocationPoint> points, const StationO
   return "";
 }
 
+double machine_error_mm(const RefinedFit& fit) {
+  if (fit.degrees_of_freedom == 0) return 0.0;
+  const double ratio = fit.chi_squared / static_cast<double>(fit.degrees_of_freedom);
+  return std::sqrt(std::max(0.0, ratio - 1.0)) * rms(fit.sigma_mm);
+}
+
 void add_scatter_findings(const RefinedSolution& solution, std::vector<Finding>& findings) {
   const RefinedFit& fit = solution.fit;
   const std::size_t nu = fit.degrees_of_freedom;
@@ -183,20 +190,20 @@ void add_scatter_findings(const RefinedSolution& solution, std::vector<Finding>&
   const double misfit = rms(fit.residuals_mm);
   if (fit.chance < 0.001) {
     const double ratio = fit.chi_squared / static_cast<double>(nu);
-    const double machine = std::sqrt(ratio - 1.0) * rms(fit.sigma_mm);
+    const double machine = machine_error_mm(fit);
     findings.push_back(
         {misfit > absurd_error_mm,
          fmt::format("the residuals ({} root mean square) are {} times what the stated uncertainties explain "
-                     "(chi-squared {} with {} degrees of freedom): errors of the machine's points of {} each would "
+                     "(chi-squared {} with {} degree{} of freedom): errors of the machine's points of {} each would "
                      "explain them; the covariance is that much larger",
-                     shown_um(misfit), format_fixed(std::sqrt(ratio), 1), format_fixed(fit.chi_squared, 1), nu,
-                     shown_um(machine))});
+                     shown_um(misfit), format_fixed(std::sqrt(ratio), 1), shown_chi_squared(fit.chi_squared), nu,
+                     nu == 1 ? "" : "s", shown_um(machine))});
   } else if (1.0 - fit.chance < 0.001) {
     findings.push_back(
         {false, fmt::format("the residuals ({} root mean square) are far smaller than the stated uncertainties "
-                            "(chi-squared {} with {} degrees of freedom): these are computed data, or the "
+                            "(chi-squared {} with {} degree{} of freedom): these are computed data, or the "
                             "uncertainties are stated too large",
-                            shown_um(misfit), format_exact(std::round(fit.chi_squared * 1e6) / 1e6), nu)});
+                            shown_um(misfit), fmt::format("{:.3g}", fit.chi_squared), nu, nu == 1 ? "" : "s")});
   }
 }
 

@@ -13,10 +13,17 @@ namespace axiometry::tracking {
 
 /// No machine tool that shall be tested puts its points worse than this; what is beyond is a misreading.
 inline constexpr double absurd_error_mm = 0.05;
+/// What machine tools may err by without being called wrong.
+inline constexpr double usual_machine_error_mm = 0.02;
 
-std::string shown_mm(double x);      ///< "12.3456 mm", true minus sign
-std::string shown_um(double x_mm);   ///< "0.31 µm"
-std::string shown_point(Vector3 p);  ///< "(12.346, 0.000, −5.100) mm"
+/// Standard deviation of the machine's points that would explain the residuals besides the σ stated; 0 where nothing
+/// checks them.
+double machine_error_mm(const RefinedFit& fit);
+
+std::string shown_chi_squared(double x);  ///< "1.9", "3.55e+06"
+std::string shown_mm(double x);           ///< "12.3456 mm", true minus sign
+std::string shown_um(double x_mm);        ///< "0.31 µm"
+std::string shown_point(Vector3 p);       ///< "(12.346, 0.000, −5.100) mm"
 
 /// Before: counts, finite numbers, uncertainties above 0. Fails as locate_station() does.
 Result<void> check_points(std::span<const LocationPoint> points, const StationOptions& options);

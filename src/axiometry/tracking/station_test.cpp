@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -349,6 +350,13 @@ TEST(Station, NonsenseAsAPlaceDoesNotDisturb) {
   }
 }
 
+TEST(Station, AStationFarFromWhereItWasSaidToBeIsTold) {
+  const auto mistaken = located(measured(six), {.near_mm = Vector3{station.x, station.y, station.z - 2000}});
+  EXPECT_TRUE(says(mistaken, "the station is 2000 mm from where it was said to stand")) << messages(mistaken);
+  const auto rough = located(measured(six), {.near_mm = station + Vector3{20, -30, 10}});
+  EXPECT_FALSE(says(rough, "from where it was said to stand")) << messages(rough);
+}
+
 TEST(Station, FewPointsAreAFindingAndThreeAnError) {
   const auto five = located(measured(std::span(six).first(5)));
   expect_near(five.refined.station_mm, station, 1e-6);
@@ -411,6 +419,34 @@ TEST(Station, AMisreadLengthIsNamed) {
     EXPECT_TRUE(says(location, "the length of point 5 being")) << messages(location);
     EXPECT_TRUE(location.is_serious());
   }
+}
+
+TEST(Station, ABreakAmongThousandsOfPointsIsFoundInATimeThatGrowsWithThem) {
+  std::vector<Vector3> many;  // 2 · 20 000 hypotheses, each with 20 000 residuals, would take minutes
+  for (std::size_t k = 0; k < 20'000; ++k) {
+    const double t = static_cast<double>(k);
+    many.push_back({500.0 + 300.0 * std::sin(0.7 * t), 250.0 * std::cos(1.1 * t), 500.0 + 300.0 * std::sin(1.9 * t)});
+  }
+  auto points = measured(many);
+  for (std::size_t k = 12'000; k < points.size(); ++k) points[k].length_difference_mm += 0.5;
+  const auto location = located(points);
+  EXPECT_TRUE(says(location, "all lengths from point 12001 on being 0.5000 mm too long")) << messages(location);
+}
+
+// Six points have one redundant length once a misread one is taken out: errors of some µm that no one stated look like
+// a length misread by more than 20 µm now and then, which is no reason not to use the station.
+TEST(Station, ErrorsOfAnOrdinaryMachineAreNoSeriousMisreading) {
+  for (const std::array<double, 6>& errors_um :
+       {std::array{5.0, 9.0, -4.0, 4.0, 0.0, 9.0}, std::array{7.0, -2.0, 13.0, 5.0, 4.0, -15.0}}) {
+    auto points = measured(six);
+    for (std::size_t i = 0; i < six.size(); ++i) points[i].length_difference_mm += 1e-3 * errors_um[i];
+    const auto location = located(points);
+    EXPECT_TRUE(says(location, "would explain the residuals")) << messages(location);
+    EXPECT_FALSE(location.is_serious()) << messages(location);
+  }
+  auto points = measured(six);
+  points[2].length_difference_mm += 0.3;
+  EXPECT_TRUE(located(points).is_serious());
 }
 
 TEST(Station, ABrokenBeamIsFoundWithTheStationWithoutIt) {

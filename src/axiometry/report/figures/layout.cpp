@@ -269,12 +269,14 @@ class Drawing {
       if (present) entries.push_back({std::move(stroke), std::nullopt, mark, {plot::plain(text)}});
     };
     const auto has = [&](auto predicate) { return std::ranges::any_of(layout_.lines, predicate); };
-    const auto axis = [](const Layout::Item& item) { return !item.lost && !plot::is_diagonal(item); };
-    const auto diagonal = [](const Layout::Item& item) { return !item.lost && plot::is_diagonal(item); };
+    const auto beam = [](const Layout::Item& item) { return !item.lost && item.beam; };
+    const auto axis = [](const Layout::Item& item) { return !item.lost && !item.beam && !plot::is_diagonal(item); };
+    const auto diagonal = [](const Layout::Item& item) { return !item.lost && !item.beam && plot::is_diagonal(item); };
     const auto lost = [](const Layout::Item& item) { return item.lost; };
     const auto points = layout_.points_mm.size();
     add(has(axis), ink::solid(ink::blue, 1.3), std::nullopt, "line of one axis");
     add(has(diagonal), ink::solid(ink::vermilion, 1.3), std::nullopt, "diagonal");
+    add(has(beam), ink::solid(ink::vermilion, 0.8), std::nullopt, "beam");
     add(has(lost), Stroke{.colour = ink::extension_grey, .width = 0.9, .dashes = {3.5, 2.2}}, std::nullopt,
         "cannot be measured");
     add(layout_.box.has_value(), ink::solid(ink::grey, 0.6), std::nullopt, "travels of the reflector");

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/report/figures/layout_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "axiometry/report/figures/ink.h"
 #include "axiometry/report/figures/layout_solids.h"
@@ -33,8 +38,6 @@ class Reach {
   Window window_{far, -far, far, -far};
   bool any_ = false;
 };
-
-Point middle(Point a, Point b) { return {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0}; }
 
 class Scene {
  public:
@@ -116,7 +119,7 @@ class Scene {
     }
     labels_.avoid(from, to, 2.0);
     operations_.push_back(line(from, to, stroke));
-    if (item.lost) return;
+    if (item.lost || item.beam) return;
     const double length = std::hypot(to.x - from.x, to.y - from.y);
     if (length > 3.0 * style_.ball) draw_head(from, to, length, stroke.colour);
     operations_.push_back(
@@ -183,16 +186,21 @@ class Scene {
   void name_points() {
     if (layout_.points_mm.size() > most_points_numbered) return;
     for (std::size_t k = 0; k < layout_.points_mm.size(); ++k)
-      name(std::to_string(k + 1), view_(layout_.points_mm[k]), {1.0, -1.0}, ink::black, point_radius() + 1.0,
-           style_.text - 0.5);
+      name(named(layout_.point_names, layout_.points_mm.size(), k, ""), view_(layout_.points_mm[k]), {1.0, -1.0},
+           ink::black, point_radius() + 1.0, style_.text - 0.5);
+  }
+
+  static std::string named(std::span<const std::string> names, std::size_t count, std::size_t k,
+                           std::string_view letter) {
+    return names.size() == count ? names[k] : fmt::format("{}{}", letter, k + 1);
   }
 
   void name_stations() {
     const bool several = layout_.stations_mm.size() > 1;
     if (layout_.stations_mm.size() > most_points_numbered) return;
     for (std::size_t k = 0; k < layout_.stations_mm.size(); ++k)
-      name(several ? "S" + std::to_string(k + 1) : std::string("station"), view_(layout_.stations_mm[k]), {-1.0, 0.6},
-           ink::black, style_.ball + 1.5, style_.text - 0.5);
+      name(several ? named(layout_.station_names, layout_.stations_mm.size(), k, "S") : std::string("station"),
+           view_(layout_.stations_mm[k]), {-1.0, 0.6}, ink::black, style_.ball + 1.5, style_.text - 0.5);
   }
 
   void name_obstacles() {
@@ -228,6 +236,7 @@ double separation(const Layout& layout, const Sight& sight) {
 
 Stroke line_stroke(const Layout::Item& item, double width) {
   if (item.lost) return {.colour = ink::extension_grey, .width = 0.7 * width, .dashes = {3.5, 2.2}};
+  if (item.beam) return ink::solid(ink::vermilion, 0.6 * width);
   return ink::solid(is_diagonal(item) ? ink::vermilion : ink::blue, width);
 }
 
@@ -246,8 +255,8 @@ Layout drawable(const Layout& layout) {
   if (kept.safe_radius_mm && !(*kept.safe_radius_mm > 0.0 && *kept.safe_radius_mm < farthest))
     kept.safe_radius_mm.reset();
   const auto unsound = [&](Vector3 p) { return !sound(p); };
-  std::erase_if(kept.stations_mm, unsound);
-  std::erase_if(kept.points_mm, unsound);
+  if (std::erase_if(kept.stations_mm, unsound) > 0) kept.station_names.clear();
+  if (std::erase_if(kept.points_mm, unsound) > 0) kept.point_names.clear();
   std::erase_if(kept.way_mm, unsound);
   std::erase_if(kept.lines, [&](const Layout::Item& item) { return !sound(item.begin_mm) || !sound(item.end_mm); });
   std::erase_if(kept.obstacles,

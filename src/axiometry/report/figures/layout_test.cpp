@@ -39,6 +39,16 @@ TEST(LayoutFigure, ShowsTheTravelsInTheirLengths) {
   EXPECT_THAT(all_words(figure), IsSupersetOf({"1000", "600", "500"}));
 }
 
+TEST(LayoutFigure, CallsStationsAndPointsByTheirNamesWhereTheyHaveSome) {
+  Layout layout{.stations_mm = {{0, 0, 0}, {900, 0, 100}},
+                .points_mm = {{100, 200, 300}, {500, 400, 100}},
+                .station_names = {"door", "spindle"},
+                .point_names = {"P7", "P8"}};
+  EXPECT_THAT(all_words(layout_figure(layout, {})), IsSupersetOf({"door", "spindle", "P7", "P8"}));
+  layout.stations_mm.push_back({1e300, 0, 0});
+  EXPECT_THAT(all_words(layout_figure(layout, {})), IsSupersetOf({"S1", "S2", "P7", "P8"}));
+}
+
 TEST(LayoutFigure, UsesTheDecimalMarkOfTheOptions) {
   Layout layout = seven_lines_layout();
   layout.box->highest_mm.x = 1000.5;
