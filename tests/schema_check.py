@@ -29,6 +29,23 @@ def faulty(test):
         yield what, changed
 
 
+def station_faults():
+    """A station as people write it, and as 'axiometry tracking locate' does in short; and what is none."""
+    schema = json.loads((ROOT / "schema" / "axiometry-station.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    place, covariance = [650, -30, 260.5], [[4e-6, 0, 0], [0, 4e-6, 0], [0, 0, 9e-6]]
+    refined = {"station": place, "L0": 1.5, "covariance": covariance}
+    finding = {"severity": "note", "message": "all is well"}
+    good = [{"station": place}, {"station": place, "covariance": None}, {"station": place, "covariance": covariance},
+            {"refined": refined, "linear": None, "findings": [finding]},
+            {"refined": refined, "linear": {"station": None, "rank": 4, "condition": 1e15}, "misclosure": None}]
+    bad = [{}, {"station": place[:2]}, {"station": ["1", 2, 3]}, {"station": place, "covariance": covariance[:2]},
+           {"refined": {"covariance": covariance}}, {"refined": refined, "findings": [{"message": "none"}]}]
+    return ([f"the schema of stations refuses {s}" for s in good if not validator.is_valid(s)] +
+            [f"the schema of stations allows {s}" for s in bad if validator.is_valid(s)])
+
+
 def main():
     schema = json.loads((ROOT / "schema" / "axiometry-test.schema.json").read_text(encoding="utf-8"))
     jsonschema.Draft202012Validator.check_schema(schema)
@@ -38,6 +55,7 @@ def main():
         test = json.loads(path.read_text(encoding="utf-8"))
         faults += [f"{path.name}: {error.json_path}: {error.message}" for error in validator.iter_errors(test)]
         faults += [f"{path.name}: the schema allows {what}" for what, changed in faulty(test) if validator.is_valid(changed)]
+    faults += station_faults()
     print("\n".join(faults) if faults else "schema: ok")
     return 1 if faults else 0
 

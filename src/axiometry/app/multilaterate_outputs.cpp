@@ -54,8 +54,8 @@ Value stations_value(const Multilaterated& r) {
   for (std::size_t j = 0; j < r.ranges.stations.size(); ++j) {
     Value& station = list.push(Value::object());
     station.add("name", r.ranges.stations[j]);
-    station.add("position_mm", vector_to_json(r.fit.stations_mm[j]));
-    station.add("covariance_mm2", matrix_to_json(r.fit.station_covariances_mm2[j]));
+    station.add("position_mm", formats::vector_value(r.fit.stations_mm[j]));
+    station.add("covariance_mm2", formats::matrix_value(r.fit.station_covariances_mm2[j]));
     Value& dead = station.add("dead_paths", Value::array());
     for (std::size_t k = 0; k < r.fit.dead_paths_mm[j].size(); ++k) {
       Value& path = dead.push(Value::object());
@@ -85,9 +85,10 @@ Value breaks_value(const Multilaterated& r) {
 Value point_value(const Multilaterated& r, std::size_t i) {
   Value point = Value::object();
   point.add("name", r.ranges.points[i]);
-  point.add("position_mm", vector_to_json(r.fit.points_mm[i]));
-  point.add("deviation_um", vector_to_json(1000.0 * (r.fit.points_mm[i] - r.ranges.nominal_mm[i])));
-  if (!r.fit.point_covariances_mm2.empty()) point.add("covariance_mm2", matrix_to_json(r.fit.point_covariances_mm2[i]));
+  point.add("position_mm", formats::vector_value(r.fit.points_mm[i]));
+  point.add("deviation_um", formats::vector_value(1000.0 * (r.fit.points_mm[i] - r.ranges.nominal_mm[i])));
+  if (!r.fit.point_covariances_mm2.empty())
+    point.add("covariance_mm2", formats::matrix_value(r.fit.point_covariances_mm2[i]));
   return point;
 }
 

@@ -22,7 +22,6 @@
 #include "axiometry/report/tracking.h"
 #include "axiometry/report/writer.h"
 #include "axiometry/tracking/reading_order.h"
-#include "axiometry/tracking/seven_lines.h"
 
 namespace axiometry::app {
 namespace {
@@ -134,15 +133,6 @@ Result<void> write_report(const report::Document& document, const std::string& f
   return write_file(file, *bytes);
 }
 
-/// The lines as people look for them: x, y, z, xy, … and diagonals of the box behind; a plan has them as they are
-/// driven.
-TrackingPlan in_reading_order(TrackingPlan plan) {
-  std::ranges::stable_sort(plan.lines, {}, [](const TrackingLine& line) {
-    return std::ranges::find(tracking::seven_lines, std::string_view(line.id)) - tracking::seven_lines.begin();
-  });
-  return plan;
-}
-
 }  // namespace
 
 Result<void> add_tolerance(const std::string& text, TrackingEvaluateOptions& options) {
@@ -181,7 +171,7 @@ Result<EvaluatedLines> evaluate_tracking(const std::string& lengths, const Track
   std::vector<tracking::Finding> before = std::move(evaluated.evaluation.findings);
   AXIOMETRY_TRY(
       evaluated.evaluation,
-      in_file(tracking::evaluate_lines(in_reading_order(evaluated.plan), readings.readings, of_lines), lengths));
+      in_file(tracking::evaluate_lines(evaluated.plan, readings.readings, of_lines), lengths));
   auto& findings = evaluated.evaluation.findings;
   findings.insert(findings.begin(), before.begin(), before.end());
   note_provenance(evaluated, read);

@@ -35,7 +35,7 @@ struct Layout {
   std::vector<Vector3> points_mm{};  ///< numbered from 1 when there are no more than 20
   /// Of the stations and of the points, in their place: used where as many are given as there are.
   std::vector<std::string> station_names{}, point_names{};
-  std::vector<Vector3> way_mm{};     ///< of the reflector, from point to point; may be empty
+  std::vector<Vector3> way_mm{};  ///< of the reflector, from point to point; may be empty
   std::vector<Obstacle> obstacles{};
   std::string title{};
   std::string description{};

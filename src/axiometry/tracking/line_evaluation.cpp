@@ -16,6 +16,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/tracking/one_line.h"
 #include "axiometry/tracking/reading_order.h"
+#include "axiometry/tracking/seven_lines.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -98,6 +99,25 @@ Ordered ordered(const TrackingPlan& plan, std::span<const LengthReading> reading
   return result;
 }
 
+struct StretchOfLine {
+  std::size_t begin = 0;
+  std::size_t count = 0;
+};
+
+/// Where the readings of each line stand, in the order in which people look for lines: x, y, z, xy, … and what is none
+/// of the seven behind, as it was driven.
+std::vector<StretchOfLine> stretches_of_lines(std::span<const LengthReading> readings) {
+  std::vector<StretchOfLine> stretches;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    if (k == 0 || readings[k].line != readings[k - 1].line) stretches.push_back({k, 0});
+    ++stretches.back().count;
+  }
+  std::ranges::stable_sort(stretches, {}, [&](const StretchOfLine& s) {
+    return std::ranges::find(seven_lines, std::string_view(readings[s.begin].line)) - seven_lines.begin();
+  });
+  return stretches;
+}
+
 /// As they would be shown by an instrument that counts up when the reflector recedes.
 std::vector<LengthReading> turned(std::vector<LengthReading> readings, bool reversed) {
   for (LengthReading& r : readings)
@@ -140,12 +160,11 @@ Result<LinesEvaluation> evaluate_lines(const TrackingPlan& plan, std::span<const
     evaluation.findings.push_back(
         {false, "the uncertainty of the station is not known: the length difference it causes is not judged"});
   std::vector<LineSlope> slopes;
-  for (std::size_t begin = 0, end = 0; begin < in_order.readings.size(); begin = end) {
+  for (const auto& [begin, count] : stretches_of_lines(in_order.readings)) {
     const std::string& id = in_order.readings[begin].line;
-    while (end < in_order.readings.size() && in_order.readings[end].line == id) ++end;
     const std::span times(in_order.times_s);
-    const LineInput input{plan.lines[numbers.at(id)], setup, std::span(in_order.readings).subspan(begin, end - begin),
-                          times.empty() ? times : times.subspan(begin, end - begin), of_lines};
+    const LineInput input{plan.lines[numbers.at(id)], setup, std::span(in_order.readings).subspan(begin, count),
+                          times.empty() ? times : times.subspan(begin, count), of_lines};
     AXIOMETRY_TRY(LineOutcome outcome, evaluate_line(input));
     slopes.push_back({id, outcome.direction, outcome.line.slope_um_per_m, outcome.line.slope_uncertainty_um_per_m,
                       outcome.line.test.series.travel_native()});
