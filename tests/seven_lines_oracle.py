@@ -158,7 +158,7 @@ def check(program, rng, index, folder):
         if np.ptp(shift) > 1e-5:
             raise SystemExit(f"case {index}, {line['id']}: deviations differ by more than a shift: {shift}")
         truth = direction @ machine.D @ direction * 1e6
-        within = 1.0 + 5 * machine.noise * 1e9 / (np.ptp(targets) * math.sqrt(len(targets) * p["runs"])) / 1000
+        within = 1.0 + 5e6 * machine.noise / (np.std(targets) * math.sqrt(2 * len(targets) * p["runs"]))
         if abs(line["slope"]["um_per_m"] - truth) > within:
             raise SystemExit(f"case {index}, {line['id']}: slope found {line['slope']['um_per_m']}, expected {truth}")
     if expected:
