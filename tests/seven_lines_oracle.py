@@ -98,10 +98,10 @@ def check_broken(program, rng, index, folder, machine, rows, expected):
         at, size = breaks[result["id"]]
         where = f"case {index}, {result['id']}, broken by {size} mm before reading {at + 1}"
         found = [(b["before_reading"] - 1, b["jump_mm"]) for b in result["breaks"]]
-        if [k for k, _ in found] != [at] or abs(found[0][1] - size) > 1e-5 + 6 * machine.noise:
+        if [k for k, _ in found] != [at] or abs(found[0][1] - size) > 1e-5 + 10 * machine.noise:
             raise SystemExit(f"{where}: found {found}")
         for key, value in parameters(expected[result["id"]][0]).items():
-            if key in "ERB" and abs(result["test"]["parameters"][key] - value) > 1e-3 + 6e3 * machine.noise:
+            if key in "ERB" and abs(result["test"]["parameters"][key] - value) > 1e-3 + 1e4 * machine.noise:
                 raise SystemExit(f"{where}: {key} found {result['test']['parameters'][key]}, expected {value}")
 
 
@@ -158,9 +158,9 @@ def check(program, rng, index, folder):
         if np.ptp(shift) > 1e-5:
             raise SystemExit(f"case {index}, {line['id']}: deviations differ by more than a shift: {shift}")
         truth = direction @ machine.D @ direction * 1e6
-        within = 1.0 + 5 * machine.noise * 1e9 / (np.ptp(targets) * math.sqrt(len(targets) * p["runs"])) / 1000
+        within = 1.0 + 5e6 * machine.noise / (np.std(targets) * math.sqrt(2 * len(targets) * p["runs"]))
         if abs(line["slope"]["um_per_m"] - truth) > within:
-            raise SystemExit(f"case {index}, {line['id']}: slope found {line['slope_um_per_m']}, expected {truth}")
+            raise SystemExit(f"case {index}, {line['id']}: slope found {line['slope']['um_per_m']}, expected {truth}")
     if expected:
         raise SystemExit(f"case {index}: no result for {list(expected)}")
     if len(answer["lines"]) == 7 and machine.noise == 0.0:

@@ -151,7 +151,9 @@ class Course {
     if (found <= limit) return {};
     return fail(fmt::format(
         "found a length of line {} that puts the reflector {} mm from its place ({}), expected {} mm at most, which no "
-        "machine exceeds: the lengths stand in another order, belong to another plan, or are not of this line",
+        "machine exceeds: the lengths stand in another order or belong to another plan, or the beam was broken more "
+        "often "
+        "than its readings tell (state it in a column segment)",
         in_.line.id, format_fixed(found, 3), named(reading(used[static_cast<std::size_t>(worst)])),
         format_exact(limit)));
   }
