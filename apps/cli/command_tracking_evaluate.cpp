@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -49,9 +50,11 @@ std::vector<app::InputFile> inputs_of(const Arguments& a) {
   return inputs;
 }
 
+/// A result that should not be used as it is counts as one that does not conform, as in `tracking locate`.
 int exit_code_of(const app::EvaluatedLines& evaluated) {
   using uncertainty::Verdict;
-  bool exceeded = false, undecided = false;
+  bool exceeded = std::ranges::any_of(evaluated.evaluation.findings, &tracking::Finding::serious);
+  bool undecided = false;
   for (const app::Evaluated& e : evaluated.tests) {
     const auto verdict = iso230_2::overall_verdict(e.judgements);
     exceeded = exceeded || verdict == Verdict::does_not_conform;
@@ -207,7 +210,9 @@ void add_tracking_evaluate(CLI::App& tracking, int& exit_code) {
 the order of the program. Examples:
   axiometry tracking evaluate lengths.csv --plan seven.json --station located.json
   axiometry tracking evaluate lengths.csv --plan seven.json --json - --save-tests 'tests/{name}.json'
-  axiometry tracking evaluate lengths.csv --plan seven.json --tolerance A=10um --tolerance xy:E=20um)");
+  axiometry tracking evaluate lengths.csv --plan seven.json --tolerance A=10um --tolerance xy:E=20um
+
+Exit codes: 0 done, 1 usage, 2 bad input, 3 a parameter does not conform or a finding is serious, 4 undecided.)");
 }
 
 }  // namespace axiometry::cli

@@ -64,6 +64,8 @@ inline Test complete_test() {
             ExpansionCoefficient::um_per_m_K(11),
             "reversal and leadscrew",
             {},
+            {},
+            {},
             {}};
   m.machine = {"Mill 5", "vertical spindle machining centre", "1234", "X 1800, Y 700, Z 650 mm", "hall 2"};
   m.conditions.date = "2024-05-06";
