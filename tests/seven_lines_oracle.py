@@ -93,7 +93,8 @@ def check_broken(program, rng, index, folder, machine, rows, expected):
         broken.append(",".join(place) + f",{round(float(length) + lost, 7)!r}")
     file = folder / "broken.csv"
     file.write_text("\n".join(broken) + "\n")
-    answer = json.loads(run(program, "tracking", "evaluate", file, "--plan", folder / "plan.json", "--json", "-", "--quiet"))
+    answer = json.loads(run(program, "tracking", "evaluate", file, "--plan", folder / "plan.json", "--json", "-", "--quiet",
+                            codes=(0, 3)))  # 3: a stretch that only a single reading ties is a serious finding
     for result in answer["lines"]:
         at, size = breaks[result["id"]]
         where = f"case {index}, {result['id']}, broken by {size} mm before reading {at + 1}"

@@ -421,9 +421,10 @@ TEST(Station, AMisreadLengthIsNamed) {
   }
 }
 
+// Above 5 000 points only neighbours in the file are held against the distance of their points.
 TEST(Station, ABreakAmongThousandsOfPointsIsFound) {
   std::vector<Vector3> many;
-  for (std::size_t k = 0; k < 5'000; ++k) {
+  for (std::size_t k = 0; k < 6'000; ++k) {
     const double t = static_cast<double>(k);
     many.push_back({500.0 + 300.0 * std::sin(0.7 * t), 250.0 * std::cos(1.1 * t), 500.0 + 300.0 * std::sin(1.9 * t)});
   }
