@@ -20,6 +20,7 @@
 #include "capture_flags.h"
 #include "commands.h"
 #include "evaluate_run.h"
+#include "option_text.h"
 #include "tolerance_flags.h"
 #include "uncertainty_flags.h"
 
@@ -118,9 +119,7 @@ void add_number_flags(CLI::App& verb, EvaluateArguments& arguments) {
 void add_output_flags(CLI::App& verb, EvaluateArguments& arguments) {
   constexpr const char* group = "Outputs";
   verb.add_option("--json", arguments.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
-      ->check([](const std::string& name) {
-        return name.empty() ? std::string("found an empty name, expected a file or -") : std::string();
-      })
+      ->check(fault_of_name)
       ->type_name("FILE")
       ->group(group);
   verb.add_option(

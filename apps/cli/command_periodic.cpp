@@ -14,6 +14,7 @@
 #include "axiometry/report/periodic.h"
 #include "axiometry/report/utf8.h"
 #include "commands.h"
+#include "option_text.h"
 #include "terminal.h"
 
 namespace axiometry::cli {
@@ -155,9 +156,7 @@ void add_flags(CLI::App& verb, const std::shared_ptr<Arguments>& arguments) {
              "Shortest period searched (2.1 times the mean spacing of the targets)");
   add_period(verb, "--max-period", a.options.longest, "Longest period searched (half the measured travel)");
   verb.add_option("--json", a.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
-      ->check([](const std::string& name) {
-        return name.empty() ? std::string("found an empty name, expected a file or -") : std::string();
-      })
+      ->check(fault_of_name)
       ->type_name("FILE")
       ->group("Outputs");
   verb.add_option("--report", a.outputs.reports,
@@ -165,17 +164,7 @@ void add_flags(CLI::App& verb, const std::shared_ptr<Arguments>& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group("Outputs");
-  verb.add_option_function<std::string>(
-          "--decimal",
-          [&a](const std::string& word) {
-            if (word != "point" && word != "comma")
-              throw CLI::ValidationError("--decimal",
-                                         fmt::format("found {}, expected point or comma", text::quoted(word)));
-            a.report.numbers.decimal_mark = word == "point" ? '.' : ',';
-          },
-          "Decimal mark: point or comma")
-      ->type_name("MARK")
-      ->group("Outputs");
+  add_decimal(verb, a.report.numbers.decimal_mark)->group("Outputs");
   verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group("Outputs");
 }
 

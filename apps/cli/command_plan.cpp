@@ -183,12 +183,9 @@ std::vector<CLI::Option*> add_programme_flags(CLI::App& verb, PlanArguments& arg
 
 void add_output_flags(CLI::App& verb, PlanArguments& arguments) {
   constexpr const char* group = "Outputs";
-  const auto not_empty = [](const std::string& name) {
-    return name.empty() ? std::string("found an empty name, expected a file or -") : std::string();
-  };
   verb.add_option("--out", arguments.outputs.json,
                   "The plan as JSON to FILE; to the standard output (-) when not given")
-      ->check(not_empty)
+      ->check(fault_of_name)
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--sheet", arguments.outputs.reports,
@@ -196,12 +193,7 @@ void add_output_flags(CLI::App& verb, PlanArguments& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group(group);
-  verb.add_option_function<std::string>(
-          "--decimal",
-          [&](const std::string& mark) { arguments.report.numbers.decimal_mark = mark == "comma" ? ',' : '.'; },
-          "Decimal mark in summary and sheet: point or comma")
-      ->check(CLI::IsMember({"point", "comma"}).description(""))
-      ->type_name("MARK")
+  add_decimal(verb, arguments.report.numbers.decimal_mark, "Decimal mark in summary and sheet: point or comma")
       ->group(group);
   verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
 }

@@ -180,12 +180,7 @@ void add_output_flags(CLI::App& verb, Arguments& a) {
       ->check(named)
       ->type_name("FILE")
       ->group(group);
-  add_read(verb, {"--decimal", "MARK", "Decimal mark: point or comma"}, [&a](const std::string& word) -> Result<void> {
-    if (word != "point" && word != "comma")
-      return fail(fmt::format("found {}, expected point or comma", text::quoted(word)));
-    a.report.numbers.decimal_mark = word == "point" ? '.' : ',';
-    return {};
-  })->group(group);
+  add_decimal(verb, a.report.numbers.decimal_mark)->group(group);
   verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group(group);
 }
 

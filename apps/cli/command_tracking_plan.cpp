@@ -201,9 +201,7 @@ void add_location(CLI::App& verb, Arguments& arguments) {
 void add_outputs(CLI::App& verb, Arguments& arguments) {
   constexpr const char* group = "Outputs";
   verb.add_option("--out,--json", arguments.outputs.json, "The plan as JSON to FILE, or to the standard output with -")
-      ->check([](const std::string& name) {
-        return name.empty() ? std::string("found an empty name, expected a file or -") : std::string();
-      })
+      ->check(fault_of_name)
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--sheet,--report", arguments.outputs.reports,
@@ -211,13 +209,7 @@ void add_outputs(CLI::App& verb, Arguments& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group(group);
-  add_read(verb, {"--decimal", "MARK", "Decimal mark in summary and sheet: point or comma"},
-           [&arguments](const std::string& word) -> Result<void> {
-             if (word != "point" && word != "comma")
-               return fail(fmt::format("found {}, expected point or comma", text::quoted(word)));
-             arguments.report.numbers.decimal_mark = word == "point" ? '.' : ',';
-             return {};
-           })
+  add_decimal(verb, arguments.report.numbers.decimal_mark, "Decimal mark in summary and sheet: point or comma")
       ->group(group);
   verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
 }

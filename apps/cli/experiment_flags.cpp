@@ -15,9 +15,7 @@ namespace axiometry::cli {
 void add_experiment_flags(CLI::App& verb, ExperimentArguments& arguments) {
   constexpr const char* group = "Outputs";
   verb.add_option("--json", arguments.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
-      ->check([](const std::string& name) {
-        return name.empty() ? std::string("found an empty name, expected a file or -") : std::string();
-      })
+      ->check(fault_of_name)
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--report", arguments.outputs.reports,
@@ -25,14 +23,7 @@ void add_experiment_flags(CLI::App& verb, ExperimentArguments& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group(group);
-  add_read(verb, {"--decimal", "MARK", "Decimal mark: point or comma"},
-           [&arguments](const std::string& word) -> Result<void> {
-             if (word != "point" && word != "comma")
-               return fail(fmt::format("found {}, expected point or comma", text::quoted(word)));
-             arguments.report.numbers.decimal_mark = word == "point" ? '.' : ',';
-             return {};
-           })
-      ->group(group);
+  add_decimal(verb, arguments.report.numbers.decimal_mark)->group(group);
   verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
 }
 

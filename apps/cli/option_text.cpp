@@ -37,4 +37,17 @@ CLI::Option* add_count(CLI::App& verb, const OptionText& text, std::function<voi
   });
 }
 
+CLI::Option* add_decimal(CLI::App& verb, char& mark, const std::string& description) {
+  return add_read(verb, {"--decimal", "MARK", description}, [&mark](const std::string& word) -> Result<void> {
+    if (word != "point" && word != "comma")
+      return fail(fmt::format("found {}, expected point or comma", text::quoted(word)));
+    mark = word == "point" ? '.' : ',';
+    return {};
+  });
+}
+
+std::string fault_of_name(const std::string& name) {
+  return name.empty() ? "found an empty name, expected a file or -" : "";
+}
+
 }  // namespace axiometry::cli

@@ -26,4 +26,10 @@ CLI::Option* add_number(CLI::App& verb, const OptionText& text, std::function<vo
 /// A whole number of 0 or more.
 CLI::Option* add_count(CLI::App& verb, const OptionText& text, std::function<void(unsigned long long)> put);
 
+/// --decimal: the mark becomes '.' or ','.
+CLI::Option* add_decimal(CLI::App& verb, char& mark, const std::string& description = "Decimal mark: point or comma");
+
+/// For check(): what is wrong with the name of an output, which may be "-"; "" when nothing is.
+std::string fault_of_name(const std::string& name);
+
 }  // namespace axiometry::cli
