@@ -17,6 +17,22 @@ using json::Value;
 
 constexpr double coordinate_limit_mm = 1e9;  // the Plan's own limit
 
+/// A location that should not be used as it is says so among its findings.
+Result<void> check_usable(const Value& root) {
+  const Value* findings = root.find("findings");
+  if (findings == nullptr || !findings->is(Kind::array)) return {};
+  for (const Value& finding : findings->items()) {
+    if (!finding.is(Kind::object)) continue;
+    const Value *severity = finding.find("severity"), *message = finding.find("message");
+    if (severity != nullptr && severity->is(Kind::text) && severity->text() == "serious")
+      return fail(fmt::format("found a station that should not be used as it is{}; expected one without a serious "
+                              "finding, or its coordinates by hand, as {{\"station\": [x, y, z]}}",
+                              message != nullptr && message->is(Kind::text) ? ": " + message->text() : ""),
+                  finding.at());
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Station> read_station(std::string_view bytes) {
@@ -38,6 +54,7 @@ Result<Station> read_station(std::string_view bytes) {
       return fail(
           fmt::format("found the coordinate {} of the station, expected at most 1e9 mm", format_exact(position[k])),
           station->items()[k].at());
+  AXIOMETRY_TRY_VOID(check_usable(root));
   Station result{position};
   if (const Value* covariance = object.find("covariance"); covariance != nullptr && !covariance->is(Kind::null)) {
     AXIOMETRY_TRY(result.covariance_mm2, covariance_in(*covariance, "covariance"));

@@ -15,7 +15,7 @@ namespace axiometry::formats {
 /// out. Other members are passed over.
 ///
 /// Fails, with line and column, on what is no JSON, on a station that is missing or is not three numbers up to 1e9 mm,
-/// and as covariance_in() does.
+/// on one with a serious finding, which the location itself says not to use, and as covariance_in() does.
 Result<Station> read_station(std::string_view bytes);
 
 /// JSON Schema (draft 2020-12) of such files. schema/axiometry-station.schema.json is this text.

@@ -30,6 +30,16 @@ TEST(StationJson, AHandWrittenStationNeedsNoCovariance) {
   EXPECT_FALSE(read_station(R"({"station": [650, -30, 260], "covariance": null})")->covariance_mm2);
 }
 
+TEST(StationJson, AStationThatItsLocationSaysNotToUseIsRefused) {
+  const std::string message = error_of(
+      R"({"refined": {"station": [1, 2, 3]}, "findings": [{"severity": "note", "message": "n"},
+          {"severity": "serious", "message": "the length at point 3 was misread"}]})");
+  EXPECT_NE(message.find("line 2:11: found a station that should not be used as it is: the length at point 3"),
+            std::string::npos)
+      << message;
+  EXPECT_TRUE(read_station(R"({"station": [1, 2, 3], "findings": [{"severity": "note", "message": "n"}]})"));
+}
+
 TEST(StationJson, WhatIsWrongIsNamedWithItsPlace) {
   EXPECT_EQ(error_of("[1]"), "line 1:1: found array at the top, expected an object with the station");
   EXPECT_NE(error_of("{}").find("line 1:1: found no member \"station\""), std::string::npos);
