@@ -11,6 +11,7 @@
 #include "axiometry/app/whole_file.h"
 #include "axiometry/app/wire.h"
 #include "axiometry/base/json.h"
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/station_json.h"
 #include "axiometry/formats/tracking_plan_json.h"
@@ -55,10 +56,12 @@ std::vector<std::string> seven_of(const tracking::LinesRequest& request) {
   return ids;
 }
 
-std::string place_text(Vector3 v) { return fmt::format("X {:.3f}, Y {:.3f}, Z {:.3f} mm", v.x, v.y, v.z); }
+std::string place_text(Vector3 v) {
+  return fmt::format("X {}, Y {}, Z {} mm", format_fixed(v.x, 3), format_fixed(v.y, 3), format_fixed(v.z, 3));
+}
 
 std::string direction_text(Vector3 axis) {
-  return fmt::format("({:.3f}, {:.3f}, {:.3f})", axis.x + 0.0, axis.y + 0.0, axis.z + 0.0);
+  return fmt::format("({}, {}, {})", format_fixed(axis.x, 3), format_fixed(axis.y, 3), format_fixed(axis.z, 3));
 }
 
 bool may_turn(const TrackingPlanRequest& request) {

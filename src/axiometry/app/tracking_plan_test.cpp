@@ -47,7 +47,7 @@ TEST_F(TrackingPlanFiles, AReflectorThatNobodyChoseIsTurnedTowardsTheStation) {
   const auto planned = plan_tracking(request("100,80,-600"));
   ASSERT_TRUE(planned) << planned.error().message;
   EXPECT_EQ(planned->plan.lines.size(), 7u);
-  EXPECT_THAT(planned->plan.remarks, Contains(HasSubstr("mount the reflector so that it looks along (-0.577")));
+  EXPECT_THAT(planned->plan.remarks, Contains(HasSubstr("mount the reflector so that it looks along (−0.577")));
   auto chosen = request("100,80,-600");
   chosen.setup.reflector_axis = Vector3{0, 0, -1};
   EXPECT_EQ(plan_tracking(chosen)->plan.lines.size(), 4u);
@@ -57,7 +57,7 @@ TEST_F(TrackingPlanFiles, PointsOfTheLocationAreChosenForTheMountingThatTheLines
   const auto planned = plan_location_points(request("100,80,-600"), 8);
   ASSERT_TRUE(planned) << planned.error().message;
   EXPECT_EQ(planned->plan.points_mm.size(), 8u);
-  EXPECT_THAT(planned->plan.remarks, Contains(HasSubstr("mount the reflector so that it looks along (-0.577")));
+  EXPECT_THAT(planned->plan.remarks, Contains(HasSubstr("mount the reflector so that it looks along (−0.577")));
   EXPECT_NEAR(planned->setup.limits.reflector_axis.x, -0.577, 1e-3);
   EXPECT_FALSE(plan_location_points(request("100,80,-600"), 5));
 }
