@@ -3,23 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/version.h"
-#include "axiometry/report/writer.h"
 
 namespace axiometry::app {
 
 Result<void> write_outputs(const Experiment& experiment, const OutputNames& names, const report::Options& options) {
   AXIOMETRY_TRY_VOID(check_inputs_spared(names));
-  for (const std::string& file : names.reports) {
-    const std::string extension = std::filesystem::path(file).extension().string();
-    const report::Writer* writer = report::find_writer(std::string_view(extension).substr(extension.empty() ? 0 : 1));
-    auto bytes = writer->set(experiment.document, options);
-    if (!bytes) return std::unexpected(Error{bytes.error().message, file, {}});
-    AXIOMETRY_TRY_VOID(write_file(file, *bytes));
-  }
+  AXIOMETRY_TRY_VOID(write_document(experiment.document, names.reports, options));
   if (!names.json.empty()) AXIOMETRY_TRY_VOID(write_file(names.json, json::dump(experiment.json) + "\n"));
   return {};
 }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "axiometry/app/multilaterate.h"
 #include "axiometry/app/output.h"
@@ -11,7 +10,6 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/json_members.h"
-#include "axiometry/report/writer.h"
 
 namespace axiometry::app {
 namespace {
@@ -186,13 +184,7 @@ Result<void> write_outputs(const Multilaterated& result, const report::Document&
   AXIOMETRY_TRY_VOID(check_inputs_spared(names.outputs));
   for (const std::string& file : {names.points, names.residuals})
     if (!file.empty()) AXIOMETRY_TRY_VOID(names.outputs.inputs.check_spared(file));
-  for (const std::string& file : names.outputs.reports) {
-    const std::string extension = std::filesystem::path(file).extension().string();
-    const report::Writer* writer = report::find_writer(std::string_view(extension).substr(extension.empty() ? 0 : 1));
-    auto bytes = writer->set(document, options);
-    if (!bytes) return std::unexpected(Error{bytes.error().message, file, {}});
-    AXIOMETRY_TRY_VOID(write_file(file, *bytes));
-  }
+  AXIOMETRY_TRY_VOID(write_document(document, names.outputs.reports, options));
   if (!names.points.empty()) AXIOMETRY_TRY_VOID(write_points(result, names.points));
   if (!names.residuals.empty()) AXIOMETRY_TRY_VOID(write_residuals(result, names.residuals));
   if (!names.outputs.json.empty()) AXIOMETRY_TRY_VOID(write_json(result, names.outputs.json));

@@ -42,6 +42,17 @@ Result<void> write_report(const Evaluated& evaluated, const std::string& file, c
 
 }  // namespace
 
+Result<void> write_document(const report::Document& document, std::span<const std::string> files,
+                            const report::Options& options) {
+  for (const std::string& file : files) {
+    const report::Writer* writer = report::find_writer(extension_of(file));
+    auto bytes = writer->set(document, options);
+    if (!bytes) return std::unexpected(Error{bytes.error().message, file, {}});
+    AXIOMETRY_TRY_VOID(write_file(file, *bytes));
+  }
+  return {};
+}
+
 bool state_tests_in_full(const OutputNames& names) {
   return !names.json.empty() || !std::ranges::all_of(names.reports, is_table) ||
          std::ranges::any_of(names.reports, [](const std::string& r) { return r.find(name_mark) != r.npos; });

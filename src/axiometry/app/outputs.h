@@ -49,6 +49,11 @@ Result<void> check_outputs(const OutputNames& names);
 /// Fails when one of the names, as far as they are known before {name} is, leads to an input.
 Result<void> check_inputs_spared(const OutputNames& names);
 
+/// Sets a document that is not the report of a single test into each of the files, by their extensions. Needs names
+/// that check_outputs() let pass. Fails, with the file's name, when one cannot be set or written.
+Result<void> write_document(const report::Document& document, std::span<const std::string> files,
+                            const report::Options& options);
+
 /// Writes JSON and reports of the only test there is.
 Result<void> write_outputs(const Evaluated& evaluated, const OutputNames& names, const report::Options& options);
 

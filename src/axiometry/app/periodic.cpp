@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/periodic.h"
 
-#include <filesystem>
-
 #include "axiometry/app/output.h"
 #include "axiometry/app/wire.h"
 #include "axiometry/app/wire_uncertainty.h"
 #include "axiometry/formats/metadata_json.h"
 #include "axiometry/report/periodic.h"
-#include "axiometry/report/writer.h"
 
 namespace axiometry::app {
 namespace {
@@ -103,14 +100,6 @@ Value direction_to_json(const PeriodicDirection& d) {
   return object;
 }
 
-Result<void> write_report(const report::Document& document, const std::string& file, const report::Options& options) {
-  const std::string extension = std::filesystem::path(file).extension().string();
-  const report::Writer* writer = report::find_writer(std::string_view(extension).substr(extension.empty() ? 0 : 1));
-  auto bytes = writer->set(document, options);
-  if (!bytes) return std::unexpected(Error{bytes.error().message, file, {}});
-  return write_file(file, *bytes);
-}
-
 }  // namespace
 
 Result<EvaluatedPeriodic> evaluate_periodic(const std::string& file, const EvaluateOptions& reading,
@@ -157,7 +146,7 @@ Result<void> write_outputs(const EvaluatedPeriodic& evaluated, const OutputNames
   AXIOMETRY_TRY_VOID(check_inputs_spared(names));
   if (!names.reports.empty()) {
     const report::Document document = report::compose({evaluated.test, evaluated.result}, options);
-    for (const std::string& file : names.reports) AXIOMETRY_TRY_VOID(write_report(document, file, options));
+    AXIOMETRY_TRY_VOID(write_document(document, names.reports, options));
   }
   if (!names.json.empty()) AXIOMETRY_TRY_VOID(write_file(names.json, json::dump(to_json(evaluated)) + "\n"));
   return {};

@@ -16,7 +16,6 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/plan_json.h"
 #include "axiometry/report/plan_sheet.h"
-#include "axiometry/report/writer.h"
 
 namespace axiometry::app {
 namespace {
@@ -69,11 +68,7 @@ std::string today() {
 Result<void> write_plan_outputs(const PlannedTest& planned, const OutputNames& names, const report::Options& options) {
   const report::Document sheet = report::plan_sheet(
       {planned.plan, planned.findings, planned.acceleration, planned.duration, planned.duration_in_all}, options);
-  for (const std::string& file : names.reports) {
-    const report::Writer* writer = report::find_writer(file.substr(file.rfind('.') + 1));
-    AXIOMETRY_TRY(const std::string bytes, in_file(writer->set(sheet, options), file));
-    AXIOMETRY_TRY_VOID(write_file(file, bytes));
-  }
+  AXIOMETRY_TRY_VOID(write_document(sheet, names.reports, options));
   if (names.json.empty()) return {};
   return write_file(names.json, json::dump(plan_value(planned)) + "\n");
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include "axiometry/app/convert.h"
@@ -20,7 +19,6 @@
 #include "axiometry/formats/tracking_lengths_csv.h"
 #include "axiometry/formats/tracking_plan_json.h"
 #include "axiometry/report/tracking.h"
-#include "axiometry/report/writer.h"
 #include "axiometry/tracking/reading_order.h"
 
 namespace axiometry::app {
@@ -125,14 +123,6 @@ void note_provenance(EvaluatedLines& evaluated, const formats::TrackingLengths& 
   }
 }
 
-Result<void> write_report(const report::Document& document, const std::string& file, const report::Options& options) {
-  const std::string extension = std::filesystem::path(file).extension().string();
-  const report::Writer* writer = report::find_writer(std::string_view(extension).substr(extension.empty() ? 0 : 1));
-  auto bytes = writer->set(document, options);
-  if (!bytes) return std::unexpected(Error{bytes.error().message, file, {}});
-  return write_file(file, *bytes);
-}
-
 }  // namespace
 
 Result<void> add_tolerance(const std::string& text, TrackingEvaluateOptions& options) {
@@ -169,9 +159,8 @@ Result<EvaluatedLines> evaluate_tracking(const std::string& lengths, const Track
   of_lines.in_program_order = read.in_program_order;
   of_lines.times_s = std::move(readings.times_s);
   std::vector<tracking::Finding> before = std::move(evaluated.evaluation.findings);
-  AXIOMETRY_TRY(
-      evaluated.evaluation,
-      in_file(tracking::evaluate_lines(evaluated.plan, readings.readings, of_lines), lengths));
+  AXIOMETRY_TRY(evaluated.evaluation,
+                in_file(tracking::evaluate_lines(evaluated.plan, readings.readings, of_lines), lengths));
   auto& findings = evaluated.evaluation.findings;
   findings.insert(findings.begin(), before.begin(), before.end());
   note_provenance(evaluated, read);
@@ -189,7 +178,7 @@ Result<void> write_outputs(const EvaluatedLines& evaluated, const OutputNames& n
         report::compose(report::LinesSubject{evaluated.plan, evaluated.evaluation, lines, evaluated.diagonals,
                                              evaluated.lengths.file, evaluated.lengths.sha256},
                         options);
-    for (const std::string& file : names.reports) AXIOMETRY_TRY_VOID(write_report(document, file, options));
+    AXIOMETRY_TRY_VOID(write_document(document, names.reports, options));
   }
   if (!names.json.empty()) AXIOMETRY_TRY_VOID(write_file(names.json, json::dump(to_json(evaluated)) + "\n"));
   return {};

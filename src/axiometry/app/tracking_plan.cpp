@@ -16,7 +16,6 @@
 #include "axiometry/formats/station_json.h"
 #include "axiometry/formats/tracking_plan_json.h"
 #include "axiometry/report/tracking.h"
-#include "axiometry/report/writer.h"
 #include "axiometry/standards/iso230_2_plan.h"
 
 namespace axiometry::app {
@@ -182,11 +181,7 @@ Result<TrackingPlan> read_tracking_plan_file(const std::string& file) {
 Result<void> write_outputs(const PlannedLines& planned, const OutputNames& names, const report::Options& options) {
   if (!names.reports.empty()) {
     const report::Document sheet = report::tracking_sheet(planned.plan, planned.duration, options);
-    for (const std::string& file : names.reports) {
-      const report::Writer* writer = report::find_writer(file.substr(file.rfind('.') + 1));
-      AXIOMETRY_TRY(const std::string bytes, in_file(writer->set(sheet, options), file));
-      AXIOMETRY_TRY_VOID(write_file(file, bytes));
-    }
+    AXIOMETRY_TRY_VOID(write_document(sheet, names.reports, options));
   }
   if (names.json.empty()) return {};
   json::Value root = formats::tracking_plan_value(planned.plan);
