@@ -2,34 +2,16 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "axiometry/base/result.h"
+#include "axiometry/digest/sha256.h"
 #include "axiometry/formats/format.h"
 
 namespace axiometry::app {
-
-/// SHA-256 of bytes that come piece by piece.
-class Sha256 {
- public:
-  Sha256();
-  ~Sha256();
-  Sha256(Sha256&&) noexcept;
-  Sha256& operator=(Sha256&&) noexcept;
-
-  void update(std::string_view bytes);
-  std::string finish();  ///< 64 lower-case hexadecimal digits; once
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
-
-std::string sha256(std::string_view bytes);
 
 /// The whole of a small file that stands beside the measured ones: a profile, a plan. At most 64 MiB.
 Result<std::string> file_bytes(const std::string& name);

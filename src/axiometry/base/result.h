@@ -16,11 +16,23 @@ struct TextPosition {
   friend bool operator==(const TextPosition&, const TextPosition&) = default;
 };
 
+/// What a caller who can do something about an error must tell apart; everything else is in the message.
+enum class ErrorKind {
+  bad_input,    ///< what was given is wrong: mend it
+  not_found,    ///< what was asked for does not exist
+  conflict,     ///< somebody else was first: look again, then decide
+  read_only,    ///< it may be read, not written
+  full,         ///< no room: nothing of this was kept
+  unavailable,  ///< cannot be reached or used now: try again later
+  damaged,      ///< what was kept is not what was written
+};
+
 /// What is wrong with the world: what was found, what was expected, and where.
 struct Error {
   std::string message;  ///< "found …, expected …", one sentence without a full stop
   std::string file;     ///< name as the user gave it; empty until the layer that opened it adds it
   TextPosition at;
+  ErrorKind kind = ErrorKind::bad_input;
 
   /// "run3.csv:41:7: message", leaving out what is not known.
   std::string to_string() const;
@@ -32,6 +44,10 @@ using Result = std::expected<T, Error>;
 
 inline std::unexpected<Error> fail(std::string message, TextPosition at = {}) {
   return std::unexpected(Error{std::move(message), {}, at});
+}
+
+inline std::unexpected<Error> fail(ErrorKind kind, std::string message) {
+  return std::unexpected(Error{std::move(message), {}, {}, kind});
 }
 
 }  // namespace axiometry

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "http.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "axiometry/base/contract.h"
+
+namespace axiometry::server {
+namespace {
+
+std::optional<std::string_view> find(const Pairs& pairs, std::string_view name) {
+  const auto found = std::ranges::find(pairs, name, &std::pair<std::string, std::string>::first);
+  if (found == pairs.end()) return {};
+  return found->second;
+}
+
+struct KindRow {
+  ErrorKind kind;
+  std::string_view name;
+  int status;
+};
+constexpr std::array kinds = {
+    KindRow{ErrorKind::bad_input, "bad_input", 422}, KindRow{ErrorKind::not_found, "not_found", 404},
+    KindRow{ErrorKind::conflict, "conflict", 409},   KindRow{ErrorKind::read_only, "read_only", 403},
+    KindRow{ErrorKind::full, "full", 507},           KindRow{ErrorKind::unavailable, "unavailable", 503},
+    KindRow{ErrorKind::damaged, "damaged", 500},
+};
+
+json::Value count_or_null(std::size_t count) { return count == 0 ? json::Value() : json::Value(count); }
+
+/// RFC 8187: everything but letters, digits and a few signs as %XX.
+std::string percent_encoded(std::string_view text) {
+  std::string encoded;
+  for (const char c : text) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("!#$&+-.^_`|~").contains(c);
+    if (plain)
+      encoded += c;
+    else
+      encoded += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return encoded;
+}
+
+}  // namespace
+
+std::optional<std::string_view> Request::header(std::string_view name) const { return find(headers, name); }
+
+std::optional<std::string_view> Request::parameter(std::string_view name) const { return find(query, name); }
+
+std::string_view Request::segment(std::string_view name) const {
+  const auto found = find(captured, name);
+  AXIOMETRY_CONTRACT(found.has_value());
+  return *found;
+}
+
+Response json_response(const json::Value& value, int status) {
+  return {.status = status, .body = json::dump(value, 0), .headers = {{"Cache-Control", "no-store"}}};
+}
+
+Response error_response(const Error& error, language::Language language) {
+  const auto row = std::ranges::find(kinds, error.kind, &KindRow::kind);
+  AXIOMETRY_CONTRACT(row != kinds.end());
+  json::Value inner = json::Value::object();
+  inner.add("kind", row->name);
+  inner.add("message", language::translated(error.message, language));
+  inner.add("file", error.file.empty() ? json::Value() : json::Value(error.file));
+  inner.add("line", count_or_null(error.at.line));
+  inner.add("column", count_or_null(error.at.column));
+  json::Value value = json::Value::object();
+  value.add("error", std::move(inner));
+  return json_response(value, row->status);
+}
+
+Response refusal(int status, std::string_view message, language::Language language) {
+  json::Value inner = json::Value::object();
+  inner.add("kind", status == 404 ? "not_found" : "refused");
+  inner.add("message", language::translated(message, language));
+  for (const char* place : {"file", "line", "column"}) inner.add(place, {});
+  json::Value value = json::Value::object();
+  value.add("error", std::move(inner));
+  return json_response(value, status);
+}
+
+Response download(std::string body, std::string_view content_type, std::string_view file_name) {
+  std::string plain;
+  for (const char c : file_name) plain += c >= ' ' && c <= '~' && c != '"' && c != '\\' && c != '/' ? c : '_';
+  return {.content_type = std::string(content_type),
+          .body = std::move(body),
+          .headers = {{"Content-Disposition", fmt::format("attachment; filename=\"{}\"; filename*=UTF-8''{}", plain,
+                                                          percent_encoded(file_name))},
+                      {"Cache-Control", "no-store"}}};
+}
+
+Result<json::Value> json_body(const Request& request) {
+  AXIOMETRY_TRY(json::Value value, json::parse(request.body));
+  if (!value.is(json::Kind::object))
+    return fail(fmt::format("found {}, expected an object", json::kind_name(value.kind())), value.at());
+  return value;
+}
+
+}  // namespace axiometry::server

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "axiometry/base/json.h"
+#include "axiometry/base/result.h"
+#include "axiometry/language/language.h"
+
+/// Requests and responses as the routes see them: whole, checked and decoded. The transport (connection.h) reads and
+/// writes them; no route knows sockets, and the transport knows no route.
+namespace axiometry::server {
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+struct Request {
+  std::string method;  ///< "GET"
+  std::string path;    ///< decoded once, "/api/tests/12"; never the name of a file
+  Pairs query;         ///< decoded
+  Pairs headers;       ///< names in lower case
+  std::string body;
+  std::string actor;  ///< who asks, by the header X-Actor (percent-encoded UTF-8), "workbench" without
+  language::Language language = language::Language::english;  ///< by ?language=, else Accept-Language
+  Pairs captured;                                             ///< of the route's path: {"id", "12"}
+
+  std::optional<std::string_view> header(std::string_view name) const;
+  std::optional<std::string_view> parameter(std::string_view name) const;  ///< of the query
+  std::string_view segment(std::string_view name) const;                   ///< contract: the route has it
+};
+
+struct Response {
+  int status = 200;
+  std::string content_type = "application/json";
+  std::string body;
+  Pairs headers{};
+};
+
+Response json_response(const json::Value& value, int status = 200);
+
+/// {"error": {"kind", "message", "file", "line", "column"}} with the status that fits the kind: bad_input 422,
+/// not_found 404, conflict 409, read_only 403, full 507, unavailable 503, damaged 500. The message in the reader's
+/// language.
+Response error_response(const Error& error, language::Language language);
+
+/// The same for what is wrong with the request itself: 400, 405, 413, 415, …
+Response refusal(int status, std::string_view message, language::Language language = language::Language::english);
+
+/// As a file to keep: Content-Disposition with a name that is safe everywhere (RFC 6266, RFC 8187).
+Response download(std::string body, std::string_view content_type, std::string_view file_name);
+
+/// The body as a JSON object. Fails with line and column.
+Result<json::Value> json_body(const Request& request);
+
+}  // namespace axiometry::server

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "router.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <optional>
+
+namespace axiometry::server {
+namespace {
+
+std::vector<std::string> segments_of(std::string_view path) {
+  std::vector<std::string> segments;
+  std::size_t from = 1;
+  while (from <= path.size()) {
+    const std::size_t to = std::min(path.find('/', from), path.size());
+    segments.emplace_back(path.substr(from, to - from));
+    from = to + 1;
+  }
+  return segments;
+}
+
+/// "report.{extension}" fits "report.pdf"; what stands in the brace, of at least one character, is captured.
+bool fits(std::string_view pattern, std::string_view segment, Pairs& captured) {
+  const std::size_t open = pattern.find('{');
+  if (open == std::string_view::npos) return pattern == segment;
+  const std::size_t close = pattern.find('}');
+  const std::string_view before = pattern.substr(0, open);
+  const std::string_view after = pattern.substr(close + 1);
+  if (segment.size() <= before.size() + after.size() || !segment.starts_with(before) || !segment.ends_with(after))
+    return false;
+  captured.emplace_back(pattern.substr(open + 1, close - open - 1),
+                        segment.substr(before.size(), segment.size() - before.size() - after.size()));
+  return true;
+}
+
+std::optional<Pairs> captured_by(const std::vector<std::string>& pattern, const std::vector<std::string>& segments) {
+  if (pattern.size() != segments.size()) return {};
+  Pairs captured;
+  for (std::size_t i = 0; i < pattern.size(); ++i)
+    if (!fits(pattern[i], segments[i], captured)) return {};
+  return captured;
+}
+
+Response answer_with(const Handler& handler, const Request& request) {
+  try {
+    auto response = handler(request);
+    return response ? *std::move(response) : error_response(response.error(), request.language);
+  } catch (const std::exception& exception) {
+    fmt::print(stderr, "axiometry: {} {}: {}\n", request.method, request.path, exception.what());
+    return refusal(500, "the program failed at this request; nothing was kept", request.language);
+  }
+}
+
+}  // namespace
+
+void Router::add(std::string_view method, std::string_view pattern, Handler handler) {
+  entries_.push_back({std::string(method), std::string(pattern), segments_of(pattern), std::move(handler)});
+}
+
+Response Router::answer(Request request) const {
+  const bool head = request.method == "HEAD";
+  const std::string_view wanted = head ? std::string_view("GET") : std::string_view(request.method);
+  const auto segments = segments_of(request.path);
+  std::string allowed;
+  for (const Entry& entry : entries_) {
+    auto captured = captured_by(entry.segments, segments);
+    if (!captured) continue;
+    if (entry.method == wanted) {
+      request.captured = *std::move(captured);
+      return answer_with(entry.handler, request);
+    }
+    allowed += (allowed.empty() ? "" : ", ") + entry.method;
+  }
+  if (allowed.empty()) return refusal(404, "there is nothing of this name", request.language);
+  Response response = refusal(405, fmt::format("found {}, expected {}", request.method, allowed), request.language);
+  response.headers.emplace_back("Allow", allowed);
+  return response;
+}
+
+std::vector<Router::Route> Router::routes() const {
+  std::vector<Route> routes;
+  for (const Entry& entry : entries_) routes.push_back({entry.method, entry.pattern});
+  return routes;
+}
+
+}  // namespace axiometry::server

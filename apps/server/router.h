@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "http.h"
+
+namespace axiometry::server {
+
+/// May be called from many threads at once, and may take its time.
+using Handler = std::function<Result<Response>(const Request&)>;
+
+/// Which handler answers which request. Patterns are literal but for whole segments in braces: "/api/tests/{id}", and
+/// "/api/tests/{id}/report.{extension}", where the brace takes the rest of a segment.
+class Router {
+ public:
+  void add(std::string_view method, std::string_view pattern, Handler handler);
+
+  /// The handler's response, or its error as a response; 404 for an unknown path, 405 with Allow for a known path with
+  /// another method. HEAD is answered as GET without its body. Exceptions do not pass: 500, logged.
+  Response answer(Request request) const;
+
+  struct Route {
+    std::string method;
+    std::string pattern;
+  };
+  std::vector<Route> routes() const;  ///< in the order in which they were added
+
+ private:
+  struct Entry {
+    std::string method;
+    std::string pattern;
+    std::vector<std::string> segments;
+    Handler handler;
+  };
+  std::vector<Entry> entries_;
+};
+
+}  // namespace axiometry::server

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "axiometry/base/number_text.h"
+
+/// Finished English texts in another language. The rest of the library composes its sentences in English; where a
+/// person reads another language they are looked up as a whole, in a phrase book whose entries have places for what
+/// differs: "found {} runs" → "{} Läufe gefunden". What a user wrote is never looked up: who sets a text knows which
+/// of its parts are such words.
+namespace axiometry::language {
+
+enum class Language { english, german };
+
+/// "en", "de"; also with a region, "de-AT". Nothing for others.
+std::optional<Language> language_of(std::string_view tag);
+std::string_view tag(Language language);  ///< "en"
+
+/// The best of what an Accept-Language header asks for (RFC 9110, 12.5.4); English when it knows none.
+Language best_of(std::string_view accept_language);
+
+/// One entry: places are {0}, {1}, … in both; each of the first appears in the second.
+struct Phrase {
+  std::string_view english;
+  std::string_view other;
+};
+
+/// The text in that language: an entry that fits it as a whole; what stands at its places is looked up in turn, and
+/// numbers among it get the decimal mark. A text of several sentences is looked up as a whole first, then by sentence.
+/// What no entry fits stays English. English texts come back as they are but for the decimal mark of numbers.
+std::string translated(std::string_view text, Language language, const NumberStyle& numbers = {});
+
+/// Whether translated() knows it: all of it, or numbers, symbols and units alone.
+bool is_known(std::string_view text, Language language);
+
+/// Every entry of a language, for tests.
+std::span<const Phrase* const> phrases(Language language);
+
+}  // namespace axiometry::language

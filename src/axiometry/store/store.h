@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/store/records.h"
+#include "axiometry/store/test_records.h"
+
+/// The archive of machines, axes, instruments, plans and tests: SQLite in one file, or PostgreSQL for a team, behind
+/// one interface. Nothing measured can be changed or lost: rows of data, versions, documents and the audit trail are
+/// only ever added, which triggers in the database itself enforce; an edit makes a new version. Every call is one
+/// transaction that is on the disk when the call returns, or has left no trace.
+namespace axiometry::store {
+
+struct Opening {
+  bool create = true;      ///< where there is no store yet
+  bool read_only = false;  ///< also taken when the place turns out to be read-only (Info::writable)
+};
+
+struct Info {
+  std::string kind;      ///< "sqlite" or "postgresql"
+  std::string location;  ///< file or address, never with a password
+  int schema = 0;        ///< number of the last migration
+  bool writable = true;
+  std::string why_not;  ///< of a store that cannot be written: "the file system is mounted read-only"
+};
+
+struct Counts {
+  std::int64_t machines = 0;
+  std::int64_t axes = 0;
+  std::int64_t instruments = 0;
+  std::int64_t plans = 0;
+  std::int64_t tests = 0;
+  std::int64_t documents = 0;
+  std::int64_t content_bytes = 0;
+};
+
+/// What verify() looked at and what is wrong; nothing is when `problems` is empty.
+struct Verification {
+  std::int64_t contents = 0;  ///< whose bytes have the hash they are called by
+  std::int64_t tests = 0;     ///< whose versions are complete
+  std::int64_t entries = 0;   ///< of the audit trail, chained
+  std::vector<std::string> problems;
+};
+
+/// May be used from many threads at once. Errors have the kinds not_found, conflict (a version that is no longer the
+/// latest), read_only, full, unavailable (busy for longer than ten seconds, server gone) and damaged.
+class Store {
+ public:
+  /// `address` is a file or "postgresql://…". Applies what migrations are missing. Fails on a store of a newer program
+  /// (naming both versions), on a file that is no store, and where none can be made.
+  static Result<std::unique_ptr<Store>> open(std::string_view address, const Opening& opening = {});
+  ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
+
+  Info info() const;
+  Result<Counts> counts() const;
+
+  /// Thing is Machine, Axis, Instrument or PlanRecord.
+  template <typename Thing>
+  Result<Versioned<Thing>> add(const Thing& thing, const By& by);
+  template <typename Thing>
+  Result<Versioned<Thing>> change(Id id, int base_version, const Thing& thing, const By& by);
+  template <typename Thing>
+  Result<Versioned<Thing>> get(Id id, std::optional<int> version = {}) const;
+  template <typename Thing>
+  Result<std::vector<Versioned<Thing>>> all() const;  ///< latest versions, by name
+  template <typename Thing>
+  Result<std::vector<Versioned<Thing>>> versions(Id id) const;  ///< oldest first
+
+  /// Keeps a file and all its tests, or nothing. Bytes that are there already are kept once.
+  Result<std::vector<Id>> receive(const Content& content, std::span<const NewTest> tests, const By& by);
+  /// A new version. Fails with `conflict` when base_version is not the latest, saying who made that one and when.
+  Result<int> revise(Id test, int base_version, const TestState& state, const By& by);
+  Result<void> withdraw(Id test, bool withdrawn, const By& by);
+
+  Result<TestRecord> test(Id id, std::optional<int> version = {}) const;
+  Result<std::vector<Change>> test_versions(Id id) const;  ///< the first is version 1
+  Result<TestPage> tests(const TestFilter& filter) const;
+  /// By the date of measurement, then of arrival; the newest `limit`.
+  Result<std::vector<TrendPoint>> trend(Id axis, std::span<const std::string> parameters, std::int64_t limit) const;
+
+  /// Bytes without a test: a plan's JSON, a raw recording. Gives the SHA-256.
+  Result<std::string> keep(const Content& content, const By& by);
+  /// Fails with `damaged` when the bytes no longer have that hash.
+  Result<Content> content(const std::string& sha256) const;
+
+  Result<Document> add_document(const Document& document, std::string_view bytes, const By& by);
+  Result<std::vector<Document>> documents(Id test) const;
+  Result<Document> document(Id id) const;  ///< its bytes: content(sha256)
+
+  Result<std::vector<AuditEntry>> audit(const std::string& subject, std::int64_t before, std::int64_t limit) const;
+
+  /// Reads everything: hashes, chain, references, and what the database itself can check.
+  Result<Verification> verify() const;
+  /// A consistent copy as a new SQLite file, whatever this store is, while others go on writing. Fails when the file
+  /// exists.
+  Result<void> backup(const std::string& file) const;
+  /// Fills an empty or not yet existing store at `address` from a backup, after verifying it. Fails on a store that
+  /// holds anything.
+  static Result<Counts> restore(const std::string& backup_file, std::string_view address);
+
+ private:
+  struct State;
+  explicit Store(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace axiometry::store

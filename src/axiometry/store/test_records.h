@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/store/records.h"
+
+/// Tests in the archive, and what is found of them.
+namespace axiometry::store {
+
+/// A parameter of an evaluation as lists and trends show it, in the native unit.
+struct Figure {
+  std::string parameter;  ///< key: "A"
+  double value = 0.0;
+  std::optional<double> U;      ///< k = 2, or half of the interval; absent where none was found
+  std::optional<double> limit;  ///< of the tolerance
+  std::string verdict;          ///< "conforms", "does not conform", "undecided" or empty without limit
+};
+
+/// What was computed of one version of a test.
+struct Evaluation {
+  std::string program;                ///< "axiometry 0.1.0"
+  std::string standard;               ///< "ISO 230-2:2014"
+  std::string options;                ///< JSON: all that the result depends on beside data and metadata
+  std::optional<std::uint64_t> seed;  ///< where random numbers were drawn
+  std::string result;                 ///< JSON (docs/results.md)
+  std::string unit;                   ///< "um" or "arcsec"
+  bool conforming = false;            ///< to the standard
+  std::string verdict;                ///< of all tolerances together; empty without any
+  std::string label;                  ///< must stand wherever the results do; mostly empty
+  std::vector<Figure> figures;
+};
+
+/// Everything about a test that an edit may change. The measured bytes are not among it.
+struct TestState {
+  std::string title;  ///< how people call it; from the file's name or the report number to begin with
+  Machine machine;    ///< as stated; the archive finds the machine with the same serial number, or name, or adds one
+  Axis axis;          ///< likewise among the machine's axes, by name; `machine` is ignored
+  std::vector<Instrument> instruments;  ///< likewise by serial number, or by manufacturer and type
+  std::optional<Id> plan;
+  std::string measured_on;  ///< date as the metadata state it, "2014-05-15" where it can be read as one
+  std::string changes;      ///< JSON object: metadata over what the file says, key and text
+  Evaluation evaluation;
+};
+
+/// The measured bytes as they came. Never changed.
+struct Content {
+  std::string sha256;
+  std::string file_name;  ///< as the user gave it, without folders
+  std::string format;     ///< id of the format that reads it
+  std::string bytes;
+};
+
+/// One test of a file that arrives.
+struct NewTest {
+  std::string name_in_file;  ///< of one among many; else empty
+  TestState state;
+};
+
+struct TestRecord {
+  Id id = 0;
+  int version = 1;  ///< this one
+  int latest = 1;
+  std::string sha256;
+  std::string file_name;
+  std::string format;
+  std::string name_in_file;
+  Change received;         ///< of the data
+  Change change;           ///< of this version
+  bool withdrawn = false;  ///< kept, but out of lists and trends
+  std::optional<Id> machine;
+  std::optional<Id> axis;
+  std::vector<Id> instruments;
+  TestState state;  ///< machine and axis as they are called now
+};
+
+/// One line of a list: no JSON is read for it.
+struct TestRow {
+  Id id = 0;
+  int version = 1;
+  std::string title;
+  std::string file_name;
+  std::optional<Id> machine;
+  std::string machine_name;
+  std::optional<Id> axis;
+  std::string axis_name;
+  std::string axis_kind;
+  std::string unit;
+  std::string measured_on;
+  std::string received_at;
+  bool conforming = false;
+  bool withdrawn = false;
+  std::string verdict;
+  std::string label;
+  std::vector<Figure> figures;  ///< A, E, R and B, as far as there are
+};
+
+struct TestFilter {
+  std::string text;  ///< in title, file, machine or axis name; any case
+  std::optional<Id> machine;
+  std::optional<Id> axis;
+  std::optional<Id> instrument;
+  std::string measured_from;  ///< dates, both included
+  std::string measured_to;
+  std::string verdict;
+  std::string sha256;
+  bool withdrawn = false;  ///< show withdrawn ones too
+  enum class Order { received, measured, title, machine, A, E, R, B } order = Order::received;
+  bool descending = true;
+  std::int64_t offset = 0;
+  std::int64_t limit = 50;  ///< at most 1000
+};
+
+struct TestPage {
+  std::vector<TestRow> rows;
+  std::int64_t total = 0;  ///< without limit and offset
+};
+
+/// A test's place in the history of its axis.
+struct TrendPoint {
+  Id test = 0;
+  int version = 1;
+  std::string title;
+  std::string measured_on;
+  std::string received_at;
+  std::string unit;
+  bool conforming = false;
+  std::string label;
+  std::vector<Figure> figures;  ///< of the parameters that were asked for
+};
+
+/// A report as it was issued: bytes that never change. Attachments (photographs, certificates) likewise.
+struct Document {
+  Id id = 0;
+  Id test = 0;
+  int version = 1;  ///< of the test
+  enum class Kind { report, attachment } kind = Kind::report;
+  std::string name;        ///< of the file
+  std::string media_type;  ///< "application/pdf"
+  std::string language;    ///< of a report; else empty
+  std::string sha256;
+  std::int64_t size = 0;
+  Change change;
+};
+
+/// One line of the audit trail. Each carries the hash of itself and of the line before: none can be changed, taken
+/// away or put between without breaking the chain.
+struct AuditEntry {
+  Id id = 0;
+  Change change;
+  std::string action;   ///< "test.received", "test.revised", "machine.changed", "store.restored"
+  std::string subject;  ///< "test 12"
+  std::string detail;   ///< JSON object
+  std::string sha256;
+};
+
+}  // namespace axiometry::store

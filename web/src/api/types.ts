@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// The API's shapes, described for others in apps/server/openapi.json. Values of parameters and deviations are in the
+// axis' native unit ("um" or "arcsec"), positions in mm or °. Times are RFC 3339 in UTC. What does not exist is null.
+
+export type Parameter =
+  | 'A' | 'A_up' | 'A_down' | 'E' | 'E_up' | 'E_down' | 'M' | 'R' | 'R_up' | 'R_down' | 'B' | 'B_mean';
+export type Verdict = 'conforms' | 'does not conform' | 'undecided';
+export type ErrorKind =
+  | 'bad_input' | 'not_found' | 'conflict' | 'read_only' | 'full' | 'unavailable' | 'damaged' | 'refused';
+
+/** Every answer with a status of 400 or more. */
+export interface Failure {
+  error: { kind: ErrorKind; message: string; file: string | null; line: number | null; column: number | null };
+}
+
+// GET /api/health
+export interface Health {
+  status: 'ok';
+  program: { name: string; version: string };
+  store: { kind: 'sqlite' | 'postgresql'; location: string; schema: number; writable: boolean; why_not: string | null;
+           counts: { machines: number; axes: number; instruments: number; plans: number; tests: number; documents: number; content_bytes: number } };
+  limits: { upload_bytes: number };
+}
+
+// GET /api/vocabulary: what there is to choose from. Titles and descriptions in the language of the request.
+export interface Vocabulary {
+  parameters: { key: Parameter; symbol: string; title: string; clause: string }[];
+  fields: Field[];
+  formats: { id: string; title: string; extensions: string; manual: string; writes: boolean }[];
+  writers: { extension: string; title: string }[];
+  dialects: { id: string; title: string; extension: string; axes: string; has_loops: boolean; manual: string }[];
+  corrections: { id: string; title: string }[];
+  cycles: { id: string; title: string }[];
+  rules: { id: string; title: string }[];
+}
+export interface Field {
+  key: string; group: string; title: string;
+  type: 'text' | 'number' | 'boolean' | 'choice' | 'numbers' | 'records';
+  unit_linear: string; unit_rotary: string; clause: string;
+  minimum: number | null; maximum: number | null; choices: string[];
+  columns: { key: string; title: string; type: 'text' | 'number'; unit: string }[];
+  description: string; wanted: boolean;
+}
+
+// A result as `axiometry evaluate --json` writes it (docs/results.md), with the members a page needs most.
+export interface Result {
+  standard: string;
+  axis: { name: string; kind: 'linear' | 'rotary' };
+  unit: 'um' | 'arcsec';
+  conforming: boolean;
+  label?: string;
+  parameters: Record<Parameter, number | null>;
+  uncertainty: {
+    annex_a?: Record<Parameter, number | null> | null;
+    gum?: Record<Parameter, { value: number; u: number; U: number; k: number; nu_eff: number | null } | null> | null;
+    monte_carlo?: Record<Parameter, MonteCarloOutput | null> | null;
+  } | null;
+  annex_a_budget?: AnnexABudget | null;
+  gum_budget?: GumBudget | null;
+  monte_carlo_run?: { trials: number; seed: number; stable: boolean; coverage: number; [key: string]: unknown } | null;
+  positions: PositionResult[];
+  tolerances?: Judgement[];
+  findings: Finding[];
+  metadata: Record<string, unknown>;
+  source: { file: string; sha256: string | null; format: string; [key: string]: unknown };
+  program: { name: string; version: string };
+  [key: string]: unknown;
+}
+export interface MonteCarloOutput {
+  value: number; mean: number; u: number; bias: number; symmetric: [number, number]; shortest: [number, number];
+  stable: boolean; histogram: { lower: number; width: number; counts: number[] };
+}
+export interface AnnexABudget {
+  contributors: { key: string; symbol: string; title: string; formula: string; U: number;
+                  inputs: { symbol: string; value: number; unit: string }[] }[];
+  notes: string[]; runs: number; coverage_factor: number;
+}
+export interface GumBudget {
+  sources: { key: string; symbol: string; title: string; source: string; distribution: string; u: number; unit: string; note: string }[];
+  contributions: { key: string; u: Record<Parameter, number | null> }[];
+  notes: string[]; [key: string]: unknown;
+}
+export interface PositionResult {
+  target: number; n_up: number; n_down: number;
+  mean_up: number | null; mean_down: number | null; mean: number | null; reversal: number | null;
+  s_up: number | null; s_down: number | null; R_up: number | null; R_down: number | null; R: number | null;
+}
+/** As app/wire.cpp spells them: see docs/results.md, "tolerances". */
+export interface Judgement { parameter: Parameter; limit: number; verdict: string; [key: string]: unknown }
+export interface Finding { clause: string; severity: 'departure' | 'missing' | 'note'; message: string }
+
+/** Deviations as they were read; rows are targets, columns runs; null where there is none. */
+export interface Readings {
+  targets: number[];
+  up: (number | null)[][];
+  down: (number | null)[][];
+  as_measured: { up: (number | null)[][]; down: (number | null)[][] } | null;  // before corrections, where there were any
+}
+
+export interface Evaluated {
+  result: Result;
+  readings: Readings;
+  verdict: Verdict | null;                 // of all tolerances together
+  shown: { parameter: Parameter; value: string; U: string; interval: string; unit: string; limit: number | null; verdict: Verdict | null }[];
+  milliseconds: number;                    // the evaluation took
+}
+
+/** How a test is evaluated, beside its metadata. */
+export interface Options {
+  methods: ('gum' | 'monte-carlo')[];      // Annex A is always there
+  trials: number | null;                   // null: until two digits are stable
+  seed: number;
+  coverage: number;                        // 0.95
+  corrections: string[];                   // "nde", "air=ciddor", …: as --correct
+}
+
+/** Over what the file says: key and text as `--set` takes them; "" takes the value away. */
+export type Changes = Record<string, string>;
+
+// POST /api/preview (the file's bytes; X-File-Name: percent-encoded name): nothing is kept.
+export interface Preview {
+  file: { name: string; size: number; sha256: string };
+  format: { id: string; title: string } | null;
+  refused: Failure['error'] | null;        // then tests is empty
+  tests: { name: string; axis: string; kind: 'linear' | 'rotary'; machine: string; measured_on: string;
+           targets: number; runs: number; readings: number; first: number; last: number; unit: string;
+           evaluated: Evaluated | null }[];   // evaluated: of the first eight
+  same_content: number[];                  // ids of tests with these very bytes
+}
+
+// POST /api/tests (bytes with X-File-Name, or multipart/form-data with one file) → 201
+export interface Received extends Evaluated {
+  id: number; version: number;             // of the first test in the file
+  tests: { id: number; version: number; title: string }[];
+}
+
+// GET /api/tests?text=&machine=&axis=&instrument=&from=&to=&verdict=&withdrawn=&order=&descending=&offset=&limit=
+export interface TestPage { tests: TestRow[]; total: number }
+export interface TestRow {
+  id: number; version: number; title: string; file_name: string;
+  machine: { id: number; name: string } | null; axis: { id: number; name: string; kind: string } | null;
+  unit: 'um' | 'arcsec'; measured_on: string; received_at: string;
+  conforming: boolean; withdrawn: boolean; verdict: Verdict | null; label: string;
+  figures: FigureOfTest[];
+}
+export interface FigureOfTest { parameter: Parameter; value: number; U: number | null; limit: number | null; verdict: Verdict | null }
+
+export interface Change { at: string; actor: string; reason: string }
+
+// GET /api/tests/{id}[?version=]
+export interface Test extends Evaluated {
+  id: number; version: number; latest: number; title: string;
+  file: { name: string; sha256: string; size: number; format: string; name_in_file: string };
+  received: Change; versions: (Change & { version: number })[]; withdrawn: boolean;
+  machine: { id: number; name: string } | null; axis: { id: number; name: string; kind: string; limits: Limit[] } | null;
+  instruments: { id: number; name: string; calibration_due: string }[];
+  plan: number | null;
+  changes: Changes; options: Options;
+  documents: Document[];
+}
+export interface Limit { parameter: Parameter; value: number }
+export interface Document {
+  id: number; test: number; version: number; kind: 'report' | 'attachment'; name: string; media_type: string;
+  language: string; sha256: string; size: number; change: Change;
+}
+
+// POST /api/tests/{id}/evaluate {changes, options} → Evaluated: a draft, nothing is kept
+export interface Draft { changes: Changes; options: Options }
+// POST /api/tests/{id}/versions → 201 Test; 409 when base_version is no longer the latest
+export interface Revision extends Draft { base_version: number; title: string; reason: string; plan?: number | null }
+// POST /api/tests/{id}/withdraw {reason}, /api/tests/{id}/reinstate {reason} → Test
+// GET  /api/tests/{id}/raw → the bytes as they came
+// GET  /api/tests/{id}/report.{html|pdf|svg|png|csv|json|…}?version=&language=de&decimal=comma&unit=mm&download=1
+// GET  /api/tests/{id}/figures?version= → {figures: {id, title}[]};  /api/tests/{id}/figures/{n}.svg?version=&theme=dark
+// POST /api/tests/{id}/reports {extension, language, decimal, unit} → 201 Document (issued: kept as it is for good)
+// POST /api/tests/{id}/attachments (bytes, X-File-Name, Content-Type) → 201 Document
+// GET  /api/documents/{id} → its bytes
+
+// GET /api/machines → {machines: Machine[]}; POST; GET /api/machines/{id}; PUT with base_version and reason;
+// GET /api/machines/{id}/versions. The same for /api/axes, /api/instruments.
+export interface Entity { id: number; version: number; change: Change }
+export interface Machine extends Entity {
+  name: string; manufacturer: string; type: string; serial_number: string; controller: string; location: string; notes: string;
+  axes: Axis[];                            // in answers only
+  tests: number; latest_test: { id: number; measured_on: string; verdict: Verdict | null } | null;  // in answers only
+}
+export interface Axis extends Entity { machine: number; name: string; kind: 'linear' | 'rotary'; limits: Limit[]; notes: string }
+export interface Instrument extends Entity {
+  role: string; manufacturer: string; type: string; serial_number: string; certificate: string;
+  calibrated_on: string; calibration_due: string; inputs: Changes; notes: string;
+}
+export type Edit<T extends Entity> = Omit<T, 'id' | 'version' | 'change' | 'axes' | 'tests' | 'latest_test'> & { base_version?: number; reason?: string };
+
+// GET /api/axes/{id}/trend?parameters=A,E,R,B&limit=500
+export interface Trend {
+  axis: Axis; machine: { id: number; name: string }; unit: 'um' | 'arcsec';
+  points: { test: number; version: number; title: string; measured_on: string; received_at: string; conforming: boolean;
+            label: string; figures: FigureOfTest[] }[];
+}
+
+// POST /api/plans/draft → PlanDraft, nothing is kept; POST /api/plans {title, axis, request} → 201 Plan
+export interface PlanRequest {
+  axis: string; kind: 'linear' | 'rotary'; from: number; to: number;
+  positions: number[] | null;              // null: chosen by the planner
+  targets: number | null;                  // how many, null: what the standard asks for
+  cycle: 'standard' | 'step' | 'pilgrim' | 'unidirectional'; runs: number;
+  feed: number; dwell_s: number; overrun: number | null; seed: number | null;
+  further: Record<string, string>;         // more of `axiometry plan`, by the names of its flags
+}
+export interface PlanDraft {
+  plan: unknown;                           // plan JSON as `axiometry plan --json` writes it
+  targets: number[]; duration_s: number; findings: Finding[]; conforming: boolean; figure_svg: string;
+}
+export interface Plan extends PlanDraft, Entity { title: string; axis: number | null; request: PlanRequest | null }
+// GET /api/plans → {plans: {id, version, title, axis, change}[]}; GET /api/plans/{id} → Plan
+// GET /api/plans/{id}/sheet.{html|pdf}?language=; GET /api/plans/{id}/program?dialect=linuxcnc&unrolled=1&…(ProgramOptions)
+// POST /api/plans/draft/program {request, dialect, options} and /api/plans/draft/sheet.{extension} {request}: of a draft
+// PUT /api/plans/{id} {base_version, title, axis, request, reason}
+
+// GET /api/sources → {sources: Source[]}: what a capture may listen to; named when the server is started
+export interface Source { id: string; title: string; kind: 'simulator' | 'tcp' | 'serial' }
+// POST /api/captures {plan, source, layout, options} → 201 Capture; POST /api/captures/{id}/stop → Capture
+// GET /api/captures → {captures: Capture[]}; GET /api/captures/{id}?after=REVISION: at once; readings after that revision
+export interface Capture {
+  id: number; plan: number; source: Source; started: string; revision: number;
+  state: 'waiting' | 'running' | 'complete' | 'stopped' | 'failed';
+  approaches: number;                      // of the plan
+  due: { target: number; run: number; direction: 'up' | 'down' } | null;
+  now: { position: number; at_rest: boolean } | null;
+  readings: { target: number; run: number; direction: 'up' | 'down'; deviation: number; spread: number; samples: number; remarks: string[] }[];
+  events: { kind: string; message: string; time_s: number }[];
+  notices: string[];
+  so_far: Evaluated | null;                // as soon as a test can be made of it
+  test: number | null;                     // kept as this test when it has ended with readings
+  error: string | null;
+}
+
+// GET /api/audit?subject=&before=&limit= → {entries: AuditEntry[]}
+export interface AuditEntry { id: number; change: Change; action: string; subject: string; detail: Record<string, unknown>; sha256: string }
