@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/from_archive.h"
+
+#include <algorithm>
+
+#include "axiometry/app/given_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/json_members.h"
+#include "axiometry/model/fields.h"
+#include "axiometry/report/utf8.h"
+
+namespace axiometry::app {
+namespace {
+
+using formats::JsonMembers;
+using json::Value;
+
+bool same(std::string_view a, std::string_view b) {
+  return !text::trim(a).empty() && text::equal_ignoring_case(text::trim(a), text::trim(b));
+}
+
+bool both_given(std::string_view a, std::string_view b) { return !text::trim(a).empty() && !text::trim(b).empty(); }
+
+bool same_machine(const store::Machine& a, const store::Machine& b) {
+  if (both_given(a.serial_number, b.serial_number)) return same(a.serial_number, b.serial_number);
+  return same(a.name, b.name);
+}
+
+bool same_instrument(const store::Instrument& a, const store::Instrument& b) {
+  if (both_given(a.serial_number, b.serial_number)) return same(a.serial_number, b.serial_number);
+  return same(a.manufacturer, b.manufacturer) && same(a.type, b.type);
+}
+
+/// Those inputs that nobody else states.
+Changes inputs_taken(const store::Instrument& instrument, const Metadata& metadata, const Changes& changes) {
+  Changes taken;
+  for (const auto& [key, text] : instrument.inputs) {
+    const Field* field = find_field(key);
+    const bool named = std::ranges::find(changes, key, &Changes::value_type::first) != changes.end();
+    if (field != nullptr && !named && !is_given(*field, metadata)) taken.emplace_back(key, text);
+  }
+  return taken;
+}
+
+Result<std::vector<InstrumentInputs>> find_instruments(const store::Store& store, const Metadata& metadata,
+                                                       const Changes& changes) {
+  std::vector<InstrumentInputs> found;
+  const auto wanted = instruments_of(metadata);
+  if (wanted.empty()) return found;
+  AXIOMETRY_TRY(const auto known, store.all<store::Instrument>());
+  Changes taken_so_far = changes;  // the first instrument that states an input wins
+  for (const store::Instrument& instrument : wanted) {
+    const auto match = std::ranges::find_if(
+        known, [&](const auto& candidate) { return same_instrument(candidate.value, instrument); });
+    if (match == known.end()) continue;
+    Changes inputs = inputs_taken(match->value, metadata, taken_so_far);
+    if (inputs.empty()) continue;
+    taken_so_far.insert(taken_so_far.end(), inputs.begin(), inputs.end());
+    found.push_back({match->id, match->version, instrument_name(match->value), std::move(inputs)});
+  }
+  return found;
+}
+
+Result<std::optional<AxisLimits>> find_axis_limits(const store::Store& store, const Metadata& metadata) {
+  const store::Machine machine = machine_of(metadata);
+  AXIOMETRY_TRY(const auto axes, store.all<store::Axis>());
+  if (std::ranges::none_of(axes, [](const auto& axis) { return !axis.value.limits.empty(); }))
+    return std::optional<AxisLimits>();
+  AXIOMETRY_TRY(const auto machines, store.all<store::Machine>());
+  const auto of_test =
+      std::ranges::find_if(machines, [&](const auto& candidate) { return same_machine(candidate.value, machine); });
+  if (of_test == machines.end()) return std::optional<AxisLimits>();
+  for (const auto& axis : axes) {
+    const bool right_kind = axis.value.kind == axis_kind_name(metadata.axis.kind);
+    if (axis.value.machine != of_test->id || !same(axis.value.name, metadata.axis.name) || !right_kind) continue;
+    if (axis.value.limits.empty()) break;
+    return std::optional(AxisLimits{axis.id, axis.version, axis.value.limits});
+  }
+  return std::optional<AxisLimits>();
+}
+
+Result<InstrumentInputs> instrument_from(const Value& value) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "instrument"));
+  InstrumentInputs inputs;
+  AXIOMETRY_TRY(const Value* id, members.required("instrument"));
+  AXIOMETRY_TRY(inputs.instrument, given_number("instrument", *id));
+  AXIOMETRY_TRY(const Value* version, members.required("version"));
+  AXIOMETRY_TRY(const auto number, given_number("version", *version));
+  inputs.version = static_cast<int>(number);
+  AXIOMETRY_TRY_VOID(members.take("name", inputs.name));
+  AXIOMETRY_TRY(const Value* texts, members.required("inputs"));
+  AXIOMETRY_TRY(inputs.inputs, changes_from(*texts));
+  AXIOMETRY_TRY_VOID(members.finish());
+  return inputs;
+}
+
+Result<AxisLimits> axis_limits_from(const Value& value) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "axis"));
+  AxisLimits axis;
+  AXIOMETRY_TRY(const Value* id, members.required("axis"));
+  AXIOMETRY_TRY(axis.axis, given_number("axis", *id));
+  AXIOMETRY_TRY(const Value* version, members.required("version"));
+  AXIOMETRY_TRY(const auto number, given_number("version", *version));
+  axis.version = static_cast<int>(number);
+  AXIOMETRY_TRY(const Value* limits, members.required("limits"));
+  AXIOMETRY_TRY(axis.limits, limits_from(*limits));
+  AXIOMETRY_TRY_VOID(members.finish());
+  return axis;
+}
+
+}  // namespace
+
+json::Value limits_to_json(const std::vector<store::Limit>& limits) {
+  Value list = Value::array();
+  for (const store::Limit& limit : limits) {
+    Value& row = list.push(Value::object());
+    row.add("parameter", limit.parameter);
+    row.add("value", limit.value);
+  }
+  return list;
+}
+
+Result<std::vector<store::Limit>> limits_from(const json::Value& value) {
+  AXIOMETRY_TRY(const auto* items, formats::items_in(value, "limits"));
+  std::vector<store::Limit> limits;
+  for (const Value& item : *items) {
+    AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(item, "limit"));
+    store::Limit limit;
+    AXIOMETRY_TRY(const Value* key, members.required("parameter"));
+    AXIOMETRY_TRY(limit.parameter, formats::text_in(*key, "parameter"));
+    const auto* parameter = iso230_2::find_parameter(limit.parameter);
+    if (parameter == nullptr)
+      return fail("found the parameter " + text::quoted(limit.parameter) + ", expected one such as A, R_up or B",
+                  key->at());
+    limit.parameter = parameter->key;
+    if (std::ranges::find(limits, limit.parameter, &store::Limit::parameter) != limits.end())
+      return fail("found two limits of " + limit.parameter + ", expected one", item.at());
+    AXIOMETRY_TRY(const Value* number, members.required("value"));
+    AXIOMETRY_TRY(limit.value, formats::number_in(*number, "value"));
+    constexpr double largest = 1e6;  // a metre
+    if (!(limit.value > 0.0 && limit.value <= largest))
+      return fail("found a limit of " + limit.parameter + " that is not above 0 and at most 1000000", number->at());
+    AXIOMETRY_TRY_VOID(members.finish());
+    limits.push_back(std::move(limit));
+  }
+  return limits;
+}
+
+json::Value to_json(const FromArchive& taken) {
+  Value object = Value::object();
+  Value& instruments = object.add("instruments", Value::array());
+  for (const InstrumentInputs& inputs : taken.instruments) {
+    Value& row = instruments.push(Value::object());
+    row.add("instrument", static_cast<double>(inputs.instrument));
+    row.add("version", inputs.version);
+    row.add("name", inputs.name);
+    row.add("inputs", to_json(inputs.inputs));
+  }
+  Value& axis = object.add("axis", Value());
+  if (!taken.axis) return object;
+  axis = Value::object();
+  axis.add("axis", static_cast<double>(taken.axis->axis));
+  axis.add("version", taken.axis->version);
+  axis.add("limits", limits_to_json(taken.axis->limits));
+  return object;
+}
+
+Result<FromArchive> from_archive_of(const json::Value& value) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "from_archive"));
+  FromArchive taken;
+  AXIOMETRY_TRY(const Value* instruments, members.required("instruments"));
+  AXIOMETRY_TRY(const auto* items, formats::items_in(*instruments, "instruments"));
+  for (const Value& item : *items) {
+    AXIOMETRY_TRY(InstrumentInputs inputs, instrument_from(item));
+    taken.instruments.push_back(std::move(inputs));
+  }
+  if (const Value* axis = members.optional("axis")) {
+    AXIOMETRY_TRY(taken.axis, axis_limits_from(*axis));
+  }
+  AXIOMETRY_TRY_VOID(members.finish());
+  return taken;
+}
+
+std::string instrument_name(const store::Instrument& instrument) {
+  std::string name;
+  for (const std::string* part : {&instrument.manufacturer, &instrument.type, &instrument.serial_number})
+    if (!part->empty()) name += (name.empty() ? "" : " ") + *part;
+  return name.empty() ? instrument.role : name;
+}
+
+std::vector<store::Instrument> instruments_of(const Metadata& metadata) {
+  std::vector<store::Instrument> instruments;
+  for (const Equipment& e : metadata.equipment) {
+    store::Instrument instrument;
+    instrument.role = report::printable(e.role);
+    instrument.manufacturer = report::printable(e.manufacturer);
+    instrument.type = report::printable(e.type);
+    instrument.serial_number = report::printable(e.serial_number);
+    if (!e.serial_number.empty() || !e.manufacturer.empty() || !e.type.empty())
+      instruments.push_back(std::move(instrument));
+  }
+  return instruments;
+}
+
+store::Machine machine_of(const Metadata& metadata) {
+  store::Machine machine;
+  machine.name = report::printable(metadata.machine.name);
+  machine.type = report::printable(metadata.machine.type);
+  machine.serial_number = report::printable(metadata.machine.serial_number);
+  machine.location = report::printable(metadata.machine.location);
+  return machine;
+}
+
+store::Axis axis_of(const Metadata& metadata) {
+  store::Axis axis;
+  axis.name = report::printable(metadata.axis.name);
+  axis.kind = axis_kind_name(metadata.axis.kind);
+  return axis;
+}
+
+Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& metadata, const Changes& changes) {
+  FromArchive taken;
+  AXIOMETRY_TRY(taken.instruments, find_instruments(store, metadata, changes));
+  AXIOMETRY_TRY(taken.axis, find_axis_limits(store, metadata));
+  return taken;
+}
+
+EvaluateOptions with_archive(EvaluateOptions options, const Changes& changes, const FromArchive& taken) {
+  for (const InstrumentInputs& inputs : taken.instruments) {
+    const auto items = metadata_items(inputs.inputs);
+    options.metadata.insert(options.metadata.end(), items.begin(), items.end());
+  }
+  const auto items = metadata_items(changes);
+  options.metadata.insert(options.metadata.end(), items.begin(), items.end());
+  if (!taken.axis) return options;
+  for (const store::Limit& limit : taken.axis->limits)
+    if (const auto* parameter = iso230_2::find_parameter(limit.parameter))
+      options.tolerance.of_axis.push_back(
+          {parameter, Deviation::native(limit.value), iso230_2::ToleranceSource::axis});
+  return options;
+}
+
+}  // namespace axiometry::app
