@@ -31,6 +31,24 @@ bool same_instrument(const store::Instrument& a, const store::Instrument& b) {
   return same(a.manufacturer, b.manufacturer) && same(a.type, b.type);
 }
 
+/// The first thing whose latest version fits, else the first that did before it was edited.
+template <typename Thing, typename Fits>
+Result<std::optional<store::Versioned<Thing>>> find_thing(const store::Store& store, const Fits& fits) {
+  AXIOMETRY_TRY(const auto things, store.all<Thing>());
+  for (const auto& thing : things)
+    if (fits(thing.value)) return thing;
+  for (const auto& thing : things) {
+    if (thing.version == 1) continue;
+    AXIOMETRY_TRY(const auto versions, store.versions<Thing>(thing.id));
+    if (std::ranges::any_of(versions, [&](const auto& version) { return fits(version.value); })) return thing;
+  }
+  return std::nullopt;
+}
+
+bool concerns(const Changes& changes, std::string_view group) {
+  return std::ranges::any_of(changes, [&](const auto& change) { return change.first.starts_with(group); });
+}
+
 /// Those inputs that nobody else states.
 Changes inputs_taken(const store::Instrument& instrument, const Metadata& metadata, const Changes& changes) {
   Changes taken;
@@ -42,41 +60,58 @@ Changes inputs_taken(const store::Instrument& instrument, const Metadata& metada
   return taken;
 }
 
-Result<std::vector<InstrumentInputs>> find_instruments(const store::Store& store, const Metadata& metadata,
-                                                       const Changes& changes) {
+using KnownInstruments = std::vector<store::Versioned<store::Instrument>>;
+
+Result<KnownInstruments> linked_instruments(const store::Store& store, const std::vector<store::Id>& ids) {
+  KnownInstruments known;
+  for (const store::Id id : ids) {
+    AXIOMETRY_TRY(auto instrument, store.get<store::Instrument>(id));
+    known.push_back(std::move(instrument));
+  }
+  return known;
+}
+
+Result<KnownInstruments> found_instruments(const store::Store& store, const Metadata& metadata) {
+  KnownInstruments known;
+  for (const store::Instrument& stated : instruments_of(metadata)) {
+    AXIOMETRY_TRY(auto found, find_thing<store::Instrument>(store, [&](const store::Instrument& candidate) {
+                    return same_instrument(candidate, stated);
+                  }));
+    if (found) known.push_back(*std::move(found));
+  }
+  return known;
+}
+
+std::vector<InstrumentInputs> inputs_of(const KnownInstruments& known, const Metadata& metadata,
+                                        const Changes& changes) {
   std::vector<InstrumentInputs> found;
-  const auto wanted = instruments_of(metadata);
-  if (wanted.empty()) return found;
-  AXIOMETRY_TRY(const auto known, store.all<store::Instrument>());
   Changes taken_so_far = changes;  // the first instrument that states an input wins
-  for (const store::Instrument& instrument : wanted) {
-    const auto match = std::ranges::find_if(
-        known, [&](const auto& candidate) { return same_instrument(candidate.value, instrument); });
-    if (match == known.end()) continue;
-    Changes inputs = inputs_taken(match->value, metadata, taken_so_far);
+  for (const auto& instrument : known) {
+    Changes inputs = inputs_taken(instrument.value, metadata, taken_so_far);
     if (inputs.empty()) continue;
     taken_so_far.insert(taken_so_far.end(), inputs.begin(), inputs.end());
-    found.push_back({match->id, match->version, instrument_name(match->value), std::move(inputs)});
+    found.push_back({instrument.id, instrument.version, instrument_name(instrument.value), std::move(inputs)});
   }
   return found;
 }
 
-Result<std::optional<AxisLimits>> find_axis_limits(const store::Store& store, const Metadata& metadata) {
-  const store::Machine machine = machine_of(metadata);
-  AXIOMETRY_TRY(const auto axes, store.all<store::Axis>());
-  if (std::ranges::none_of(axes, [](const auto& axis) { return !axis.value.limits.empty(); }))
-    return std::optional<AxisLimits>();
-  AXIOMETRY_TRY(const auto machines, store.all<store::Machine>());
-  const auto of_test =
-      std::ranges::find_if(machines, [&](const auto& candidate) { return same_machine(candidate.value, machine); });
-  if (of_test == machines.end()) return std::optional<AxisLimits>();
-  for (const auto& axis : axes) {
-    const bool right_kind = axis.value.kind == axis_kind_name(metadata.axis.kind);
-    if (axis.value.machine != of_test->id || !same(axis.value.name, metadata.axis.name) || !right_kind) continue;
-    if (axis.value.limits.empty()) break;
-    return std::optional(AxisLimits{axis.id, axis.version, axis.value.limits});
-  }
-  return std::optional<AxisLimits>();
+using KnownAxis = std::optional<store::Versioned<store::Axis>>;
+
+Result<KnownAxis> found_axis(const store::Store& store, const Metadata& metadata) {
+  const store::Machine stated = machine_of(metadata);
+  AXIOMETRY_TRY(const auto machine, find_thing<store::Machine>(store, [&](const store::Machine& candidate) {
+                  return same_machine(candidate, stated);
+                }));
+  if (!machine) return std::nullopt;
+  const std::string_view kind = axis_kind_name(metadata.axis.kind);
+  return find_thing<store::Axis>(store, [&](const store::Axis& candidate) {
+    return candidate.machine == machine->id && candidate.kind == kind && same(candidate.name, metadata.axis.name);
+  });
+}
+
+std::optional<AxisLimits> limits_of(const KnownAxis& axis) {
+  if (!axis || axis->value.limits.empty()) return {};
+  return AxisLimits{axis->id, axis->version, axis->value.limits};
 }
 
 Result<InstrumentInputs> instrument_from(const Value& value) {
@@ -218,10 +253,20 @@ store::Axis axis_of(const Metadata& metadata) {
   return axis;
 }
 
-Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& metadata, const Changes& changes) {
-  FromArchive taken;
-  AXIOMETRY_TRY(taken.instruments, find_instruments(store, metadata, changes));
-  AXIOMETRY_TRY(taken.axis, find_axis_limits(store, metadata));
+Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& metadata, const Changes& changes,
+                                    const std::optional<ArchiveLinks>& links) {
+  const bool linked_equipment = links && !concerns(changes, "equipment");
+  AXIOMETRY_TRY(const KnownInstruments instruments, linked_equipment ? linked_instruments(store, links->instruments)
+                                                                     : found_instruments(store, metadata));
+  FromArchive taken{.instruments = inputs_of(instruments, metadata, changes), .axis = {}};
+  const bool linked_axis = links && links->axis && !concerns(changes, "machine.") && !concerns(changes, "axis.");
+  if (linked_axis) {
+    AXIOMETRY_TRY(auto axis, store.get<store::Axis>(*links->axis));
+    taken.axis = limits_of(std::move(axis));
+    return taken;
+  }
+  AXIOMETRY_TRY(const KnownAxis axis, found_axis(store, metadata));
+  taken.axis = limits_of(axis);
   return taken;
 }
 

@@ -53,9 +53,18 @@ std::vector<store::Instrument> instruments_of(const Metadata& metadata);
 store::Machine machine_of(const Metadata& metadata);
 store::Axis axis_of(const Metadata& metadata);
 
-/// Looks up what the archive knows of a test with this metadata: what its file says with the user's changes. A key
-/// that the changes name, even to take its value away, is not taken from an instrument.
-Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& metadata, const Changes& changes);
+/// What the archive has linked a test with; nothing of a test that it does not have.
+struct ArchiveLinks {
+  std::optional<store::Id> axis;
+  std::vector<store::Id> instruments;
+};
+
+/// What a test is evaluated with that comes from the archive. `metadata` is what its file says with the user's changes.
+/// The links count unless the changes are about machine, axis or equipment; without them things are found by serial
+/// number, else by name (of an instrument by manufacturer and type), now or as they were called before. A key that the
+/// changes name, even to take its value away, is not taken from an instrument.
+Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& metadata, const Changes& changes,
+                                    const std::optional<ArchiveLinks>& links = {});
 
 /// The options with what was taken: inputs of instruments, then the changes, then the limits of the axis.
 EvaluateOptions with_archive(EvaluateOptions options, const Changes& changes, const FromArchive& taken);

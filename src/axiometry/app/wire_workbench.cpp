@@ -348,7 +348,8 @@ Result<Revision> revision_from(const json::Value& value) {
   AXIOMETRY_TRY(const auto base_version, given_number("base_version", *base));
   revision.base_version = static_cast<int>(base_version);
   AXIOMETRY_TRY_VOID(members.take("title", revision.title));
-  members.pass_over("reason");  // who changes it and why is the edge's business
+  AXIOMETRY_TRY_VOID(members.take("reason", revision.reason));
+  AXIOMETRY_TRY(revision.reason, given_line("reason", revision.reason));
   if (const Value* plan = members.optional("plan")) {
     AXIOMETRY_TRY(revision.plan, given_number("plan", *plan));
   }

@@ -180,7 +180,7 @@ Result<Outcome> Workbench::evaluate(const Test& test, const Draft& draft) const 
 Result<Outcome> Workbench::draft(store::Id id, const Draft& draft) const {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id));
   AXIOMETRY_TRY(Test test, state_->measured(record));
-  AXIOMETRY_TRY(Found found, state_->evaluate(std::move(test), draft));
+  AXIOMETRY_TRY(Found found, state_->evaluate(std::move(test), draft, links_of(record)));
   found.evaluated.name = record.name_in_file;
   return outcome_of(std::move(found));
 }
@@ -189,7 +189,7 @@ Result<KeptTest> Workbench::revise(store::Id id, const Revision& revision, const
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id));
   AXIOMETRY_TRY(const std::string title, given_line("title", revision.title));
   AXIOMETRY_TRY(Test test, state_->measured(record));
-  AXIOMETRY_TRY(Found found, state_->evaluate(std::move(test), revision.draft));
+  AXIOMETRY_TRY(Found found, state_->evaluate(std::move(test), revision.draft, links_of(record)));
   found.evaluated.name = record.name_in_file;
   store::TestState state =
       state_of(found.evaluated, revision.draft.changes, revision.draft.options, found.from_archive);

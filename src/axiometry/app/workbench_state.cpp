@@ -73,20 +73,22 @@ Result<Test> Workbench::State::measured(const store::TestRecord& record) {
   return test;
 }
 
-Result<Found> Workbench::State::evaluate(Test test, const Draft& draft, std::optional<FromArchive> taken) {
-  if (!taken) {
-    Metadata stated = test.metadata;
-    AXIOMETRY_TRY_VOID(set_metadata(stated, metadata_items(draft.changes)));
-    AXIOMETRY_TRY(taken, find_in_archive(store, stated, draft.changes));
-  }
+Result<Found> Workbench::State::evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links) {
+  Metadata stated = test.metadata;
+  AXIOMETRY_TRY_VOID(set_metadata(stated, metadata_items(draft.changes)));
+  AXIOMETRY_TRY(FromArchive taken, find_in_archive(store, stated, draft.changes, links));
+  return evaluate_with(std::move(test), draft, std::move(taken));
+}
+
+Result<Found> Workbench::State::evaluate_with(Test test, const Draft& draft, FromArchive taken) {
   AXIOMETRY_TRY(EvaluateOptions options, evaluate_options(draft.options));
-  options = with_archive(std::move(options), draft.changes, *taken);
+  options = with_archive(std::move(options), draft.changes, taken);
   std::unique_lock<std::mutex> alone(monte_carlo, std::defer_lock);
   if (draft.options.monte_carlo) alone.lock();
   const auto begin = std::chrono::steady_clock::now();
   AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
-  return Found{std::move(evaluated), *std::move(taken), time.count()};
+  return Found{std::move(evaluated), std::move(taken), time.count()};
 }
 
 Result<std::shared_ptr<const Evaluated>> Workbench::State::evaluated(const store::TestRecord& record) {
@@ -95,13 +97,15 @@ Result<std::shared_ptr<const Evaluated>> Workbench::State::evaluated(const store
   AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
   AXIOMETRY_TRY(Changes changes, kept_changes(record.state));
   AXIOMETRY_TRY(Test test, measured(record));
-  AXIOMETRY_TRY(Found found, evaluate(std::move(test), {std::move(changes), kept.options}, kept.from_archive));
+  AXIOMETRY_TRY(Found found, evaluate_with(std::move(test), {std::move(changes), kept.options}, kept.from_archive));
   found.evaluated.name = record.name_in_file;
   AXIOMETRY_TRY_VOID(check_same(record, found.evaluated));
   auto shared = std::make_shared<const Evaluated>(std::move(found.evaluated));
   evaluations.remember(key, shared, 1);
   return shared;
 }
+
+ArchiveLinks links_of(const store::TestRecord& record) { return {record.axis, record.instruments}; }
 
 Outcome outcome_of(Found found) {
   return {.result = to_json(found.evaluated),

@@ -32,13 +32,16 @@ struct Workbench::State {
   /// The measured test of a record, by whose file name it goes.
   Result<Test> measured(const store::TestRecord& record);
 
-  /// With what the archive knows today, unless what was taken from it is given.
-  Result<Found> evaluate(Test test, const Draft& draft, std::optional<FromArchive> taken = {});
+  /// With what the archive knows today.
+  Result<Found> evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links = {});
+  /// With what was taken from it on another day.
+  Result<Found> evaluate_with(Test test, const Draft& draft, FromArchive taken);
 
   /// A version evaluated again, with the figures that were kept or not at all.
   Result<std::shared_ptr<const Evaluated>> evaluated(const store::TestRecord& record);
 };
 
+ArchiveLinks links_of(const store::TestRecord& record);
 Outcome outcome_of(Found found);
 
 }  // namespace axiometry::app

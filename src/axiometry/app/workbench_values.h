@@ -36,6 +36,7 @@ struct Revision {
   Draft draft;
   int base_version = 0;
   std::string title;                ///< empty: as it is
+  std::string reason{};
   std::optional<store::Id> plan{};  ///< none: as it is
 };
 
