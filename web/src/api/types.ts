@@ -20,7 +20,9 @@ export interface Health {
   store: { kind: 'sqlite' | 'postgresql'; location: string; schema: number; writable: boolean; why_not: string | null;
            counts: { machines: number; axes: number; instruments: number; plans: number; tests: number; documents: number; content_bytes: number } };
   limits: { upload_bytes: number };
+  token: boolean;                          // whether one is asked for; who has not shown it is told the status alone
 }
+// POST /api/login {token} → 204 and a cookie, or 401; POST /api/logout → 204. Without the token all else answers 401.
 
 // GET /api/vocabulary: what there is to choose from. Titles and descriptions in the language of the request.
 export interface Vocabulary {
