@@ -56,10 +56,10 @@ export interface Result {
     annex_a?: Record<Parameter, number | null> | null;
     gum?: Record<Parameter, { value: number; u: number; U: number; k: number; nu_eff: number | null } | null> | null;
     monte_carlo?: Record<Parameter, MonteCarloOutput | null> | null;
-  } | null;
-  annex_a_budget?: AnnexABudget | null;
-  gum_budget?: GumBudget | null;
-  monte_carlo_run?: { trials: number; seed: number; stable: boolean; coverage: number; [key: string]: unknown } | null;
+    annex_a_budget?: AnnexABudget | null;
+    gum_budget?: GumBudget | null;
+    monte_carlo_run?: { trials: number; seed: number | string; stable: boolean; coverage: number; [key: string]: unknown } | null;
+  };
   positions: PositionResult[];
   tolerances?: Judgement[];
   findings: Finding[];
