@@ -204,8 +204,8 @@ export interface PlanRequest {
   axis: string; kind: 'linear' | 'rotary'; from: number; to: number;
   positions: number[] | null;              // null: chosen by the planner
   targets: number | null;                  // how many, null: what the standard asks for
-  cycle: 'standard' | 'step' | 'pilgrim' | 'unidirectional'; runs: number;
-  feed: number; dwell_s: number; overrun: number | null; seed: number | null;
+  cycle: 'standard' | 'step' | 'pilgrim' | 'unidirectional' | 'user-defined'; runs: number | null;
+  feed: number | null; dwell_s: number | null; overrun: number | null; seed: number | null;  // null: as the planner chooses
   further: Record<string, string>;         // more of `axiometry plan`, by the names of its flags
 }
 export interface PlanDraft {
