@@ -3,6 +3,7 @@
 import type { Page } from '../router';
 import { PlanPage } from './plan';
 import { PlansPage } from './plans';
+import { OneTestPage } from './test';
 import { TestsPage } from './tests';
 
 export const routes: readonly (readonly [string, Page])[] = [
@@ -10,4 +11,5 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/plans', PlansPage],
   ['/plans/new', PlanPage],
   ['/plans/:id', PlanPage],
+  ['/tests/:id', OneTestPage],
 ];
