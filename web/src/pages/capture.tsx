@@ -16,16 +16,16 @@ import './capture.css';
 
 /** A capture while it goes on, and what came of it. */
 export function CapturePage({ parts }: { parts: Record<string, string> }) {
-  const live = use_live(parts['id'] ?? '');
+  const [turn, set_turn] = useState(0);
+  const live = use_live(parts['id'] ?? '', turn);
   const { capture, readings } = live;
   const plan = use_get<Plan>(capture === null ? null : `/api/plans/${capture.plan}`);
   const running = capture !== null && !is_over(capture);
   use_screen_on(running);
-  const kind = (plan.data?.plan as { axis?: { kind?: 'linear' | 'rotary' } } | undefined)?.axis?.kind ?? 'linear';
-  const deviation_unit = unit_sign(kind === 'linear' ? 'um' : 'arcsec');
+  const deviation_unit = unit_sign(capture?.unit ?? 'um');
   const shared = {
-    readings, targets: plan.data?.targets ?? [], unit: position_unit(kind), deviation_unit,
-    runs: Math.max(plan.data ? (settled(plan.data.plan)?.runs ?? 1) : 1, ...readings.map(({ run }) => run + 1)),
+    readings, targets: capture?.targets ?? plan.data?.targets ?? [], unit: position_unit(capture?.kind ?? 'linear'), deviation_unit,
+    runs: Math.max(runs_of(plan.data, capture), ...readings.map(({ run }) => run)),
   };
   useEffect(() => {
     if (capture) document.title = `${t(capture.state)} ${readings.length}/${capture.approaches} · Axiometry`;
@@ -42,8 +42,8 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
       {live.error && <FailureNotice error={live.error} />}
       {plan.error && <FailureNotice error={plan.error} retry={plan.reload} />}
       {live.lost && <p class="notice caution" role="status">{t('lost')}</p>}
-      {capture && is_over(capture) && <Ending capture={capture} />}
-      {capture && plan.data && (
+      {capture && is_over(capture) && <Ending capture={capture} again={() => set_turn(turn + 1)} />}
+      {capture && shared.targets.length > 0 && (
         <div class="live">
           <Readout capture={capture} {...shared} />
           <LiveChart {...shared} due={capture.due} />
@@ -90,15 +90,32 @@ function StopButton({ capture, done, stopped }: { capture: Capture; done: number
   );
 }
 
-function Ending({ capture }: { capture: Capture }) {
+/** Of the plan, or of the part of it that is captured. */
+function runs_of(plan: Plan | null, capture: Capture | null): number {
+  const chosen = settled(plan?.plan);
+  const part = capture?.part ?? 1;
+  return (part === 1 ? chosen?.runs : chosen?.further[part - 2]?.runs) ?? 1;
+}
+
+function Ending({ capture, again }: { capture: Capture; again: () => void }) {
+  const [error, set_error] = useState<ApiError | null>(null);
+  const after = (request: Promise<Capture>) =>
+    void request.then(again, (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)));
   const tone = capture.state === 'failed' ? 'bad' : capture.state === 'complete' ? 'good' : 'caution';
   return (
     <div class={`notice ${tone} ending`} role="status">
       <div>
         <h2>{t(capture.state)}</h2>
         {capture.error !== null && <p>{capture.error}</p>}
-        <p>{t(capture.test === null ? 'nothing_kept' : 'kept')}</p>
+        <p>{t(capture.state === 'interrupted' ? 'broken_off' : capture.test === null ? 'nothing_kept' : 'kept')}</p>
+        {error && <FailureNotice error={error} />}
       </div>
+      {capture.state === 'interrupted' && (
+        <div class="row">
+          <button type="button" onClick={() => after(send<Capture>('POST', `/api/captures/${capture.id}/stop`, {}))}>{t('keep_so_far')}</button>
+          <button type="button" class="primary" onClick={() => after(send<Capture>('POST', '/api/captures', { resume: capture.id }))}>{t('resume')}</button>
+        </div>
+      )}
       {capture.test !== null && <a class="button primary" href={`/tests/${capture.test}`}>{t('to_test')}</a>}
     </div>
   );
@@ -147,7 +164,7 @@ function Said({ readings, unit }: { readings: Reading[]; unit: string }) {
   const last = readings[readings.length - 1];
   return (
     <p class="visually-hidden" aria-live="polite">
-      {last && t('said', { i: last.target + 1, direction: t(last.direction), run: last.run + 1, value: `${fixed(last.deviation, 1)} ${unit}` })}
+      {last && t('said', { i: last.target, direction: t(last.direction), run: last.run, value: `${fixed(last.deviation, 1)} ${unit}` })}
     </p>
   );
 }

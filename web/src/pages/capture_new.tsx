@@ -7,7 +7,7 @@ import { FailureNotice } from '../components/failure';
 import { Field } from '../components/field';
 import { parsed, position_unit, shortest } from '../numbers';
 import { go, place } from '../router';
-import { fault_ids, faults, layouts, of_option, option_keys, t } from './capture/texts';
+import { layouts, of_option, option_keys, t } from './capture/texts';
 import { settled } from './plan/form';
 import { lasting } from './plan/outcome';
 import './capture.css';
@@ -20,7 +20,7 @@ export function NewCapturePage() {
   const plans = use_get<{ plans: { id: number; title: string }[] }>('/api/plans');
   const sources = use_get<{ sources: Source[] }>('/api/sources');
   const [form, set_form] = useState<Form>({
-    plan: place.value.query.get('plan') ?? '', source: '', layout: '', options: { speed: '20', fault: 'good', seed: '1' },
+    plan: place.value.query.get('plan') ?? '', source: '', layout: '', options: { speed: '10', preset: 'good', seed: '1' },
   });
   const [busy, set_busy] = useState(false);
   const [error, set_error] = useState<ApiError | null>(null);
@@ -34,7 +34,7 @@ export function NewCapturePage() {
     set_busy(true);
     set_error(null);
     send<Capture>('POST', '/api/captures', {
-      plan: Number(chosen), source: source.id, layout: form.layout === '' ? null : form.layout, options: sent(form.options, source),
+      plan: Number(chosen), source: source.id, layout: form.layout, options: sent(form.options, source),
     }).then(
       (capture) => go(`/captures/${capture.id}`),
       (failure: unknown) => {
@@ -73,7 +73,7 @@ export function NewCapturePage() {
           )}
         </Field>
         {source?.kind === 'simulator'
-          ? <SimulatorFields options={form.options} option={option} />
+          ? <SimulatorFields source={source} options={form.options} option={option} />
           : source && <StreamFields form={form} change={set_form} option={option} unit={unit_of(plan.data)} />}
         {error && <FailureNotice error={error} />}
         <div class="row">
@@ -84,7 +84,7 @@ export function NewCapturePage() {
   );
 }
 
-const simulator_keys = ['speed', 'fault', 'seed'];
+const simulator_keys = ['speed', 'preset', 'seed'];
 
 /** Of what was typed only what concerns the source, numbers with a point. */
 function sent(options: Texts, source: Source): Texts {
@@ -117,18 +117,23 @@ function Parts({ plan, option, value }: { plan: Plan | null; option: (key: strin
   );
 }
 
-function SimulatorFields({ options, option }: { options: Texts; option: (key: string, text: string) => void }) {
+function SimulatorFields({ source, options, option }: { source: Source; options: Texts; option: (key: string, text: string) => void }) {
+  const presets = source.presets ?? [];
   return (
     <div class="pair">
-      <Field label={t('fault')}>
+      <Field label={t('fault')} hint={presets.find(({ id }) => id === options['preset'])?.sign}>
         {(ids) => (
-          <select {...ids} value={options['fault'] ?? ''} onChange={(event) => option('fault', event.currentTarget.value)}>
-            {fault_ids.map((id) => <option key={id} value={id}>{faults(id)}</option>)}
+          <select {...ids} value={options['preset'] ?? ''} onChange={(event) => option('preset', event.currentTarget.value)}>
+            {presets.map(({ id, title }) => <option key={id} value={id}>{title}</option>)}
           </select>
         )}
       </Field>
       <Field label={t('speed')} hint={t('speed_hint')}>
-        {(ids) => <input {...ids} class="number" inputMode="decimal" value={options['speed'] ?? ''} onInput={(event) => option('speed', event.currentTarget.value)} />}
+        {(ids) => (
+          <select {...ids} class="number" value={options['speed'] ?? ''} onChange={(event) => option('speed', event.currentTarget.value)}>
+            {(source.speeds ?? [1]).map((speed) => <option key={speed} value={String(speed)}>{shortest(speed)}</option>)}
+          </select>
+        )}
       </Field>
       <Field label={t('seed')}>
         {(ids) => <input {...ids} class="number" inputMode="numeric" value={options['seed'] ?? ''} onInput={(event) => option('seed', event.currentTarget.value)} />}

@@ -23,10 +23,10 @@ export function LiveChart({ readings, targets, runs, unit, deviation_unit }: Pro
     const latest = readings[readings.length - 1];
     const all: ChartSeries[] = [];
     for (const direction of directions)
-      for (let run = 0; run < runs; run++)
+      for (let run = 1; run <= runs; run++)
         all.push({
-          key: `${direction} ${run}`, label: `${t('run')} ${run + 1} ${arrow(direction)}`,
-          values: targets.map((_, i) => cells.get(key(direction, run, i))?.deviation ?? null),
+          key: `${direction} ${run}`, label: `${t('run')} ${run} ${arrow(direction)}`,
+          values: targets.map((_, i) => cells.get(key(direction, run, i + 1))?.deviation ?? null),
           colour: `--series-${direction}`, shape: direction === 'up' ? 'up' : 'down', across: true,
           opacity: !latest || latest.run === run ? 1 : 0.45, width: latest?.run === run ? 2 : 1.2,
         });
@@ -47,7 +47,7 @@ export function LiveTable({ readings, targets, runs, unit, deviation_unit, due }
   const cells = cells_of(readings);
   const latest = readings[readings.length - 1];
   const used = directions.filter((direction) => direction === 'up' || readings.some((one) => one.direction === 'down') || due?.direction === 'down' || runs > 1);
-  const columns = used.flatMap((direction) => Array.from({ length: runs }, (_, run) => ({ direction, run })));
+  const columns = used.flatMap((direction) => Array.from({ length: runs }, (_, i) => ({ direction, run: i + 1 })));
   return (
     <section class="panel flush filling" aria-labelledby="filling">
       <header><h2 id="filling">{t('readings')} <span class="quiet small">/ {deviation_unit}</span></h2></header>
@@ -58,7 +58,7 @@ export function LiveTable({ readings, targets, runs, unit, deviation_unit, due }
               <th scope="col" class="number">i</th>
               <th scope="col" class="number">{t('position')} / {unit}</th>
               {columns.map(({ direction, run }) => (
-                <th scope="col" class="number" key={`${direction}${run}`}>{run + 1}<span class={direction}>{arrow(direction)}</span></th>
+                <th scope="col" class="number" key={`${direction}${run}`}>{run}<span class={direction}>{arrow(direction)}</span></th>
               ))}
             </tr>
           </thead>
@@ -68,8 +68,8 @@ export function LiveTable({ readings, targets, runs, unit, deviation_unit, due }
                 <th scope="row" class="number">{i + 1}</th>
                 <td class="number">{fixed(target, 3)}</td>
                 {columns.map(({ direction, run }) => {
-                  const cell = cells.get(key(direction, run, i));
-                  const is_due = due !== null && due.target === i && due.run === run && due.direction === direction;
+                  const cell = cells.get(key(direction, run, i + 1));
+                  const is_due = due !== null && due.target === i + 1 && due.run === run && due.direction === direction;
                   return (
                     <td key={`${direction}${run}`} class={`number ${is_due ? 'due' : ''} ${cell !== undefined && cell === latest ? 'latest' : ''}`}
                       title={cell && cell.remarks.length > 0 ? cell.remarks.join('; ') : undefined}>

@@ -5,7 +5,7 @@ import { ApiError, get } from '../../api/client';
 import type { Capture } from '../../api/types';
 
 export type Reading = Capture['readings'][number];
-export const is_over = (capture: Capture): boolean => ['complete', 'stopped', 'failed'].includes(capture.state);
+export const is_over = (capture: Capture): boolean => ['complete', 'stopped', 'failed', 'interrupted'].includes(capture.state);
 
 export interface Live {
   capture: Capture | null;
@@ -19,7 +19,8 @@ const often_ms = 200;
 const hidden_ms = 2000;
 const longest_wait_ms = 5000;
 
-export function use_live(id: string): Live {
+/** `turn`: another number begins again, as after an interruption. */
+export function use_live(id: string, turn: number): Live {
   const [known, set_known] = useState<{ capture: Capture; readings: Reading[] } | null>(null);
   const [lost, set_lost] = useState(false);
   const [error, set_error] = useState<ApiError | null>(null);
@@ -27,24 +28,22 @@ export function use_live(id: string): Live {
     const abort = new AbortController();
     let timer = 0;
     let revision = 0;
-    let restarts = 0;
     let failures = 0;
     let readings: Reading[] = [];
     const later = (wait: number) => {
       timer = window.setTimeout(ask, wait);
     };
     const take = (answer: Capture): void => {
-      const begun_again = answer.events.filter(({ kind }) => kind === 'restarted').length;
-      if (revision > 0 && (answer.revision < revision || begun_again !== restarts)) {
-        // Readings that were known are void: all of them are asked for.
-        [revision, readings, restarts] = [0, [], begun_again];
+      if (answer.revision < revision) {
+        // Another run of the program, which counts from the beginning.
+        [revision, readings] = [0, []];
         return later(0);
       }
-      restarts = begun_again;
-      if (answer.readings.length > 0) readings = [...readings, ...answer.readings];
+      if (answer.anew === true) readings = answer.readings;
+      else if (answer.readings.length > 0) readings = [...readings, ...answer.readings];
       revision = answer.revision;
       set_known({ capture: answer, readings });
-      if (!is_over(answer) || answer.revision < answer.readings.length) later(document.hidden ? hidden_ms : often_ms);
+      if (!is_over(answer)) later(document.hidden ? hidden_ms : often_ms);
     };
     const ask = () => {
       get<Capture>(`/api/captures/${id}?after=${revision}`, abort.signal).then(
@@ -75,7 +74,7 @@ export function use_live(id: string): Live {
       window.clearTimeout(timer);
       document.removeEventListener('visibilitychange', seen);
     };
-  }, [id]);
+  }, [id, turn]);
   return {
     capture: known?.capture ?? null, readings: known?.readings ?? [], lost, error,
     set: (capture) => set_known((before) => ({ capture, readings: before?.readings ?? [] })),

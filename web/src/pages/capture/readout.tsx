@@ -12,7 +12,7 @@ interface Props { capture: Capture; readings: Reading[]; targets: number[]; runs
 
 export function Readout({ capture, readings, targets, runs, unit, deviation_unit }: Props) {
   const { now, due } = capture;
-  const target = due ? targets[due.target] : undefined;
+  const target = due ? (due.position ?? targets[due.target - 1]) : undefined;
   const rest = now !== null && now.at_rest;
   const last = readings[readings.length - 1];
   return (
@@ -33,15 +33,15 @@ export function Readout({ capture, readings, targets, runs, unit, deviation_unit
         <p class="name">{t(due ? 'next' : 'last')}</p>
         {due && target !== undefined && (
           <>
-            <p class="large number">{due.target + 1} {arrow(due.direction)} <span class="unit">{fixed(target, 3)} {unit}</span></p>
+            <p class="large number">{due.target} {arrow(due.direction)} <span class="unit">{fixed(target, 3)} {unit}</span></p>
             <p class="number quiet">
-              {t('run_of', { run: due.run + 1, runs })}
+              {t('run_of', { run: due.run, runs })}
               {now && ` · ${t('to_go')} ${fixed(target - now.position, 3)} ${unit}`}
             </p>
           </>
         )}
         {!due && last && (
-          <p class="large number">{last.target + 1} {arrow(last.direction)} <span class="unit">{fixed(last.deviation, 2)} {deviation_unit}</span></p>
+          <p class="large number">{last.target} {arrow(last.direction)} <span class="unit">{fixed(last.deviation, 2)} {deviation_unit}</span></p>
         )}
       </div>
       <Progress capture={capture} done={readings.length} />

@@ -19,6 +19,7 @@ export const t = texts({
   complete: ['complete', 'vollständig'],
   stopped: ['stopped', 'angehalten'],
   failed: ['failed', 'gescheitert'],
+  interrupted: ['interrupted', 'unterbrochen'],
   // a new one
   choose_plan: ['Choose a plan', 'Prüfplan wählen'],
   no_plans: ['There is no plan yet; a capture waits for the targets of one.', 'Noch gibt es keinen Prüfplan; eine Erfassung wartet auf dessen Zielpositionen.'],
@@ -67,6 +68,10 @@ export const t = texts({
   lost: ['The program does not answer. Readings are not lost by this: it goes on by itself as soon as it answers.',
     'Das Programm antwortet nicht. Messwerte gehen dadurch nicht verloren: sobald es antwortet, geht es von selbst weiter.'],
   kept: ['The readings are kept as a test.', 'Die Messwerte sind als Prüfung behalten.'],
+  broken_off: ['The program ended while this capture ran. All that came is on the disk.',
+    'Das Programm endete während dieser Erfassung. Alles Eingetroffene ist auf der Platte.'],
+  resume: ['Resume', 'Fortsetzen'],
+  keep_so_far: ['Keep what there is', 'Behalten, was da ist'],
   to_test: ['To the test', 'Zur Prüfung'],
   nothing_kept: ['There were no readings to keep.', 'Es gab keine Messwerte zu behalten.'],
   said: ['Target {i} {direction}, run {run}: {value}', 'Zielposition {i} {direction}, Lauf {run}: {value}'],
@@ -74,29 +79,6 @@ export const t = texts({
   down: ['down', 'abwärts'],
   chart: ['Deviations of {n} readings over {all} targets', 'Abweichungen von {n} Messwerten über {all} Zielpositionen'],
 });
-
-export const faults = texts({
-  good: ['none: an axis in good order', 'keiner: eine Achse in Ordnung'],
-  backlash: ['play in the drive', 'Spiel im Antrieb'],
-  'worn-screw': ['screw worn where it is used most', 'Spindel dort verschlissen, wo sie am meisten läuft'],
-  'lost-motion': ['elastic wind-up', 'elastische Verdrehung'],
-  pitch: ['pitch errors of screw or scale', 'Steigungsfehler von Spindel oder Maßstab'],
-  cyclic: ['an error with every turn of the screw', 'ein Fehler mit jeder Spindelumdrehung'],
-  thermal: ['the screw grows while the test runs', 'die Spindel wächst während der Prüfung'],
-  'stick-slip': ['stick-slip', 'Ruckgleiten'],
-  noise: ['a restless instrument or table', 'unruhiges Messmittel oder unruhiger Tisch'],
-  outliers: ['single readings far away', 'einzelne Ausreißer'],
-  'loose-optics': ['a mirror that shifts now and then', 'ein Spiegel, der sich ab und zu verschiebt'],
-  drift: ['the zero of the instrument wanders', 'der Nullpunkt des Messmittels wandert'],
-  air: ['turbulent air in the beam', 'unruhige Luft im Strahl'],
-  'wrong-expansion-coefficient': ['wrong expansion coefficient', 'falscher Ausdehnungskoeffizient'],
-  'servo-hunting': ['a control loop that does not come to rest', 'ein Regelkreis, der nicht zur Ruhe kommt'],
-  mixed: ['a bit of everything', 'von allem etwas'],
-});
-export const fault_ids = [
-  'good', 'backlash', 'worn-screw', 'lost-motion', 'pitch', 'cyclic', 'thermal', 'stick-slip', 'noise', 'outliers', 'loose-optics',
-  'drift', 'air', 'wrong-expansion-coefficient', 'servo-hunting', 'mixed',
-] as const;
 
 /** Options of `axiometry capture`, by the names of its flags without dashes. */
 export const of_option = texts({
