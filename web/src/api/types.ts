@@ -58,7 +58,7 @@ export interface Result {
     monte_carlo?: Record<Parameter, MonteCarloOutput | null> | null;
     annex_a_budget?: AnnexABudget | null;
     gum_budget?: GumBudget | null;
-    monte_carlo_run?: { trials: number; seed: number | string; stable: boolean; coverage: number; [key: string]: unknown } | null;
+    monte_carlo_run?: MonteCarloRun | null;
   };
   positions: PositionResult[];
   tolerances?: Judgement[];
@@ -72,8 +72,12 @@ export interface MonteCarloOutput {
   value: number; mean: number; u: number; bias: number; symmetric: [number, number]; shortest: [number, number];
   stable: boolean; histogram: { lower: number; width: number; counts: number[] };
 }
+export interface MonteCarloRun {
+  trials: number; seed: number | string; stable: boolean; coverage: number; notes: string[];
+  contributions: { key: string; title: string; u: Record<Parameter, number | null> }[];
+}
 export interface AnnexABudget {
-  contributors: { key: string; symbol: string; title: string; formula: string; U: number;
+  contributors: { key: string; symbol: string; title: string; formula: string; U: number | null;
                   inputs: { symbol: string; value: number; unit: string }[] }[];
   notes: string[]; runs: number; coverage_factor: number;
 }
