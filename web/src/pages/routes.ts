@@ -3,11 +3,18 @@
 import type { Page } from '../router';
 import { AuditPage } from './audit';
 import { AxisPage } from './axis';
+import { CapturePage } from './capture';
+import { NewCapturePage } from './capture_new';
+import { CapturesPage } from './captures';
 import { InstrumentPage } from './instrument';
 import { InstrumentsPage } from './instruments';
 import { MachinePage } from './machine';
 import { MachinesPage } from './machines';
+import { PlanPage } from './plan';
+import { PlansPage } from './plans';
+import { ReportPage } from './report';
 import { SettingsPage } from './settings';
+import { OneTestPage } from './test';
 import { TestsPage } from './tests';
 
 export const routes: readonly (readonly [string, Page])[] = [
@@ -19,4 +26,12 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/instruments/:id', InstrumentPage],
   ['/settings', SettingsPage],
   ['/audit', AuditPage],
+  ['/tests/:id/report', ReportPage],
+  ['/plans', PlansPage],
+  ['/plans/new', PlanPage],
+  ['/plans/:id', PlanPage],
+  ['/tests/:id', OneTestPage],
+  ['/captures', CapturesPage],
+  ['/captures/new', NewCapturePage],
+  ['/captures/:id', CapturePage],
 ];
