@@ -77,7 +77,7 @@ Response error_response(const Error& error, language::Language language) {
 
 Response refusal(int status, std::string_view message, language::Language language) {
   json::Value inner = json::Value::object();
-  inner.add("kind", status == 404 ? "not_found" : "refused");
+  inner.add("kind", status == 404 ? "not_found" : status == 503 ? "unavailable" : "refused");
   inner.add("message", language::translated(message, language));
   for (const char* place : {"file", "line", "column"}) inner.add(place, {});
   json::Value value = json::Value::object();

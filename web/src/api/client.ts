@@ -57,13 +57,24 @@ export async function upload<T>(path: string, file: File, signal?: AbortSignal):
   return (await response.json()) as T;
 }
 
-/** Bytes that the server makes from a request, offered to the user as a file. */
-export async function download_made(path: string, body: unknown, file_name: string): Promise<void> {
-  const response = await answered(
-    fetch(path, { method: 'POST', body: JSON.stringify(body), headers: headers({ 'Content-Type': 'application/json' }) }),
+/** What the server makes of a request that is no JSON: a program, a sheet. */
+export async function made(path: string, body: unknown, signal?: AbortSignal): Promise<Response> {
+  return answered(
+    fetch(path, {
+      method: 'POST', body: JSON.stringify(body), headers: headers({ 'Content-Type': 'application/json' }), signal: signal ?? null,
+    }),
   );
+}
+
+/** The same offered to the user as a file. */
+export async function download_made(path: string, body: unknown, file_name: string): Promise<void> {
+  offer(await (await made(path, body)).blob(), file_name);
+}
+
+/** Bytes that the page has, offered to the user as a file. */
+export function offer(content: Blob, file_name: string): void {
   const link = document.createElement('a');
-  link.href = URL.createObjectURL(await response.blob());
+  link.href = URL.createObjectURL(content);
   link.download = file_name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);

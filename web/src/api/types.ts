@@ -205,23 +205,32 @@ export interface Trend {
             label: string; figures: FigureOfTest[] }[];
 }
 
+// A plan's file may stand in place of a request: {plan: {…} or the text of the file}.
 // POST /api/plans/draft → PlanDraft, nothing is kept; POST /api/plans {title, axis, request} → 201 Plan
 export interface PlanRequest {
   axis: string; kind: 'linear' | 'rotary'; from: number; to: number;
   positions: number[] | null;              // null: chosen by the planner
   targets: number | null;                  // how many, null: what the standard asks for
-  cycle: 'standard' | 'step' | 'pilgrim' | 'unidirectional'; runs: number;
-  feed: number; dwell_s: number; overrun: number | null; seed: number | null;
+  cycle: 'standard' | 'step' | 'pilgrim' | 'unidirectional' | 'user-defined'; runs: number | null;
+  feed: number | null; dwell_s: number | null; overrun: number | null; seed: number | null;  // null: as the planner chooses
   further: Record<string, string>;         // more of `axiometry plan`, by the names of its flags
 }
 export interface PlanDraft {
   plan: unknown;                           // plan JSON as `axiometry plan --json` writes it
   targets: number[]; duration_s: number; findings: Finding[]; conforming: boolean; figure_svg: string;
+  request?: PlanRequest | null;            // with the seed that was drawn: keep or draft this one to get the same plan
+  parts?: PlanPart[];                      // the plan itself and its further ones, as ?part=1, 2, … counts them
+}
+export interface PlanPart {
+  part: number; title: string; cycle: string; runs: number; readings: number; targets: number[]; duration_s: number;
+  figure_svg: string;
 }
 export interface Plan extends PlanDraft, Entity { title: string; axis: number | null; request: PlanRequest | null }
 // GET /api/plans → {plans: {id, version, title, axis, change}[]}; GET /api/plans/{id} → Plan
 // GET /api/plans/{id}/sheet.{html|pdf}?language=; GET /api/plans/{id}/program?dialect=linuxcnc&unrolled=1&…(ProgramOptions)
 // POST /api/plans/draft/program {request, dialect, options} and /api/plans/draft/sheet.{extension} {request}: of a draft
+// Options of programs: dialect, part, unit=inch, unrolled, trigger, number, decimals, block-numbers=0, stop-at-start;
+// download=1 gives a file. GET /api/plans/{id}/plan.json; GET /api/plans/{id}/versions
 // PUT /api/plans/{id} {base_version, title, axis, request, reason}
 
 // GET /api/sources → {sources: Source[]}: what a capture may listen to; named when the server is started
