@@ -112,7 +112,7 @@ function Chosen({ test, n, shown, toggle, remove, refer }: {
         <input type="checkbox" checked={shown} onChange={toggle} aria-label={t('show', { title })} /><Swatch series={look_of(n)} />
       </label>
       <div>
-        <a href={`/tests/${test.id}`}>{title}</a> <VerdictMark verdict={test.verdict} short />
+        <a href={`/tests/${test.id}`}>{title}</a> {test.verdict !== null && <VerdictMark verdict={test.verdict} short />}
         <div class="small quiet">{facts}</div>
       </div>
       <div class="row no-print">

@@ -5,7 +5,7 @@ import { Swatch } from '../../components/chart';
 import { ParameterSymbol } from '../../components/symbol';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
-import { absent, fixed, marked, shortest } from '../../numbers';
+import { absent, fixed, marked } from '../../numbers';
 import { all_parameters, decimals_of, main_parameters } from '../test/figures_text';
 import { look_of } from './curves';
 
@@ -90,7 +90,7 @@ function Value({ test, parameter }: { test: Test; parameter: Parameter }) {
   return (
     <>
       {marked(cell.text)}{cell.U_text !== '' && <span class="quiet"> ± {marked(cell.U_text)}</span>}
-      {shown && shown.limit !== null && <> <span title={shortest(shown.limit)}><VerdictMark verdict={shown.verdict} short /></span></>}
+      <span class="slot">{shown && shown.limit !== null && <VerdictMark verdict={shown.verdict} short />}</span>
     </>
   );
 }
