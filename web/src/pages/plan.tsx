@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { query } from '../api/client';
 import { as_json, use_posted } from '../api/posted';
 import { use_get } from '../api/use';
 import type { Machine, Plan, PlanDraft, PlanRequest, Vocabulary } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { position_unit } from '../numbers';
 import { place } from '../router';
+import { decimal } from '../settings';
 import { PlanFields } from './plan/fields';
 import { form_of, new_form, request_of, settled, type PlanForm } from './plan/form';
 import { Keep } from './plan/keep';
@@ -51,7 +53,7 @@ function Editor({ kept, keep, machines, vocabulary, axis }: EditorProps) {
   const [form, set_form] = useState<PlanForm>(() => first_form(kept, machines, axis));
   const [touched, set_touched] = useState(false);
   const { request, faults } = request_of(form);
-  const draft = use_posted<PlanDraft>('/api/plans/draft', request === null ? null : { request }, as_json);
+  const draft = use_posted<PlanDraft>(`/api/plans/draft${query({ decimal: decimal.value })}`, request === null ? null : { request }, as_json);
   const shown = draft.data ?? kept;
   const unit = position_unit(form.kind);
   const title = form.title.trim() === '' ? usual_title(form, unit) : form.title.trim();

@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every page and its path; links among pages are plain paths.
 import type { Page } from '../router';
+import { CapturePage } from './capture';
+import { NewCapturePage } from './capture_new';
+import { CapturesPage } from './captures';
 import { ComparePage } from './compare';
-import { OneTestPage } from './test';
 import { PlanPage } from './plan';
 import { PlansPage } from './plans';
+import { OneTestPage } from './test';
+import { ReportPage } from './report';
 import { TestsPage } from './tests';
 
 export const routes: readonly (readonly [string, Page])[] = [
   ['/', TestsPage],
-  ['/tests/:id', OneTestPage],
-  ['/compare', ComparePage],
+  ['/tests/:id/report', ReportPage],
   ['/plans', PlansPage],
   ['/plans/new', PlanPage],
   ['/plans/:id', PlanPage],
+  ['/tests/:id', OneTestPage],
+  ['/compare', ComparePage],
+  ['/captures', CapturesPage],
+  ['/captures/new', NewCapturePage],
+  ['/captures/:id', CapturePage],
 ];

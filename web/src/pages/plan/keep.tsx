@@ -5,7 +5,7 @@ import type { Plan, PlanRequest } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { when } from '../../numbers';
 import { go, unsaved } from '../../router';
-import { language } from '../../settings';
+import { decimal, language } from '../../settings';
 import type { PlanForm } from './form';
 import { t } from './texts';
 
@@ -57,7 +57,7 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
     }
   };
   const sheet = (extension: string) =>
-    download_made(`/api/plans/draft/sheet.${extension}${query({ language: language.value })}`, { request }, `${title}.${extension}`).catch(failed);
+    download_made(`/api/plans/draft/sheet.${extension}${query({ language: language.value, decimal: decimal.value })}`, { request }, `${title}.${extension}`).catch(failed);
 
   return (
     <>
