@@ -10,6 +10,7 @@ import { InstrumentPage } from './instrument';
 import { InstrumentsPage } from './instruments';
 import { MachinePage } from './machine';
 import { MachinesPage } from './machines';
+import { ComparePage } from './compare';
 import { PlanPage } from './plan';
 import { PlansPage } from './plans';
 import { ReportPage } from './report';
@@ -31,6 +32,7 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/plans/new', PlanPage],
   ['/plans/:id', PlanPage],
   ['/tests/:id', OneTestPage],
+  ['/compare', ComparePage],
   ['/captures', CapturesPage],
   ['/captures/new', NewCapturePage],
   ['/captures/:id', CapturePage],
