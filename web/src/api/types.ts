@@ -20,7 +20,9 @@ export interface Health {
   store: { kind: 'sqlite' | 'postgresql'; location: string; schema: number; writable: boolean; why_not: string | null;
            counts: { machines: number; axes: number; instruments: number; plans: number; tests: number; documents: number; content_bytes: number } };
   limits: { upload_bytes: number };
+  token: boolean;                          // whether one is asked for; who has not shown it is told the status alone
 }
+// POST /api/login {token} → 204 and a cookie, or 401; POST /api/logout → 204. Without the token all else answers 401.
 
 // GET /api/vocabulary: what there is to choose from. Titles and descriptions in the language of the request.
 export interface Vocabulary {
@@ -54,10 +56,10 @@ export interface Result {
     annex_a?: Record<Parameter, number | null> | null;
     gum?: Record<Parameter, { value: number; u: number; U: number; k: number; nu_eff: number | null } | null> | null;
     monte_carlo?: Record<Parameter, MonteCarloOutput | null> | null;
-  } | null;
-  annex_a_budget?: AnnexABudget | null;
-  gum_budget?: GumBudget | null;
-  monte_carlo_run?: { trials: number; seed: number; stable: boolean; coverage: number; [key: string]: unknown } | null;
+    annex_a_budget?: AnnexABudget | null;
+    gum_budget?: GumBudget | null;
+    monte_carlo_run?: MonteCarloRun | null;
+  };
   positions: PositionResult[];
   tolerances?: Judgement[];
   findings: Finding[];
@@ -70,8 +72,12 @@ export interface MonteCarloOutput {
   value: number; mean: number; u: number; bias: number; symmetric: [number, number]; shortest: [number, number];
   stable: boolean; histogram: { lower: number; width: number; counts: number[] };
 }
+export interface MonteCarloRun {
+  trials: number; seed: number | string; stable: boolean; coverage: number; notes: string[];
+  contributions: { key: string; title: string; u: Record<Parameter, number | null> }[];
+}
 export interface AnnexABudget {
-  contributors: { key: string; symbol: string; title: string; formula: string; U: number;
+  contributors: { key: string; symbol: string; title: string; formula: string; U: number | null;
                   inputs: { symbol: string; value: number; unit: string }[] }[];
   notes: string[]; runs: number; coverage_factor: number;
 }

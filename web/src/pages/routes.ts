@@ -6,6 +6,7 @@ import { NewCapturePage } from './capture_new';
 import { CapturesPage } from './captures';
 import { PlanPage } from './plan';
 import { PlansPage } from './plans';
+import { OneTestPage } from './test';
 import { ReportPage } from './report';
 import { TestsPage } from './tests';
 
@@ -15,6 +16,7 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/plans', PlansPage],
   ['/plans/new', PlanPage],
   ['/plans/:id', PlanPage],
+  ['/tests/:id', OneTestPage],
   ['/captures', CapturesPage],
   ['/captures/new', NewCapturePage],
   ['/captures/:id', CapturePage],

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "axiometry/store/connection.h"
+#include "axiometry/store/place.h"
+
+namespace axiometry::store {
+
+/// Connections that many threads share: each is lent to one at a time. Who finds none waits for up to ten seconds.
+class ConnectionPool {
+ public:
+  ConnectionPool(std::unique_ptr<Place> place, std::size_t largest) : place_(std::move(place)), largest_(largest) {}
+
+  /// Comes back to the pool when it goes out of scope, if it can still be used.
+  class Lease {
+   public:
+    Lease(ConnectionPool& pool, std::unique_ptr<Connection> connection)
+        : pool_(&pool), connection_(std::move(connection)) {}
+    ~Lease();
+    Lease(Lease&&) noexcept = default;
+    Lease& operator=(Lease&&) = delete;
+    Connection& operator*() const { return *connection_; }
+    Connection* operator->() const { return connection_.get(); }
+
+   private:
+    ConnectionPool* pool_;
+    std::unique_ptr<Connection> connection_;
+  };
+
+  Result<Lease> lease();
+  /// Closes what is idle: after a connection was lost the others are, too.
+  void forget_idle();
+  const Place& place() const { return *place_; }
+
+ private:
+  void take_back(std::unique_ptr<Connection> connection);
+
+  std::unique_ptr<Place> place_;
+  std::size_t largest_;
+  std::mutex mutex_;
+  std::condition_variable returned_;
+  std::vector<std::unique_ptr<Connection>> idle_;
+  std::size_t open_ = 0;
+};
+
+}  // namespace axiometry::store

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <mutex>
+#include <type_traits>
+#include <utility>
+
+#include "axiometry/store/connection_pool.h"
+#include "axiometry/store/store.h"
+
+namespace axiometry::store {
+
+/// What a Store is made of, and how a call becomes one transaction.
+struct Store::State {
+  State(std::unique_ptr<Place> place, std::size_t connections)
+      : pool(std::move(place), connections), info(pool.place().info()) {}
+
+  ConnectionPool pool;
+  Info info;
+  std::timed_mutex writing;  // who waits for another thread does not keep a connection from readers
+
+  /// What `function(connection)` reads is of one moment. Once more where the connection turns out to be lost.
+  template <typename Function>
+  auto read(Function function) -> std::invoke_result_t<Function, Connection&> {
+    bool lost = false;
+    auto result = read_once(function, lost);
+    if (lost) {
+      pool.forget_idle();
+      result = read_once(function, lost);
+    }
+    return result;
+  }
+
+  /// All that `function(connection)` writes, or nothing when it fails.
+  template <typename Function>
+  auto write(Function function) -> std::invoke_result_t<Function, Connection&> {
+    if (!info.writable)
+      return fail(ErrorKind::read_only,
+                  fmt::format("found a store that can only be read ({}), expected to write", info.why_not));
+    const std::unique_lock lock(writing, std::chrono::seconds(10));
+    if (!lock.owns_lock())
+      return fail(ErrorKind::unavailable,
+                  "found the store busy with another change for ten seconds, expected it to become free");
+    AXIOMETRY_TRY(const ConnectionPool::Lease connection, begun());
+    Rollback rollback(*connection);
+    auto result = function(*connection);
+    if (!result) return result;
+    AXIOMETRY_TRY_VOID(connection->commit());
+    rollback.release();
+    return result;
+  }
+
+ private:
+  template <typename Function>
+  auto read_once(Function& function, bool& lost) -> std::invoke_result_t<Function, Connection&> {
+    lost = false;
+    AXIOMETRY_TRY(const ConnectionPool::Lease connection, pool.lease());
+    if (const auto begun = connection->begin_read(); !begun) {
+      lost = !connection->alive();
+      return std::unexpected(begun.error());
+    }
+    const Rollback rollback(*connection);  // nothing was written: this ends it as well as commit() does
+    auto result = function(*connection);
+    lost = !result && !connection->alive();
+    return result;
+  }
+
+  /// A connection that has begun to write; nothing is written yet, so it may be tried again where it was lost.
+  Result<ConnectionPool::Lease> begun() {
+    {
+      AXIOMETRY_TRY(ConnectionPool::Lease connection, pool.lease());
+      const auto begun = connection->begin_write();
+      if (begun) return connection;
+      if (connection->alive()) return std::unexpected(begun.error());
+    }
+    pool.forget_idle();
+    AXIOMETRY_TRY(ConnectionPool::Lease connection, pool.lease());
+    AXIOMETRY_TRY_VOID(connection->begin_write());
+    return connection;
+  }
+};
+
+}  // namespace axiometry::store

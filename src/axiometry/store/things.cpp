@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/store/things.h"
+
+#include <fmt/format.h>
+
+#include "axiometry/store/audit_trail.h"
+#include "axiometry/store/fingerprint.h"
+#include "axiometry/store/test_list.h"
+#include "axiometry/store/thing_tables.h"
+
+namespace axiometry::store {
+namespace {
+
+constexpr std::size_t own_columns = 6;  // id, version, at, actor, reason, sha256
+
+std::string fingerprint(Id id, int version, const Change& change, std::span<const Cell> cells) {
+  return Fingerprint()
+      .add_cell(Cell(id))
+      .add_cell(Cell(std::int64_t{version}))
+      .add(change.at)
+      .add(change.actor)
+      .add(change.reason)
+      .add(cells)
+      .finish();
+}
+
+template <typename Thing>
+std::string selection(std::string_view rest) {
+  using Table = ThingTable<Thing>;
+  std::string columns;
+  std::string_view names = Table::columns;
+  while (!names.empty()) {
+    const std::size_t end = names.find(", ");
+    columns += fmt::format(", v.{}", names.substr(0, end));
+    names = end == std::string_view::npos ? "" : names.substr(end + 2);
+  }
+  return fmt::format("SELECT v.id, v.version, v.at, v.actor, v.reason, v.sha256{} FROM {}_version v {}", columns,
+                     Table::name, rest);
+}
+
+template <typename Thing>
+Result<Versioned<Thing>> versioned(const Row& row) {
+  AXIOMETRY_TRY(Thing thing, ThingTable<Thing>::thing(row, own_columns));
+  return Versioned<Thing>{row.integer(0), row.number(1), {row.text(2), row.text(3), row.text(4)}, std::move(thing)};
+}
+
+template <typename Thing>
+Result<std::vector<Versioned<Thing>>> all_versioned(const Rows& rows) {
+  std::vector<Versioned<Thing>> things;
+  for (const Row& row : rows) {
+    AXIOMETRY_TRY(Versioned<Thing> thing, versioned<Thing>(row));
+    things.push_back(std::move(thing));
+  }
+  return things;
+}
+
+template <typename Thing>
+Result<void> write_version(Connection& connection, const Versioned<Thing>& thing, std::string_view what) {
+  using Table = ThingTable<Thing>;
+  const std::vector<Cell> cells = Table::cells(thing.value);
+  const Change& change = thing.change;
+  const std::string hash = fingerprint(thing.id, thing.version, change, cells);
+  std::vector<Parameter> parameters = {thing.id, thing.version, change.at, change.actor, change.reason, hash};
+  for (const Cell& cell : cells) parameters.push_back(parameter(cell));
+  AXIOMETRY_TRY_VOID(
+      connection.run(fmt::format("INSERT INTO {}_version (id, version, at, actor, reason, sha256, {}) VALUES ({})",
+                                 Table::name, Table::columns, places(1, parameters.size())),
+                     parameters));
+  json::Value detail = json::Value::object();
+  detail.add("version", thing.version);
+  detail.add("sha256", hash);
+  return record(connection, change,
+                {fmt::format("{}.{}", Table::name, what), fmt::format("{} {}", Table::name, thing.id), detail});
+}
+
+Result<void> follow(Connection& connection, const Versioned<Machine>&, const Versioned<Machine>& now) {
+  return rename_machine_in_lists(connection, now.id, now.value.name);
+}
+
+/// A test belongs to the machine for good, and its axis with it.
+Result<void> follow(Connection& connection, const Versioned<Axis>& before, const Versioned<Axis>& now) {
+  if (before.value.machine != now.value.machine)
+    return fail(fmt::format("found the machine {} for an axis of machine {}, expected it to stay", now.value.machine,
+                            before.value.machine));
+  return rename_axis_in_lists(connection, now.id, now.value);
+}
+
+Result<void> follow(Connection&, const Versioned<Instrument>&, const Versioned<Instrument>&) { return {}; }
+Result<void> follow(Connection&, const Versioned<PlanRecord>&, const Versioned<PlanRecord>&) { return {}; }
+
+}  // namespace
+
+std::string places(std::size_t first, std::size_t count) {
+  std::string text;
+  for (std::size_t k = 0; k < count; ++k) text += fmt::format("{}${}", k == 0 ? "" : ", ", first + k);
+  return text;
+}
+
+std::vector<Parameter> parameters_of(const std::vector<Cell>& cells) {
+  std::vector<Parameter> parameters;
+  for (const Cell& cell : cells) parameters.push_back(parameter(cell));
+  return parameters;
+}
+
+Result<Id> next_id(Connection& connection, std::string_view table) {
+  AXIOMETRY_TRY(const Rows rows, connection.query(fmt::format("SELECT coalesce(max(id), 0) + 1 FROM {}", table)));
+  return rows[0].integer(0);
+}
+
+template <typename Thing>
+Result<Versioned<Thing>> add_thing(Connection& connection, const Thing& thing, const Change& change) {
+  using Table = ThingTable<Thing>;
+  AXIOMETRY_TRY_VOID(Table::check(connection, thing));
+  AXIOMETRY_TRY(const Id id, next_id(connection, Table::name));
+  Versioned<Thing> added{id, 1, change, thing};
+  AXIOMETRY_TRY_VOID(connection.run(fmt::format("INSERT INTO {} (id, latest) VALUES ($1, 1)", Table::name), {id}));
+  AXIOMETRY_TRY_VOID(write_version(connection, added, "added"));
+  return added;
+}
+
+template <typename Thing>
+Result<Versioned<Thing>> change_thing(Connection& connection, const Versioned<Thing>& changed) {
+  using Table = ThingTable<Thing>;
+  AXIOMETRY_TRY(const Versioned<Thing> latest, get_thing<Thing>(connection, changed.id));
+  if (changed.version != latest.version + 1)
+    return fail(ErrorKind::conflict,
+                fmt::format("found version {} of this {}, made by {} at {}, expected version {} to be the latest",
+                            latest.version, Table::name, latest.change.actor, latest.change.at, changed.version - 1));
+  AXIOMETRY_TRY_VOID(Table::check(connection, changed.value));
+  AXIOMETRY_TRY_VOID(connection.run(fmt::format("UPDATE {} SET latest = $2 WHERE id = $1", Table::name),
+                                    {changed.id, changed.version}));
+  AXIOMETRY_TRY_VOID(write_version(connection, changed, "changed"));
+  AXIOMETRY_TRY_VOID(follow(connection, latest, changed));
+  return changed;
+}
+
+template <typename Thing>
+Result<Versioned<Thing>> get_thing(Connection& connection, Id id, std::optional<int> version) {
+  using Table = ThingTable<Thing>;
+  const std::string latest = fmt::format("(SELECT latest FROM {} WHERE id = $1)", Table::name);
+  std::vector<Parameter> parameters = {id};
+  if (version) parameters.emplace_back(*version);
+  AXIOMETRY_TRY(const Rows rows, connection.query(selection<Thing>(fmt::format("WHERE v.id = $1 AND v.version = {}",
+                                                                               version ? "$2" : latest.c_str())),
+                                                  parameters));
+  if (rows.empty())
+    return fail(ErrorKind::not_found, fmt::format("found no {} {}{}, expected one", Table::name, id,
+                                                  version ? fmt::format(" in version {}", *version) : ""));
+  return versioned<Thing>(rows[0]);
+}
+
+template <typename Thing>
+Result<std::vector<Versioned<Thing>>> all_things(Connection& connection) {
+  AXIOMETRY_TRY(const Rows rows,
+                connection.query(selection<Thing>(fmt::format(
+                    "JOIN {} t ON t.id = v.id AND t.latest = v.version ORDER BY v.id", ThingTable<Thing>::name))));
+  return all_versioned<Thing>(rows);
+}
+
+template <typename Thing>
+Result<std::vector<Versioned<Thing>>> thing_versions(Connection& connection, Id id) {
+  AXIOMETRY_TRY(const Rows rows, connection.query(selection<Thing>("WHERE v.id = $1 ORDER BY v.version"), {id}));
+  if (rows.empty())
+    return fail(ErrorKind::not_found, fmt::format("found no {} {}, expected one", ThingTable<Thing>::name, id));
+  return all_versioned<Thing>(rows);
+}
+
+template <typename Thing>
+Result<void> verify_things(Connection& connection, std::vector<std::string>& problems) {
+  using Table = ThingTable<Thing>;
+  AXIOMETRY_TRY(const Rows heads, connection.query(fmt::format("SELECT id, latest FROM {} ORDER BY id", Table::name)));
+  AXIOMETRY_TRY(const Rows rows, connection.query(selection<Thing>("ORDER BY v.id, v.version")));
+  auto row = rows.begin();
+  for (std::size_t k = 0; k < heads.size(); ++k) {
+    const Id id = heads[k].integer(0);
+    if (id != static_cast<Id>(k) + 1)
+      problems.push_back(fmt::format("{}: found the number {}, expected {}", Table::name, id, k + 1));
+    int version = 0;
+    for (; row != rows.end() && row->integer(0) == id; ++row) {
+      if (row->number(1) != ++version)
+        problems.push_back(
+            fmt::format("{} {}: found version {}, expected {}", Table::name, id, row->number(1), version));
+      const auto fields = std::span(row->cells()).subspan(own_columns);
+      if (fingerprint(id, row->number(1), {row->text(2), row->text(3), row->text(4)}, fields) != row->text(5))
+        problems.push_back(
+            fmt::format("{} {}: found version {} changed after it was kept", Table::name, id, row->number(1)));
+    }
+    if (version != heads[k].number(1))
+      problems.push_back(
+          fmt::format("{} {}: found {} versions, expected {}", Table::name, id, version, heads[k].number(1)));
+  }
+  return {};
+}
+
+#define AXIOMETRY_THING(Thing)                                                             \
+  template Result<Versioned<Thing>> add_thing(Connection&, const Thing&, const Change&);   \
+  template Result<Versioned<Thing>> change_thing(Connection&, const Versioned<Thing>&);    \
+  template Result<Versioned<Thing>> get_thing<Thing>(Connection&, Id, std::optional<int>); \
+  template Result<std::vector<Versioned<Thing>>> all_things<Thing>(Connection&);           \
+  template Result<std::vector<Versioned<Thing>>> thing_versions<Thing>(Connection&, Id);   \
+  template Result<void> verify_things<Thing>(Connection&, std::vector<std::string>&)
+
+AXIOMETRY_THING(Machine);
+AXIOMETRY_THING(Axis);
+AXIOMETRY_THING(Instrument);
+AXIOMETRY_THING(PlanRecord);
+
+}  // namespace axiometry::store

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "axiometry/store/connection.h"
+#include "axiometry/store/records.h"
+
+/// Machines, axes, instruments and plans within a transaction; Thing is one of the four. As in store.h.
+namespace axiometry::store {
+
+template <typename Thing>
+Result<Versioned<Thing>> add_thing(Connection& connection, const Thing& thing, const Change& change);
+
+template <typename Thing>
+Result<Versioned<Thing>> change_thing(Connection& connection, const Versioned<Thing>& changed);  ///< its new version
+
+template <typename Thing>
+Result<Versioned<Thing>> get_thing(Connection& connection, Id id, std::optional<int> version = {});
+
+template <typename Thing>
+Result<std::vector<Versioned<Thing>>> all_things(Connection& connection);  ///< latest versions, by id
+
+template <typename Thing>
+Result<std::vector<Versioned<Thing>>> thing_versions(Connection& connection, Id id);
+
+/// Whether each version has the hash it was kept with, and the versions and ids are complete.
+template <typename Thing>
+Result<void> verify_things(Connection& connection, std::vector<std::string>& problems);
+
+/// The next number of a table whose numbers have no gaps. Only within a transaction that writes.
+Result<Id> next_id(Connection& connection, std::string_view table);
+
+/// "$3, $4, $5".
+std::string places(std::size_t first, std::size_t count);
+
+std::vector<Parameter> parameters_of(const std::vector<Cell>& cells);
+
+}  // namespace axiometry::store
