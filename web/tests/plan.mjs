@@ -55,7 +55,7 @@ export const plan = {
     await shows(theirs.locator('main'), /Version 2/);
     await mine.getByLabel('Runs', { exact: true }).fill('7');
     await mine.getByRole('button', { name: 'Save version 2' }).click();
-    await mine.getByRole('button', { name: /version 3/ }).click();
+    await mine.getByRole('dialog').getByRole('button', { name: /version 3/ }).click();
     await shows(mine.locator('main'), /Version 3/);
     assert.equal((await world.api('GET', `/api/plans/${id}`)).request.runs, 7);
     assert.equal((await world.api('GET', `/api/plans/${id}?version=2`)).request.dwell_s, 6);
