@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the list is narrowed to; all of it stands in the address, so that a view can be kept and sent.
 import { useEffect, useRef, useState } from 'preact/hooks';
-import type { Machine } from '../../api/types';
+import type { Instrument, Machine } from '../../api/types';
 import { use_get } from '../../api/use';
 import { Field } from '../../components/field';
 import { place, set_query } from '../../router';
+import { name_of } from '../instruments/instrument_dialog';
 import { t } from './texts';
 
 export const filter_keys = ['text', 'machine', 'axis', 'instrument', 'verdict', 'from', 'to', 'withdrawn'] as const;
@@ -41,6 +42,7 @@ export function Filters() {
           )}
         </Field>
       )}
+      {query.has('instrument') && <InstrumentChoice chosen={query.get('instrument') ?? ''} />}
       <Field label={t('verdict')}>
         {(ids) => (
           <select {...ids} value={query.get('verdict') ?? ''} onChange={(event) => set({ verdict: event.currentTarget.value })}>
@@ -61,6 +63,21 @@ export function Filters() {
         <button type="button" class="plain" onClick={() => set(Object.fromEntries(filter_keys.map((key) => [key, null])))}>{t('reset')}</button>
       )}
     </form>
+  );
+}
+
+/** Only where a link from an instrument led here. */
+function InstrumentChoice({ chosen }: { chosen: string }) {
+  const all = use_get<{ instruments: Instrument[] }>('/api/instruments').data?.instruments ?? [];
+  return (
+    <Field label={t('instrument')}>
+      {(ids) => (
+        <select {...ids} value={chosen} onChange={(event) => set({ instrument: event.currentTarget.value })}>
+          <option value="">{t('all')}</option>
+          {all.map((one) => <option key={one.id} value={one.id}>{name_of(one)}</option>)}
+        </select>
+      )}
+    </Field>
   );
 }
 
@@ -103,6 +120,17 @@ function SearchBox() {
   const asked = place.value.query.get('text') ?? '';
   const [typed, set_typed] = useState(asked);
   const sent = useRef(asked);
+  const box = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const end = new AbortController();
+    document.addEventListener('keydown', (event) => {
+      if (event.key !== '/' || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.target instanceof Element && event.target.closest('input, select, textarea, dialog')) return;
+      event.preventDefault();
+      box.current?.querySelector('input')?.focus();
+    }, { signal: end.signal });
+    return () => end.abort();
+  }, []);
   useEffect(() => {
     if (asked !== sent.current) { sent.current = asked; set_typed(asked); }  // changed from elsewhere: a link, "back"
   }, [asked]);
@@ -112,7 +140,7 @@ function SearchBox() {
     return () => clearTimeout(timer);
   }, [typed]);
   return (
-    <div class="search">
+    <div class="search" ref={box}>
       <Field label={t('search')}>
         {(ids) => (
           <input {...ids} type="search" placeholder={t('search_hint')} value={typed} onInput={(event) => set_typed(event.currentTarget.value)} />

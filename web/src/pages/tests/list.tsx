@@ -10,7 +10,7 @@ import { DataTable, type Column, type Order } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
 import { absent, count, unit_sign } from '../../numbers';
 import { place, set_query } from '../../router';
-import { FigureCell, ParameterHead, shown_of } from './figure_cell';
+import { FigureCell, ParameterHead, shown_of } from '../../components/figure_cell';
 import { filter_keys, Filters } from './filters';
 import { kept_count } from './incoming';
 import { t } from './texts';

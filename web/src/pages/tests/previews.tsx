@@ -5,7 +5,7 @@ import { FailureNotice } from '../../components/failure';
 import { VerdictMark } from '../../components/verdict';
 import { bytes, marked, position_unit, shortest } from '../../numbers';
 import { go } from '../../router';
-import { FigureCell, ParameterHead } from './figure_cell';
+import { FigureCell, ParameterHead } from '../../components/figure_cell';
 import { can_be_kept, incoming, keep, keep_all, remove, remove_all, retry, type Incoming } from './incoming';
 import { t } from './texts';
 

@@ -41,6 +41,7 @@ export const t = texts({
   search_hint: ['title, file, machine or axis', 'Titel, Datei, Maschine oder Achse'],
   machine: ['Machine', 'Maschine'],
   axis: ['Axis', 'Achse'],
+  instrument: ['Instrument', 'Messmittel'],
   verdict: ['Verdict', 'Urteil'],
   from: ['Measured from', 'Gemessen von'],
   to: ['to', 'bis'],

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { FigureOfTest, Parameter, Verdict } from '../../api/types';
-import { ParameterSymbol } from '../../components/symbol';
-import { absent, fixed } from '../../numbers';
+import type { FigureOfTest, Parameter, Verdict } from '../api/types';
+import { ParameterSymbol } from './symbol';
+import { absent, fixed } from '../numbers';
 
 interface Shown { value: string; U: string; verdict: Verdict | null }
 
@@ -11,8 +11,8 @@ export function shown_of(figures: readonly FigureOfTest[], parameter: Parameter)
 }
 
 /** The head of a column of values: the symbol stands above the values, "± U" above theirs. */
-export function ParameterHead({ parameter }: { parameter: Parameter }) {
-  return <span><ParameterSymbol parameter={parameter} /><span class="plus-minus">± <span class="symbol">U</span></span></span>;
+export function ParameterHead({ parameter, unit }: { parameter: Parameter; unit?: string }) {
+  return <span><ParameterSymbol parameter={parameter} /><span class="plus-minus">± <span class="symbol">U</span>{unit && ` ${unit}`}</span></span>;
 }
 
 /** A parameter's value with its U, quieter, where there is one. */
