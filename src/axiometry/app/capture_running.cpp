@@ -59,7 +59,7 @@ bool CaptureService::Running::interrupted() const {
   return state_.stage == Stage::interrupted;
 }
 
-CaptureState CaptureService::Running::state(std::optional<Revision> after) const {
+CaptureState CaptureService::Running::state(std::optional<CaptureRevision> after) const {
   const std::scoped_lock lock(mutex_);
   CaptureState copy = state_;
   copy.readings.clear();

@@ -80,7 +80,7 @@ class CaptureService {
   Result<CaptureState> stop(store::Id id);
 
   /// With the readings after that revision. Fails with not_found.
-  Result<CaptureState> state(store::Id id, Revision after = 0) const;
+  Result<CaptureState> state(store::Id id, CaptureRevision after = 0) const;
 
   /// All that run, were interrupted, or ended since the program began (the last fifty), the newest first; without
   /// readings, events and evaluation.

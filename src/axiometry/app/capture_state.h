@@ -19,10 +19,10 @@
 namespace axiometry::app {
 
 /// Counts every change of a capture's state, from 1.
-using Revision = std::uint64_t;
+using CaptureRevision = std::uint64_t;
 
 struct StampedReading {
-  Revision revision = 0;  ///< with which it came
+  CaptureRevision revision = 0;  ///< with which it came
   capture::CapturedReading reading;
 };
 
@@ -41,7 +41,7 @@ struct CaptureState {
   std::size_t part = 1;
   CaptureSource source;
   std::string started;  ///< RFC 3339, UTC
-  Revision revision = 0;
+  CaptureRevision revision = 0;
   Stage stage = Stage::waiting;
   AxisKind kind = AxisKind::linear;
   std::vector<Position> targets;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import { ApiError, send } from '../api/client';
 import { use_get } from '../api/use';
 import type { Capture, Evaluated, Plan } from '../api/types';
@@ -27,9 +27,6 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
     readings, targets: capture?.targets ?? plan.data?.targets ?? [], unit: position_unit(capture?.kind ?? 'linear'), deviation_unit,
     runs: Math.max(runs_of(plan.data, capture), ...readings.map(({ run }) => run)),
   };
-  useEffect(() => {
-    if (capture) document.title = `${t(capture.state)} ${readings.length}/${capture.approaches} · Axiometry`;
-  }, [capture?.state, readings.length]);
   return (
     <>
       <header class="row spread">

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import { ApiError, query, send } from '../api/client';
+import { why_read_only } from '../api/session';
 import { use_get } from '../api/use';
-import type { Document, Health, Test, Vocabulary } from '../api/types';
+import type { Document, Test, Vocabulary } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { Field } from '../components/field';
 import { bytes, when } from '../numbers';
@@ -19,12 +20,8 @@ export function ReportPage({ parts }: { parts: Record<string, string> }) {
   const version = place.value.query.get('version');
   const test = use_get<Test>(`/api/tests/${id}${query({ version })}`);
   const vocabulary = use_get<Vocabulary>('/api/vocabulary');
-  const health = use_get<Health>('/api/health');
   const [choice, set_choice] = useState<Choice>({ language: language.value, decimal: decimal.value, unit: '' });
   const shown = test.data;
-  useEffect(() => {
-    if (shown) document.title = `${t('report')}: ${shown.title} · Axiometry`;
-  }, [shown?.title, language.value]);
   if (!shown) return <><h1 tabIndex={-1}>{t('report')}</h1>{test.error && <FailureNotice error={test.error} retry={test.reload} />}</>;
   const asked = { version: shown.version, language: choice.language, decimal: choice.decimal, unit: choice.unit };
   const path = (extension: string, download: boolean) =>
@@ -60,7 +57,7 @@ export function ReportPage({ parts }: { parts: Record<string, string> }) {
               <Download href={`/api/tests/${id}/raw`} title={t('raw')} extension={shown.file.name} />
             </ul>
           </section>
-          <Issued test={shown} choice={choice} writers={writers} writable={health.data?.store.writable ?? true} reload={test.reload} />
+          <Issued test={shown} choice={choice} writers={writers} writable={why_read_only() === null} reload={test.reload} />
         </div>
         <section class="preview" aria-label={t('preview')}>
           {/* Nothing in a report may run: the frame allows nothing at all. */}
