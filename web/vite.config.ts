@@ -1,9 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-import { defineConfig } from 'vite';
+import { readFileSync } from 'node:fs';
+import { defineConfig, type Plugin } from 'vite';
+
+/** The licences of what is bundled, beside the bundle: they ask for it. */
+function licences(packages: readonly string[]): Plugin {
+  return {
+    name: 'licences',
+    generateBundle() {
+      const source = packages.map((name) => {
+        const folder = new URL(`node_modules/${name}/`, import.meta.url);
+        const { version, license } = JSON.parse(readFileSync(new URL('package.json', folder), 'utf8')) as { version: string; license: string };
+        return `${name} ${version} (${license})\n\n${readFileSync(new URL('LICENSE', folder), 'utf8').trim()}\n`;
+      });
+      this.emitFile({ type: 'asset', fileName: 'licenses.txt', source: source.join(`\n${'-'.repeat(80)}\n\n`) });
+    },
+  };
+}
 
 // The bundle is kept in the repository, so that the program is built without node: the same sources must give the same
 // bytes. Plain names: the program serves it with a hash of its content as the validator.
 export default defineConfig({
+  plugins: [licences(['@preact/signals', '@preact/signals-core', 'preact', 'uplot'])],
   esbuild: { jsx: 'automatic', jsxImportSource: 'preact', legalComments: 'none' },
   build: {
     outDir: 'bundle',

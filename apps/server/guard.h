@@ -20,9 +20,9 @@ struct Site {
 
 struct SiteOptions {
   bool tls = false;
-  std::string listen;              ///< address: "127.0.0.1", "::1", "0.0.0.0"
-  unsigned port = 0;               ///< that is listened to
-  std::vector<std::string> names;  ///< more, each with or without a port
+  std::string listen{};              ///< address: "127.0.0.1", "::1", "0.0.0.0"
+  unsigned port = 0;                 ///< that is listened to
+  std::vector<std::string> names{};  ///< more, each with or without a port
 };
 
 /// 127.0.0.1, localhost, [::1], the address that is listened to unless that means all of them, and the names given,

@@ -167,15 +167,19 @@ Result<store::By> by_of(const Request& request, const Value& body) {
 
 Result<Response> program_response(const Plan& plan, const std::vector<std::pair<std::string, std::string>>& texts,
                                   bool to_keep) {
+  constexpr std::string_view of_the_request[] = {"dialect", "part", "version", "language", "download"};
   app::NcRequest wanted;
+  std::vector<std::pair<std::string, std::string>> options;
   for (const auto& [name, text] : texts) {
     if (name == "dialect") wanted.dialect = text;
+    if (std::ranges::find(of_the_request, std::string_view(name)) == std::end(of_the_request))
+      options.emplace_back(name, text);
     if (name != "part" || text.empty()) continue;
     const auto part = parse_count(text);
     if (!part) return fail(fmt::format("part: found {}, expected a whole number from 1", text::quoted(text)));
     wanted.part = *part;
   }
-  AXIOMETRY_TRY(wanted.options, app::nc_options(texts));
+  AXIOMETRY_TRY(wanted.options, app::nc_options(options));
   AXIOMETRY_TRY(const nc::Dialect* const dialect, app::dialect_of(wanted.dialect));
   AXIOMETRY_TRY(std::string program, app::nc_program_of(plan, wanted));
   if (!to_keep)

@@ -39,6 +39,7 @@ constexpr std::array cycles = {
     std::pair{TestCycle::step, std::string_view("Step cycle (Annex B): all runs at one target, then the next")},
     std::pair{TestCycle::pilgrim, std::string_view("Pilgrim step: all runs up target by target, then all down")},
     std::pair{TestCycle::unidirectional, std::string_view("Unidirectional: all targets up, run by run")},
+    std::pair{TestCycle::user_defined, std::string_view("User-defined: approaches in a given order")},
 };
 
 using Rule = uncertainty::DecisionRule;

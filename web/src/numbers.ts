@@ -45,3 +45,6 @@ export function bytes(size: number): string {
   const step = size < 1e6 ? 1e3 : size < 1e9 ? 1e6 : 1e9;
   return `${fixed(size / step, 1)} ${step === 1e3 ? 'kB' : step === 1e6 ? 'MB' : 'GB'}`;
 }
+
+/** "100 000": groups of three parted by a narrow space that does not break. */
+export const count = (n: number): string => String(n).replace(/\B(?=(\d{3})+(?!\d))/g, '\u202f');

@@ -18,13 +18,17 @@ export function go(to: string, how: 'push' | 'replace' = 'push'): void {
   history[how === 'push' ? 'pushState' : 'replaceState'](null, '', to);
   const moved = location.pathname !== place.value.path;
   look();
-  if (moved && how === 'push') {
-    window.scrollTo(0, 0);
-    document.querySelector<HTMLElement>('main h1')?.focus({ preventScroll: true });
-  }
+  if (moved && how === 'push') window.scrollTo(0, 0);
 }
 
-window.addEventListener('popstate', look);
+window.addEventListener('popstate', () => {
+  if (unsaved.value !== null && location.pathname !== place.value.path) {
+    const left = new URL(place.value.path + (place.value.query.size > 0 ? `?${place.value.query}` : ''), location.origin);
+    if (!confirm(unsaved.value)) { history.pushState(null, '', left); return; }
+    unsaved.value = null;
+  }
+  look();
+});
 window.addEventListener('beforeunload', (event) => {
   if (unsaved.value !== null) event.preventDefault();
 });
@@ -37,6 +41,17 @@ document.addEventListener('click', (event) => {
   event.preventDefault();
   go(link.pathname + link.search + link.hash);
 });
+
+/** The path with these parts of its query changed; null takes one away. The browser's history keeps one entry. */
+export function set_query(parts: Record<string, string | null>): void {
+  const query = new URLSearchParams(place.value.query);
+  for (const [key, value] of Object.entries(parts)) {
+    if (value === null || value === '') query.delete(key);
+    else query.set(key, value);
+  }
+  const text = query.toString();
+  go(place.value.path + (text === '' ? '' : `?${text}`), 'replace');
+}
 
 export type Page = (props: { parts: Record<string, string> }) => ComponentChild;
 

@@ -35,6 +35,8 @@ export const language = kept<Language>('language', browser_language, ['en', 'de'
 export const decimal = kept<Decimal>('decimal', browser_language === 'de' ? 'comma' : 'point', ['point', 'comma']);
 export const theme = kept<Theme>('theme', 'system', ['system', 'light', 'dark']);
 export const actor = kept<string>('actor', '', null);
+/** Months after which a machine is due for its next test; "0": never. */
+export const due_months = kept<string>('due_months', '12', ['0', '3', '6', '12', '18', '24', '36']);
 
 const dark_system = window.matchMedia('(prefers-color-scheme: dark)');
 const system_is_dark = signal(dark_system.matches);
@@ -43,8 +45,13 @@ dark_system.addEventListener('change', (event) => (system_is_dark.value = event.
 /** The theme that is shown; charts and figures that are pictures ask for it. */
 export const shown_theme = signal<'light' | 'dark'>('light');
 
+// Paper is white: charts and figures are drawn for it while the page is printed.
+const printing = signal(false);
+window.addEventListener('beforeprint', () => (printing.value = true));
+window.addEventListener('afterprint', () => (printing.value = false));
+
 effect(() => {
-  shown_theme.value = theme.value === 'system' ? (system_is_dark.value ? 'dark' : 'light') : theme.value;
+  shown_theme.value = printing.value ? 'light' : theme.value === 'system' ? (system_is_dark.value ? 'dark' : 'light') : theme.value;
   document.documentElement.dataset['theme'] = shown_theme.value;
   document.documentElement.lang = language.value;
 });

@@ -115,26 +115,36 @@ Result<unsigned> whole_of(const std::string& text, unsigned long long most) {
   return static_cast<unsigned>(*count);
 }
 
+/// None where nothing is said.
+Result<std::optional<unsigned>> number_of(const std::string& text) {
+  constexpr unsigned long long most = 99'999'999;
+  if (text.empty()) return std::optional<unsigned>();
+  return whole_of(text, most);
+}
+
 Result<void> put_option(nc::ProgramOptions& options, const std::string& name, const std::string& text) {
-  constexpr unsigned long long most_number = 99'999'999;
   if (name == "unit") {
     if (text != "mm" && text != "inch") return fail(fmt::format("found {}, expected mm or inch", text::quoted(text)));
     options.unit = text == "mm" ? nc::LengthUnit::mm : nc::LengthUnit::inch;
   } else if (name == "unrolled") {
     AXIOMETRY_TRY(options.unrolled, switch_of(text));
-  } else if (name == "block-numbers") {
+  } else if (name == "block_numbers") {
     AXIOMETRY_TRY(options.block_numbers, switch_of(text));
-  } else if (name == "stop-at-start") {
+  } else if (name == "stop_at_start") {
     AXIOMETRY_TRY(options.stop_at_start, switch_of(text));
-  } else if (name == "stop-at-lines") {
+  } else if (name == "stop_at_lines") {
     AXIOMETRY_TRY(options.stop_at_lines, switch_of(text));
   } else if (name == "decimals") {
     AXIOMETRY_TRY(const unsigned decimals, whole_of(text, nc::decimals_highest));
     options.decimals = static_cast<int>(decimals);
-  } else if (name == "trigger" && !text.empty()) {
-    AXIOMETRY_TRY(options.trigger_m_code, whole_of(text, most_number));
-  } else if (name == "number" && !text.empty()) {
-    AXIOMETRY_TRY(options.number, whole_of(text, most_number));
+  } else if (name == "trigger_m_code") {
+    AXIOMETRY_TRY(options.trigger_m_code, number_of(text));
+  } else if (name == "number") {
+    AXIOMETRY_TRY(options.number, number_of(text));
+  } else {
+    return fail(
+        "found no such option, expected unit, unrolled, trigger_m_code, number, decimals, block_numbers, "
+        "stop_at_start or stop_at_lines");
   }
   return {};
 }

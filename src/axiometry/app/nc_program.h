@@ -33,9 +33,9 @@ Result<std::string> nc_program(const NcRequest& request);
 /// The same of a plan that is at hand; request.plan says nothing.
 Result<std::string> nc_program_of(const Plan& plan, const NcRequest& request);
 
-/// Options from texts, as a page has them: unit=inch, unrolled, trigger, number, decimals, block-numbers,
-/// stop-at-start, stop-at-lines; what is on or off is "1" or "0" ("" is on). Other names are passed over. Fails, naming
-/// it, on a text that does not fit.
+/// Options from texts, by the names of the members of nc::ProgramOptions but `duration` and `title`: unit=inch,
+/// trigger_m_code=27, …; what is on or off is "1" or "0" ("" is on). Fails, naming it, on an option that there is not
+/// and on a text that does not fit.
 Result<nc::ProgramOptions> nc_options(std::span<const std::pair<std::string, std::string>> texts);
 
 /// As a file, or for "-" the standard output. Fails also when it cannot be written, or would take the plan's place.

@@ -168,8 +168,8 @@ TEST(PlanRequest, ADraftComesWhileAPersonTypes) {
 
 TEST(NcOptions, AreReadFromTexts) {
   const std::vector<std::pair<std::string, std::string>> texts = {
-      {"unit", "inch"},  {"unrolled", ""},       {"trigger", "27"},      {"number", ""},
-      {"decimals", "5"}, {"block-numbers", "0"}, {"stop-at-start", "1"}, {"dialect", "fanuc"}};
+      {"unit", "inch"},  {"unrolled", ""},       {"trigger_m_code", "27"}, {"number", ""},
+      {"decimals", "5"}, {"block_numbers", "0"}, {"stop_at_start", "1"}};
   const auto options = nc_options(texts);
   ASSERT_TRUE(options) << options.error().message;
   EXPECT_EQ(options->unit, nc::LengthUnit::inch);
@@ -178,7 +178,7 @@ TEST(NcOptions, AreReadFromTexts) {
   EXPECT_FALSE(options->number);
   EXPECT_EQ(options->decimals, 5);
   for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
-           {"unit", "ell"}, {"unrolled", "maybe"}, {"decimals", "7"}, {"trigger", "-1"}}) {
+           {"unit", "ell"}, {"unrolled", "maybe"}, {"decimals", "7"}, {"trigger_m_code", "-1"}, {"file", "x"}}) {
     const std::pair<std::string, std::string> one[] = {{name, text}};
     EXPECT_THAT(nc_options(one).error().message, HasSubstr(name + ": found"));
   }

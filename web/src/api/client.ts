@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one place that talks to the server.
 import { actor, language } from '../settings';
+import { reachable, signed_in } from './session';
 import type { ErrorKind, Failure } from './types';
 
 export class ApiError extends Error {
@@ -22,13 +23,16 @@ async function answered(request: Promise<Response>): Promise<Response> {
     response = await request;
   } catch (error) {
     if (error instanceof DOMException && error.name === 'AbortError') throw error;
+    reachable.value = false;
     throw new ApiError('offline', '', 0);
   }
+  reachable.value = true;
   if (response.ok) return response;
   const failure = (await response.json().catch(() => null)) as Failure | null;
   const found = failure?.error;
   const place = found?.line ? `${found.line}${found.column ? `:${found.column}` : ''}` : '';
   const kind = response.status === 401 ? 'unauthorised' : (found?.kind ?? 'refused');
+  if (response.status === 401) signed_in.value = false;
   throw new ApiError(kind, found?.message ?? `${response.status} ${response.statusText}`, response.status, place);
 }
 
@@ -46,15 +50,27 @@ export async function send<T>(method: 'POST' | 'PUT', path: string, body: unknow
   return (await response.json()) as T;
 }
 
-/** A file's bytes as they are. */
-export async function upload<T>(path: string, file: File, signal?: AbortSignal): Promise<T> {
-  const response = await answered(
-    fetch(path, {
-      method: 'POST', body: file, signal: signal ?? null,
-      headers: headers({ 'Content-Type': file.type || 'application/octet-stream', 'X-File-Name': encodeURIComponent(file.name) }),
-    }),
-  );
-  return (await response.json()) as T;
+/** A file's bytes as they are; `progress` hears what part of them has gone, 0 to 1. */
+export async function upload<T>(path: string, file: File, signal?: AbortSignal, progress?: (part: number) => void): Promise<T> {
+  const all = headers({ 'Content-Type': file.type || 'application/octet-stream', 'X-File-Name': encodeURIComponent(file.name) });
+  // Only XMLHttpRequest tells how far it is.
+  const sent = progress ? with_progress(path, file, all, progress, signal) : fetch(path, { method: 'POST', body: file, signal: signal ?? null, headers: all });
+  return (await (await answered(sent)).json()) as T;
+}
+
+function with_progress(path: string, file: File, all: Record<string, string>, progress: (part: number) => void, signal?: AbortSignal): Promise<Response> {
+  return new Promise((resolve, reject) => {
+    const request = new XMLHttpRequest();
+    request.open('POST', path);
+    for (const [name, value] of Object.entries(all)) request.setRequestHeader(name, value);
+    request.upload.onprogress = (event) => { if (event.lengthComputable) progress(event.loaded / event.total); };
+    request.onload = () => resolve(new Response(request.responseText, { status: request.status, statusText: request.statusText }));
+    request.onerror = () => reject(new TypeError('no answer'));
+    request.onabort = () => reject(new DOMException('given up', 'AbortError'));
+    if (signal?.aborted) { reject(new DOMException('given up', 'AbortError')); return; }
+    signal?.addEventListener('abort', () => request.abort());
+    request.send(file);
+  });
 }
 
 /** What the server makes of a request that is no JSON: a program, a sheet. */

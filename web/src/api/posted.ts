@@ -2,6 +2,7 @@
 import { useLayoutEffect, useState } from 'preact/hooks';
 import { language } from '../settings';
 import { ApiError, made } from './client';
+import { returned } from './session';
 
 export interface Posted<T> {
   data: T | null;
@@ -20,6 +21,7 @@ export function use_posted<T>(path: string, body: unknown, read: (response: Resp
   const [turn, set_turn] = useState(0);
   const key = body === null ? null : JSON.stringify(body);
   const spoken = language.value;
+  const back = returned.value;
   // Before the screen is drawn: a frame's time is a third of what a change may take.
   useLayoutEffect(() => {
     if (key === null) return;
@@ -35,7 +37,7 @@ export function use_posted<T>(path: string, body: unknown, read: (response: Resp
       },
     );
     return () => abort.abort();
-  }, [path, key, spoken, turn]);
+  }, [path, key, spoken, back, turn]);
   return { data: answer?.data ?? null, of: answer?.of ?? null, error, again: () => set_turn((n) => n + 1) };
 }
 

@@ -20,7 +20,9 @@ export interface Health {
   store: { kind: 'sqlite' | 'postgresql'; location: string; schema: number; writable: boolean; why_not: string | null;
            counts: { machines: number; axes: number; instruments: number; plans: number; tests: number; documents: number; content_bytes: number } };
   limits: { upload_bytes: number };
+  token: boolean;                          // whether one is asked for; who has not shown it is told the status alone
 }
+// POST /api/login {token} → 204 and a cookie, or 401; POST /api/logout → 204. Without the token all else answers 401.
 
 // GET /api/vocabulary: what there is to choose from. Titles and descriptions in the language of the request.
 export interface Vocabulary {
@@ -56,7 +58,7 @@ export interface Result {
     monte_carlo?: Record<Parameter, MonteCarloOutput | null> | null;
     annex_a_budget?: AnnexABudget | null;
     gum_budget?: GumBudget | null;
-    monte_carlo_run?: { trials: number; seed: number | string; stable: boolean; coverage: number; [key: string]: unknown } | null;
+    monte_carlo_run?: MonteCarloRun | null;
   };
   positions: PositionResult[];
   tolerances?: Judgement[];
@@ -70,8 +72,12 @@ export interface MonteCarloOutput {
   value: number; mean: number; u: number; bias: number; symmetric: [number, number]; shortest: [number, number];
   stable: boolean; histogram: { lower: number; width: number; counts: number[] };
 }
+export interface MonteCarloRun {
+  trials: number; seed: number | string; stable: boolean; coverage: number; notes: string[];
+  contributions: { key: string; title: string; u: Record<Parameter, number | null> }[];
+}
 export interface AnnexABudget {
-  contributors: { key: string; symbol: string; title: string; formula: string; U: number;
+  contributors: { key: string; symbol: string; title: string; formula: string; U: number | null;
                   inputs: { symbol: string; value: number; unit: string }[] }[];
   notes: string[]; runs: number; coverage_factor: number;
 }
@@ -104,6 +110,13 @@ export interface Evaluated {
   shown: { parameter: Parameter; value: string; U: string; interval: string; unit: string; limit: number | null; verdict: Verdict | null }[];
   from_archive?: FromArchive;              // what it took from the archive beside the test itself
   milliseconds: number;                    // the evaluation took
+  from_archive?: FromArchive;
+}
+
+/** Inputs of instruments and limits of the axis that took part because neither file nor changes state them. */
+export interface FromArchive {
+  instruments: { instrument: number; version: number; name: string; inputs: Changes }[];
+  axis: { axis: number; version: number; limits: Limit[] } | null;
 }
 
 /** Inputs of instruments that neither the file nor the changes state, and limits of the axis where nothing else sets any
@@ -235,27 +248,36 @@ export interface Plan extends PlanDraft, Entity { title: string; axis: number | 
 // GET /api/plans → {plans: {id, version, title, axis, change}[]}; GET /api/plans/{id} → Plan
 // GET /api/plans/{id}/sheet.{html|pdf}?language=; GET /api/plans/{id}/program?dialect=linuxcnc&unrolled=1&…(ProgramOptions)
 // POST /api/plans/draft/program {request, dialect, options} and /api/plans/draft/sheet.{extension} {request}: of a draft
-// Options of programs: dialect, part, unit=inch, unrolled, trigger, number, decimals, block-numbers=0, stop-at-start;
-// download=1 gives a file. GET /api/plans/{id}/plan.json; GET /api/plans/{id}/versions
+// Of programs: dialect, part (1), download=1 for a file, and options by their names in nc/dialect.h: unit=inch,
+// unrolled, trigger_m_code, number, decimals, block_numbers=0, stop_at_start. GET /api/plans/{id}/plan.json; GET /api/plans/{id}/versions
 // PUT /api/plans/{id} {base_version, title, axis, request, reason}
 
 // GET /api/sources → {sources: Source[]}: what a capture may listen to; named when the server is started
-export interface Source { id: string; title: string; kind: 'simulator' | 'tcp' | 'serial' }
+export interface Source { id: string; title: string; kind: 'simulator' | 'tcp' | 'serial';
+  presets?: { id: string; title: string; sign: string }[]; speeds?: number[] }  // of the simulator
 // POST /api/captures {plan, source, layout, options} → 201 Capture; POST /api/captures/{id}/stop → Capture
 // GET /api/captures → {captures: Capture[]}; GET /api/captures/{id}?after=REVISION: at once; readings after that revision
 export interface Capture {
   id: number; plan: number; source: Source; started: string; revision: number;
-  state: 'waiting' | 'running' | 'complete' | 'stopped' | 'failed';
+  state: 'waiting' | 'running' | 'complete' | 'stopped' | 'failed' | 'interrupted';  // interrupted: may be resumed
   approaches: number;                      // of the plan
-  due: { target: number; run: number; direction: 'up' | 'down' } | null;
+  due: { target: number; run: number; direction: 'up' | 'down'; position?: number } | null;  // i and j from 1; P_i
   now: { position: number; at_rest: boolean } | null;
-  readings: { target: number; run: number; direction: 'up' | 'down'; deviation: number; spread: number; samples: number; remarks: string[] }[];
+  anew?: boolean;                          // readings are all there are: forget those of before
+  readings: { target: number; run: number; direction: 'up' | 'down'; deviation: number; spread: number; samples: number; remarks: string[];
+              position?: number }[];       // i and j from 1; P_i; spread in the unit of the deviation
   events: { kind: string; message: string; time_s: number }[];
   notices: string[];
   so_far: Evaluated | null;                // as soon as a test can be made of it
   test: number | null;                     // kept as this test when it has ended with readings
   error: string | null;
+  part?: number; unit?: 'um' | 'arcsec'; kind?: 'linear' | 'rotary';
+  targets?: number[];                      // P_i of the plan (or its part) that is captured
 }
+// POST /api/captures {plan, source, layout, options}: layout '' recognises it. Options are texts by the names of the
+// flags of `axiometry capture`: part, wavelength, counts-per-wavelength, rate, datum, zero, reverse, give-up, …; of the
+// source "simulator": speed (1, 10 or 60), preset (simulation faults), seed.
+// POST /api/captures {resume: ID}: goes on with one that is "interrupted"; POST /api/captures/{ID}/stop keeps what it has.
 
 // GET /api/audit?subject=&before=&limit= → {entries: AuditEntry[]}
 export interface AuditEntry { id: number; change: Change; action: string; subject: string; detail: Record<string, unknown>; sha256: string }

@@ -2,6 +2,7 @@
 import { useCallback, useEffect, useState } from 'preact/hooks';
 import { language } from '../settings';
 import { ApiError, get } from './client';
+import { returned } from './session';
 
 export interface Loaded<T> {
   data: T | null;
@@ -11,13 +12,17 @@ export interface Loaded<T> {
   set: (data: T) => void; // after a change that answers with the whole
 }
 
-/** What the server says at this path, asked again when the path or the language changes. null asks nothing. */
+/**
+ * What the server says at this path, asked again when the path or the language changes, and when a lost server is back.
+ * null asks nothing. Until a new answer is there, the old one stays.
+ */
 export function use_get<T>(path: string | null): Loaded<T> {
   const [data, set_data] = useState<T | null>(null);
   const [error, set_error] = useState<ApiError | null>(null);
   const [loading, set_loading] = useState(path !== null);
   const [turn, set_turn] = useState(0);
   const spoken = language.value;
+  const back = returned.value;
   useEffect(() => {
     if (path === null) return;
     const abort = new AbortController();
@@ -31,7 +36,7 @@ export function use_get<T>(path: string | null): Loaded<T> {
       },
     );
     return () => abort.abort();
-  }, [path, spoken, turn]);
+  }, [path, spoken, turn, back]);
   const reload = useCallback(() => set_turn((n) => n + 1), []);
   return { data, error, loading, reload, set: set_data };
 }

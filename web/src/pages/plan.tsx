@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
+import { query } from '../api/client';
 import { as_json, use_posted } from '../api/posted';
 import { use_get } from '../api/use';
 import type { Machine, Plan, PlanDraft, PlanRequest, Vocabulary } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { position_unit } from '../numbers';
 import { place } from '../router';
+import { decimal } from '../settings';
 import { PlanFields } from './plan/fields';
 import { form_of, new_form, request_of, settled, type PlanForm } from './plan/form';
 import { Keep } from './plan/keep';
@@ -20,7 +22,6 @@ export function PlanPage({ parts }: { parts: Record<string, string> }) {
   const plan = use_get<Plan>(id === null ? null : `/api/plans/${id}`);
   const machines = use_get<{ machines: Machine[] }>('/api/machines');
   const vocabulary = use_get<Vocabulary>('/api/vocabulary');
-  const saved_as = useRef<string | null>(null); // the new plan has become this one: its form stays as it is
   const wanted_axis = id === null ? place.value.query.get('axis') : null;
   if (plan.error) return <><h1 tabIndex={-1}>{t('plan')}</h1><FailureNotice error={plan.error} retry={plan.reload} /></>;
   if ((id !== null && plan.data?.id !== Number(id)) || (machines.loading && !machines.data)) return <h1 tabIndex={-1}>{t('plan')}</h1>;
@@ -29,11 +30,7 @@ export function PlanPage({ parts }: { parts: Record<string, string> }) {
       {vocabulary.error && <FailureNotice error={vocabulary.error} retry={vocabulary.reload} />}
       {id !== null && plan.data?.request === null
         ? <WholePlan plan={plan.data} vocabulary={vocabulary.data} />
-        : <Editor key={id === saved_as.current ? 'new' : (id ?? 'new')} kept={id === null ? null : plan.data}
-            keep={(kept) => {
-              if (id === null) saved_as.current = String(kept.id);
-              plan.set(kept);
-            }} machines={machines.data?.machines ?? []}
+        : <Editor kept={plan.data} keep={plan.set} machines={machines.data?.machines ?? []}
             vocabulary={vocabulary.data} axis={wanted_axis} />}
     </>
   );
@@ -51,7 +48,7 @@ function Editor({ kept, keep, machines, vocabulary, axis }: EditorProps) {
   const [form, set_form] = useState<PlanForm>(() => first_form(kept, machines, axis));
   const [touched, set_touched] = useState(false);
   const { request, faults } = request_of(form);
-  const draft = use_posted<PlanDraft>('/api/plans/draft', request === null ? null : { request }, as_json);
+  const draft = use_posted<PlanDraft>(`/api/plans/draft${query({ decimal: decimal.value })}`, request === null ? null : { request }, as_json);
   const shown = draft.data ?? kept;
   const unit = position_unit(form.kind);
   const title = form.title.trim() === '' ? usual_title(form, unit) : form.title.trim();
@@ -59,9 +56,6 @@ function Editor({ kept, keep, machines, vocabulary, axis }: EditorProps) {
     set_form((before) => ({ ...before, ...part }));
     set_touched(true);
   };
-  useEffect(() => {
-    document.title = `${title} · Axiometry`;
-  }, [title]);
   return (
     <>
       <Keep {...{ form, title, request, kept, touched }} rename={(name) => change({ title: name })}

@@ -16,10 +16,34 @@ export interface PlotEvents {
 const pixels = () => window.devicePixelRatio || 1;
 const day = 86_400;
 
-/** Dates as everywhere in the workbench, as fine as the ticks are apart. */
-function time_ticks(splits: number[], step: number): string[] {
-  const cut = step >= 365 * day ? 4 : step >= 28 * day ? 7 : step >= day ? 10 : 16;
-  return splits.map((second) => new Date(second * 1000).toISOString().slice(0, cut).replace('T', ' '));
+const month_steps = [1, 2, 3, 6, 12, 24, 60, 120, 240];
+const day_steps = [1, 2, 7, 14];
+
+/** Where dates stand below the chart: at beginnings of months or years, or days where the stretch is short. */
+export function time_splits(low: number, high: number, most: number): number[] {
+  const day_step = day_steps.find((days) => (high - low) / (days * day) <= most);
+  if (day_step !== undefined) {
+    const step = day_step * day;
+    return every(Math.ceil(low / step) * step, high, (at) => at + step);
+  }
+  const months = month_steps.find((n) => (high - low) / (n * 30.44 * day) <= most) ?? 480;
+  const first = new Date(low * 1000);
+  let month = Math.ceil((first.getUTCFullYear() * 12 + first.getUTCMonth() + (first.getUTCDate() > 1 ? 1 : 0)) / months) * months;
+  const second = () => Date.UTC(Math.floor(month / 12), month % 12, 1) / 1000;
+  return every(second(), high, () => { month += months; return second(); });
+}
+
+function every(first: number, last: number, next: (at: number) => number): number[] {
+  const all: number[] = [];
+  for (let at = first; at <= last && all.length < 200; at = next(at)) all.push(at);
+  return all;
+}
+
+/** Dates as everywhere in the workbench, as fine as they need to be. */
+function time_ticks(splits: number[]): string[] {
+  const dates = splits.map((second) => new Date(second * 1000).toISOString());
+  const cut = dates.every((date) => date.slice(5, 10) === '01-01') ? 4 : dates.every((date) => date.slice(8, 10) === '01') ? 7 : 10;
+  return dates.map((date) => date.slice(0, cut));
 }
 
 function number_ticks(splits: number[], step: number): string[] {
@@ -36,7 +60,8 @@ function axis(label: string, kind: 'number' | 'time', side: 'x' | 'y'): uPlot.Ax
     stroke: () => token('--ink-quiet'),
     grid: { stroke: () => token('--line'), width: 1 },
     ticks: { show: false },
-    values: (_plot, splits, _axis, _space, step) => (kind === 'time' ? time_ticks(splits, step) : number_ticks(splits, step)),
+    ...(kind === 'time' ? { splits: (plot: uPlot, _axis: number, low: number, high: number) => time_splits(low, high, plot.bbox.width / pixels() / 84) } : {}),
+    values: (_plot, splits, _axis, _space, step) => (kind === 'time' ? time_ticks(splits) : number_ticks(splits, step)),
   };
 }
 

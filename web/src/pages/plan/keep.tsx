@@ -2,10 +2,11 @@
 import { useEffect, useState } from 'preact/hooks';
 import { ApiError, download_made, get, query, send } from '../../api/client';
 import type { Plan, PlanRequest } from '../../api/types';
+import { ConflictDialog } from '../../components/conflict';
 import { FailureNotice } from '../../components/failure';
 import { when } from '../../numbers';
 import { go, unsaved } from '../../router';
-import { language } from '../../settings';
+import { decimal, language } from '../../settings';
 import type { PlanForm } from './form';
 import { t } from './texts';
 
@@ -40,13 +41,13 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
     if (request === null || busy) return;
     set_busy(true);
     set_error(null);
-    set_newer(null);
     const body = { title, axis: form.axis, request };
     try {
       const plan = base === null
         ? await send<Plan>('POST', '/api/plans', body)
         : await send<Plan>('PUT', `/api/plans/${base.id}`, { ...body, base_version: base.version, reason: '' });
       unsaved.value = null;
+      set_newer(null);
       done(plan);
       set_said(t('saved', { n: plan.version }));
       if (base === null) go(`/plans/${plan.id}`, 'replace');
@@ -57,7 +58,7 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
     }
   };
   const sheet = (extension: string) =>
-    download_made(`/api/plans/draft/sheet.${extension}${query({ language: language.value })}`, { request }, `${title}.${extension}`).catch(failed);
+    download_made(`/api/plans/draft/sheet.${extension}${query({ language: language.value, decimal: decimal.value })}`, { request }, `${title}.${extension}`).catch(failed);
 
   return (
     <>
@@ -86,18 +87,14 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
         </p>
       )}
       <p class="visually-hidden" role="status">{said}</p>
-      {error && (newer
-        ? (
-          <div class="notice bad" role="alert">
-            <p>{error.message}</p>
-            <p>{t('conflict', { n: newer.version })}</p>
-            <div class="row">
-              <button type="button" onClick={() => { set_error(null); set_newer(null); replace(newer); }}>{t('take_theirs', { n: newer.version })}</button>
-              <button type="button" onClick={() => save(newer)}>{t('keep_mine', { n: newer.version + 1 })}</button>
-            </div>
-          </div>
-        )
-        : <FailureNotice error={error} />)}
+      {error && newer === null && <FailureNotice error={error} />}
+      {newer && (
+        <ConflictDialog
+          latest={{ ...newer.change, version: newer.version }} busy={busy}
+          on_close={() => set_newer(null)} on_mine={() => void save(newer)}
+          on_theirs={() => { set_error(null); set_newer(null); replace(newer); }}
+        />
+      )}
     </>
   );
 }

@@ -6,6 +6,7 @@ import type { PlanRequest, Vocabulary } from '../../api/types';
 import { CopyButton } from '../../components/copy';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
+import { Markdown } from '../../components/markdown';
 import { t } from './texts';
 
 interface Options {
@@ -67,7 +68,7 @@ export function ProgramPanel({ request, plan, name, vocabulary }:
       {chosen && chosen.manual !== '' && (
         <details>
           <summary>{t('manual')}</summary>
-          <pre class="manual" tabIndex={0}>{chosen.manual}</pre>
+          <div class="manual" lang="en"><Markdown source={chosen.manual} /></div>
         </details>
       )}
     </section>

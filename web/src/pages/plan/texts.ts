@@ -85,9 +85,6 @@ export const t = texts({
   saved: ['Saved as version {n}.', 'Als Version {n} gespeichert.'],
   sheet: ['Plan sheet', 'Prüfblatt'],
   leave: ['This plan has changes that are not saved. Leave it?', 'Dieser Plan hat ungespeicherte Änderungen. Trotzdem verlassen?'],
-  conflict: ['It has become version {n} meanwhile. What is typed here is still here.', 'Inzwischen ist er Version {n}. Alles Eingetippte ist noch da.'],
-  take_theirs: ['Show version {n}', 'Version {n} zeigen'],
-  keep_mine: ['Save this as version {n}', 'Dies als Version {n} speichern'],
   whole_plan: [
     'This plan was given as a whole and cannot be edited by request.',
     'Dieser Plan wurde als Ganzes übernommen und ist nicht als Anfrage bearbeitbar.',
