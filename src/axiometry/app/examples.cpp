@@ -191,7 +191,7 @@ Result<std::string> file_of(const ExampleTest& test) {
   request.seed = test.seed;
   AXIOMETRY_TRY(simulation::SimulatedTest simulated, simulation::simulate(request));
   AXIOMETRY_TRY_VOID(set_metadata(simulated.test.metadata, metadata_of(test)));
-  const formats::Format* format = formats::find_format("axiometry-json");
+  const formats::Format* format = formats::find_format("json");
   AXIOMETRY_CONTRACT(format != nullptr && format->write != nullptr);
   return format->write(simulated.test);
 }
