@@ -36,7 +36,7 @@ export const keyboard = {
     const page = await world.page();
     await page.goto('/');
     await page.getByRole('heading', { level: 1 }).waitFor();
-    await tab_to(page, /choose files/i);
+    await tab_to(page, /^Choose files/, ['button']);
     const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
     await chooser.setFiles(example);
     await page.getByRole('button', { name: 'Keep', exact: true }).waitFor();
