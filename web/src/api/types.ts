@@ -109,6 +109,13 @@ export interface Evaluated {
   verdict: Verdict | null;                 // of all tolerances together
   shown: { parameter: Parameter; value: string; U: string; interval: string; unit: string; limit: number | null; verdict: Verdict | null }[];
   milliseconds: number;                    // the evaluation took
+  from_archive?: FromArchive;
+}
+
+/** Inputs of instruments and limits of the axis that took part because neither file nor changes state them. */
+export interface FromArchive {
+  instruments: { instrument: number; version: number; name: string; inputs: Changes }[];
+  axis: { axis: number; version: number; limits: Limit[] } | null;
 }
 
 /** How a test is evaluated, beside its metadata. */

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
-import { send } from '../../api/client';
-import { query } from '../../api/client';
+import { query, send } from '../../api/client';
 import type { Test } from '../../api/types';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
 import { bytes } from '../../numbers';
 import { ReasonDialog } from './reason_dialog';
-import type { TestState } from './state';
+import { test_path, type TestState } from './state';
 
 const t = texts({
   machine: ['Machine', 'Maschine'],
@@ -102,7 +101,7 @@ export function Head({ state }: { state: TestState }) {
       <Facts state={state} />
       {asking && (
         <ReasonDialog title={t(`${turn}_title`)} action={t(turn)} close={() => set_asking(false)}
-          act={async (reason) => state.refresh({ ...(await send<Test>('POST', `/api/tests/${test.id}/${turn}`, { reason })) })}>
+          act={async (reason) => state.refresh(await send<Test>('POST', test_path(test.id, `/${turn}`), { reason }))}>
           <p>{t(`${turn}_text`)}</p>
         </ReasonDialog>
       )}

@@ -14,7 +14,7 @@ const t = texts({
   kept: ['Of version {version}, without the unsaved changes.', 'Von Version {version}, ohne die ungespeicherten Änderungen.'],
 });
 
-interface FigureList { figures: { id: string; title: string }[] }
+interface FigureList { figures: { id: number; title: string }[] }
 
 /** The figures as the library draws them, which reports hold and exports are. */
 export function LibraryFigures({ state }: { state: TestState }) {
@@ -24,7 +24,7 @@ export function LibraryFigures({ state }: { state: TestState }) {
   const figures = list.data?.figures ?? [];
   const n = at < figures.length ? at : 0;
   const path = (theme: string) =>
-    `/api/tests/${test.id}/figures/${n}.svg${query({ version: test.version, theme, language: language.value, decimal: decimal.value })}`;
+    `/api/tests/${test.id}/figures/${figures[n]?.id}.svg${query({ version: test.version, theme, language: language.value, decimal: decimal.value })}`;
   if (list.data !== null && figures.length === 0) return null;
   return (
     <section class="panel figures-panel">

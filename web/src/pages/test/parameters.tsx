@@ -3,7 +3,7 @@ import type { Evaluated, MonteCarloOutput, Parameter, Verdict, Vocabulary } from
 import { ParameterSymbol } from '../../components/symbol';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
-import { absent, fixed, marked, shortest } from '../../numbers';
+import { absent, fixed, parsed, shortest } from '../../numbers';
 import { decimals_of, main_parameters, type Shown } from './figures_text';
 import { LimitBar } from './limit_bar';
 import type { TestState } from './state';
@@ -31,11 +31,11 @@ const shown_of = (evaluated: Evaluated, parameter: Parameter): Shown | undefined
   evaluated.shown.find((row) => row.parameter === parameter);
 
 /** The expanded uncertainty as it is shown, as a number for the bar. */
-const number_of = (text: string): number | null => (text === '' || Number.isNaN(Number(text)) ? null : Number(text));
+const number_of = (text: string): number | null => parsed(text);
 
 function Stored({ now, kept }: { now: Shown; kept: Shown | undefined }) {
   if (kept === undefined || (kept.value === now.value && kept.U === now.U && kept.interval === now.interval)) return null;
-  const text = kept.U === '' ? marked(kept.value) : `${marked(kept.value)} ± ${marked(kept.U)}`;
+  const text = kept.U === '' ? `${kept.value} ${kept.interval}` : `${kept.value} ± ${kept.U}`;
   return <span class="was small number">{t('kept')} {text}</span>;
 }
 
@@ -55,8 +55,9 @@ export function Headline({ state }: { state: TestState }) {
               <span class="glance-symbol"><ParameterSymbol parameter={parameter} /></span>
               {row.limit !== null && <VerdictMark verdict={row.verdict} short />}
             </div>
-            <div class="number"><span class="glance-value">{marked(row.value)}</span>{' '}
-              {row.U !== '' && <span class="glance-u">± {marked(row.U)}</span>} <span class="quiet">{row.unit}</span>
+            <div class="number"><span class="glance-value">{row.value}</span>{' '}
+              {row.U !== '' && <span class="glance-u">± {row.U}</span>} <span class="quiet">{row.unit}</span>
+              {row.U === '' && row.interval !== '' && <span class="small"> ({row.interval})</span>}
             </div>
             <LimitBar value={value} U={number_of(row.U)} limit={row.limit} tone={tone_of(row.verdict)} />
             <div class="small quiet number">
@@ -127,7 +128,7 @@ function Row({ row, kept, evaluated, methods, any_limit, title }: {
     <tr class={main_parameters(evaluated.result).includes(row.parameter) ? 'main' : ''}>
       <th scope="row" title={title}><ParameterSymbol parameter={row.parameter} /></th>
       <td class="name">{title}</td>
-      <td class="number">{marked(row.value)} <Stored now={row} kept={kept} /></td>
+      <td class="number">{value === null ? absent : row.value} <Stored now={row} kept={kept} /></td>
       {methods.annex_a && <td class="number">{fixed(uncertainty?.annex_a?.[row.parameter], decimals)}</td>}
       {methods.gum && <td class="number">{fixed(uncertainty?.gum?.[row.parameter]?.U, decimals)}</td>}
       {methods.monte_carlo && <td class="number">{interval_text(uncertainty?.monte_carlo?.[row.parameter], decimals)}</td>}

@@ -7,7 +7,7 @@ import { texts } from '../../i18n/texts';
 import { when } from '../../numbers';
 import { Differences, different_keys } from './differences';
 import { Modal, ReasonDialog } from './reason_dialog';
-import type { TestState } from './state';
+import { test_path, type TestState } from './state';
 
 const t = texts({
   title: ['Save as version {version}', 'Als Version {version} speichern'],
@@ -48,9 +48,9 @@ export function SaveDialog({ state, vocabulary, close, adopt }: Props) {
   if (newer !== null) return <Conflict state={state} newer={newer} vocabulary={vocabulary} close={close} adopt={adopt} />;
   const save = async (reason: string) => {
     const revision: Revision = { base_version: test.version, title: title.trim(), reason, changes: state.changes.value, options: state.options.value };
-    adopt(await send<Test>('POST', `/api/tests/${test.id}/versions`, revision));
+    adopt(await send<Test>('POST', test_path(test.id, '/versions'), revision));
   };
-  const look = () => void get<Test>(`/api/tests/${test.id}`).then(set_newer, () => undefined);
+  const look = () => void get<Test>(test_path(test.id)).then(set_newer, () => undefined);
   return (
     <ReasonDialog title={t('title', { version: test.latest + 1 })} action={t('save')} close={close} act={save}
       caught={(failure) => { if (failure.kind === 'conflict') look(); return false; }} disabled={title.trim() === ''}>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // One test as its page works with it: what is kept, what is tried, and the numbers of what is tried.
 import { computed, signal, type ReadonlySignal } from '@preact/signals';
-import { ApiError, send } from '../../api/client';
+import { ApiError, query, send } from '../../api/client';
 import type { Changes, Evaluated, Field, Options, Test } from '../../api/types';
+import { decimal } from '../../settings';
 import { keep_draft, kept_draft } from './draft_store';
 import { same_value, stated_text } from './field_value';
 
@@ -23,6 +24,10 @@ const without = (changes: Changes, keys: readonly string[]): Changes =>
 export function failure_of(error: unknown): ApiError {
   return error instanceof ApiError ? error : new ApiError('refused', String(error), 0);
 }
+
+/** What the server writes of numbers as text follows the user's decimal mark. */
+export const test_path = (id: number | string, rest = '', more: Record<string, string | number | null> = {}): string =>
+  `/api/tests/${encodeURIComponent(id)}${rest}${query({ ...more, decimal: decimal.value })}`;
 
 export class TestState {
   readonly test = signal<Test>(undefined as never);
@@ -91,7 +96,7 @@ export class TestState {
   private async ask_what_the_file_says(): Promise<void> {
     const { id, options } = this.test.value;
     try {
-      const bare = await send<Evaluated>('POST', `/api/tests/${id}/evaluate`, { changes: {}, options: quick(options) });
+      const bare = await send<Evaluated>('POST', test_path(id, '/evaluate'), { changes: {}, options: quick(options) });
       this.stated.value = bare.result.metadata;
     } catch {
       // Then changes cannot be told from the file's values; everything else works.
@@ -170,7 +175,7 @@ export class TestState {
           changes: without(this.changes.value, faulty),
           options: sampling ? this.options.value : quick(this.options.value),
         };
-        this.draft.value = await send<Evaluated>('POST', `/api/tests/${this.test.value.id}/evaluate`, body, abort.signal);
+        this.draft.value = await send<Evaluated>('POST', test_path(this.test.value.id, '/evaluate'), body, abort.signal);
         this.failure.value = null;
         break;
       } catch (error) {
