@@ -2,18 +2,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "axiometry/app/outputs.h"
 #include "axiometry/app/plan.h"
-#include "axiometry/app/plan_text.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/app/plan_request.h"
 #include "commands.h"
 #include "failure.h"
 #include "option_text.h"
@@ -23,162 +20,33 @@ namespace axiometry::cli {
 namespace {
 
 struct PlanArguments {
-  iso230_2::PlanRequest request;
-  std::optional<std::uint64_t> seed;
-  std::vector<std::string> areas;       ///< understood when the kind of the axis is known
-  std::optional<std::string> sequence;  ///< a list, or a file that is read when the command runs
-  std::optional<Position> periodic_at;
+  app::PlanWish wish;
   std::string check;
   app::OutputNames outputs;
   report::Options report;
   bool quiet = false;
 };
 
-Result<void> read_targets(iso230_2::PlanRequest& request, const std::string& text) {
-  if (const auto count = parse_count(text)) {
-    request.count = *count;
-    return {};
+std::vector<CLI::Option*> add_plan_flags(CLI::App& verb, app::PlanWish& wish) {
+  std::vector<CLI::Option*> flags;
+  for (const app::PlanOption& option : app::plan_options()) {
+    const std::string name(option.name);
+    const auto read = [&option, &wish, name](const std::string& text) {
+      if (Result<void> done = option.apply(text, wish); !done) throw CLI::ValidationError(name, done.error().message);
+    };
+    CLI::Option* flag =
+        option.repeated
+            ? verb.add_option_function<std::vector<std::string>>(
+                      name, [read](const std::vector<std::string>& texts) { std::ranges::for_each(texts, read); },
+                      std::string(option.help))
+                  ->allow_extra_args(false)
+            : verb.add_option_function<std::string>(name, read, std::string(option.help));
+    flags.push_back(flag->type_name(std::string(option.values))->group(std::string(option.group)));
   }
-  AXIOMETRY_TRY(const std::vector<double> positions, app::parse_positions(text));
-  for (double x : positions) request.targets.push_back(Position::native(x));
-  return {};
-}
-
-Result<TestCycle> read_cycle(const std::string& text) {
-  using enum TestCycle;
-  for (TestCycle cycle : {standard, step, pilgrim, unidirectional, user_defined})
-    if (cycle_name(cycle) == text) return cycle;
-  return fail(
-      fmt::format("found {}, expected standard, step, pilgrim, unidirectional or user-defined", text::quoted(text)));
-}
-
-auto into(std::optional<iso230_2::Stretch>& target) {
-  return [&target](const std::string& text) -> Result<void> {
-    AXIOMETRY_TRY(target, app::parse_stretch(text));
-    return {};
-  };
-}
-
-std::vector<CLI::Option*> add_axis_flags(CLI::App& verb, PlanArguments& arguments) {
-  iso230_2::PlanRequest& request = arguments.request;
-  std::vector<CLI::Option*> options = {
-      verb.add_option("--axis", request.axis.name, "Name of the axis")->type_name("NAME"),
-      add_read(verb, {"--kind", "KIND", "linear (mm) or rotary (°); linear when not given"},
-               [&](const std::string& text) -> Result<void> {
-                 if (text != "linear" && text != "rotary")
-                   return fail(fmt::format("found {}, expected linear or rotary", text::quoted(text)));
-                 request.axis.kind = text == "linear" ? AxisKind::linear : AxisKind::rotary;
-                 return {};
-               }),
-      add_read(verb,
-               {"--travel", "FROM:TO",
-                "Axis travel (3.1). A rotary axis of exactly 360° is taken for one that turns without end, unless "
-                "--soft-limits are given"},
-               [&](const std::string& text) -> Result<void> {
-                 AXIOMETRY_TRY(const iso230_2::Stretch travel, app::parse_stretch(text));
-                 request.axis.travel_begin = travel.from;
-                 request.axis.travel_end = travel.to;
-                 return {};
-               }),
-      add_read(verb, {"--soft-limits", "FROM:TO", "Of the control, where they are narrower than the travel"},
-               into(request.soft_limits)),
-      add_number(
-          verb,
-          {"--period", "PERIOD",
-           "Expected period of a periodic error, such as the pitch of the screw: targets shift by up to one period"},
-          [&](double x) { request.axis.expected_period = Position::native(x); }),
-      add_read(verb,
-               {"--compensation-points", "LIST",
-                "Sampling points of the compensation, which targets keep off: 0:500:50 (from, to, every) or a list"},
-               [&](const std::string& text) -> Result<void> {
-                 AXIOMETRY_TRY(request.axis.compensation_points, app::parse_positions(text));
-                 return {};
-               }),
-      add_number(verb,
-                 {"--segment", "LENGTH", "Length of the segments of a scale, each of which is given a target (5.3.3)"},
-                 [&](double x) { request.segment = Position::native(x); }),
-      add_number(verb, {"--acceleration", "A", "Of the axis, mm/s² or °/s² (1000 or 500)"},
-                 [&](double x) { request.acceleration = x; }),
-      verb.add_option("--machine", request.machine, "Name of the machine")->type_name("NAME"),
-      verb.add_option("--date", request.date, "Date of the plan, such as 2026-11-21; today when not given")
-          ->type_name("DATE"),
-  };
-  for (CLI::Option* option : options) option->group("Axis");
-  return options;
-}
-
-std::vector<CLI::Option*> add_target_flags(CLI::App& verb, PlanArguments& arguments) {
-  iso230_2::PlanRequest& request = arguments.request;
-  std::vector<CLI::Option*> options = {
-      add_read(verb,
-               {"--targets", "N or LIST", "Number of targets, or their positions; as many as the clause asks for"},
-               [&](const std::string& text) { return read_targets(request, text); }),
-      add_number(verb, {"--interval", "P", "Mean interval of the targets at most"},
-                 [&](double x) { request.interval = Position::native(x); }),
-      add_number(verb, {"--step", "STEP", "To which targets are rounded (0.001 mm or 0.0001°)"},
-                 [&](double x) { request.step = Position::native(x); }),
-      add_count(verb,
-                {"--seed", "N", "Of the random part of the targets; drawn and written into the plan when not given"},
-                [&](unsigned long long seed) { arguments.seed = seed; }),
-      verb.add_option("--area", arguments.areas,
-                      "Stretch of the normal working area for the tests that belong to one above 2 000 mm or 360°; TO "
-                      "may be left out; may be repeated; the middle")
-          ->type_name("FROM[:TO]")
-          ->allow_extra_args(false),
-      add_number(
-          verb,
-          {"--periodic", "PERIOD",
-           "Plan the test for a periodic error of this period (Annex C) instead: dense targets from one direction"},
-          [&](double x) {
-            request.axis.expected_period = Position::native(x);
-            request.periodic.emplace();
-          }),
-      add_number(verb, {"--at", "POSITION", "Middle of that test; of the travel"},
-                 [&](double x) { arguments.periodic_at = Position::native(x); }),
-  };
-  options.push_back(add_read(verb, {"--measure", "FROM:TO", "Measurement travel (3.2); all that the overruns leave"},
-                             into(request.measurement)));
-  for (CLI::Option* option : options) option->group("Targets");
-  options[6]->needs(options[5]);
-  options[5]->excludes(verb.get_option("--period"));
-  options[0]->excludes(options[1]);
-  options[0]->excludes(options[5]);
-  return options;
-}
-
-std::vector<CLI::Option*> add_programme_flags(CLI::App& verb, PlanArguments& arguments) {
-  iso230_2::PlanRequest& request = arguments.request;
-  std::vector<CLI::Option*> options = {
-      add_read(verb, {"--cycle", "CYCLE", "standard, step (Annex B), pilgrim, unidirectional or user-defined"},
-               [&](const std::string& text) -> Result<void> {
-                 AXIOMETRY_TRY(request.cycle, read_cycle(text));
-                 return {};
-               }),
-      add_read(verb,
-               {"--sequence", "LIST or FILE",
-                "The approaches of the user-defined cycle: '1+ 2+ 2- 1-', numbers of targets and directions"},
-               [&](const std::string& text) -> Result<void> {
-                 arguments.sequence = text;
-                 return {};
-               }),
-      add_count(verb, {"--runs", "N", "Approaches to each target from each direction (5; 1 above 2 000 mm or 360°)"},
-                [&](unsigned long long runs) { request.runs = runs; }),
-      add_number(
-          verb,
-          {"--overrun", "LENGTH",
-           "Distance beyond a target before the direction changes (1 % of the travel within 1 and 10, more to reach "
-           "the feed)"},
-          [&](double x) { request.overrun = Position::native(x); }),
-      add_number(verb, {"--feed", "FEED", "mm/min or °/min (1000 or 720)"}, [&](double x) { request.feed = x; }),
-      add_number(verb, {"--dwell", "SECONDS", "At rest on every target (3)"},
-                 [&](double x) { request.dwell = Duration::s(x); }),
-      add_count(verb, {"--warm-up", "N", "Runs there and back before the first reading (1)"},
-                [&](unsigned long long runs) { request.warm_up_runs = runs; }),
-  };
-  for (CLI::Option* option : options) option->group("Programme");
-  options[0]->excludes(verb.get_option("--periodic"));
-  options[1]->excludes(verb.get_option("--periodic"));
-  return options;
+  for (const app::PlanOptionPair& pair : app::plan_options_apart())
+    verb.get_option(std::string(pair.name))->excludes(verb.get_option(std::string(pair.other)));
+  verb.get_option("--at")->needs(verb.get_option("--periodic"));
+  return flags;
 }
 
 void add_output_flags(CLI::App& verb, PlanArguments& arguments) {
@@ -198,17 +66,12 @@ void add_output_flags(CLI::App& verb, PlanArguments& arguments) {
   verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
 }
 
-Result<Plan> made_plan(PlanArguments& arguments) {
-  iso230_2::PlanRequest& request = arguments.request;
-  for (const std::string& text : arguments.areas) {
-    AXIOMETRY_TRY(request.areas.emplace_back(), app::parse_area(text, request.axis.kind));
+/// The sequence may be a file, which is read when the command runs.
+Result<Plan> made_plan(app::PlanWish& wish) {
+  if (wish.sequence) {
+    AXIOMETRY_TRY(wish.request.sequence, app::read_sequence(*wish.sequence));
   }
-  if (arguments.sequence) {
-    AXIOMETRY_TRY(request.sequence, app::read_sequence(*arguments.sequence));
-  }
-  if (request.periodic) request.periodic->at = arguments.periodic_at;
-  request.seed = arguments.seed ? *arguments.seed : app::drawn_seed();
-  if (request.date.empty()) request.date = app::today();
+  AXIOMETRY_TRY(const iso230_2::PlanRequest request, app::completed(wish));
   return iso230_2::make_plan(request);
 }
 
@@ -216,12 +79,12 @@ int run_plan(PlanArguments& arguments) {
   const bool checks = !arguments.check.empty();
   std::vector<app::InputFile> inputs;
   if (checks) inputs.push_back({arguments.check, false});
-  if (arguments.sequence) inputs.push_back({*arguments.sequence, false});
+  if (arguments.wish.sequence) inputs.push_back({*arguments.wish.sequence, false});
   arguments.outputs.inputs = app::InputFiles(inputs);
   if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) return failed(spared.error(), exit_usage);
-  auto plan = checks ? app::read_plan_file(arguments.check) : made_plan(arguments);
+  auto plan = checks ? app::read_plan_file(arguments.check) : made_plan(arguments.wish);
   if (!plan) return failed(plan.error());
-  const auto planned = app::planned(*std::move(plan), arguments.request.acceleration);
+  const auto planned = app::planned(*std::move(plan), arguments.wish.request.acceleration);
   if (!planned) return failed(planned.error());
   if (auto written = app::write_plan_outputs(*planned, arguments.outputs, arguments.report); !written)
     return failed(written.error());
@@ -251,9 +114,7 @@ void add_plan(CLI::App& program, int& exit_code) {
   CLI::App* verb =
       program.add_subcommand("plan", "Plan the test of an axis after ISO 230-2:2014, or check such a plan");
   auto arguments = std::make_shared<PlanArguments>();
-  std::vector<CLI::Option*> making = add_axis_flags(*verb, *arguments);
-  for (CLI::Option* option : add_target_flags(*verb, *arguments)) making.push_back(option);
-  for (CLI::Option* option : add_programme_flags(*verb, *arguments)) making.push_back(option);
+  std::vector<CLI::Option*> making = add_plan_flags(*verb, arguments->wish);
   std::erase(making, verb->get_option("--acceleration"));
   verb->add_option("--check", arguments->check,
                    "Check this plan, as made or edited, instead of making one; exit code 3 when it "

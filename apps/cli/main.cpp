@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
   add_formats(program, exit_code);
   add_schema(program, exit_code);
   add_check(program, exit_code);
+  add_serve(program, exit_code);
   add_bench(program, exit_code);
   add_completion(program, exit_code);
   add_manual(program, exit_code);

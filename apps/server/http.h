@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
+#include <chrono>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +27,7 @@ struct Request {
   std::string actor;  ///< who asks, by the header X-Actor (percent-encoded UTF-8), "workbench" without
   language::Language language = language::Language::english;  ///< by ?language=, else Accept-Language
   Pairs captured;                                             ///< of the route's path: {"id", "12"}
+  std::string peer{};                                         ///< address of who asks: "127.0.0.1"
 
   std::optional<std::string_view> header(std::string_view name) const;
   std::optional<std::string_view> parameter(std::string_view name) const;  ///< of the query
@@ -36,9 +37,16 @@ struct Request {
 struct Response {
   int status = 200;
   std::string content_type = "application/json";
-  std::string body;
-  Pairs headers{};
+  std::string body{};
+  Pairs headers{};                     ///< a policy here only tightens the one of the page (security.h)
+  std::chrono::milliseconds delay{0};  ///< held back that long, so that guessing is slow
 };
+
+/// Content-Security-Policy of a document that the program made and that is only looked at: a report, a figure. It runs
+/// nothing and fetches nothing, but may hold its own styles and pictures.
+inline constexpr std::string_view document_policy =
+    "sandbox allow-same-origin allow-modals; default-src 'none'; style-src 'unsafe-inline'; img-src data:; "
+    "font-src data:; base-uri 'none'; form-action 'none'; frame-ancestors 'self'";
 
 Response json_response(const json::Value& value, int status = 200);
 

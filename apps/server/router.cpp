@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -60,8 +61,7 @@ void Router::add(std::string_view method, std::string_view pattern, Handler hand
 }
 
 Response Router::answer(Request request) const {
-  const bool head = request.method == "HEAD";
-  const std::string_view wanted = head ? std::string_view("GET") : std::string_view(request.method);
+  const std::string wanted = request.method == "HEAD" ? "GET" : request.method;
   const auto segments = segments_of(request.path);
   std::string allowed;
   for (const Entry& entry : entries_) {
@@ -72,6 +72,11 @@ Response Router::answer(Request request) const {
       return answer_with(entry.handler, request);
     }
     allowed += (allowed.empty() ? "" : ", ") + entry.method;
+  }
+  const bool is_api = !segments.empty() && segments.front() == "api";
+  if (allowed.empty() && !is_api && otherwise_) {
+    if (wanted == "GET") return answer_with(otherwise_, request);
+    allowed = "GET";
   }
   if (allowed.empty()) return refusal(404, "there is nothing of this name", request.language);
   Response response = refusal(405, fmt::format("found {}, expected {}", request.method, allowed), request.language);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "http.h"
@@ -18,6 +19,9 @@ using Handler = std::function<Result<Response>(const Request&)>;
 class Router {
  public:
   void add(std::string_view method, std::string_view pattern, Handler handler);
+
+  /// What answers GET and HEAD of a path that no pattern fits and that is not below "/api".
+  void add_otherwise(Handler handler) { otherwise_ = std::move(handler); }
 
   /// The handler's response, or its error as a response; 404 for an unknown path, 405 with Allow for a known path with
   /// another method. HEAD is answered as GET without its body. Exceptions do not pass: 500, logged.
@@ -37,6 +41,7 @@ class Router {
     Handler handler;
   };
   std::vector<Entry> entries_;
+  Handler otherwise_;
 };
 
 }  // namespace axiometry::server

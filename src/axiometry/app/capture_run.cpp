@@ -35,9 +35,13 @@ class Run {
   Run(const CaptureRun& run, const CaptureObserver& observer, CaptureSession session)
       : run_(run), observer_(observer), session_(std::move(session)) {}
 
+  void listen(Connect connect, std::uint64_t raw_limit) {
+    connect_ = std::move(connect);
+    room_ = raw_limit;
+  }
+
   Result<CaptureOutcome> operator()() {
-    AXIOMETRY_TRY(const auto live, parse_live(run_.from));
-    auto read = live ? read_live(*live) : read_file();
+    auto read = read_all();
     if (!read) {
       static_cast<void>(settle({}, true));  // what has come so far is kept
       return std::unexpected(std::move(read).error());
@@ -58,6 +62,11 @@ class Run {
 
   void notice(const std::string& text) const {
     if (observer_.notice) observer_.notice(text);
+  }
+
+  Result<void> read_all() {
+    if (connect_) return read_live();
+    return run_.resume.empty() ? read_file() : play_raw(run_.resume);
   }
 
   Result<void> read_file() {
@@ -81,6 +90,8 @@ class Run {
     return play(raw, [&](const RawPiece& piece) -> Result<void> {
       if (stop()) return {};
       if (!first_arrival_) first_arrival_ = piece.arrival;
+      room_ -= std::min<std::uint64_t>(room_, piece.bytes.size());
+      show();
       if (piece.begins_connection) AXIOMETRY_TRY_VOID(interrupted());
       return take(piece.bytes, piece.arrival);
     });
@@ -96,11 +107,11 @@ class Run {
     return settle(readings, false);
   }
 
-  Result<void> read_live(const LiveAddress& address) {
-    AXIOMETRY_TRY(LiveConnection connection, LiveConnection::open(address));
+  Result<void> read_live() {
+    AXIOMETRY_TRY(auto stream, connect_());
     if (!run_.resume.empty()) {
       AXIOMETRY_TRY_VOID(play_raw(run_.resume));
-      notice(fmt::format("{}: played again, {} of {} approaches are done", run_.resume,
+      notice(fmt::format("{}: played again, {} of {} approaches are done", base_name(run_.resume),
                          session_.matcher().result().readings.size(), session_.matcher().result().approaches));
       if (stop()) return {};
     }
@@ -110,49 +121,66 @@ class Run {
       log.begin_connection();
       AXIOMETRY_TRY_VOID(interrupted());
     }
+    auto listened = listen_to(std::move(stream), log);
+    log_ = nullptr;
+    auto synced = log.sync();
+    return listened ? synced : listened;
+  }
+
+  Result<void> listen_to(std::unique_ptr<LiveStream> stream, RawLog& log) {
     std::vector<char> block(live_block);
     while (!stop()) {
-      const LiveConnection::Got got = connection.read(block, poll_time);
-      show();
-      if (got.state == LiveConnection::State::data) {
-        const ArrivalNs arrival = log.stamp();
-        if (!first_arrival_) first_arrival_ = arrival;
-        AXIOMETRY_TRY_VOID(log.append({block.data(), got.count}, arrival));
-        AXIOMETRY_TRY_VOID(take({block.data(), got.count}, arrival));
-      } else if (got.state == LiveConnection::State::closed) {
-        AXIOMETRY_TRY(auto again, reconnect(address, got.reason));
-        if (!again) break;
-        connection = std::move(*again);
+      const LiveStream::Got got = stream->read(block, poll_time);
+      if (got.state == LiveStream::State::data) {
+        AXIOMETRY_TRY_VOID(keep_and_take({block.data(), got.count}, log));
+      } else if (got.state == LiveStream::State::closed) {
+        AXIOMETRY_TRY(stream, reconnect(got.reason));
+        if (!stream) break;
         log.begin_connection();
         AXIOMETRY_TRY_VOID(interrupted());
+      } else if (got.state == LiveStream::State::over) {
+        break;
       }
+      show();
     }
-    auto synced = log.sync();
-    log_ = nullptr;
-    return synced;
+    return {};
+  }
+
+  Result<void> keep_and_take(std::string_view bytes, RawLog& log) {
+    if (bytes.size() > room_) {
+      notice("the recording has become as long as one may be: it ends here");
+      stopped_ = true;
+      return {};
+    }
+    room_ -= bytes.size();
+    const ArrivalNs arrival = log.stamp();
+    if (!first_arrival_) first_arrival_ = arrival;
+    AXIOMETRY_TRY_VOID(log.append(bytes, arrival));
+    return take(bytes, arrival);
   }
 
   /// Nothing when it was stopped, or when the other side has not come back in time.
-  Result<std::optional<LiveConnection>> reconnect(const LiveAddress& address, const std::string& reason) {
+  Result<std::unique_ptr<LiveStream>> reconnect(const std::string& reason) {
     notice(fmt::format("connection lost ({}), trying again for {} s", reason, format_fixed(run_.give_up.in_s(), 0)));
     const auto lost_at = Clock::now();
     const auto last_moment = lost_at + std::chrono::duration<double>(run_.give_up.in_s());
     for (auto pause = Clock::duration(first_pause); Clock::now() < last_moment;
          pause = std::min<Clock::duration>(2 * pause, longest_pause)) {
-      auto again = LiveConnection::open(address);
+      auto again = connect_();
       if (again) {
         notice(fmt::format("connected again after {} s; samples are missing",
                            format_fixed(std::chrono::duration<double>(Clock::now() - lost_at).count(), 1)));
-        return std::optional(std::move(*again));
+        return again;
       }
       const auto until = std::min(Clock::now() + pause, std::chrono::time_point_cast<Clock::duration>(last_moment));
       while (Clock::now() < until) {
-        if (stop()) return std::optional<LiveConnection>();
+        show();
+        if (stop()) return std::unique_ptr<LiveStream>();
         std::this_thread::sleep_for(std::min<Clock::duration>(poll_time, until - Clock::now()));
       }
     }
     notice("the connection did not come back: the recording ends here");
-    return std::optional<LiveConnection>();
+    return std::unique_ptr<LiveStream>();
   }
 
   /// First the disk, then the people.
@@ -208,6 +236,8 @@ class Run {
   const CaptureRun& run_;
   const CaptureObserver& observer_;
   CaptureSession session_;
+  Connect connect_;
+  std::uint64_t room_ = UINT64_MAX;  // for bytes that may still come
   RawLog* log_ = nullptr;
   std::optional<ArrivalNs> first_arrival_;
   CaptureSession::End end_ = CaptureSession::End::of_reading;
@@ -239,9 +269,21 @@ Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& 
   AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
   AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
-  auto outcome = Run(run, observer, std::move(session))();
+  AXIOMETRY_TRY(const auto live, parse_live(run.from));
+  Run reading(run, observer, std::move(session));
+  if (live) reading.listen([address = *live] { return connect_to(address); }, UINT64_MAX);
+  auto outcome = reading();
   if (!outcome && outcome.error().file.empty()) outcome.error().file = run.from == "-" ? "(standard input)" : run.from;
   return outcome;
+}
+
+Result<CaptureOutcome> run_live_capture(CaptureSession session, const LiveCapture& capture,
+                                        const CaptureObserver& observer) {
+  const CaptureRun run{
+      .from = capture.name, .raw = capture.raw, .resume = capture.resume, .out = {}, .give_up = capture.give_up};
+  Run reading(run, observer, std::move(session));
+  reading.listen(capture.connect, capture.raw_limit);
+  return reading();
 }
 
 Result<Test> read_recording(Source& source, const CaptureOptions& options) {

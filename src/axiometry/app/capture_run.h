@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -44,6 +45,20 @@ struct CaptureOutcome {
 /// the test file would take the place of the recording or the plan.
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
                                    const CaptureObserver& observer);
+
+/// A live capture whose plan and stream are at hand.
+struct LiveCapture {
+  std::string name;                      ///< where the test says that it comes from
+  Connect connect;                       ///< none: what was recorded is played, and that is all
+  std::string raw;                       ///< file of all bytes that come; must not exist
+  std::string resume{};                  ///< instead: such a file, which is played first and goes on
+  Duration give_up = Duration::s(60);    ///< how long a connection that broke is tried again
+  std::uint64_t raw_limit = UINT64_MAX;  ///< bytes that come at most; then the capture stops
+};
+
+/// The same as run_capture(), without a file for the test.
+Result<CaptureOutcome> run_live_capture(CaptureSession session, const LiveCapture& capture,
+                                        const CaptureObserver& observer);
 
 /// A recording in a file (or "-") as a test, for evaluation.
 Result<Test> read_recording(Source& source, const CaptureOptions& options);

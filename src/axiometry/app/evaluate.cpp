@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "axiometry/app/capture_run.h"
-#include "axiometry/app/source.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/generic_delimited.h"
 #include "axiometry/model/fields.h"
@@ -182,6 +181,17 @@ Result<Test> read_test(const std::string& file, const std::string& format, const
   auto test = read_source(*source, {format, profile});
   if (!test) return in_file(std::move(test).error(), file);
   return test;
+}
+
+Result<void> read_tests(Source& source, const TestSink& sink) {
+  AXIOMETRY_TRY(const formats::Format* format, format_of(source, {"", ""}));
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  if (holds_many(*format, head))
+    return read_many(source, *format, true, [&](Test&& test, std::string name) -> Result<void> {
+      return sink(std::move(test), std::move(name));
+    });
+  AXIOMETRY_TRY(Test test, read_single(source, *format, ""));
+  return sink(std::move(test), {});
 }
 
 Result<void> evaluate_file(const std::string& file, const EvaluateOptions& options, const EvaluatedSink& sink) {

@@ -10,6 +10,7 @@
 
 #include "axiometry/app/capture_session.h"
 #include "axiometry/app/requirements.h"
+#include "axiometry/app/source.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/model/test.h"
@@ -70,6 +71,11 @@ Result<Test> read_test(const std::string& file, const std::string& format = "", 
 Result<void> set_metadata(Metadata& metadata, std::span<const std::pair<std::string, std::string>> items);
 
 using EvaluatedSink = std::function<Result<void>(Evaluated&&)>;
+using TestSink = std::function<Result<void>(Test&&, std::string&& name)>;
+
+/// Hands over every test of a source as it was measured, with its name where it is one among many. Fails as the format
+/// that its beginning fits does; nothing after an error is handed over.
+Result<void> read_tests(Source& source, const TestSink& sink);
 
 /// Reads every test of one file ("-" is the standard input), evaluates and hands over each as soon as
 /// it is complete. Errors carry the file's name; nothing after an error is handed over.

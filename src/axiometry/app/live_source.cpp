@@ -87,6 +87,26 @@ Result<std::optional<LiveAddress>> parse_serial(const std::string& name, std::st
   return address;
 }
 
+/// One connection; it ends when the other side closes it.
+class Connection final : public LiveStream {
+ public:
+  explicit Connection(int descriptor) : descriptor_(descriptor) {}
+  ~Connection() override { ::close(descriptor_); }
+
+  Got read(std::span<char> buffer, std::chrono::milliseconds longest) override {
+    pollfd wait{descriptor_, POLLIN, 0};
+    const int ready = ::poll(&wait, 1, static_cast<int>(longest.count()));
+    if (ready <= 0) return {};
+    const ssize_t got = ::read(descriptor_, buffer.data(), buffer.size());
+    if (got > 0) return {State::data, static_cast<std::size_t>(got)};
+    if (got < 0 && (errno == EAGAIN || errno == EINTR)) return {};
+    return {State::closed, 0, got == 0 ? "closed by the other side" : std::strerror(errno)};
+  }
+
+ private:
+  int descriptor_;
+};
+
 }  // namespace
 
 Result<std::optional<LiveAddress>> parse_live(const std::string& name) {
@@ -96,31 +116,10 @@ Result<std::optional<LiveAddress>> parse_live(const std::string& name) {
   return std::optional<LiveAddress>();
 }
 
-Result<LiveConnection> LiveConnection::open(const LiveAddress& address) {
+Result<std::unique_ptr<LiveStream>> connect_to(const LiveAddress& address) {
   AXIOMETRY_TRY(const int descriptor, address.kind == LiveAddress::Kind::tcp ? connect_tcp(address)
                                                                              : open_serial(address.host, address.baud));
-  return LiveConnection(descriptor);
-}
-
-LiveConnection::~LiveConnection() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-LiveConnection::LiveConnection(LiveConnection&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-LiveConnection& LiveConnection::operator=(LiveConnection&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  return *this;
-}
-
-LiveConnection::Got LiveConnection::read(std::span<char> buffer, std::chrono::milliseconds longest) {
-  pollfd wait{descriptor_, POLLIN, 0};
-  const int ready = ::poll(&wait, 1, static_cast<int>(longest.count()));
-  if (ready <= 0) return {};
-  const ssize_t got = ::read(descriptor_, buffer.data(), buffer.size());
-  if (got > 0) return {State::data, static_cast<std::size_t>(got), {}};
-  if (got < 0 && (errno == EAGAIN || errno == EINTR)) return {};
-  return {State::closed, 0, got == 0 ? "closed by the other side" : std::strerror(errno)};
+  return std::make_unique<Connection>(descriptor);
 }
 
 }  // namespace axiometry::app

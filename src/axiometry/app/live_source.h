@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,28 +25,35 @@ struct LiveAddress {
 /// rate that is not 50 to 20 000 000.
 Result<std::optional<LiveAddress>> parse_live(const std::string& name);
 
-/// One connection; it ends when the other side closes it.
-class LiveConnection {
+/// Bytes as they come.
+class LiveStream {
  public:
-  /// Fails with the system's reason, for TCP after at most five seconds.
-  static Result<LiveConnection> open(const LiveAddress& address);
-  ~LiveConnection();
-  LiveConnection(LiveConnection&& other) noexcept;
-  LiveConnection& operator=(LiveConnection&& other) noexcept;
-
-  enum class State { data, idle, closed };
+  enum class State {
+    data,
+    idle,
+    closed,  ///< the other side may come back
+    over,    ///< there is no more
+  };
   struct Got {
     State state = State::idle;
     std::size_t count = 0;
-    std::string reason;  ///< of the end: "connection reset by peer"
+    std::string reason{};  ///< of the end: "connection reset by peer"
   };
-  /// Waits for bytes at most that long; a signal ends the wait.
-  Got read(std::span<char> buffer, std::chrono::milliseconds longest);
 
- private:
-  explicit LiveConnection(int descriptor) : descriptor_(descriptor) {}
-  int descriptor_ = -1;
+  LiveStream() = default;
+  virtual ~LiveStream() = default;
+  LiveStream(const LiveStream&) = delete;
+  LiveStream& operator=(const LiveStream&) = delete;
+
+  /// Waits for bytes at most that long; a signal ends the wait.
+  virtual Got read(std::span<char> buffer, std::chrono::milliseconds longest) = 0;
 };
+
+/// Begins a stream, or goes on with it after it was closed.
+using Connect = std::function<Result<std::unique_ptr<LiveStream>>()>;
+
+/// To a TCP server or a serial port. Fails with the system's reason, for TCP after at most five seconds.
+Result<std::unique_ptr<LiveStream>> connect_to(const LiveAddress& address);
 
 /// Opens a serial port: raw bytes, 8 data bits, no parity, one stop bit, no flow control, any baud rate that the driver
 /// can do. The descriptor, or the system's reason.

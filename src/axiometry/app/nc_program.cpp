@@ -11,9 +11,11 @@
 
 #include "axiometry/app/output.h"
 #include "axiometry/app/whole_file.h"
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan_json.h"
 #include "axiometry/formats/tracking_plan_json.h"
+#include "axiometry/nc/numbers.h"
 #include "axiometry/standards/iso230_2_plan.h"
 #include "axiometry/tracking/seven_lines.h"
 
@@ -94,6 +96,59 @@ Duration duration_of(std::span<const Plan> plans) {
   return sum;
 }
 
+Result<std::string> program_of(const Programme& programme, const nc::Dialect& dialect, nc::ProgramOptions options) {
+  options.title = programme.title;
+  options.duration = duration_of(programme.plans);
+  return dialect.write(programme.plans, options);
+}
+
+Result<bool> switch_of(const std::string& text) {
+  if (text.empty() || text == "1" || text == "true") return true;
+  if (text == "0" || text == "false") return false;
+  return fail(fmt::format("found {}, expected 1 or 0", text::quoted(text)));
+}
+
+Result<unsigned> whole_of(const std::string& text, unsigned long long most) {
+  const auto count = parse_count(text);
+  if (!count || *count > most)
+    return fail(fmt::format("found {}, expected a whole number up to {}", text::quoted(text), most));
+  return static_cast<unsigned>(*count);
+}
+
+/// None where nothing is said.
+Result<std::optional<unsigned>> number_of(const std::string& text) {
+  constexpr unsigned long long most = 99'999'999;
+  if (text.empty()) return std::optional<unsigned>();
+  return whole_of(text, most);
+}
+
+Result<void> put_option(nc::ProgramOptions& options, const std::string& name, const std::string& text) {
+  if (name == "unit") {
+    if (text != "mm" && text != "inch") return fail(fmt::format("found {}, expected mm or inch", text::quoted(text)));
+    options.unit = text == "mm" ? nc::LengthUnit::mm : nc::LengthUnit::inch;
+  } else if (name == "unrolled") {
+    AXIOMETRY_TRY(options.unrolled, switch_of(text));
+  } else if (name == "block_numbers") {
+    AXIOMETRY_TRY(options.block_numbers, switch_of(text));
+  } else if (name == "stop_at_start") {
+    AXIOMETRY_TRY(options.stop_at_start, switch_of(text));
+  } else if (name == "stop_at_lines") {
+    AXIOMETRY_TRY(options.stop_at_lines, switch_of(text));
+  } else if (name == "decimals") {
+    AXIOMETRY_TRY(const unsigned decimals, whole_of(text, nc::decimals_highest));
+    options.decimals = static_cast<int>(decimals);
+  } else if (name == "trigger_m_code") {
+    AXIOMETRY_TRY(options.trigger_m_code, number_of(text));
+  } else if (name == "number") {
+    AXIOMETRY_TRY(options.number, number_of(text));
+  } else {
+    return fail(
+        "found no such option, expected unit, unrolled, trigger_m_code, number, decimals, block_numbers, "
+        "stop_at_start or stop_at_lines");
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<const nc::Dialect*> dialect_of(std::string_view id) {
@@ -109,10 +164,20 @@ Result<std::string> nc_program(const NcRequest& request) {
   AXIOMETRY_TRY(const nc::Dialect* const dialect, dialect_of(request.dialect));
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.plan));
   AXIOMETRY_TRY(const Programme programme, in_file(programme_of(bytes, request), request.plan));
-  nc::ProgramOptions options = request.options;
-  options.title = programme.title;
-  options.duration = duration_of(programme.plans);
-  return in_file(dialect->write(programme.plans, options), request.plan);
+  return in_file(program_of(programme, *dialect, request.options), request.plan);
+}
+
+Result<std::string> nc_program_of(const Plan& plan, const NcRequest& request) {
+  AXIOMETRY_TRY(const nc::Dialect* const dialect, dialect_of(request.dialect));
+  AXIOMETRY_TRY(const Programme programme, part_of(plan, request));
+  return program_of(programme, *dialect, request.options);
+}
+
+Result<nc::ProgramOptions> nc_options(std::span<const std::pair<std::string, std::string>> texts) {
+  nc::ProgramOptions options;
+  for (const auto& [name, text] : texts)
+    if (auto put = put_option(options, name, text); !put) return fail(fmt::format("{}: {}", name, put.error().message));
+  return options;
 }
 
 Result<void> write_nc_program(const NcRequest& request, const std::string& output) {

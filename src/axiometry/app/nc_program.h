@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "axiometry/base/result.h"
+#include "axiometry/model/plan.h"
 #include "axiometry/nc/dialect.h"
 
 /// From the file of a plan, or of a measurement with a tracking interferometer, to the part program that walks it.
@@ -26,6 +29,14 @@ Result<const nc::Dialect*> dialect_of(std::string_view id);
 /// tracking_plan_json.h), a part or a line that it does not have, a tracking plan that has no line, and as the dialect
 /// does.
 Result<std::string> nc_program(const NcRequest& request);
+
+/// The same of a plan that is at hand; request.plan says nothing.
+Result<std::string> nc_program_of(const Plan& plan, const NcRequest& request);
+
+/// Options from texts, by the names of the members of nc::ProgramOptions but `duration` and `title`: unit=inch,
+/// trigger_m_code=27, …; what is on or off is "1" or "0" ("" is on). Fails, naming it, on an option that there is not
+/// and on a text that does not fit.
+Result<nc::ProgramOptions> nc_options(std::span<const std::pair<std::string, std::string>> texts);
 
 /// As a file, or for "-" the standard output. Fails also when it cannot be written, or would take the plan's place.
 Result<void> write_nc_program(const NcRequest& request, const std::string& output);

@@ -14,17 +14,16 @@
 #include "axiometry/app/whole_file.h"
 #include "axiometry/app/wire.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "axiometry/formats/plan_json.h"
 #include "axiometry/report/plan_sheet.h"
 
 namespace axiometry::app {
 namespace {
 
-json::Value plan_value(const PlannedTest& planned) {
-  json::Value root = formats::plan_value(planned.plan);
-  root.add("findings", findings_to_json(planned.findings));
-  root.add("duration_s", std::round(planned.duration_in_all.in_s() * 10.0) / 10.0);
-  return root;
+report::Document sheet_of(const PlannedTest& planned, const report::Options& options) {
+  return report::plan_sheet(
+      {planned.plan, planned.findings, planned.acceleration, planned.duration, planned.duration_in_all}, options);
 }
 
 }  // namespace
@@ -65,12 +64,27 @@ std::string today() {
   return fmt::format("{:04}-{:02}-{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday);
 }
 
+json::Value plan_to_json(const PlannedTest& planned) {
+  json::Value root = formats::plan_value(planned.plan);
+  root.add("findings", findings_to_json(planned.findings));
+  root.add("duration_s", std::round(planned.duration_in_all.in_s() * 10.0) / 10.0);
+  return root;
+}
+
+Result<std::string> plan_sheet_file(const PlannedTest& planned, std::string_view extension,
+                                    const report::Options& options) {
+  if (const report::Writer* writer = report::find_writer(extension))
+    return writer->set(sheet_of(planned, options), options);
+  std::vector<std::string_view> extensions;
+  for (const report::Writer* writer : report::writer_table()) extensions.push_back(writer->extension);
+  return fail(
+      fmt::format("found a sheet as {}, expected one of {}", text::quoted(extension), fmt::join(extensions, ", ")));
+}
+
 Result<void> write_plan_outputs(const PlannedTest& planned, const OutputNames& names, const report::Options& options) {
-  const report::Document sheet = report::plan_sheet(
-      {planned.plan, planned.findings, planned.acceleration, planned.duration, planned.duration_in_all}, options);
-  AXIOMETRY_TRY_VOID(write_document(sheet, names.reports, options));
+  AXIOMETRY_TRY_VOID(write_document(sheet_of(planned, options), names.reports, options));
   if (names.json.empty()) return {};
-  return write_file(names.json, json::dump(plan_value(planned)) + "\n");
+  return write_file(names.json, json::dump(plan_to_json(planned)) + "\n");
 }
 
 }  // namespace axiometry::app

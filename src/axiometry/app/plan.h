@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/app/outputs.h"
+#include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/report/report.h"
@@ -41,6 +43,13 @@ std::uint64_t drawn_seed();
 /// Today's local date, "2026-11-21"; where the environment has SOURCE_DATE_EPOCH, that of so many seconds since 1970
 /// (UTC), so that outputs can be made again byte by byte.
 std::string today();
+
+/// The plan as an object, with its findings and duration: what `axiometry plan` writes.
+json::Value plan_to_json(const PlannedTest& planned);
+
+/// Its sheet as the bytes of a file. Fails on an extension that no writer has, and as the writer does.
+Result<std::string> plan_sheet_file(const PlannedTest& planned, std::string_view extension,
+                                    const report::Options& options);
 
 /// Writes the plan with its findings and duration to names.json, and its sheet to names.reports.
 Result<void> write_plan_outputs(const PlannedTest& planned, const OutputNames& names, const report::Options& options);

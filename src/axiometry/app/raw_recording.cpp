@@ -64,45 +64,41 @@ Result<RawLayout> raw_layout_of(std::string_view name) {
       fmt::format("found the recording {}, expected a file ending in .csv, .txt, .npy or .umd", text::quoted(name)));
 }
 
-Result<RawRecording> RawRecording::create(const std::string& name, const RawSetting& setting) {
-  AXIOMETRY_TRY(const RawLayout layout, raw_layout_of(name));
+Result<RecordingEncoder> RecordingEncoder::make(RawLayout layout, const RawSetting& setting) {
   if (layout == RawLayout::umd && setting.kind == AxisKind::rotary)
     return fail("found counts of a wavelength for a rotary axis, expected a .csv, .txt or .npy recording");
-  AXIOMETRY_TRY(OutputFile file, OutputFile::create(name));
-  RawRecording recording(std::move(file), layout, setting);
-  recording.append_head();
-  return recording;
+  return RecordingEncoder(layout, setting);
 }
 
-void RawRecording::append_head() {
+std::string RecordingEncoder::head() const {
   switch (layout_) {
-    case RawLayout::text:
-      text_ += setting_.kind == AxisKind::linear ? "time_s,position_mm\n" : "time_s,position_deg\n";
-      break;
-    case RawLayout::npy: text_ += npy_head(setting_.samples); break;
-    case RawLayout::umd: text_ += "Simulated displacements, counts of half a wavelength\r\n"; break;
+    case RawLayout::text: return setting_.kind == AxisKind::linear ? "time_s,position_mm\n" : "time_s,position_deg\n";
+    case RawLayout::npy: return npy_head(setting_.samples);
+    case RawLayout::umd: return "Simulated displacements, counts of half a wavelength\r\n";
   }
+  return {};
 }
 
-void RawRecording::append(const Sample& sample) {
+void RecordingEncoder::append(std::string& bytes, const Sample& sample) {
   switch (layout_) {
     case RawLayout::text:
-      append_fixed(text_, sample.time_s);
-      text_ += ',';
-      append_fixed(text_, sample.position);
-      text_ += '\n';
+      append_fixed(bytes, sample.time_s);
+      bytes += ',';
+      append_fixed(bytes, sample.position);
+      bytes += '\n';
       break;
     case RawLayout::npy:
-      append_bytes(text_, sample.time_s);
-      append_bytes(text_, sample.position);
+      append_bytes(bytes, sample.time_s);
+      append_bytes(bytes, sample.position);
       break;
-    case RawLayout::umd: append_counts(sample); break;
+    case RawLayout::umd: append_counts(bytes, sample); break;
   }
+  ++written_;
 }
 
 /// REF MEAS DISP VEL PHASE SEQ CODE DATA: whole counts and 256ths of one, the change since the last sample, the number
 /// of the sample, and now and then the rate in hundredths of 1 Hz (code 8).
-void RawRecording::append_counts(const Sample& sample) {
+void RecordingEncoder::append_counts(std::string& bytes, const Sample& sample) {
   constexpr int rate_code = 8;
   constexpr std::size_t rate_every = 1000;
   const double counts = sample.position * 2.0 / setting_.wavelength.in_mm();
@@ -116,27 +112,31 @@ void RawRecording::append_counts(const Sample& sample) {
                                std::llround(sample.time_s * setting_.rate) + 1,
                                tells ? rate_code : 0,
                                tells ? std::llround(setting_.rate * 100.0) : 0};
-  text_ += "0 0";
+  bytes += "0 0";
   for (const long long column : columns) {
-    text_ += ' ';
-    append_whole(text_, column);
+    bytes += ' ';
+    append_whole(bytes, column);
   }
-  text_ += "\r\n";
+  bytes += "\r\n";
   displacement_ = displacement;
 }
 
+Result<RawRecording> RawRecording::create(const std::string& name, const RawSetting& setting) {
+  AXIOMETRY_TRY(const RawLayout layout, raw_layout_of(name));
+  AXIOMETRY_TRY(RecordingEncoder encoder, RecordingEncoder::make(layout, setting));
+  AXIOMETRY_TRY(OutputFile file, OutputFile::create(name));
+  return RawRecording(std::move(file), std::move(encoder), setting.samples);
+}
+
 Result<void> RawRecording::write(std::span<const Sample> samples) {
-  for (const Sample& sample : samples) {
-    append(sample);
-    ++written_;
-  }
+  for (const Sample& sample : samples) encoder_.append(text_, sample);
   AXIOMETRY_TRY_VOID(file_.write(text_));
   text_.clear();
   return {};
 }
 
 Result<void> RawRecording::commit() {
-  AXIOMETRY_CONTRACT(written_ == setting_.samples);
+  AXIOMETRY_CONTRACT(encoder_.written() == samples_);
   AXIOMETRY_TRY_VOID(write({}));
   return file_.commit();
 }

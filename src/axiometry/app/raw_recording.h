@@ -31,9 +31,29 @@ struct RawSetting {
   Length wavelength;        ///< in air; a count of `umd` is half of it
 };
 
+/// The bytes of a recording, sample by sample.
+class RecordingEncoder {
+ public:
+  /// Fails on counts of a rotary axis.
+  static Result<RecordingEncoder> make(RawLayout layout, const RawSetting& setting);
+
+  std::string head() const;
+  void append(std::string& bytes, const Sample& sample);
+  std::size_t written() const { return written_; }  ///< samples
+
+ private:
+  RecordingEncoder(RawLayout layout, const RawSetting& setting) : layout_(layout), setting_(setting) {}
+  void append_counts(std::string& bytes, const Sample& sample);
+
+  RawLayout layout_;
+  RawSetting setting_;
+  std::size_t written_ = 0;
+  long long displacement_ = 0;  // of the sample before, counts
+};
+
 class RawRecording {
  public:
-  /// Fails as raw_layout_of() and OutputFile::create() do, and on counts of a rotary axis.
+  /// Fails as raw_layout_of(), RecordingEncoder::make() and OutputFile::create() do.
   static Result<RawRecording> create(const std::string& name, const RawSetting& setting);
 
   Result<void> write(std::span<const Sample> samples);
@@ -42,17 +62,12 @@ class RawRecording {
   Result<void> commit();
 
  private:
-  RawRecording(OutputFile file, RawLayout layout, const RawSetting& setting)
-      : file_(std::move(file)), layout_(layout), setting_(setting) {}
-  void append_head();
-  void append(const Sample& sample);
-  void append_counts(const Sample& sample);
+  RawRecording(OutputFile file, RecordingEncoder encoder, std::size_t samples)
+      : file_(std::move(file)), encoder_(std::move(encoder)), samples_(samples), text_(encoder_.head()) {}
 
   OutputFile file_;
-  RawLayout layout_;
-  RawSetting setting_;
-  std::size_t written_ = 0;
-  long long displacement_ = 0;  ///< of the sample before, counts
+  RecordingEncoder encoder_;
+  std::size_t samples_;
   std::string text_;
 };
 

@@ -84,6 +84,7 @@ Result<Requirements> requirements_for(const Test& test, const AxisParameters& me
   AXIOMETRY_TRY(const auto given, tolerances_for(kind, options.limits));
   if (!options.many_tests) AXIOMETRY_TRY_VOID(check_existence(given, test.series, measured));
   all.tolerances = overlaid(std::move(all.tolerances), given);
+  if (all.tolerances.empty()) all.tolerances = options.of_axis;
   if (options.rule) {
     AXIOMETRY_TRY(all.rule, rule_for(kind, *options.rule));
   }

@@ -23,6 +23,7 @@ struct ToleranceOptions {
   /// Whether the limits are meant for several tests: then one of a parameter that a test does not have leaves
   /// that test without a verdict on it. For a single test it is a mistake.
   bool many_tests = false;
+  std::vector<iso230_2::Tolerance> of_axis{};  ///< apply as a whole where nothing else sets any limit
 };
 
 /// The row of a tolerance table that applies to a test.

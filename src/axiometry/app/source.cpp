@@ -42,6 +42,8 @@ Result<Source> Source::open(const std::string& name) {
   return Source(name, descriptor, size);
 }
 
+Source Source::of_bytes(std::string name, std::string_view bytes) { return {std::move(name), bytes}; }
+
 Source::~Source() {
   if (descriptor_ > STDIN_FILENO) ::close(descriptor_);
 }
@@ -49,12 +51,20 @@ Source::~Source() {
 Source::Source(Source&& other) noexcept
     : name_(std::move(other.name_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
+      bytes_(other.bytes_),
+      bytes_consumed_(other.bytes_consumed_),
+      in_memory_(other.in_memory_),
       size_(other.size_),
       head_(std::move(other.head_)),
       head_consumed_(other.head_consumed_),
       head_read_(other.head_read_) {}
 
 Result<std::size_t> Source::read_file(std::span<char> buffer) {
+  if (in_memory_) {
+    const std::size_t count = bytes_.copy(buffer.data(), buffer.size(), bytes_consumed_);
+    bytes_consumed_ += count;
+    return count;
+  }
   while (true) {
     const ssize_t got = ::read(descriptor_, buffer.data(), buffer.size());
     if (got >= 0) return static_cast<std::size_t>(got);
@@ -110,6 +120,7 @@ Result<std::string> Source::read_all(std::size_t limit) {
 
 Result<std::optional<std::string>> Source::whole_sha256() const {
   if (!size_) return std::optional<std::string>();
+  if (in_memory_) return std::optional(sha256(bytes_));
   AXIOMETRY_TRY(Source again, open(name_));
   Sha256 hash;
   std::vector<char> block(block_size);

@@ -19,11 +19,15 @@ Result<std::string> file_bytes(const std::string& name);
 /// A file's name without its folders, which are nobody else's business; "standard input" for "-".
 std::string base_name(const std::string& name);
 
-/// A file or, for "-", the standard input, read front to back. Its beginning can be looked at before.
+/// A file, for "-" the standard input, or bytes that are there already, read front to back. The beginning can be
+/// looked at before.
 class Source final : public formats::ByteReader {
  public:
   /// Fails when the file cannot be opened or is a folder, with the system's reason.
   static Result<Source> open(const std::string& name);
+  /// Bytes that must outlive the source. `name` is what messages and provenance call them; no file of that name is
+  /// looked for.
+  static Source of_bytes(std::string name, std::string_view bytes);
   ~Source() override;
   Source(Source&&) noexcept;
   Source& operator=(Source&&) = delete;
@@ -44,11 +48,16 @@ class Source final : public formats::ByteReader {
  private:
   Source(std::string name, int descriptor, std::optional<std::uint64_t> size)
       : name_(std::move(name)), descriptor_(descriptor), size_(size) {}
+  Source(std::string name, std::string_view bytes)
+      : name_(std::move(name)), bytes_(bytes), in_memory_(true), size_(bytes.size()) {}
   Result<std::size_t> read_file(std::span<char> buffer);
 
   std::string name_;
   int descriptor_ = -1;
-  std::optional<std::uint64_t> size_;  // of a regular file
+  std::string_view bytes_;  // in memory: all of them
+  std::size_t bytes_consumed_ = 0;
+  bool in_memory_ = false;
+  std::optional<std::uint64_t> size_;  // of a regular file and of bytes
   std::string head_;
   std::size_t head_consumed_ = 0;
   bool head_read_ = false;

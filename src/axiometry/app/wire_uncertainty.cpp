@@ -223,12 +223,6 @@ Value input_to_json(const iso230_2::UncertaintyInput& input) {
   return object;
 }
 
-/// A number as far as every reader of JSON keeps its digits, then text.
-Value seed_to_json(std::uint64_t seed) {
-  constexpr std::uint64_t exact = std::uint64_t{1} << 53;
-  return seed <= exact ? Value(static_cast<double>(seed)) : Value(fmt::format("{}", seed));
-}
-
 Value monte_carlo_run_to_json(const MonteCarlo& run) {
   Value object = Value::object();
   object.add("measurand", iso230_2::measurand_key(run.measurand));
@@ -300,6 +294,11 @@ std::string csv_cells(const UncertaintyOptions& asked, const Cell& cell) {
 json::Value number_or_null(const std::optional<double>& x) { return x ? Value(*x) : Value(); }
 
 json::Value number_or_null(const std::optional<Deviation>& x) { return x ? Value(x->in_native()) : Value(); }
+
+json::Value seed_to_json(std::uint64_t seed) {
+  constexpr std::uint64_t exact = std::uint64_t{1} << 53;
+  return seed <= exact ? Value(static_cast<double>(seed)) : Value(fmt::format("{}", seed));
+}
 
 json::Value parameters_to_json(const iso230_2::AxisParameters& parameters) {
   return per_parameter([&](const auto& p) { return number_or_null(parameters.*p.member); });

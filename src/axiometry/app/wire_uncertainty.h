@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "axiometry/app/evaluate.h"
@@ -11,6 +13,7 @@ namespace axiometry::app {
 
 json::Value number_or_null(const std::optional<double>& x);
 json::Value number_or_null(const std::optional<Deviation>& x);
+json::Value seed_to_json(std::uint64_t seed);  ///< a number, but text above 2⁵³, which not every reader can hold
 json::Value parameters_to_json(const iso230_2::AxisParameters& parameters);
 
 /// "annex_a", "gum" and "monte_carlo" with a member per parameter each, null where the method was not run or says

@@ -202,7 +202,7 @@ Result<void> check_whole(const Plan& plan, const Value& root) {
 }
 
 constexpr std::string_view required_members[] = {"axis", "cycle", "targets", "runs", "overrun", "feed", "dwell_s"};
-constexpr std::string_view passed_over[] = {"$schema", "findings", "duration_s"};
+constexpr std::string_view passed_over[] = {"$schema", "findings", "duration_s", "request"};
 
 using Take = Result<void> (*)(Plan&, std::string_view name, const Value&);
 struct Member {

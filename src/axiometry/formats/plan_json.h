@@ -19,8 +19,8 @@ json::Value plan_value(const Plan& plan);
 std::string write_plan(const Plan& plan);
 
 /// Fails, with line and column, on what is no JSON, on members that are unknown, missing or of another kind, and as
-/// check_sound() does. Targets may stand in any order, since people edit them; they are sorted. Unknown members of the
-/// name "findings" and "duration_s", which write_plan()'s caller may add for people, are passed over.
+/// check_sound() does. Targets may stand in any order, since people edit them; they are sorted. Members of the
+/// names "findings", "duration_s" and "request", which write_plan()'s caller may add, are passed over.
 Result<Plan> read_plan(std::string_view bytes);
 
 /// The same of a plan that stands inside another file.

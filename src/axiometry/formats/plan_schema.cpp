@@ -97,6 +97,8 @@ Value properties() {
                            {"description", "What the program says about the plan; ignored when it is read."}})},
       {"duration_s",
        object({{"type", or_null("number")}, {"description", "Estimated duration, seconds; ignored when it is read."}})},
+      {"request",
+       object({{"type", or_null("object")}, {"description", "What was asked for; ignored when it is read."}})},
   });
 }
 

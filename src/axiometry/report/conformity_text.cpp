@@ -192,6 +192,7 @@ Tone tone_of(Verdict verdict) {
 
 std::string_view source_title(iso230_2::ToleranceSource source) {
   switch (source) {
+    case iso230_2::ToleranceSource::axis: return "limits of the axis";
     case iso230_2::ToleranceSource::table: return "tolerance table";
     case iso230_2::ToleranceSource::test: return "file of the test";
     case iso230_2::ToleranceSource::user: return "command line";

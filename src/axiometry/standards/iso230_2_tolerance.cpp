@@ -65,6 +65,7 @@ int gravity(Verdict verdict) {
 
 std::string_view tolerance_source_key(ToleranceSource source) {
   switch (source) {
+    case ToleranceSource::axis: return "axis";
     case ToleranceSource::table: return "table";
     case ToleranceSource::test: return "test";
     case ToleranceSource::user: return "user";

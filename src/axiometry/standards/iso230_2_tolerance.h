@@ -17,12 +17,13 @@ namespace axiometry::iso230_2 {
 
 /// Who set a limit, in rising precedence.
 enum class ToleranceSource {
+  axis,   ///< what the archive says of the axis, where nobody else sets a limit
   table,  ///< a file of tolerance tables, by name and travel
   test,   ///< the test's own file
   user,   ///< the command line
 };
 
-std::string_view tolerance_source_key(ToleranceSource source);  ///< "table", "test", "user"
+std::string_view tolerance_source_key(ToleranceSource source);  ///< "axis", "table", "test", "user"
 
 /// A limit for one parameter, in its deviation unit; an upper limit of the magnitude, since B̄ is signed.
 struct Tolerance {

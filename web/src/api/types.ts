@@ -20,7 +20,9 @@ export interface Health {
   store: { kind: 'sqlite' | 'postgresql'; location: string; schema: number; writable: boolean; why_not: string | null;
            counts: { machines: number; axes: number; instruments: number; plans: number; tests: number; documents: number; content_bytes: number } };
   limits: { upload_bytes: number };
+  token: boolean;                          // whether one is asked for; who has not shown it is told the status alone
 }
+// POST /api/login {token} → 204 and a cookie, or 401; POST /api/logout → 204. Without the token all else answers 401.
 
 // GET /api/vocabulary: what there is to choose from. Titles and descriptions in the language of the request.
 export interface Vocabulary {
@@ -54,10 +56,10 @@ export interface Result {
     annex_a?: Record<Parameter, number | null> | null;
     gum?: Record<Parameter, { value: number; u: number; U: number; k: number; nu_eff: number | null } | null> | null;
     monte_carlo?: Record<Parameter, MonteCarloOutput | null> | null;
-  } | null;
-  annex_a_budget?: AnnexABudget | null;
-  gum_budget?: GumBudget | null;
-  monte_carlo_run?: { trials: number; seed: number; stable: boolean; coverage: number; [key: string]: unknown } | null;
+    annex_a_budget?: AnnexABudget | null;
+    gum_budget?: GumBudget | null;
+    monte_carlo_run?: MonteCarloRun | null;
+  };
   positions: PositionResult[];
   tolerances?: Judgement[];
   findings: Finding[];
@@ -70,8 +72,12 @@ export interface MonteCarloOutput {
   value: number; mean: number; u: number; bias: number; symmetric: [number, number]; shortest: [number, number];
   stable: boolean; histogram: { lower: number; width: number; counts: number[] };
 }
+export interface MonteCarloRun {
+  trials: number; seed: number | string; stable: boolean; coverage: number; notes: string[];
+  contributions: { key: string; title: string; u: Record<Parameter, number | null> }[];
+}
 export interface AnnexABudget {
-  contributors: { key: string; symbol: string; title: string; formula: string; U: number;
+  contributors: { key: string; symbol: string; title: string; formula: string; U: number | null;
                   inputs: { symbol: string; value: number; unit: string }[] }[];
   notes: string[]; runs: number; coverage_factor: number;
 }
@@ -102,7 +108,22 @@ export interface Evaluated {
   readings: Readings;
   verdict: Verdict | null;                 // of all tolerances together
   shown: { parameter: Parameter; value: string; U: string; interval: string; unit: string; limit: number | null; verdict: Verdict | null }[];
+  from_archive?: FromArchive;              // what it took from the archive beside the test itself
   milliseconds: number;                    // the evaluation took
+  from_archive?: FromArchive;
+}
+
+/** Inputs of instruments and limits of the axis that took part because neither file nor changes state them. */
+export interface FromArchive {
+  instruments: { instrument: number; version: number; name: string; inputs: Changes }[];
+  axis: { axis: number; version: number; limits: Limit[] } | null;
+}
+
+/** Inputs of instruments that neither the file nor the changes state, and limits of the axis where nothing else sets any
+ *  (their judgements have the source "axis"). They are kept with a version as they were on its day. */
+export interface FromArchive {
+  instruments: { instrument: number; version: number; name: string; inputs: Changes }[];
+  axis: { axis: number; version: number; limits: Limit[] } | null;
 }
 
 /** How a test is evaluated, beside its metadata. */
@@ -114,7 +135,8 @@ export interface Options {
   corrections: string[];                   // "nde", "air=ciddor", …: as --correct
 }
 
-/** Over what the file says: key and text as `--set` takes them; "" takes the value away. */
+/** Over what the file says: key and text as `--set` takes them; "" takes the value away. A list of records (equipment,
+ *  sensors) has a record per line, "cell | cell", and takes the place of the file's. */
 export type Changes = Record<string, string>;
 
 // POST /api/preview (the file's bytes; X-File-Name: percent-encoded name): nothing is kept.
@@ -128,11 +150,15 @@ export interface Preview {
   same_content: number[];                  // ids of tests with these very bytes
 }
 
-// POST /api/tests (bytes with X-File-Name, or multipart/form-data with one file) → 201
+// POST /api/tests[?plan=ID] (bytes with X-File-Name, or multipart/form-data with one or more files: all are kept, or
+// when one is refused none) → 201
 export interface Received extends Evaluated {
   id: number; version: number;             // of the first test in the file
   tests: { id: number; version: number; title: string }[];
+  same_content?: number[];                 // tests that had these very bytes before
 }
+// POST /api/evaluations?draft={"changes":…,"options":…}&test=NAME (bytes as above) → Evaluated: nothing is kept
+// Requests with ?decimal=comma|point: numbers in `shown` and in reports; else as the language of the request has them.
 
 // GET /api/tests?text=&machine=&axis=&instrument=&from=&to=&verdict=&withdrawn=&order=&descending=&offset=&limit=
 export interface TestPage { tests: TestRow[]; total: number }
@@ -171,7 +197,7 @@ export interface Revision extends Draft { base_version: number; title: string; r
 // POST /api/tests/{id}/withdraw {reason}, /api/tests/{id}/reinstate {reason} → Test
 // GET  /api/tests/{id}/raw → the bytes as they came
 // GET  /api/tests/{id}/report.{html|pdf|svg|png|csv|json|…}?version=&language=de&decimal=comma&unit=mm&download=1
-// GET  /api/tests/{id}/figures?version= → {figures: {id, title}[]};  /api/tests/{id}/figures/{n}.svg?version=&theme=dark
+// GET  /api/tests/{id}/figures?version= → {figures: {id, title}[]};  /api/tests/{id}/figures/{id}.svg?version=&theme=dark
 // POST /api/tests/{id}/reports {extension, language, decimal, unit} → 201 Document (issued: kept as it is for good)
 // POST /api/tests/{id}/attachments (bytes, X-File-Name, Content-Type) → 201 Document
 // GET  /api/documents/{id} → its bytes
@@ -198,42 +224,60 @@ export interface Trend {
             label: string; figures: FigureOfTest[] }[];
 }
 
+// A plan's file may stand in place of a request: {plan: {…} or the text of the file}.
 // POST /api/plans/draft → PlanDraft, nothing is kept; POST /api/plans {title, axis, request} → 201 Plan
 export interface PlanRequest {
   axis: string; kind: 'linear' | 'rotary'; from: number; to: number;
   positions: number[] | null;              // null: chosen by the planner
   targets: number | null;                  // how many, null: what the standard asks for
-  cycle: 'standard' | 'step' | 'pilgrim' | 'unidirectional'; runs: number;
-  feed: number; dwell_s: number; overrun: number | null; seed: number | null;
+  cycle: 'standard' | 'step' | 'pilgrim' | 'unidirectional' | 'user-defined'; runs: number | null;
+  feed: number | null; dwell_s: number | null; overrun: number | null; seed: number | null;  // null: as the planner chooses
   further: Record<string, string>;         // more of `axiometry plan`, by the names of its flags
 }
 export interface PlanDraft {
   plan: unknown;                           // plan JSON as `axiometry plan --json` writes it
   targets: number[]; duration_s: number; findings: Finding[]; conforming: boolean; figure_svg: string;
+  request?: PlanRequest | null;            // with the seed that was drawn: keep or draft this one to get the same plan
+  parts?: PlanPart[];                      // the plan itself and its further ones, as ?part=1, 2, … counts them
+}
+export interface PlanPart {
+  part: number; title: string; cycle: string; runs: number; readings: number; targets: number[]; duration_s: number;
+  figure_svg: string;
 }
 export interface Plan extends PlanDraft, Entity { title: string; axis: number | null; request: PlanRequest | null }
 // GET /api/plans → {plans: {id, version, title, axis, change}[]}; GET /api/plans/{id} → Plan
 // GET /api/plans/{id}/sheet.{html|pdf}?language=; GET /api/plans/{id}/program?dialect=linuxcnc&unrolled=1&…(ProgramOptions)
 // POST /api/plans/draft/program {request, dialect, options} and /api/plans/draft/sheet.{extension} {request}: of a draft
+// Of programs: dialect, part (1), download=1 for a file, and options by their names in nc/dialect.h: unit=inch,
+// unrolled, trigger_m_code, number, decimals, block_numbers=0, stop_at_start. GET /api/plans/{id}/plan.json; GET /api/plans/{id}/versions
 // PUT /api/plans/{id} {base_version, title, axis, request, reason}
 
 // GET /api/sources → {sources: Source[]}: what a capture may listen to; named when the server is started
-export interface Source { id: string; title: string; kind: 'simulator' | 'tcp' | 'serial' }
+export interface Source { id: string; title: string; kind: 'simulator' | 'tcp' | 'serial';
+  presets?: { id: string; title: string; sign: string }[]; speeds?: number[] }  // of the simulator
 // POST /api/captures {plan, source, layout, options} → 201 Capture; POST /api/captures/{id}/stop → Capture
 // GET /api/captures → {captures: Capture[]}; GET /api/captures/{id}?after=REVISION: at once; readings after that revision
 export interface Capture {
   id: number; plan: number; source: Source; started: string; revision: number;
-  state: 'waiting' | 'running' | 'complete' | 'stopped' | 'failed';
+  state: 'waiting' | 'running' | 'complete' | 'stopped' | 'failed' | 'interrupted';  // interrupted: may be resumed
   approaches: number;                      // of the plan
-  due: { target: number; run: number; direction: 'up' | 'down' } | null;
+  due: { target: number; run: number; direction: 'up' | 'down'; position?: number } | null;  // i and j from 1; P_i
   now: { position: number; at_rest: boolean } | null;
-  readings: { target: number; run: number; direction: 'up' | 'down'; deviation: number; spread: number; samples: number; remarks: string[] }[];
+  anew?: boolean;                          // readings are all there are: forget those of before
+  readings: { target: number; run: number; direction: 'up' | 'down'; deviation: number; spread: number; samples: number; remarks: string[];
+              position?: number }[];       // i and j from 1; P_i; spread in the unit of the deviation
   events: { kind: string; message: string; time_s: number }[];
   notices: string[];
   so_far: Evaluated | null;                // as soon as a test can be made of it
   test: number | null;                     // kept as this test when it has ended with readings
   error: string | null;
+  part?: number; unit?: 'um' | 'arcsec'; kind?: 'linear' | 'rotary';
+  targets?: number[];                      // P_i of the plan (or its part) that is captured
 }
+// POST /api/captures {plan, source, layout, options}: layout '' recognises it. Options are texts by the names of the
+// flags of `axiometry capture`: part, wavelength, counts-per-wavelength, rate, datum, zero, reverse, give-up, …; of the
+// source "simulator": speed (1, 10 or 60), preset (simulation faults), seed.
+// POST /api/captures {resume: ID}: goes on with one that is "interrupted"; POST /api/captures/{ID}/stop keeps what it has.
 
 // GET /api/audit?subject=&before=&limit= → {entries: AuditEntry[]}
 export interface AuditEntry { id: number; change: Change; action: string; subject: string; detail: Record<string, unknown>; sha256: string }

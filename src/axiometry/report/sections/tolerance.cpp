@@ -104,7 +104,7 @@ std::vector<TableCell> decision_row(const Judgement& judgement, const Subject& s
 RichText origins_of_limits(std::span<const Judgement> judgements) {
   using enum iso230_2::ToleranceSource;
   RichText text;
-  for (const auto source : {table, test, user}) {
+  for (const auto source : {axis, table, test, user}) {
     RichText symbols;
     std::string_view origin;
     for (const Judgement& judgement : judgements) {

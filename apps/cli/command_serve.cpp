@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include "axiometry/app/whole_file.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/report/utf8.h"
+#include "commands.h"
+#include "failure.h"
+#include "option_text.h"
+#include "server/workbench_server.h"
+
+namespace axiometry::cli {
+namespace {
+
+struct ServeArguments {
+  server::ServeOptions options;
+  std::string token_file;
+  bool quiet = false;
+};
+
+constexpr unsigned port_max = 65'535;
+constexpr unsigned long long upload_mb_max = 4'096;
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+/// Where programs keep what a user has made: of XDG, else below the home folder. Makes the folder.
+Result<std::filesystem::path> data_folder() {
+  const std::string data = environment("XDG_DATA_HOME");
+  const std::string home = environment("HOME");
+  if (data.empty() && home.empty()) return fail("found no home folder to keep a store in, expected --store");
+  const std::filesystem::path folder =
+      (data.empty() ? std::filesystem::path(home) / ".local" / "share" : std::filesystem::path(data)) / "axiometry";
+  std::error_code code;
+  std::filesystem::create_directories(folder, code);
+  if (code) return std::unexpected(Error{fmt::format("cannot make the folder: {}", code.message()), folder, {}});
+  return folder;
+}
+
+/// The store, and beside a store that is a file the folder of captures that go on.
+Result<void> complete(server::ServeOptions& options) {
+  const bool is_address = options.store.contains("://");
+  if (options.store.empty() || is_address) {
+    AXIOMETRY_TRY(const std::filesystem::path folder, data_folder());
+    if (!is_address) options.store = folder / "workbench.db";
+    options.capture_folder = folder / "captures";
+  }
+  if (!is_address) options.capture_folder = options.store + ".captures";
+  return {};
+}
+
+Result<std::string> token_of(const std::string& file) {
+  if (file.empty()) return environment("AXIOMETRY_TOKEN");
+  AXIOMETRY_TRY(const std::string text, app::whole_file(file));
+  const std::string token(text::trim(text));
+  if (token.empty()) return std::unexpected(Error{"found an empty file, expected a token", file, {}});
+  return token;
+}
+
+void say(const std::string& text) { fmt::print(stderr, "axiometry: {}\n", report::printable(text)); }
+
+int exit_code_of(const server::ServeEnd& end) { return end.signal == SIGINT ? exit_interrupted : exit_done; }
+
+/// Threads that still work cannot be ended otherwise; what they were doing is whole in the store or not in it.
+[[noreturn]] void cut_off(const server::ServeEnd& end) {
+  say("ended while requests were still being answered; what they had not yet kept is not in the store");
+  std::fflush(nullptr);
+  std::_Exit(exit_code_of(end));
+}
+
+int serve(ServeArguments& arguments) {
+  auto token = token_of(arguments.token_file);
+  if (!token) return failed(token.error());
+  arguments.options.token = *std::move(token);
+  if (const auto completed = complete(arguments.options); !completed) return failed(completed.error());
+  const server::ServeObserver observer{
+      .ready =
+          [&](const std::string& address) {
+            fmt::print("Axiometry workbench: {}\n", address);
+            std::fflush(stdout);
+            if (!arguments.quiet) say(fmt::format("store {}; Ctrl-C ends", arguments.options.store));
+          },
+      .notice = say,
+  };
+  const auto end = server::serve(arguments.options, observer, cut_off);
+  return end ? exit_code_of(*end) : failed(end.error());
+}
+
+void add_reach(CLI::App& verb, ServeArguments& arguments) {
+  server::ServeOptions& options = arguments.options;
+  add_read(verb, {"--port", "N", "Port (8230); 0 for a free one"}, [&options](const std::string& text) -> Result<void> {
+    const auto port = parse_count(text);
+    if (!port || *port > port_max) return fail(fmt::format("found {}, expected 0 to 65535", text::quoted(text)));
+    options.port = static_cast<unsigned>(*port);
+    return {};
+  });
+  verb.add_option("--listen", options.listen,
+                  "Address (127.0.0.1). One that others can reach needs --certificate, --key and a token")
+      ->type_name("ADDRESS");
+  verb.add_option("--certificate", options.certificate, "Certificate and its chain in PEM: serve https")
+      ->type_name("FILE");
+  verb.add_option("--key", options.key, "Its private key in PEM")->type_name("FILE");
+  verb.add_option("--token-file", arguments.token_file,
+                  "File that holds a secret of at least 16 characters, asked of everybody (or the environment's "
+                  "AXIOMETRY_TOKEN)")
+      ->type_name("FILE");
+  verb.add_option("--host-name", options.host_names,
+                  "A further name by which browsers reach this machine; may be repeated")
+      ->type_name("NAME");
+}
+
+}  // namespace
+
+void add_serve(CLI::App& program, int& exit_code) {
+  CLI::App* verb = program.add_subcommand("serve", "Serve the workbench: a page for the whole test, and its archive");
+  auto arguments = std::make_shared<ServeArguments>();
+  server::ServeOptions& options = arguments->options;
+  verb->add_option("--store", options.store,
+                   "Archive: a file, made where there is none, or postgresql://… (workbench.db among the user's data)")
+      ->type_name("ADDRESS");
+  add_reach(*verb, *arguments);
+  add_read(*verb, {"--upload-limit", "MB", "Largest file that is taken, in units of 1 048 576 bytes (64)"},
+           [&options](const std::string& text) -> Result<void> {
+             const auto mb = parse_count(text);
+             if (!mb || *mb == 0 || *mb > upload_mb_max)
+               return fail(fmt::format("found {}, expected 1 to {}", text::quoted(text), upload_mb_max));
+             options.limits.upload_bytes = std::size_t{*mb} << 20;
+             options.limits.bodies_bytes = 4 * options.limits.upload_bytes;
+             return {};
+           });
+  add_read(
+      *verb,
+      {"--source", "NAME=ADDRESS",
+       "What captures may listen to: laser=tcp://192.168.1.20:5000 or drive=serial:///dev/ttyACM0?baud=2000000; may "
+       "be repeated"},
+      [&options](const std::string& text) -> Result<void> {
+        AXIOMETRY_TRY(auto source, app::parse_capture_source(text));
+        options.sources.push_back(std::move(source));
+        return {};
+      })
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  verb->add_flag("--examples", options.examples, "Put instructive tests into the archive if it is empty");
+  verb->add_flag("--log", options.log, "A line for every request on the standard error");
+  verb->add_flag("--quiet,-q", arguments->quiet, "Say nothing but the address and what is wrong");
+  verb->callback([arguments, &exit_code] { exit_code = serve(*arguments); });
+  verb->footer(R"(Examples:
+  axiometry serve                                   the user's own archive on http://127.0.0.1:8230/
+  axiometry serve --store tests.db --port 0         an archive in one file, on a free port
+  axiometry serve --store postgresql://archive@db.example/axiometry
+  axiometry serve --listen 0.0.0.0 --host-name bench.example --certificate cert.pem --key key.pem \
+    --token-file token.txt
+
+Prints one line with the address when it answers. Ctrl-C and SIGTERM finish the requests in flight, then end it.)");
+}
+
+}  // namespace axiometry::cli

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/router.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace axiometry::server {
+namespace {
+
+Router some_router() {
+  Router router;
+  router.add("GET", "/api/tests", [](const Request&) -> Result<Response> { return Response{.body = "list"}; });
+  router.add("POST", "/api/tests", [](const Request&) -> Result<Response> { return Response{.status = 201}; });
+  router.add("GET", "/api/tests/{id}", [](const Request& request) -> Result<Response> {
+    return Response{.body = "test " + std::string(request.segment("id"))};
+  });
+  router.add("GET", "/api/tests/{id}/report.{extension}", [](const Request& request) -> Result<Response> {
+    return Response{.body = std::string(request.segment("id")) + " as " + std::string(request.segment("extension"))};
+  });
+  router.add("GET", "/api/fault", [](const Request&) -> Result<Response> { throw std::runtime_error("fault"); });
+  router.add("GET", "/api/conflict", [](const Request&) -> Result<Response> {
+    return fail(ErrorKind::conflict, "found version 1, expected version 2");
+  });
+  return router;
+}
+
+Response answer(std::string method, std::string path) {
+  return some_router().answer({.method = std::move(method),
+                               .path = std::move(path),
+                               .query = {},
+                               .headers = {},
+                               .body = {},
+                               .actor = {},
+                               .captured = {}});
+}
+
+TEST(Router, finds_the_handler_and_what_stands_in_braces) {
+  EXPECT_EQ(answer("GET", "/api/tests").body, "list");
+  EXPECT_EQ(answer("POST", "/api/tests").status, 201);
+  EXPECT_EQ(answer("GET", "/api/tests/12").body, "test 12");
+  EXPECT_EQ(answer("GET", "/api/tests/12/report.pdf").body, "12 as pdf");
+  EXPECT_EQ(answer("HEAD", "/api/tests/12").body, "test 12");
+}
+
+TEST(Router, finds_nothing_where_a_segment_is_missing_empty_or_too_many) {
+  for (const std::string path : {"/", "/api", "/api/tests/", "/api/tests/12/", "/api/tests/12/report.", "/api/x",
+                                 "/api/tests/12/report.pdf/x", "/API/tests"})
+    EXPECT_EQ(answer("GET", path).status, 404) << path;
+}
+
+TEST(Router, says_which_methods_a_path_has) {
+  const Response response = answer("DELETE", "/api/tests");
+  EXPECT_EQ(response.status, 405);
+  EXPECT_THAT(response.headers, ::testing::Contains(::testing::Pair("Allow", "GET, POST")));
+}
+
+TEST(Router, answers_faults_and_errors_as_JSON) {
+  EXPECT_EQ(answer("GET", "/api/fault").status, 500);
+  EXPECT_THAT(answer("GET", "/api/fault").body, ::testing::Not(::testing::HasSubstr("fault\"")));
+  EXPECT_EQ(answer("GET", "/api/conflict").status, 409);
+  EXPECT_THAT(answer("GET", "/api/conflict").body, ::testing::HasSubstr("\"conflict\""));
+}
+
+TEST(Downloads, have_names_that_are_safe_everywhere) {
+  const Response response = download("x", "text/csv", "Prüfung \"1\"\r\n/../<x>.csv");
+  EXPECT_THAT(response.headers,
+              ::testing::Contains(::testing::Pair("Content-Disposition",
+                                                  "attachment; filename=\"Pr__fung _1____..__x_.csv\"; "
+                                                  "filename*=UTF-8''Pr%C3%BCfung%20_1____..__x_.csv")));
+}
+
+}  // namespace
+}  // namespace axiometry::server

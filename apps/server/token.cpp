@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "token.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "axiometry/base/text.h"
+#include "axiometry/digest/sha256.h"
+
+namespace axiometry::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto first_delay = 500ms;
+constexpr auto longest_delay = 8s;
+constexpr auto forgotten_after = 5min;
+constexpr std::size_t addresses_max = 4096;
+
+/// Of the hashes, so that neither length nor content shows in the time.
+bool same_secret(std::string_view a, std::string_view b) {
+  const std::string first = sha256(a);
+  const std::string second = sha256(b);
+  unsigned difference = 0;
+  for (std::size_t i = 0; i < first.size(); ++i)
+    difference |= static_cast<unsigned char>(first[i]) ^ static_cast<unsigned char>(second[i]);
+  return difference == 0;
+}
+
+std::optional<std::string_view> bearer(const Request& request) {
+  const auto header = request.header("authorization");
+  if (!header || header->size() < 7 || !text::equal_ignoring_case(header->substr(0, 7), "bearer ")) return {};
+  return text::trim(header->substr(7));
+}
+
+std::optional<std::string_view> cookie_of(const Request& request, std::string_view name) {
+  for (const auto& [header, value] : request.headers) {
+    if (header != "cookie") continue;
+    for (const std::string_view part : text::split(value, ';')) {
+      const std::string_view pair = text::trim(part);
+      if (pair.size() > name.size() && pair.starts_with(name) && pair[name.size()] == '=')
+        return pair.substr(name.size() + 1);
+    }
+  }
+  return {};
+}
+
+Response too_many(const Request& request) {
+  Response response = refusal(429, "found too many wrong tokens from this address, expected a pause", request.language);
+  response.headers.emplace_back("Retry-After", "10");
+  return response;
+}
+
+Response unauthorised(const Request& request, std::string_view message) {
+  Response response = refusal(401, message, request.language);
+  response.headers.emplace_back("WWW-Authenticate", "Bearer realm=\"Axiometry\"");
+  return response;
+}
+
+}  // namespace
+
+TokenGate::TokenGate(TokenOptions options)
+    : options_(std::move(options)),
+      session_(sha256("axiometry session\n" + options_.token)),
+      cookie_name_(fmt::format("{}axiometry-{}", options_.tls ? "__Host-" : "", options_.port)) {}
+
+bool TokenGate::knows(const Request& request) const {
+  if (!wanted()) return true;
+  if (const auto shown = bearer(request)) return same_secret(*shown, options_.token);
+  const auto shown = cookie_of(request, cookie_name_);
+  return shown && same_secret(*shown, session_);
+}
+
+std::optional<Response> TokenGate::refused(const Request& request, Clock::time_point now) {
+  const bool is_api = request.path == "/api" || request.path.starts_with("/api/");
+  if (!wanted() || !is_api || request.path == "/api/health" || request.path == "/api/login") return {};
+  const auto shown = bearer(request);
+  if (shown && is_busy(request, now)) return too_many(request);
+  if (knows(request)) return {};
+  if (shown) return failed(request, now);
+  return unauthorised(request, "found no token, expected one: sign in first");
+}
+
+Result<Response> TokenGate::login(const Request& request, Clock::time_point now) {
+  AXIOMETRY_TRY(const json::Value body, json_body(request));
+  const json::Value* token = body.find("token");
+  if (token == nullptr || !token->is(json::Kind::text)) return fail("found no \"token\", expected a text");
+  if (!wanted()) return Response{.status = 204};
+  if (is_busy(request, now)) return too_many(request);
+  if (!same_secret(token->text(), options_.token)) return failed(request, now);
+  return Response{.status = 204, .headers = {{"Set-Cookie", cookie(session_, "; Max-Age=2592000")}}};
+}
+
+Response TokenGate::logout() const { return {.status = 204, .headers = {{"Set-Cookie", cookie("", "; Max-Age=0")}}}; }
+
+std::string TokenGate::cookie(std::string_view value, std::string_view more) const {
+  return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict{}{}", cookie_name_, value,
+                     options_.tls ? "; Secure" : "", more);
+}
+
+bool TokenGate::is_busy(const Request& request, Clock::time_point now) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = attempts_.find(request.peer);
+  return found != attempts_.end() && found->second.busy_until > now + 2 * longest_delay;
+}
+
+Response TokenGate::failed(const Request& request, Clock::time_point now) {
+  const std::scoped_lock lock(mutex_);
+  std::erase_if(attempts_, [&](const auto& entry) { return now - entry.second.last > forgotten_after; });
+  if (attempts_.size() >= addresses_max && !attempts_.contains(request.peer)) return too_many(request);
+  Attempts& attempts = attempts_[request.peer];
+  const std::chrono::milliseconds own =
+      std::min<std::chrono::milliseconds>(first_delay * (1U << std::min(attempts.failures, 4U)), longest_delay);
+  ++attempts.failures;
+  attempts.last = now;
+  attempts.busy_until = std::max(attempts.busy_until, now) + own;
+  Response response = unauthorised(request, "found a wrong token, expected the one that the server was started with");
+  response.delay = std::chrono::duration_cast<std::chrono::milliseconds>(attempts.busy_until - now);
+  return response;
+}
+
+}  // namespace axiometry::server

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport.h"
+
+#include <fmt/format.h>
+#include <openssl/ssl.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <csignal>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "axiometry/base/text.h"
+#include "connection.h"
+#include "worker_pool.h"
+
+namespace axiometry::server {
+namespace {
+
+namespace asio = boost::asio;
+namespace ssl = boost::asio::ssl;
+using asio::ip::tcp;
+using boost::system::error_code;
+
+constexpr std::size_t workers_min = 4;  // so that a long evaluation or two do not keep lists waiting
+
+Result<asio::ip::address> parse_address(const std::string& text) {
+  error_code code;
+  const auto address = asio::ip::make_address(text, code);
+  if (code)
+    return fail(fmt::format("found the address {}, expected one as 127.0.0.1, ::1 or 0.0.0.0", text::quoted(text)));
+  return address;
+}
+
+/// Each connection is a descriptor; where the usual limit is lower it is raised as far as this process may.
+void allow_descriptors(std::size_t wanted) {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= wanted) return;
+  limit.rlim_cur = std::min<rlim_t>(wanted, limit.rlim_max);
+  static_cast<void>(::setrlimit(RLIMIT_NOFILE, &limit));
+}
+
+std::unexpected<Error> cannot_use(std::string_view what, const std::string& file, const error_code& code) {
+  return std::unexpected(Error{fmt::format("cannot use it as {}: {}", what, code.message()), file, {}});
+}
+
+Result<std::unique_ptr<ssl::context>> tls_context(const TransportOptions& options) {
+  auto context = std::make_unique<ssl::context>(ssl::context::tls_server);
+  error_code code;
+  context->set_options(ssl::context::default_workarounds | ssl::context::no_compression | SSL_OP_NO_RENEGOTIATION,
+                       code);
+  ::SSL_CTX_set_min_proto_version(context->native_handle(), TLS1_2_VERSION);
+  context->set_password_callback([](std::size_t, ssl::context::password_purpose) { return std::string(); }, code);
+  context->use_certificate_chain_file(options.certificate, code);
+  if (code) return cannot_use("a certificate in PEM", options.certificate, code);
+  context->use_private_key_file(options.key, ssl::context::pem, code);
+  if (code) return cannot_use("the certificate's private key in PEM, without a password", options.key, code);
+  if (::SSL_CTX_check_private_key(context->native_handle()) != 1)
+    return std::unexpected(Error{"found a key of another certificate, expected the key of this one", options.key, {}});
+  return context;
+}
+
+}  // namespace
+
+struct Transport::State {
+  State(const TransportOptions& from, asio::ip::address at) : options(from), address(std::move(at)) {}
+
+  TransportOptions options;
+  asio::ip::address address;
+  std::unique_ptr<ConnectionShare> share;  // outlives the connections, which the context ends with
+  std::unique_ptr<ssl::context> tls;
+  asio::io_context io{1};
+  tcp::acceptor acceptor{io};
+  asio::steady_timer pause{io};
+  asio::steady_timer farewell{io};
+  asio::signal_set signals{io};
+  End end;
+  std::unique_ptr<WorkerPool> pool;  // ends before what its tasks answer to
+
+  Result<void> bind();
+  void accept();
+  void accepted(const error_code& code, tcp::socket socket);
+  void await_signal();
+  void finish();
+};
+
+Result<void> Transport::State::bind() {
+  error_code code;
+  const tcp::endpoint endpoint(address, static_cast<asio::ip::port_type>(options.port));
+  acceptor.open(endpoint.protocol(), code);
+  if (!code) acceptor.set_option(asio::socket_base::reuse_address(true), code);
+  if (!code) acceptor.bind(endpoint, code);
+  if (!code) acceptor.listen(asio::socket_base::max_listen_connections, code);
+  if (!code) return {};
+  const std::string advice = code == asio::error::address_in_use
+                                 ? "; another program listens there: choose another with --port, or 0 for a free one"
+                                 : "";
+  return fail(ErrorKind::unavailable, fmt::format("cannot listen on port {} of {}: {}{}", options.port, options.listen,
+                                                  code.message(), advice));
+}
+
+void Transport::State::accept() {
+  acceptor.async_accept([this](const error_code& code, tcp::socket socket) { accepted(code, std::move(socket)); });
+}
+
+void Transport::State::accepted(const error_code& code, tcp::socket socket) {
+  if (share->ending) return;
+  if (code == asio::error::no_descriptors || code == asio::error::no_buffer_space || code == asio::error::no_memory) {
+    pause.expires_after(std::chrono::milliseconds(100));
+    pause.async_wait([this](const error_code&) {
+      if (!share->ending) accept();
+    });
+    return;
+  }
+  if (!code && share->connections.size() < options.limits.connections) {
+    error_code ignored;
+    socket.set_option(tcp::no_delay(true), ignored);
+    if (tls)
+      serve_tls(std::move(socket), *tls, *share);
+    else
+      serve_plain(std::move(socket), *share);
+  }
+  accept();
+}
+
+void Transport::State::await_signal() {
+  signals.async_wait([this](const error_code& code, int number) {
+    if (code) return;
+    if (share->ending) return io.stop();
+    end.signal = number;
+    await_signal();
+    finish();
+  });
+}
+
+void Transport::State::finish() {
+  share->ending = true;
+  error_code ignored;
+  acceptor.close(ignored);
+  pause.cancel();
+  farewell.expires_after(options.limits.farewell);
+  farewell.async_wait([this](const error_code& code) {
+    if (!code) io.stop();
+  });
+  share->when_none = [this] { asio::post(io, [this] { io.stop(); }); };
+  if (share->connections.empty()) return share->when_none();
+  const std::vector<Hangable*> all(share->connections.begin(), share->connections.end());
+  for (Hangable* connection : all)
+    if (share->connections.contains(connection)) connection->hang_up();
+}
+
+Transport::Transport(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Transport::~Transport() = default;
+
+Result<std::unique_ptr<Transport>> Transport::listen(const TransportOptions& options) {
+  AXIOMETRY_TRY(auto address, parse_address(options.listen));
+  auto state = std::make_unique<State>(options, std::move(address));
+  if (!options.certificate.empty()) {
+    AXIOMETRY_TRY(state->tls, tls_context(options));
+  }
+  AXIOMETRY_TRY_VOID(state->bind());
+  return std::unique_ptr<Transport>(new Transport(std::move(state)));
+}
+
+unsigned Transport::port() const { return state_->acceptor.local_endpoint().port(); }
+
+Transport::End Transport::run(const Service& service, const std::function<void()>& ready) {
+  allow_descriptors(state_->options.limits.connections + 256);
+  std::signal(SIGPIPE, SIG_IGN);
+  const std::size_t workers = std::max<std::size_t>(std::thread::hardware_concurrency(), workers_min);
+  state_->pool = std::make_unique<WorkerPool>(workers, state_->options.limits.waiting);
+  state_->share = std::make_unique<ConnectionShare>(state_->options.limits, service, *state_->pool);
+  state_->signals.add(SIGINT);
+  state_->signals.add(SIGTERM);
+  state_->await_signal();
+  state_->accept();
+  ready();
+  state_->io.run();
+  state_->share->when_none = {};
+  state_->end.all_answered = state_->share->connections.empty();
+  return state_->end;
+}
+
+Result<bool> is_loopback(const std::string& text) {
+  AXIOMETRY_TRY(const auto address, parse_address(text));
+  return address.is_loopback();
+}
+
+}  // namespace axiometry::server

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workbench_server.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "axiometry/app/capture_service.h"
+#include "axiometry/app/examples.h"
+#include "axiometry/app/workbench.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/report/utf8.h"
+#include "guard.h"
+#include "routes.h"
+#include "security.h"
+#include "transport.h"
+
+namespace axiometry::server {
+namespace {
+
+constexpr std::size_t token_length_min = 16;
+
+constexpr std::string_view how_to_get_them =
+    "; a certificate for a try: openssl req -x509 -newkey rsa:2048 -nodes -days 365 -subj /CN=NAME -addext "
+    "subjectAltName=DNS:NAME -keyout key.pem -out certificate.pem; a token: openssl rand -hex 24 > token.txt";
+
+std::string page_address(const TransportOptions& transport, unsigned port) {
+  const bool any = transport.listen == "0.0.0.0" || transport.listen == "::";
+  const std::string host = any ? "localhost" : transport.listen;
+  const bool is_v6 = host.contains(':');
+  return fmt::format("{}://{}{}{}:{}/", transport.certificate.empty() ? "http" : "https", is_v6 ? "[" : "", host,
+                     is_v6 ? "]" : "", port);
+}
+
+void log_answer(const Service::Answered& answered) {
+  fmt::print(stderr, "{} {} {} {} {} bytes {} ms\n", answered.request.peer,
+             answered.request.method.empty() ? "-" : report::printable(answered.request.method),
+             answered.request.path.empty() ? "-" : report::printable(answered.request.path), answered.status,
+             answered.bytes, format_fixed(answered.milliseconds, 1));
+}
+
+Service service_of(const Router& router, const Site& site, TokenGate& token, const ServeOptions& options) {
+  Service service;
+  service.refused = [&site, &token](const Request& request) -> std::optional<Response> {
+    if (auto refused = refused_by_guard(request, site)) return refused;
+    return token.refused(request);
+  };
+  service.answer = [&router](Request request) { return router.answer(std::move(request)); };
+  service.finish = [tls = !options.certificate.empty()](Response& response) { add_security_headers(response, tls); };
+  if (options.log) service.answered = log_answer;
+  return service;
+}
+
+/// Nothing can be begun yet: its routes are not there.
+Result<std::unique_ptr<app::CaptureService>> open_captures(const ServeOptions& options) {
+  const auto not_yet = [](const auto&...) { return fail(ErrorKind::unavailable, "captures are kept by nobody"); };
+  return app::CaptureService::open({.folder = options.capture_folder, .sources = options.sources},
+                                   {.keep = not_yet, .evaluate = not_yet});
+}
+
+void add_api_routes(Router& router, const Context& context) {
+  add_test_routes(router, context);
+  add_equipment_routes(router, context);
+  add_plan_routes(router, context);
+}
+
+}  // namespace
+
+Result<void> check_exposure(const ServeOptions& options) {
+  AXIOMETRY_TRY(const bool is_loopback, server::is_loopback(options.listen));
+  if (options.certificate.empty() != options.key.empty())
+    return fail(fmt::format("found --{} alone, expected --certificate and --key together",
+                            options.key.empty() ? "certificate" : "key"));
+  if (!options.token.empty() && options.token.size() < token_length_min)
+    return fail(
+        fmt::format("found a token of {} characters, expected at least {}", options.token.size(), token_length_min));
+  if (is_loopback) return {};
+  if (options.certificate.empty())
+    return fail(
+        fmt::format("found the address {}, which others can reach, without TLS, expected --certificate and "
+                    "--key{}",
+                    options.listen, how_to_get_them));
+  if (options.token.empty())
+    return fail(
+        fmt::format("found the address {}, which others can reach, without a token, expected --token-file or "
+                    "the environment's AXIOMETRY_TOKEN{}",
+                    options.listen, how_to_get_them));
+  return {};
+}
+
+Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observer,
+                       const std::function<void(const ServeEnd&)>& cut_off) {
+  AXIOMETRY_TRY_VOID(check_exposure(options));
+  const bool tls = !options.certificate.empty();
+  const TransportOptions transport_options{.listen = options.listen,
+                                           .port = options.port,
+                                           .certificate = options.certificate,
+                                           .key = options.key,
+                                           .limits = options.limits};
+  AXIOMETRY_TRY(const auto transport, Transport::listen(transport_options));
+  AXIOMETRY_TRY(const auto store, store::Store::open(options.store));
+  if (const store::Info info = store->info(); !info.writable)
+    observer.notice(fmt::format("{}: can be read, not written: {}", info.location, info.why_not));
+
+  const unsigned port = transport->port();
+  const Site site = make_site({.tls = tls, .listen = options.listen, .port = port, .names = options.host_names});
+  TokenGate token({.token = options.token, .tls = tls, .port = port});
+  app::Workbench workbench(*store);
+  if (options.examples) AXIOMETRY_TRY_VOID(app::add_examples(workbench));
+  AXIOMETRY_TRY(const auto captures, open_captures(options));
+  Router router;
+  add_service_routes(router, {.store = *store, .token = token, .upload_bytes = options.limits.upload_bytes});
+  add_api_routes(router, {.store = *store, .workbench = workbench, .captures = *captures});
+  add_page_routes(router, page_files());
+
+  const Service service = service_of(router, site, token, options);
+  const auto end = transport->run(service, [&] { observer.ready(page_address(transport_options, port)); });
+  const ServeEnd result{.signal = end.signal, .all_answered = end.all_answered};
+  if (!result.all_answered) cut_off(result);
+  return result;
+}
+
+}  // namespace axiometry::server

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/model/plan.h"
+#include "axiometry/store/records.h"
+
+/// Where captures keep what arrives until the store has it: for each an order (capture-7.json), the raw recording and
+/// its times. What a program that was killed has left behind can be gone on with.
+namespace axiometry::app {
+
+/// What is captured and how, enough to go on after a crash.
+struct CaptureOrder {
+  store::Id plan = 0;
+  std::size_t part = 1;                                      ///< of the plan
+  Plan walked;                                               ///< that part
+  std::string source;                                        ///< id
+  std::string layout;                                        ///< empty: recognised
+  std::vector<std::pair<std::string, std::string>> options;  ///< by name, as they were given
+  std::string actor;
+  std::string started;  ///< RFC 3339, UTC
+};
+
+/// An order with its files; while it exists, no other program takes them.
+class HeldCapture {
+ public:
+  HeldCapture(HeldCapture&& other) noexcept;
+  HeldCapture& operator=(HeldCapture&&) = delete;
+  ~HeldCapture();
+
+  store::Id id() const { return id_; }
+  const CaptureOrder& order() const { return order_; }
+  std::string raw() const;  ///< name of the raw recording; its times: times_name()
+
+  /// The test that it has become, so that it is not kept twice if this program is killed before remove().
+  Result<void> note_kept(store::Id test);
+  /// The store has all of it: its files go.
+  void remove();
+
+ private:
+  friend class CaptureFolder;
+  HeldCapture(std::string base, store::Id id, CaptureOrder order, int descriptor)
+      : base_(std::move(base)), id_(id), order_(std::move(order)), descriptor_(descriptor) {}
+
+  std::string base_;  ///< path without extension
+  store::Id id_;
+  CaptureOrder order_;
+  int descriptor_;  ///< of the order, locked
+};
+
+class CaptureFolder {
+ public:
+  /// Makes it, for nobody else to read, when it does not exist. Fails with the system's reason.
+  static Result<CaptureFolder> open(std::string path);
+
+  /// On the disk when it returns. Numbers are never used again, also not those of captures that are gone.
+  Result<HeldCapture> add(CaptureOrder order);
+  /// Fails with not_found, and with conflict where another program is at it.
+  Result<HeldCapture> take(store::Id id);
+
+  struct Left {
+    store::Id id = 0;
+    CaptureOrder order;
+  };
+  /// Whom nobody holds, the oldest first. Those that are in the store already,
+  /// and those of which nothing came, are cleared away.
+  std::vector<Left> left_behind();
+
+ private:
+  explicit CaptureFolder(std::string path) : path_(std::move(path)) {}
+  std::vector<store::Id> ids() const;
+  std::string base(store::Id id) const;
+
+  std::string path_;
+};
+
+}  // namespace axiometry::app

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/capture_state.h"
+
+#include <fmt/format.h>
+
+#include "axiometry/simulation/presets.h"
+
+namespace axiometry::app {
+namespace {
+
+using json::Value;
+
+Value approach_value(const Approach& approach, const CaptureState& state) {
+  Value value = Value::object();
+  value.add("target", approach.target + 1);
+  value.add("run", approach.run + 1);
+  value.add("direction", approach.direction == Direction::up ? "up" : "down");
+  if (approach.target < state.targets.size()) value.add("position", state.targets[approach.target].in_native());
+  return value;
+}
+
+Value reading_value(const capture::CapturedReading& reading, const CaptureState& state) {
+  Value value = approach_value(reading.approach, state);
+  value.add("deviation", reading.deviation.in_native());
+  value.add("spread", reading.standstill.spread.in_native() * deviation_per_position(state.kind));
+  value.add("samples", reading.standstill.count);
+  Value remarks = Value::array();
+  for (const std::string& remark : reading.remarks) remarks.push(remark);
+  value.add("remarks", std::move(remarks));
+  return value;
+}
+
+Value event_value(const capture::CaptureEvent& event) {
+  Value value = Value::object();
+  value.add("kind", capture::event_name(event.kind));
+  value.add("message", event.message);
+  value.add("time_s", event.time_s);
+  return value;
+}
+
+Value now_value(const capture::StandstillDetector::Now& now) {
+  Value value = Value::object();
+  value.add("position", now.position.in_native());
+  value.add("at_rest", now.at_rest);
+  return value;
+}
+
+template <typename Things, typename Spell>
+Value list_of(const Things& things, Spell spell) {
+  Value list = Value::array();
+  for (const auto& thing : things) list.push(spell(thing));
+  return list;
+}
+
+}  // namespace
+
+std::string_view stage_name(CaptureState::Stage stage) {
+  switch (stage) {
+    case CaptureState::Stage::waiting: return "waiting";
+    case CaptureState::Stage::running: return "running";
+    case CaptureState::Stage::complete: return "complete";
+    case CaptureState::Stage::stopped: return "stopped";
+    case CaptureState::Stage::failed: return "failed";
+    case CaptureState::Stage::interrupted: return "interrupted";
+  }
+  return "";
+}
+
+bool has_ended(CaptureState::Stage stage) {
+  return stage != CaptureState::Stage::waiting && stage != CaptureState::Stage::running;
+}
+
+Value to_json(const CaptureSource& source) {
+  Value value = Value::object();
+  value.add("id", source.id);
+  value.add("title", source.title);
+  value.add("kind", kind_name(source.kind));
+  if (source.kind != CaptureSource::Kind::simulator) return value;
+  value.add("speeds", list_of(simulation_speeds(), [](double speed) { return Value(speed); }));
+  value.add("presets", list_of(simulation::presets(), [](const simulation::Preset& preset) {
+              Value row = Value::object();
+              row.add("id", preset.id);
+              row.add("title", preset.title);
+              row.add("sign", preset.sign);
+              return row;
+            }));
+  return value;
+}
+
+Value to_json(const CaptureState& state, const EvaluatedSpeller& spell) {
+  Value value = Value::object();
+  value.add("id", static_cast<double>(state.id));
+  value.add("plan", static_cast<double>(state.plan));
+  value.add("part", state.part);
+  value.add("source", to_json(state.source));
+  value.add("started", state.started);
+  value.add("revision", static_cast<double>(state.revision));
+  value.add("state", stage_name(state.stage));
+  value.add("kind", axis_kind_name(state.kind));
+  value.add("unit", state.kind == AxisKind::linear ? "um" : "arcsec");
+  value.add("targets", list_of(state.targets, [](Position x) { return Value(x.in_native()); }));
+  value.add("approaches", state.approaches);
+  value.add("due", state.due ? approach_value(*state.due, state) : Value());
+  value.add("now", state.now ? now_value(*state.now) : Value());
+  value.add("taken", state.taken);
+  value.add("anew", state.anew);
+  value.add("readings",
+            list_of(state.readings, [&](const StampedReading& r) { return reading_value(r.reading, state); }));
+  value.add("events", list_of(state.events, event_value));
+  value.add("notices", list_of(state.notices, [](const std::string& text) { return Value(text); }));
+  value.add("so_far", state.so_far ? spell(*state.so_far) : Value());
+  value.add("test", state.test ? Value(static_cast<double>(*state.test)) : Value());
+  value.add("error", state.error.empty() ? Value() : Value(state.error));
+  return value;
+}
+
+}  // namespace axiometry::app

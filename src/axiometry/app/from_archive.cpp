@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/from_archive.h"
+
+#include <algorithm>
+
+#include "axiometry/app/given_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/json_members.h"
+#include "axiometry/model/fields.h"
+#include "axiometry/report/utf8.h"
+
+namespace axiometry::app {
+namespace {
+
+using formats::JsonMembers;
+using json::Value;
+
+bool same(std::string_view a, std::string_view b) {
+  return !text::trim(a).empty() && text::equal_ignoring_case(text::trim(a), text::trim(b));
+}
+
+bool both_given(std::string_view a, std::string_view b) { return !text::trim(a).empty() && !text::trim(b).empty(); }
+
+bool same_machine(const store::Machine& a, const store::Machine& b) {
+  if (both_given(a.serial_number, b.serial_number)) return same(a.serial_number, b.serial_number);
+  return same(a.name, b.name);
+}
+
+bool same_instrument(const store::Instrument& a, const store::Instrument& b) {
+  if (both_given(a.serial_number, b.serial_number)) return same(a.serial_number, b.serial_number);
+  return same(a.manufacturer, b.manufacturer) && same(a.type, b.type);
+}
+
+/// The first thing whose latest version fits, else the first that did before it was edited.
+template <typename Thing, typename Fits>
+Result<std::optional<store::Versioned<Thing>>> find_thing(const store::Store& store, const Fits& fits) {
+  AXIOMETRY_TRY(const auto things, store.all<Thing>());
+  for (const auto& thing : things)
+    if (fits(thing.value)) return thing;
+  for (const auto& thing : things) {
+    if (thing.version == 1) continue;
+    AXIOMETRY_TRY(const auto versions, store.versions<Thing>(thing.id));
+    if (std::ranges::any_of(versions, [&](const auto& version) { return fits(version.value); })) return thing;
+  }
+  return std::nullopt;
+}
+
+bool concerns(const Changes& changes, std::string_view group) {
+  return std::ranges::any_of(changes, [&](const auto& change) { return change.first.starts_with(group); });
+}
+
+/// Those inputs that nobody else states.
+Changes inputs_taken(const store::Instrument& instrument, const Metadata& metadata, const Changes& changes) {
+  Changes taken;
+  for (const auto& [key, text] : instrument.inputs) {
+    const Field* field = find_field(key);
+    const bool named = std::ranges::find(changes, key, &Changes::value_type::first) != changes.end();
+    if (field != nullptr && !named && !is_given(*field, metadata)) taken.emplace_back(key, text);
+  }
+  return taken;
+}
+
+using KnownInstruments = std::vector<store::Versioned<store::Instrument>>;
+
+Result<KnownInstruments> linked_instruments(const store::Store& store, const std::vector<store::Id>& ids) {
+  KnownInstruments known;
+  for (const store::Id id : ids) {
+    AXIOMETRY_TRY(auto instrument, store.get<store::Instrument>(id));
+    known.push_back(std::move(instrument));
+  }
+  return known;
+}
+
+Result<KnownInstruments> found_instruments(const store::Store& store, const Metadata& metadata) {
+  KnownInstruments known;
+  for (const store::Instrument& stated : instruments_of(metadata)) {
+    AXIOMETRY_TRY(auto found, find_thing<store::Instrument>(store, [&](const store::Instrument& candidate) {
+                    return same_instrument(candidate, stated);
+                  }));
+    if (found) known.push_back(*std::move(found));
+  }
+  return known;
+}
+
+std::vector<InstrumentInputs> inputs_of(const KnownInstruments& known, const Metadata& metadata,
+                                        const Changes& changes) {
+  std::vector<InstrumentInputs> found;
+  Changes taken_so_far = changes;  // the first instrument that states an input wins
+  for (const auto& instrument : known) {
+    Changes inputs = inputs_taken(instrument.value, metadata, taken_so_far);
+    if (inputs.empty()) continue;
+    taken_so_far.insert(taken_so_far.end(), inputs.begin(), inputs.end());
+    found.push_back({instrument.id, instrument.version, instrument_name(instrument.value), std::move(inputs)});
+  }
+  return found;
+}
+
+using KnownAxis = std::optional<store::Versioned<store::Axis>>;
+
+Result<KnownAxis> found_axis(const store::Store& store, const Metadata& metadata) {
+  const store::Machine stated = machine_of(metadata);
+  AXIOMETRY_TRY(const auto machine, find_thing<store::Machine>(store, [&](const store::Machine& candidate) {
+                  return same_machine(candidate, stated);
+                }));
+  if (!machine) return std::nullopt;
+  const std::string_view kind = axis_kind_name(metadata.axis.kind);
+  return find_thing<store::Axis>(store, [&](const store::Axis& candidate) {
+    return candidate.machine == machine->id && candidate.kind == kind && same(candidate.name, metadata.axis.name);
+  });
+}
+
+std::optional<AxisLimits> limits_of(const KnownAxis& axis) {
+  if (!axis || axis->value.limits.empty()) return {};
+  return AxisLimits{axis->id, axis->version, axis->value.limits};
+}
+
+Result<InstrumentInputs> instrument_from(const Value& value) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "instrument"));
+  InstrumentInputs inputs;
+  AXIOMETRY_TRY(const Value* id, members.required("instrument"));
+  AXIOMETRY_TRY(inputs.instrument, given_number("instrument", *id));
+  AXIOMETRY_TRY(const Value* version, members.required("version"));
+  AXIOMETRY_TRY(const auto number, given_number("version", *version));
+  inputs.version = static_cast<int>(number);
+  AXIOMETRY_TRY_VOID(members.take("name", inputs.name));
+  AXIOMETRY_TRY(const Value* texts, members.required("inputs"));
+  AXIOMETRY_TRY(inputs.inputs, changes_from(*texts));
+  AXIOMETRY_TRY_VOID(members.finish());
+  return inputs;
+}
+
+Result<AxisLimits> axis_limits_from(const Value& value) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "axis"));
+  AxisLimits axis;
+  AXIOMETRY_TRY(const Value* id, members.required("axis"));
+  AXIOMETRY_TRY(axis.axis, given_number("axis", *id));
+  AXIOMETRY_TRY(const Value* version, members.required("version"));
+  AXIOMETRY_TRY(const auto number, given_number("version", *version));
+  axis.version = static_cast<int>(number);
+  AXIOMETRY_TRY(const Value* limits, members.required("limits"));
+  AXIOMETRY_TRY(axis.limits, limits_from(*limits));
+  AXIOMETRY_TRY_VOID(members.finish());
+  return axis;
+}
+
+}  // namespace
+
+json::Value limits_to_json(const std::vector<store::Limit>& limits) {
+  Value list = Value::array();
+  for (const store::Limit& limit : limits) {
+    Value& row = list.push(Value::object());
+    row.add("parameter", limit.parameter);
+    row.add("value", limit.value);
+  }
+  return list;
+}
+
+Result<std::vector<store::Limit>> limits_from(const json::Value& value) {
+  AXIOMETRY_TRY(const auto* items, formats::items_in(value, "limits"));
+  std::vector<store::Limit> limits;
+  for (const Value& item : *items) {
+    AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(item, "limit"));
+    store::Limit limit;
+    AXIOMETRY_TRY(const Value* key, members.required("parameter"));
+    AXIOMETRY_TRY(limit.parameter, formats::text_in(*key, "parameter"));
+    const auto* parameter = iso230_2::find_parameter(limit.parameter);
+    if (parameter == nullptr)
+      return fail("found the parameter " + text::quoted(limit.parameter) + ", expected one such as A, R_up or B",
+                  key->at());
+    limit.parameter = parameter->key;
+    if (std::ranges::find(limits, limit.parameter, &store::Limit::parameter) != limits.end())
+      return fail("found two limits of " + limit.parameter + ", expected one", item.at());
+    AXIOMETRY_TRY(const Value* number, members.required("value"));
+    AXIOMETRY_TRY(limit.value, formats::number_in(*number, "value"));
+    constexpr double largest = 1e6;  // a metre
+    if (!(limit.value > 0.0 && limit.value <= largest))
+      return fail("found a limit of " + limit.parameter + " that is not above 0 and at most 1000000", number->at());
+    AXIOMETRY_TRY_VOID(members.finish());
+    limits.push_back(std::move(limit));
+  }
+  return limits;
+}
+
+json::Value to_json(const FromArchive& taken) {
+  Value object = Value::object();
+  Value& instruments = object.add("instruments", Value::array());
+  for (const InstrumentInputs& inputs : taken.instruments) {
+    Value& row = instruments.push(Value::object());
+    row.add("instrument", static_cast<double>(inputs.instrument));
+    row.add("version", inputs.version);
+    row.add("name", inputs.name);
+    row.add("inputs", to_json(inputs.inputs));
+  }
+  Value& axis = object.add("axis", Value());
+  if (!taken.axis) return object;
+  axis = Value::object();
+  axis.add("axis", static_cast<double>(taken.axis->axis));
+  axis.add("version", taken.axis->version);
+  axis.add("limits", limits_to_json(taken.axis->limits));
+  return object;
+}
+
+Result<FromArchive> from_archive_of(const json::Value& value) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "from_archive"));
+  FromArchive taken;
+  AXIOMETRY_TRY(const Value* instruments, members.required("instruments"));
+  AXIOMETRY_TRY(const auto* items, formats::items_in(*instruments, "instruments"));
+  for (const Value& item : *items) {
+    AXIOMETRY_TRY(InstrumentInputs inputs, instrument_from(item));
+    taken.instruments.push_back(std::move(inputs));
+  }
+  if (const Value* axis = members.optional("axis")) {
+    AXIOMETRY_TRY(taken.axis, axis_limits_from(*axis));
+  }
+  AXIOMETRY_TRY_VOID(members.finish());
+  return taken;
+}
+
+std::string instrument_name(const store::Instrument& instrument) {
+  std::string name;
+  for (const std::string* part : {&instrument.manufacturer, &instrument.type, &instrument.serial_number})
+    if (!part->empty()) name += (name.empty() ? "" : " ") + *part;
+  return name.empty() ? instrument.role : name;
+}
+
+std::vector<store::Instrument> instruments_of(const Metadata& metadata) {
+  std::vector<store::Instrument> instruments;
+  for (const Equipment& e : metadata.equipment) {
+    store::Instrument instrument;
+    instrument.role = report::printable(e.role);
+    instrument.manufacturer = report::printable(e.manufacturer);
+    instrument.type = report::printable(e.type);
+    instrument.serial_number = report::printable(e.serial_number);
+    if (!e.serial_number.empty() || !e.manufacturer.empty() || !e.type.empty())
+      instruments.push_back(std::move(instrument));
+  }
+  return instruments;
+}
+
+store::Machine machine_of(const Metadata& metadata) {
+  store::Machine machine;
+  machine.name = report::printable(metadata.machine.name);
+  machine.type = report::printable(metadata.machine.type);
+  machine.serial_number = report::printable(metadata.machine.serial_number);
+  machine.location = report::printable(metadata.machine.location);
+  return machine;
+}
+
+store::Axis axis_of(const Metadata& metadata) {
+  store::Axis axis;
+  axis.name = report::printable(metadata.axis.name);
+  axis.kind = axis_kind_name(metadata.axis.kind);
+  return axis;
+}
+
+Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& metadata, const Changes& changes,
+                                    const std::optional<ArchiveLinks>& links) {
+  const bool linked_equipment = links && !concerns(changes, "equipment");
+  AXIOMETRY_TRY(const KnownInstruments instruments,
+                linked_equipment ? linked_instruments(store, links->instruments) : found_instruments(store, metadata));
+  FromArchive taken{.instruments = inputs_of(instruments, metadata, changes), .axis = {}};
+  const bool linked_axis = links && links->axis && !concerns(changes, "machine.") && !concerns(changes, "axis.");
+  if (linked_axis) {
+    AXIOMETRY_TRY(auto axis, store.get<store::Axis>(*links->axis));
+    taken.axis = limits_of(std::move(axis));
+    return taken;
+  }
+  AXIOMETRY_TRY(const KnownAxis axis, found_axis(store, metadata));
+  taken.axis = limits_of(axis);
+  return taken;
+}
+
+EvaluateOptions with_archive(EvaluateOptions options, const Changes& changes, const FromArchive& taken) {
+  for (const InstrumentInputs& inputs : taken.instruments) {
+    const auto items = metadata_items(inputs.inputs);
+    options.metadata.insert(options.metadata.end(), items.begin(), items.end());
+  }
+  const auto items = metadata_items(changes);
+  options.metadata.insert(options.metadata.end(), items.begin(), items.end());
+  if (!taken.axis) return options;
+  for (const store::Limit& limit : taken.axis->limits)
+    if (const auto* parameter = iso230_2::find_parameter(limit.parameter))
+      options.tolerance.of_axis.push_back({parameter, Deviation::native(limit.value), iso230_2::ToleranceSource::axis});
+  return options;
+}
+
+}  // namespace axiometry::app

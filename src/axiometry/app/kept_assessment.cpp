@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/kept_assessment.h"
+
+#include <optional>
+
+namespace axiometry::app {
+namespace {
+
+using json::Kind;
+using json::Value;
+
+/// nullptr also when a step on the way is missing or no object.
+const Value* member(const Value* object, std::string_view name) {
+  if (object == nullptr || !object->is(Kind::object)) return nullptr;
+  const Value* found = object->find(name);
+  return found == nullptr || found->is(Kind::null) ? nullptr : found;
+}
+
+std::optional<double> number(const Value* object, std::string_view name) {
+  const Value* found = member(object, name);
+  return found != nullptr && found->is(Kind::number) ? std::optional(found->number()) : std::nullopt;
+}
+
+iso230_2::AxisParameters parameters_of(const Value* object) {
+  iso230_2::AxisParameters parameters;
+  for (const auto& parameter : iso230_2::parameters)
+    if (const auto x = number(object, parameter.key)) parameters.*parameter.member = Deviation::native(*x);
+  return parameters;
+}
+
+iso230_2::GumUncertainty gum_of(const Value* object) {
+  iso230_2::GumUncertainty gum;
+  for (const auto& parameter : iso230_2::parameters) {
+    const Value* own = member(object, parameter.key);
+    const auto value = number(own, "value");
+    const auto U = number(own, "U");
+    if (!value || !U) continue;
+    iso230_2::GumParameter found;
+    found.parameter = &parameter;
+    found.value = Deviation::native(*value);
+    found.uncertainty.U = Deviation::native(*U);
+    gum.parameters.push_back(std::move(found));
+  }
+  return gum;
+}
+
+iso230_2::MonteCarlo monte_carlo_of(const Value* object) {
+  iso230_2::MonteCarlo monte_carlo;
+  for (std::size_t k = 0; k < std::size(iso230_2::parameters); ++k) {
+    const Value* own = member(object, iso230_2::parameters[k].key);
+    const auto u = number(own, "u");
+    const Value* interval = member(own, "symmetric");
+    if (!u || interval == nullptr || !interval->is(Kind::array) || interval->items().size() != 2) continue;
+    const auto& ends = interval->items();
+    if (!ends[0].is(Kind::number) || !ends[1].is(Kind::number)) continue;
+    iso230_2::ParameterDistribution distribution;
+    distribution.summary.sd = *u;
+    distribution.summary.symmetric = {ends[0].number(), ends[1].number()};
+    monte_carlo.distributions[k] = std::move(distribution);
+  }
+  return monte_carlo;
+}
+
+}  // namespace
+
+iso230_2::Assessment assessment_shown_by(const json::Value& result) {
+  iso230_2::Assessment assessment;
+  assessment.evaluation.parameters = parameters_of(member(&result, "parameters"));
+  const Value* uncertainty = member(&result, "uncertainty");
+  if (const Value* annex_a = member(uncertainty, "annex_a")) {
+    assessment.annex_a.emplace();
+    assessment.annex_a->U = parameters_of(annex_a);
+  }
+  if (const Value* gum = member(uncertainty, "gum")) assessment.gum = gum_of(gum);
+  if (const Value* run = member(uncertainty, "monte_carlo")) assessment.monte_carlo = monte_carlo_of(run);
+  return assessment;
+}
+
+AxisKind axis_kind_of(const json::Value& result) {
+  const Value* kind = member(member(&result, "axis"), "kind");
+  return kind != nullptr && kind->is(Kind::text) && kind->text() == axis_kind_name(AxisKind::rotary) ? AxisKind::rotary
+                                                                                                     : AxisKind::linear;
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/measured_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "axiometry/app/evaluate.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/format.h"
+#include "axiometry/formats/plan_json.h"
+#include "axiometry/formats/recording.h"
+
+namespace axiometry::app {
+namespace {
+
+constexpr std::size_t tests_max = 2000;
+
+/// What people take for a test and is none.
+Result<void> refuse_others(std::string_view bytes, std::string_view head) {
+  const auto format = formats::recognise(head);
+  const bool guessed = format && (*format)->id == "generic";
+  if (format && !guessed) return {};
+  if (const auto recording = formats::recognise_recording(head))
+    return fail(
+        fmt::format("found a continuous recording ({}), expected a measured test; its readings are taken out "
+                    "of it by 'axiometry evaluate --plan PLAN FILE' with the plan the axis moved after",
+                    (*recording)->title));
+  if (!format && text::trim(head).starts_with('{') && formats::read_plan(bytes))
+    return fail("found a plan, expected a measured test; plans are kept on the page of plans");
+  return {};
+}
+
+std::unexpected<Error> in_file(Error error, const std::string& name) {
+  error.file = name;
+  return std::unexpected(std::move(error));
+}
+
+}  // namespace
+
+const Test* MeasuredFile::find(std::string_view name) const {
+  const auto found = std::ranges::find(tests, name, &MeasuredTest::name);
+  return found == tests.end() ? nullptr : &found->test;
+}
+
+Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& name) {
+  if (bytes.empty()) return in_file({"found an empty file, expected a measured test", {}, {}}, name);
+  Source source = Source::of_bytes(name, bytes);
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  if (auto test = refuse_others(bytes, head); !test) return in_file(test.error(), name);
+  MeasuredFile file{.sha256 = sha256(bytes), .size = bytes.size(), .format = {}, .tests = {}};
+  auto read = read_tests(source, [&](Test&& test, std::string&& own_name) -> Result<void> {
+    if (file.tests.size() == tests_max)
+      return fail(fmt::format("found more than {} tests in one file, expected several files", tests_max));
+    file.tests.push_back({std::move(own_name), std::move(test)});
+    return {};
+  });
+  if (!read) return in_file(read.error(), name);
+  if (file.tests.empty()) return in_file({"found no measured test, expected at least one", {}, {}}, name);
+  file.format = file.tests.front().test.provenance.format;
+  return file;
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/test_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+
+#include "axiometry/app/given_text.h"
+#include "axiometry/app/wire.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/base/utf8.h"
+#include "axiometry/base/version.h"
+#include "axiometry/report/report.h"
+#include "axiometry/report/utf8.h"
+#include "axiometry/standards/test_standard.h"
+
+namespace axiometry::app {
+namespace {
+
+using json::Value;
+
+std::optional<double> expanded_uncertainty(const iso230_2::ParameterInfo& parameter,
+                                           const iso230_2::Assessment& assessment) {
+  switch (report::uncertainty_shown(assessment)) {
+    case report::UncertaintyShown::none: return {};
+    case report::UncertaintyShown::annex_a: {
+      const auto& U = assessment.annex_a->U.*parameter.member;
+      return U ? std::optional(U->in_native()) : std::nullopt;
+    }
+    case report::UncertaintyShown::gum: {
+      const auto* found = assessment.gum->find(parameter.key);
+      return found ? std::optional(found->uncertainty.U.in_native()) : std::nullopt;
+    }
+    case report::UncertaintyShown::monte_carlo: {
+      const auto& found =
+          assessment.monte_carlo->distributions[static_cast<std::size_t>(&parameter - iso230_2::parameters)];
+      if (!found) return {};
+      return 0.5 * (found->summary.symmetric.upper - found->summary.symmetric.lower);
+    }
+  }
+  return {};
+}
+
+std::string verdict_text(uncertainty::Verdict verdict) {
+  return verdict == uncertainty::Verdict::not_applicable ? "" : std::string(uncertainty::verdict_name(verdict));
+}
+
+std::optional<std::string> date_text(std::string_view year, std::string_view month, std::string_view day) {
+  const auto y = parse_count(year);
+  const auto m = parse_count(month);
+  const auto d = parse_count(day);
+  if (!y || !m || !d || year.size() != 4 || month.size() > 2 || day.size() > 2) return {};
+  const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(*y)),
+                                         std::chrono::month(static_cast<unsigned>(*m)),
+                                         std::chrono::day(static_cast<unsigned>(*d))};
+  if (!date.ok()) return {};
+  return fmt::format("{:04}-{:02}-{:02}", *y, *m, *d);
+}
+
+std::string shortened(std::string title) {
+  std::size_t at = 0;
+  for (std::size_t length = 0; at < title.size() && length < line_length_max; ++length)
+    at += character_at(title, at).length;
+  title.resize(at);
+  return title;
+}
+
+std::unexpected<Error> damaged(const Error& error) {
+  return fail(ErrorKind::damaged, fmt::format("found options of the archive that cannot be read: {}", error.message));
+}
+
+}  // namespace
+
+std::string iso_date(std::string_view raw) {
+  const std::string_view text = text::trim(raw);
+  const std::string_view day = text.substr(0, text.find_first_of("T ,;"));
+  for (const char mark : {'-', '/'})
+    if (const auto parts = text::split(day, mark); parts.size() == 3)
+      if (const auto date = date_text(parts[0], parts[1], parts[2])) return *date;
+  if (const auto parts = text::split(day, '.'); parts.size() == 3)
+    if (const auto date = date_text(parts[2], parts[1], parts[0])) return *date;
+  return std::string(text);
+}
+
+std::vector<store::Figure> figures_of(const Evaluated& evaluated) {
+  std::vector<store::Figure> figures;
+  for (const auto& parameter : iso230_2::parameters) {
+    const auto& value = evaluated.assessment.evaluation.parameters.*parameter.member;
+    if (!value) continue;
+    store::Figure figure{std::string(parameter.key), value->in_native(), {}, {}, {}};
+    figure.U = expanded_uncertainty(parameter, evaluated.assessment);
+    const auto judged = std::ranges::find_if(evaluated.judgements, [&](const iso230_2::Judgement& judgement) {
+      return judgement.tolerance.parameter->key == parameter.key;
+    });
+    if (judged != evaluated.judgements.end()) {
+      figure.limit = judged->tolerance.limit.in_native();
+      figure.verdict = verdict_text(judged->decision.verdict);
+    }
+    figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+store::Evaluation evaluation_of(const Evaluated& evaluated, const TestOptions& options, const FromArchive& taken) {
+  Value kept = to_json(options);
+  kept.add("from_archive", to_json(taken));
+  store::Evaluation evaluation;
+  evaluation.program = fmt::format("axiometry {}", version);
+  evaluation.standard = edition_of(evaluated.test.metadata.axis);
+  evaluation.options = json::dump(kept, 0);
+  if (evaluated.assessment.monte_carlo) evaluation.seed = evaluated.assessment.monte_carlo->seed;
+  evaluation.result = json::dump(to_json(evaluated), 0);
+  evaluation.unit = deviation_unit_key(evaluated.test.metadata.axis.kind);
+  evaluation.conforming = evaluated.assessment.conforming();
+  if (const auto verdict = iso230_2::overall_verdict(evaluated.judgements)) evaluation.verdict = verdict_text(*verdict);
+  evaluation.label = evaluated.assessment.label;
+  evaluation.figures = figures_of(evaluated);
+  return evaluation;
+}
+
+store::TestState state_of(const Evaluated& evaluated, const Changes& changes, const TestOptions& options,
+                          const FromArchive& taken) {
+  const Metadata& metadata = evaluated.test.metadata;
+  store::TestState state;
+  state.machine = machine_of(metadata);
+  state.axis = axis_of(metadata);
+  state.instruments = instruments_of(metadata);
+  state.measured_on = iso_date(metadata.conditions.date);
+  state.changes = json::dump(to_json(changes), 0);
+  state.evaluation = evaluation_of(evaluated, options, taken);
+  return state;
+}
+
+std::string first_title(const Evaluated& evaluated) {
+  const std::string& number = evaluated.test.metadata.conditions.report_number;
+  std::string title = number.empty() ? std::filesystem::path(evaluated.test.provenance.file).stem().string() : number;
+  if (!evaluated.name.empty()) title += (title.empty() ? "" : " ") + evaluated.name;
+  return shortened(report::printable(title));
+}
+
+Result<KeptOptions> kept_options(const store::Evaluation& evaluation) {
+  auto value = json::parse(evaluation.options);
+  if (!value) return damaged(value.error());
+  KeptOptions kept;
+  Value options = Value::object();
+  if (value->is(json::Kind::object)) {
+    for (const auto& [name, member] : value->members()) {
+      if (name != "from_archive") {
+        options.add(name, member);
+        continue;
+      }
+      auto taken = from_archive_of(member);
+      if (!taken) return damaged(taken.error());
+      kept.from_archive = *std::move(taken);
+    }
+  }
+  auto own = test_options_from(options);
+  if (!own) return damaged(own.error());
+  kept.options = *std::move(own);
+  return kept;
+}
+
+Result<Changes> kept_changes(const store::TestState& state) {
+  if (state.changes.empty()) return Changes{};
+  auto value = json::parse(state.changes);
+  if (!value) return damaged(value.error());
+  auto changes = changes_from(*value);
+  if (!changes) return damaged(changes.error());
+  return *std::move(changes);
+}
+
+}  // namespace axiometry::app

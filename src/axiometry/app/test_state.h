@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/app/evaluate.h"
+#include "axiometry/app/from_archive.h"
+#include "axiometry/store/store.h"
+
+/// An evaluated test as the archive keeps it.
+namespace axiometry::app {
+
+/// "2014-05-15" of what begins like that, of "15.05.2014" and of "2014/5/15"; other text, and a day that does not
+/// exist, as it is. A date that may be read in two ways, "05/06/2014", is other text.
+std::string iso_date(std::string_view text);
+
+/// Every parameter that exists, with U where one was estimated (k = 2, of Annex A, else of the GUM; else half of the
+/// symmetric interval of the Monte Carlo method), and with its limit and verdict where there is one.
+std::vector<store::Figure> figures_of(const Evaluated& evaluated);
+
+/// What a version keeps of an evaluation: options, result, figures. `program` is this one.
+store::Evaluation evaluation_of(const Evaluated& evaluated, const TestOptions& options, const FromArchive& taken);
+
+/// The whole state but title and plan.
+store::TestState state_of(const Evaluated& evaluated, const Changes& changes, const TestOptions& options,
+                          const FromArchive& taken);
+
+/// How a test is called to begin with: its report number, else its file, and its name where the file has many.
+std::string first_title(const Evaluated& evaluated);
+
+/// What `options` of a kept evaluation holds.
+struct KeptOptions {
+  TestOptions options;
+  FromArchive from_archive;
+};
+
+/// Fails with `damaged` on what evaluation_of() does not write.
+Result<KeptOptions> kept_options(const store::Evaluation& evaluation);
+/// Likewise of TestState::changes.
+Result<Changes> kept_changes(const store::TestState& state);
+
+}  // namespace axiometry::app

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/workbench_state.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "axiometry/app/given_text.h"
+#include "axiometry/app/test_state.h"
+#include "axiometry/app/wire.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/version.h"
+
+namespace axiometry::app {
+namespace {
+
+/// Far below the last digit that anybody shows, far above what another library of mathematics changes.
+bool same_number(double a, double b) { return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b)) + 1e-9; }
+
+bool same_figure(const store::Figure& a, const store::Figure& b) {
+  if (a.parameter != b.parameter || !same_number(a.value, b.value) || a.U.has_value() != b.U.has_value()) return false;
+  return !a.U || same_number(*a.U, *b.U);
+}
+
+std::string figure_text(const store::Figure& figure) {
+  std::string text = fmt::format("{} = {}", figure.parameter, format_fixed(figure.value, 4));
+  if (figure.U) text += fmt::format(", U = {}", format_fixed(*figure.U, 4));
+  return text;
+}
+
+/// So that no report says other numbers than the archive.
+Result<void> check_same(const store::TestRecord& record, const Evaluated& evaluated) {
+  const auto& kept = record.state.evaluation.figures;
+  const auto now = figures_of(evaluated);
+  for (std::size_t k = 0; k < std::max(kept.size(), now.size()); ++k) {
+    if (k < kept.size() && k < now.size() && same_figure(kept[k], now[k])) continue;
+    return fail(
+        ErrorKind::conflict,
+        fmt::format("found {} where version {} keeps {}, computed by {}; expected the same from this program, "
+                    "axiometry {}: save a new version to evaluate the test with it",
+                    k < now.size() ? figure_text(now[k]) : "nothing", record.version,
+                    k < kept.size() ? figure_text(kept[k]) : "nothing", record.state.evaluation.program, version));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const MeasuredFile>> Workbench::State::read(std::string_view bytes, const std::string& name) {
+  AXIOMETRY_TRY(const std::string file_name, given_file_name(name));
+  AXIOMETRY_TRY(MeasuredFile file, read_measured(bytes, file_name));
+  auto shared = std::make_shared<const MeasuredFile>(std::move(file));
+  files.remember(shared->sha256, shared, shared->size);
+  return shared;
+}
+
+Result<std::shared_ptr<const MeasuredFile>> Workbench::State::file_of(const store::TestRecord& record) {
+  if (auto known = files.find(record.sha256)) return known;
+  AXIOMETRY_TRY(const store::Content content, store.content(record.sha256));
+  return read(content.bytes, record.file_name);
+}
+
+Result<Test> Workbench::State::measured(const store::TestRecord& record) {
+  AXIOMETRY_TRY(const auto file, file_of(record));
+  const Test* found = file->find(record.name_in_file);
+  if (found == nullptr)
+    return fail(ErrorKind::damaged, fmt::format("found no test \"{}\" in the file {} that was kept, expected it as on "
+                                                "the day it was received",
+                                                record.name_in_file, record.file_name));
+  Test test = *found;
+  test.provenance.file = record.file_name;
+  return test;
+}
+
+Result<Found> Workbench::State::evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links) {
+  Metadata stated = test.metadata;
+  AXIOMETRY_TRY_VOID(set_metadata(stated, metadata_items(draft.changes)));
+  AXIOMETRY_TRY(FromArchive taken, find_in_archive(store, stated, draft.changes, links));
+  return evaluate_with(std::move(test), draft, std::move(taken));
+}
+
+Result<Found> Workbench::State::evaluate_with(Test test, const Draft& draft, FromArchive taken) {
+  AXIOMETRY_TRY(EvaluateOptions options, evaluate_options(draft.options));
+  options = with_archive(std::move(options), draft.changes, taken);
+  std::unique_lock<std::mutex> alone(monte_carlo, std::defer_lock);
+  if (draft.options.monte_carlo) alone.lock();
+  const auto begin = std::chrono::steady_clock::now();
+  AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+  return Found{std::move(evaluated), std::move(taken), time.count()};
+}
+
+Result<std::shared_ptr<const Evaluated>> Workbench::State::evaluated(const store::TestRecord& record) {
+  const std::string key = fmt::format("{}/{}", record.id, record.version);
+  if (auto known = evaluations.find(key)) return known;
+  AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
+  AXIOMETRY_TRY(Changes changes, kept_changes(record.state));
+  AXIOMETRY_TRY(Test test, measured(record));
+  AXIOMETRY_TRY(Found found, evaluate_with(std::move(test), {std::move(changes), kept.options}, kept.from_archive));
+  found.evaluated.name = record.name_in_file;
+  AXIOMETRY_TRY_VOID(check_same(record, found.evaluated));
+  auto shared = std::make_shared<const Evaluated>(std::move(found.evaluated));
+  evaluations.remember(key, shared, 1);
+  return shared;
+}
+
+ArchiveLinks links_of(const store::TestRecord& record) { return {record.axis, record.instruments}; }
+
+Outcome outcome_of(Found found) {
+  return {.result = to_json(found.evaluated),
+          .readings = std::move(found.evaluated.test.series),
+          .as_measured = std::move(found.evaluated.test.as_measured),
+          .from_archive = std::move(found.from_archive),
+          .milliseconds = found.milliseconds};
+}
+
+}  // namespace axiometry::app

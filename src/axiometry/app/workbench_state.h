@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "axiometry/app/measured_file.h"
+#include "axiometry/app/recent.h"
+#include "axiometry/app/workbench.h"
+
+/// What the sources of the workbench share.
+namespace axiometry::app {
+
+/// A test with what was found of it.
+struct Found {
+  Evaluated evaluated;
+  FromArchive from_archive;
+  double milliseconds = 0.0;
+};
+
+struct Workbench::State {
+  explicit State(store::Store& archive) : store(archive) {}
+
+  store::Store& store;
+  Recent<std::string, MeasuredFile> files{std::size_t{64} << 20};  ///< by SHA-256; weighed by their bytes
+  Recent<std::string, Evaluated> evaluations{64};                  ///< of kept versions: "12/3"
+  std::mutex monte_carlo;                                          ///< a run takes all processors: one at a time
+
+  /// As somebody sends it. Fails as read_measured() and given_file_name() do.
+  Result<std::shared_ptr<const MeasuredFile>> read(std::string_view bytes, const std::string& name);
+  Result<std::shared_ptr<const MeasuredFile>> file_of(const store::TestRecord& record);
+  /// The measured test of a record, by whose file name it goes.
+  Result<Test> measured(const store::TestRecord& record);
+
+  /// With what the archive knows today.
+  Result<Found> evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links = {});
+  /// With what was taken from it on another day.
+  Result<Found> evaluate_with(Test test, const Draft& draft, FromArchive taken);
+
+  /// A version evaluated again, with the figures that were kept or not at all.
+  Result<std::shared_ptr<const Evaluated>> evaluated(const store::TestRecord& record);
+};
+
+ArchiveLinks links_of(const store::TestRecord& record);
+Outcome outcome_of(Found found);
+
+}  // namespace axiometry::app

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Change } from '../api/types';
+import { texts } from '../i18n/texts';
+import { when } from '../numbers';
+import { Dialog } from './dialog';
+
+const t = texts({
+  title: ['Somebody else was first', 'Jemand war schneller'],
+  who: ['{actor} saved version {version} on {at}', '{actor} hat Version {version} am {at} gespeichert'],
+  because: ['Reason given: “{reason}”', 'Als Grund genannt: „{reason}“'],
+  what: [
+    'Nothing is lost: what was typed here is still here, and both versions stay in the history.',
+    'Nichts ist verloren: die Eingaben von hier sind noch da, und beide Versionen bleiben in der Historie.',
+  ],
+  theirs: ['Look at theirs', 'Deren Version ansehen'],
+  mine: ['Keep mine as version {next}', 'Eigene als Version {next} speichern'],
+  back: ['Back to editing', 'Zurück zum Bearbeiten'],
+});
+
+interface Props {
+  latest: Change & { version: number };   // what the others made
+  on_theirs: () => void;
+  on_mine: () => void;
+  on_close: () => void;
+  busy?: boolean;
+}
+
+/** Two people edited the same thing: says who was first and asks what is to become of what was typed here. */
+export function ConflictDialog({ latest, on_theirs, on_mine, on_close, busy = false }: Props) {
+  return (
+    <Dialog
+      title={t('title')} on_close={on_close}
+      actions={
+        <>
+          <button type="button" onClick={on_close}>{t('back')}</button>
+          <button type="button" onClick={on_theirs}>{t('theirs')}</button>
+          <button type="button" class="primary" disabled={busy} onClick={on_mine}>{t('mine', { next: latest.version + 1 })}</button>
+        </>
+      }
+    >
+      <p>{t('who', { actor: latest.actor, version: latest.version, at: when(latest.at) })}{'. '}
+        {latest.reason !== '' && t('because', { reason: latest.reason })}</p>
+      <p>{t('what')}</p>
+    </Dialog>
+  );
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { ApiError } from '../api/client';
+import { texts } from '../i18n/texts';
+
+const t = texts({
+  offline: ['The workbench does not answer. Is the program still running?', 'Die Werkbank antwortet nicht. Läuft das Programm noch?'],
+  conflict: ['Somebody else was first', 'Jemand war schneller'],
+  read_only: ['This store can be read, not written', 'Dieses Archiv kann nur gelesen werden'],
+  full: ['No room: nothing of this was kept', 'Kein Platz: nichts davon wurde gespeichert'],
+  not_found: ['Not found', 'Nicht gefunden'],
+  again: ['Try again', 'Noch einmal'],
+});
+
+/** What went wrong, in words, and a way on. */
+export function FailureNotice({ error, retry }: { error: ApiError; retry?: () => void }) {
+  const heading =
+    error.kind === 'conflict' || error.kind === 'read_only' || error.kind === 'full' || error.kind === 'not_found' ? t(error.kind) : null;
+  return (
+    <div class="notice bad" role="alert">
+      {heading && <p><strong>{heading}</strong></p>}
+      <p>
+        {error.kind === 'offline' ? t('offline') : error.message}
+        {error.place !== '' && <span class="quiet"> ({error.place})</span>}
+      </p>
+      {retry && <button type="button" onClick={retry}>{t('again')}</button>}
+    </div>
+  );
+}

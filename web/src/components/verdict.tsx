@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Verdict } from '../api/types';
+import { texts } from '../i18n/texts';
+
+const t = texts({
+  conforms: ['conforms', 'konform'],
+  does_not: ['does not conform', 'nicht konform'],
+  undecided: ['undecided', 'unentschieden'],
+  none: ['no tolerance', 'ohne Toleranz'],
+});
+
+const shapes = {
+  good: 'M2.5 7.5l3 3 6-7',
+  bad: 'M3 3l8 8M11 3l-8 8',
+  caution: 'M2.5 7h9',
+  none: 'M6.5 7h1',
+};
+
+/** A verdict with its sign; the word stays readable for all, also where only the sign is shown. */
+export function VerdictMark({ verdict, short = false }: { verdict: Verdict | null; short?: boolean }) {
+  const tone = verdict === 'conforms' ? 'good' : verdict === 'does not conform' ? 'bad' : verdict === 'undecided' ? 'caution' : 'none';
+  const word = t(verdict === 'conforms' ? 'conforms' : verdict === 'does not conform' ? 'does_not' : verdict === 'undecided' ? 'undecided' : 'none');
+  return (
+    <span class={`mark ${tone}`} title={short ? word : undefined}>
+      <svg width="14" height="14" viewBox="0 0 14 14" aria-hidden="true">
+        <path d={shapes[tone]} fill="none" stroke="currentColor" stroke-width="2" stroke-linecap="round" />
+      </svg>
+      <span class={short ? 'visually-hidden' : ''}>{word}</span>
+    </span>
+  );
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { ComponentChildren } from 'preact';
+import type { Change } from '../api/types';
+import { texts } from '../i18n/texts';
+import { when } from '../numbers';
+import { DataTable } from './table';
+
+const t = texts({
+  title: ['Versions', 'Versionen'],
+  version: ['Version', 'Version'],
+  at: ['When', 'Wann'],
+  actor: ['Who', 'Wer'],
+  reason: ['Why', 'Warum'],
+  none: ['no reason given', 'kein Grund genannt'],
+});
+
+type Version = Change & { version: number };
+
+/** Who changed it, when and why; the newest first. `cell` makes of a version's number what leads to it. */
+export function VersionList({ versions, cell }: { versions: readonly Version[]; cell?: (version: number) => ComponentChildren }) {
+  return (
+    <DataTable<Version>
+      caption={t('title')}
+      rows={[...versions].sort((a, b) => b.version - a.version)}
+      row_key={(row) => row.version}
+      columns={[
+        { key: 'version', head: t('version'), cell: (row) => (cell ? cell(row.version) : row.version), number: true },
+        { key: 'at', head: t('at'), cell: (row) => <span class="number">{when(row.at)}</span> },
+        { key: 'actor', head: t('actor'), cell: (row) => row.actor },
+        { key: 'reason', head: t('reason'), cell: (row) => row.reason || <span class="quiet">{t('none')}</span> },
+      ]}
+    />
+  );
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useState } from 'preact/hooks';
+import { ApiError, send } from '../api/client';
+import { use_get } from '../api/use';
+import type { Capture, Evaluated, Plan } from '../api/types';
+import { Dialog } from '../components/dialog';
+import { FailureNotice } from '../components/failure';
+import { ParameterSymbol } from '../components/symbol';
+import { fixed, marked, position_unit, unit_sign, when } from '../numbers';
+import { settled } from './plan/form';
+import { LiveChart, LiveTable } from './capture/filling';
+import { is_over, use_live, use_screen_on, type Reading } from './capture/live';
+import { Readout } from './capture/readout';
+import { t } from './capture/texts';
+import './capture.css';
+
+/** A capture while it goes on, and what came of it. */
+export function CapturePage({ parts }: { parts: Record<string, string> }) {
+  const [turn, set_turn] = useState(0);
+  const live = use_live(parts['id'] ?? '', turn);
+  const { capture, readings } = live;
+  const plan = use_get<Plan>(capture === null ? null : `/api/plans/${capture.plan}`);
+  const running = capture !== null && !is_over(capture);
+  use_screen_on(running);
+  const deviation_unit = unit_sign(capture?.unit ?? 'um');
+  const shared = {
+    readings, targets: capture?.targets ?? plan.data?.targets ?? [], unit: position_unit(capture?.kind ?? 'linear'), deviation_unit,
+    runs: Math.max(runs_of(plan.data, capture), ...readings.map(({ run }) => run)),
+  };
+  return (
+    <>
+      <header class="row spread">
+        <div>
+          <h1 tabIndex={-1}>{plan.data?.title ?? t('capture')}</h1>
+          {capture && <p class="quiet small">{capture.source.title} · {t('started')} {when(capture.started)} · {t(capture.state)}</p>}
+        </div>
+        {capture && running && <StopButton capture={capture} done={readings.length} stopped={live.set} />}
+      </header>
+      {live.error && <FailureNotice error={live.error} />}
+      {plan.error && <FailureNotice error={plan.error} retry={plan.reload} />}
+      {live.lost && <p class="notice caution" role="status">{t('lost')}</p>}
+      {capture && is_over(capture) && <Ending capture={capture} again={() => set_turn(turn + 1)} />}
+      {capture && shared.targets.length > 0 && (
+        <div class="live">
+          <Readout capture={capture} {...shared} />
+          <LiveChart {...shared} due={capture.due} />
+          <aside class="stack">
+            <SoFar evaluated={capture.so_far} />
+            <Events capture={capture} />
+          </aside>
+          <LiveTable {...shared} due={capture.due} />
+        </div>
+      )}
+      <Said readings={readings} unit={deviation_unit} />
+    </>
+  );
+}
+
+function StopButton({ capture, done, stopped }: { capture: Capture; done: number; stopped: (capture: Capture) => void }) {
+  const [asking, set_asking] = useState(false);
+  const [error, set_error] = useState<ApiError | null>(null);
+  const stop = () => {
+    set_asking(false);
+    send<Capture>('POST', `/api/captures/${capture.id}/stop`, {}).then(
+      stopped,
+      (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)),
+    );
+  };
+  return (
+    <>
+      <button type="button" class="stop" onClick={() => set_asking(true)}>{t('stop')}</button>
+      {error && <FailureNotice error={error} retry={stop} />}
+      {asking && (
+        <Dialog
+          title={t('stop_ask')} on_close={() => set_asking(false)}
+          actions={
+            <>
+              <button type="button" data-first onClick={() => set_asking(false)}>{t('go_on')}</button>
+              <button type="button" class="stop" onClick={stop}>{t('stop')}</button>
+            </>
+          }
+        >
+          <p>{t('stop_what', { n: done, all: capture.approaches })}</p>
+        </Dialog>
+      )}
+    </>
+  );
+}
+
+/** Of the plan, or of the part of it that is captured. */
+function runs_of(plan: Plan | null, capture: Capture | null): number {
+  const chosen = settled(plan?.plan);
+  const part = capture?.part ?? 1;
+  return (part === 1 ? chosen?.runs : chosen?.further[part - 2]?.runs) ?? 1;
+}
+
+function Ending({ capture, again }: { capture: Capture; again: () => void }) {
+  const [error, set_error] = useState<ApiError | null>(null);
+  const after = (request: Promise<Capture>) =>
+    void request.then(again, (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)));
+  const tone = capture.state === 'failed' ? 'bad' : capture.state === 'complete' ? 'good' : 'caution';
+  return (
+    <div class={`notice ${tone} ending`} role="status">
+      <div>
+        <h2>{t(capture.state)}</h2>
+        {capture.error !== null && <p>{capture.error}</p>}
+        <p>{t(capture.state === 'interrupted' ? 'broken_off' : capture.test === null ? 'nothing_kept' : 'kept')}</p>
+        {error && <FailureNotice error={error} />}
+      </div>
+      {capture.state === 'interrupted' && (
+        <div class="row">
+          <button type="button" onClick={() => after(send<Capture>('POST', `/api/captures/${capture.id}/stop`, {}))}>{t('keep_so_far')}</button>
+          <button type="button" class="primary" onClick={() => after(send<Capture>('POST', '/api/captures', { resume: capture.id }))}>{t('resume')}</button>
+        </div>
+      )}
+      {capture.test !== null && <a class="button primary" href={`/tests/${capture.test}`}>{t('to_test')}</a>}
+    </div>
+  );
+}
+
+const first_looked_at = ['A', 'E', 'R', 'B'];
+
+function SoFar({ evaluated }: { evaluated: Evaluated | null }) {
+  return (
+    <section class="panel" aria-labelledby="so-far">
+      <h2 id="so-far">{t('parameters')}</h2>
+      {evaluated === null ? <p class="quiet">{t('too_early')}</p> : (
+        <dl class="so-far">
+          {evaluated.shown.filter(({ parameter }) => first_looked_at.includes(parameter)).map((one) => (
+            <div key={one.parameter}>
+              <dt><ParameterSymbol parameter={one.parameter} /></dt>
+              <dd class="number">{marked(one.value)} <span class="unit">{one.unit}</span></dd>
+            </div>
+          ))}
+        </dl>
+      )}
+    </section>
+  );
+}
+
+function Events({ capture }: { capture: Capture }) {
+  const all = [...capture.notices.map((message) => ({ message, time_s: null })), ...[...capture.events].reverse()];
+  return (
+    <section class="panel" aria-labelledby="events">
+      <h2 id="events">{t('events')}</h2>
+      {all.length === 0 ? <p class="quiet">{t('no_events')}</p> : (
+        <ul class="event-list" tabIndex={0} aria-labelledby="events">
+          {all.map((event, i) => (
+            <li key={i}>
+              <span class="number quiet">{event.time_s === null ? '' : `${fixed(event.time_s, 1)} s`}</span> {event.message}
+            </li>
+          ))}
+        </ul>
+      )}
+    </section>
+  );
+}
+
+/** The latest reading for those who do not look. */
+function Said({ readings, unit }: { readings: Reading[]; unit: string }) {
+  const last = readings[readings.length - 1];
+  return (
+    <p class="visually-hidden" aria-live="polite">
+      {last && t('said', { i: last.target, direction: t(last.direction), run: last.run, value: `${fixed(last.deviation, 1)} ${unit}` })}
+    </p>
+  );
+}

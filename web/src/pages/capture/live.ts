@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// A capture as it goes on: asked again and again, readings gathered.
+import { useEffect, useState } from 'preact/hooks';
+import { ApiError, get } from '../../api/client';
+import type { Capture } from '../../api/types';
+
+export type Reading = Capture['readings'][number];
+export const is_over = (capture: Capture): boolean => ['complete', 'stopped', 'failed', 'interrupted'].includes(capture.state);
+
+export interface Live {
+  capture: Capture | null;
+  readings: Reading[];
+  lost: boolean; // the program does not answer; what is shown is the last that was known
+  error: ApiError | null; // it answered that it cannot
+  set: (capture: Capture) => void;
+}
+
+const often_ms = 200;
+const hidden_ms = 2000;
+const longest_wait_ms = 5000;
+
+/** `turn`: another number begins again, as after an interruption. */
+export function use_live(id: string, turn: number): Live {
+  const [known, set_known] = useState<{ capture: Capture; readings: Reading[] } | null>(null);
+  const [lost, set_lost] = useState(false);
+  const [error, set_error] = useState<ApiError | null>(null);
+  useEffect(() => {
+    const abort = new AbortController();
+    let timer = 0;
+    let revision = 0;
+    let failures = 0;
+    let readings: Reading[] = [];
+    const later = (wait: number) => {
+      timer = window.setTimeout(ask, wait);
+    };
+    const take = (answer: Capture): void => {
+      if (answer.revision < revision) {
+        // Another run of the program, which counts from the beginning.
+        [revision, readings] = [0, []];
+        return later(0);
+      }
+      if (answer.anew === true) readings = answer.readings;
+      else if (answer.readings.length > 0) readings = [...readings, ...answer.readings];
+      revision = answer.revision;
+      set_known({ capture: answer, readings });
+      if (!is_over(answer)) later(document.hidden ? hidden_ms : often_ms);
+    };
+    const ask = () => {
+      get<Capture>(`/api/captures/${id}?after=${revision}`, abort.signal).then(
+        (answer) => {
+          failures = 0;
+          set_lost(false);
+          set_error(null);
+          take(answer);
+        },
+        (failure: unknown) => {
+          if (abort.signal.aborted) return;
+          if (failure instanceof ApiError && failure.kind !== 'offline' && failure.kind !== 'unavailable') return set_error(failure);
+          failures += 1;
+          set_lost(true);
+          later(Math.min(longest_wait_ms, often_ms * 2 ** failures));
+        },
+      );
+    };
+    const seen = () => {
+      if (document.hidden) return;
+      window.clearTimeout(timer);
+      ask();
+    };
+    ask();
+    document.addEventListener('visibilitychange', seen);
+    return () => {
+      abort.abort();
+      window.clearTimeout(timer);
+      document.removeEventListener('visibilitychange', seen);
+    };
+  }, [id, turn]);
+  return {
+    capture: known?.capture ?? null, readings: known?.readings ?? [], lost, error,
+    set: (capture) => set_known((before) => ({ capture, readings: before?.readings ?? [] })),
+  };
+}
+
+/** The screen stays on while this is true, where the browser can. */
+export function use_screen_on(wanted: boolean): void {
+  useEffect(() => {
+    if (!wanted || !('wakeLock' in navigator)) return;
+    let held: WakeLockSentinel | null = null;
+    let over = false;
+    const hold = () => {
+      if (document.hidden) return;
+      navigator.wakeLock.request('screen').then(
+        (lock) => {
+          if (over) void lock.release();
+          held = lock;
+        },
+        () => undefined, // low battery: then the screen does as it always does
+      );
+    };
+    hold();
+    document.addEventListener('visibilitychange', hold);
+    return () => {
+      over = true;
+      document.removeEventListener('visibilitychange', hold);
+      void held?.release();
+    };
+  }, [wanted]);
+}

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// Up to eight tests over each other: before and after compensation, this year and last year.
+import { useMemo, useState } from 'preact/hooks';
+import { use_get } from '../api/use';
+import type { Test, Vocabulary } from '../api/types';
+import { Chart, Swatch, type ChartPlace } from '../components/chart';
+import { FailureNotice } from '../components/failure';
+import { VerdictMark } from '../components/verdict';
+import { texts } from '../i18n/texts';
+import { fixed, position_unit, shortest, unit_sign } from '../numbers';
+import { go, place } from '../router';
+import { decimal, language } from '../settings';
+import { curves, interpolated, look_of, type Curve, type Curves, type Datum } from './compare/curves';
+import { Picker } from './compare/picker';
+import { SideBySide } from './compare/side_by_side';
+import { use_tests } from './compare/use_tests';
+import './compare.css';
+import './test.css';
+
+const t = texts({
+  title: ['Compare tests', 'Prüfungen vergleichen'],
+  chart: ['Mean deviations', 'Mittlere Abweichungen'],
+  name: ['Mean deviations of the compared tests over position', 'Mittlere Abweichungen der verglichenen Prüfungen über der Position'],
+  curve: ['Curve', 'Kurve'],
+  mean: ['x̄', 'x̄'], up: ['x̄↑', 'x̄↑'], down: ['x̄↓', 'x̄↓'], both: ['x̄↑ and x̄↓', 'x̄↑ und x̄↓'],
+  datum: ['Zero', 'Nullpunkt'],
+  own: ['as measured', 'wie gemessen'],
+  start: ['where all begin', 'am gemeinsamen Anfang'],
+  middle: ['mean over the common travel', 'im Mittel über den gemeinsamen Weg'],
+  tests: ['Compared tests', 'Verglichene Prüfungen'],
+  remove: ['Remove {title}', '{title} entfernen'],
+  reference: ['Make it the reference', 'Zum Bezug machen'],
+  reference_of: ['Make {title} the reference', '{title} zum Bezug machen'],
+  is_reference: ['reference', 'Bezug'],
+  show: ['Show {title}', '{title} zeigen'],
+  empty: ['Choose tests to lay over each other: before and after a compensation, this year and last year.',
+          'Prüfungen wählen, die übereinandergelegt werden: vor und nach einer Kompensation, dieses und letztes Jahr.'],
+  other_unit: ['{title} has deviations in {unit} and is not in the chart.', '{title} hat Abweichungen in {unit} und steht nicht im Diagramm.'],
+  between: ['≈: between the targets of that test', '≈: zwischen Zielpositionen dieser Prüfung'],
+});
+
+const list_of = (text: string | null): number[] =>
+  [...new Set((text ?? '').split(',').filter((word) => /^\d{1,15}$/.test(word.trim())).map(Number))].slice(0, 8);
+
+interface Choice { tests: readonly number[]; curve: Curve; datum: Datum }
+
+function chosen(query: URLSearchParams): Choice {
+  const one = <T extends string>(key: string, allowed: readonly T[]): T => allowed.find((word) => word === query.get(key)) ?? (allowed[0] as T);
+  return { tests: list_of(query.get('tests')), curve: one('curve', ['mean', 'up', 'down', 'both']), datum: one('datum', ['own', 'start', 'middle']) };
+}
+
+/** The address says all, so that a comparison can be sent to somebody. */
+function put(choice: Choice): void {
+  const rest = `${choice.curve === 'mean' ? '' : `&curve=${choice.curve}`}${choice.datum === 'own' ? '' : `&datum=${choice.datum}`}`;
+  go(`/compare?tests=${choice.tests.join(',')}${rest}`, 'replace');
+}
+
+export function ComparePage() {
+  const choice = chosen(place.value.query);
+  const loaded = use_tests(choice.tests);
+  const vocabulary = use_get<Vocabulary>('/api/vocabulary').data;
+  const [hidden, set_hidden] = useState<ReadonlySet<number>>(new Set<number>());
+  const tests = loaded.flatMap(({ test }) => (test ? [test] : []));
+  const first = tests[0] ?? null;
+  const alike = tests.filter((test) => test.result.unit === first?.result.unit);
+  const others = tests.filter((test) => !alike.includes(test));
+  const remove = (id: number) => put({ ...choice, tests: choice.tests.filter((one) => one !== id) });
+  const toggle = (id: number) => {
+    const next = new Set(hidden);
+    if (!next.delete(id)) next.add(id);
+    set_hidden(next);
+  };
+  return (
+    <>
+      <h1 tabIndex={-1}>{t('title')}</h1>
+      {loaded.filter(({ error }) => error !== null).map(({ id, error }) => error && <FailureNotice key={id} error={error} />)}
+      {choice.tests.length === 0 && <p class="quiet">{t('empty')}</p>}
+      <div class="compare">
+        <div class="stack">
+          {alike.length > 0 && <Overlay tests={alike} choice={choice} hidden={hidden} />}
+          {others.map((test) => <p key={test.id} class="notice caution">{t('other_unit', { title: test.title, unit: unit_sign(test.result.unit) })}</p>)}
+          {tests.length > 0 && <SideBySide tests={[...alike, ...others]} vocabulary={vocabulary} />}
+        </div>
+        <div class="stack">
+          {tests.length > 0 && (
+            <section class="panel chosen">
+              <header><h2>{t('tests')}</h2></header>
+              <ol>
+                {[...alike, ...others].map((test, n) => (
+                  <Chosen key={test.id} test={test} n={n} shown={!hidden.has(test.id)} toggle={() => toggle(test.id)} remove={() => remove(test.id)}
+                          refer={() => put({ ...choice, tests: [test.id, ...choice.tests.filter((id) => id !== test.id)] })} />
+                ))}
+              </ol>
+            </section>
+          )}
+          <Picker chosen={choice.tests} first={first} add={(id) => put({ ...choice, tests: [...choice.tests, id] })} />
+        </div>
+      </div>
+    </>
+  );
+}
+
+function Chosen({ test, n, shown, toggle, remove, refer }: {
+  test: Test; n: number; shown: boolean; toggle: () => void; remove: () => void; refer: () => void;
+}) {
+  const { title } = test;
+  const conditions = test.result.metadata['test'] as Record<string, unknown> | undefined;
+  const facts = [test.machine?.name, test.axis?.name, conditions?.['date']].filter((part) => typeof part === 'string' && part !== '').join(' · ');
+  return (
+    <li>
+      <label class="show" title={t('show', { title })}>
+        <input type="checkbox" checked={shown} onChange={toggle} aria-label={t('show', { title })} /><Swatch series={look_of(n)} />
+      </label>
+      <div>
+        <a href={`/tests/${test.id}`}>{title}</a> {test.verdict !== null && <VerdictMark verdict={test.verdict} short />}
+        <div class="small quiet">{facts}</div>
+      </div>
+      <div class="row no-print">
+        {n === 0 ? <span class="small quiet">{t('is_reference')}</span>
+          : <button type="button" class="small" aria-label={t('reference_of', { title })} onClick={refer}>{t('reference')}</button>}
+        <button type="button" class="plain small" aria-label={t('remove', { title })} onClick={remove}>×</button>
+      </div>
+    </li>
+  );
+}
+
+function Overlay({ tests, choice, hidden }: { tests: readonly Test[]; choice: Choice; hidden: ReadonlySet<number> }) {
+  const list = tests.map((test) => `${test.id}:${test.version}`).join();
+  const model = useMemo(() => curves(tests, choice.curve, choice.datum, hidden), [list, choice.curve, choice.datum, hidden, language.value, decimal.value]);
+  return (
+    <section class="panel chart-panel">
+      <header>
+        <h2>{t('chart')}</h2>
+        <div class="row no-print">
+          <div class="segments" role="group" aria-label={t('curve')}>
+            {(['mean', 'up', 'down', 'both'] as const).map((curve) => (
+              <button key={curve} type="button" class="small" aria-pressed={choice.curve === curve} onClick={() => put({ ...choice, curve })}>{t(curve)}</button>
+            ))}
+          </div>
+          <label class="small">{t('datum')}
+            <select value={choice.datum} onChange={(event) => put({ ...choice, datum: event.currentTarget.value as Datum })}>
+              {(['own', 'start', 'middle'] as const).map((datum) => <option key={datum} value={datum}>{t(datum)}</option>)}
+            </select>
+          </label>
+        </div>
+      </header>
+      <Chart {...model} name={t('name')} height={440} tip={(at) => <Tip model={model} tests={tests} at={at} />} spoken={(at) => spoken(model, tests, at)} />
+    </section>
+  );
+}
+
+/** At one position: of every visible curve its value, or what lies between two of its targets. */
+function values_at(model: Curves, at: ChartPlace) {
+  const x = model.x[at.index] ?? 0;
+  return model.series.flatMap((series, i) => {
+    const own = series.values[at.index];
+    const exact = typeof own === 'number';
+    const value = exact ? own : interpolated((model.of[i] as Curves['of'][number]).points, x);
+    return series.hidden || value === null ? [] : [{ series, i, value, exact }];
+  });
+}
+
+function Tip({ model, tests, at }: { model: Curves; tests: readonly Test[]; at: ChartPlace }) {
+  const kind = tests[0]?.result.axis.kind ?? 'linear';
+  const unit = unit_sign(tests[0]?.result.unit ?? 'um');
+  const rows = values_at(model, at);
+  return (
+    <>
+      <div class="head">{shortest(model.x[at.index])} {position_unit(kind)}</div>
+      <table><tbody>
+        {rows.map(({ series, i, value, exact }) => (
+          <tr key={series.key} class={i === at.series ? 'strong' : ''}>
+            <td><Swatch series={series} /> {series.label}</td><td class="number">{exact ? '' : '≈ '}{fixed(value, 2)} {unit}</td>
+          </tr>
+        ))}
+      </tbody></table>
+      {rows.some(({ exact }) => !exact) && <div class="quiet">{t('between')}</div>}
+    </>
+  );
+}
+
+function spoken(model: Curves, tests: readonly Test[], at: ChartPlace): string {
+  const kind = tests[0]?.result.axis.kind ?? 'linear';
+  const rows = values_at(model, at).filter(({ i }) => at.series === null || i === at.series);
+  return `${shortest(model.x[at.index])} ${position_unit(kind)}: ${rows.map(({ series, value, exact }) => `${series.label} ${exact ? '' : '≈ '}${fixed(value, 2)}`).join('; ')}`;
+}

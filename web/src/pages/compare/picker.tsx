@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useEffect, useState } from 'preact/hooks';
+import { query } from '../../api/client';
+import { use_get } from '../../api/use';
+import type { Test, TestPage } from '../../api/types';
+import { FailureNotice } from '../../components/failure';
+import { texts } from '../../i18n/texts';
+
+const t = texts({
+  add: ['Add a test', 'Prüfung hinzufügen'],
+  search: ['Search by title, machine or file', 'Nach Titel, Maschine oder Datei suchen'],
+  same_axis: ['Tests of the same axis', 'Prüfungen derselben Achse'],
+  recent: ['Recent tests', 'Jüngste Prüfungen'],
+  found: ['Found', 'Gefunden'],
+  none: ['No other test fits.', 'Keine weitere Prüfung passt.'],
+  full: ['Eight tests are the most that a chart keeps legible.', 'Mehr als acht Prüfungen bleiben in einem Diagramm nicht lesbar.'],
+});
+
+const settle_ms = 120;
+
+/** Finds tests to add; without a search those of the same axis, the usual thing to compare with. */
+export function Picker({ chosen, first, add }: { chosen: readonly number[]; first: Test | null; add: (id: number) => void }) {
+  const [typed, set_typed] = useState('');
+  const [text, set_text] = useState('');
+  useEffect(() => {
+    const timer = window.setTimeout(() => set_text(typed.trim()), settle_ms);
+    return () => window.clearTimeout(timer);
+  }, [typed]);
+  const axis = text === '' ? (first?.axis?.id ?? null) : null;
+  const page = use_get<TestPage>(`/api/tests${query({ text, axis, limit: 20 })}`);
+  if (chosen.length >= 8) return <p class="small quiet">{t('full')}</p>;
+  const rows = (page.data?.tests ?? []).filter((row) => !chosen.includes(row.id)).slice(0, 12);
+  return (
+    <section class="panel picker no-print" aria-label={t('add')}>
+      <header><h2>{t('add')}</h2></header>
+      <input type="search" aria-label={t('search')} placeholder={t('search')} value={typed} onInput={(event) => set_typed(event.currentTarget.value)} />
+      {page.error && <FailureNotice error={page.error} retry={page.reload} />}
+      <h3 class="small quiet">{t(text !== '' ? 'found' : axis !== null ? 'same_axis' : 'recent')}</h3>
+      {page.data !== null && rows.length === 0 && <p class="quiet">{t('none')}</p>}
+      <ul>
+        {rows.map((row) => (
+          <li key={row.id}>
+            <button type="button" class="plain" onClick={() => add(row.id)}>
+              <span>{row.title}</span>
+              <span class="small quiet">{[row.machine?.name, row.axis?.name, row.measured_on].filter((part) => part).join(' · ')}</span>
+            </button>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}

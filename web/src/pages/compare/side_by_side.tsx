@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+import { Fragment } from 'preact';
+import type { Parameter, Test, Vocabulary } from '../../api/types';
+import { Swatch } from '../../components/chart';
+import { ParameterSymbol } from '../../components/symbol';
+import { VerdictMark } from '../../components/verdict';
+import { texts } from '../../i18n/texts';
+import { absent, fixed, parsed } from '../../numbers';
+import { all_parameters, decimals_of, main_parameters } from '../test/figures_text';
+import { look_of } from './curves';
+
+const t = texts({
+  title: ['Parameters side by side', 'Kenngrößen nebeneinander'],
+  parameter: ['Parameter', 'Kenngröße'],
+  value: ['Value ± U', 'Wert ± U'],
+  difference: ['Difference', 'Unterschied'],
+  first: ['reference', 'Bezug'],
+  beyond: ['larger than the combined uncertainty', 'größer als die kombinierte Unsicherheit'],
+  within: ['within the combined uncertainty', 'innerhalb der kombinierten Unsicherheit'],
+  unknown: ['no uncertainty is stated', 'ohne Angabe der Unsicherheit'],
+  better: ['smaller', 'kleiner'],
+  worse: ['larger', 'größer'],
+  legend: ['Differences to the first test. Strong with ▲ or ▼: larger than the combined uncertainty √(U₁² + U₂²). Quiet: within it. With a question mark: a test states no uncertainty. Errors that both tests have in common would make the true bound smaller.',
+           'Unterschiede zur ersten Prüfung. Fett mit ▲ oder ▼: größer als die kombinierte Unsicherheit √(U₁² + U₂²). Blass: innerhalb. Mit Fragezeichen: eine Prüfung gibt keine Unsicherheit an. Gemeinsame Fehler beider Prüfungen würden die wahre Schranke verkleinern.'],
+});
+
+interface Cell { value: number; text: string; U: number | null; U_text: string }
+
+function cell_of(test: Test, parameter: Parameter): Cell | null {
+  const shown = test.shown.find((row) => row.parameter === parameter);
+  const value = test.result.parameters[parameter];
+  if (!shown || value === null || value === undefined) return null;
+  return { value, text: shown.value, U: parsed(shown.U), U_text: shown.U };
+}
+
+/** The parameters of all tests, with differences to the first one and whether they mean anything. */
+export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; vocabulary: Vocabulary | null }) {
+  const present = all_parameters.filter((parameter) => tests.some((test) => cell_of(test, parameter) !== null));
+  const reference = tests[0];
+  if (!reference) return null;
+  const main = main_parameters(reference.result);
+  return (
+    <section class="panel flush">
+      <header><h2>{t('title')}</h2></header>
+      <div class="table-frame" tabIndex={0} role="region" aria-label={t('title')}>
+        <table class="side-by-side">
+          <thead>
+            <tr>
+              <th scope="col" rowSpan={2}>{t('parameter')}</th>
+              {tests.map((test, n) => (
+                <th key={test.id} scope="colgroup" colSpan={n === 0 ? 1 : 2} class="test-name">
+                  <Swatch series={look_of(n)} /> {test.title}
+                </th>
+              ))}
+            </tr>
+            <tr>
+              {tests.map((test, n) => (
+                <Fragment key={test.id}>
+                  <th scope="col" class="number">{t('value')}</th>
+                  {n > 0 && <th scope="col" class="number">{t('difference')}</th>}
+                </Fragment>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {present.map((parameter) => (
+              <tr key={parameter} class={main.includes(parameter) ? 'main' : ''}>
+                <th scope="row" title={vocabulary?.parameters.find((one) => one.key === parameter)?.title}><ParameterSymbol parameter={parameter} /></th>
+                {tests.map((test, n) => (
+                  <Fragment key={test.id}>
+                    <td class="number"><Value test={test} parameter={parameter} /></td>
+                    {n > 0 && <td class="number"><Difference to={reference} test={test} parameter={parameter} /></td>}
+                  </Fragment>
+                ))}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      {tests.length > 1 && <p class="small quiet foot">{t('legend')}</p>}
+    </section>
+  );
+}
+
+function Value({ test, parameter }: { test: Test; parameter: Parameter }) {
+  const cell = cell_of(test, parameter);
+  const shown = test.shown.find((row) => row.parameter === parameter);
+  if (cell === null) return <>{absent}</>;
+  return (
+    <>
+      {cell.text}{cell.U_text !== '' && <span class="quiet"> ± {cell.U_text}</span>}
+      <span class="slot">{shown && shown.limit !== null && <VerdictMark verdict={shown.verdict} short />}</span>
+    </>
+  );
+}
+
+function Difference({ to, test, parameter }: { to: Test; test: Test; parameter: Parameter }) {
+  const [a, b] = [cell_of(to, parameter), cell_of(test, parameter)];
+  if (a === null || b === null || to.result.unit !== test.result.unit) return <>{absent}</>;
+  // Rounded numbers are subtracted only on the screen: the difference is that of the exact values.
+  const difference = b.value - a.value;
+  const larger = Math.abs(b.value) - Math.abs(a.value);
+  const text = `${difference > 0 ? '+' : ''}${fixed(difference, Math.max(decimals_of(a.text), decimals_of(b.text)))}`;
+  if (a.U === null || b.U === null) return <span title={t('unknown')}>{text} <span class="quiet">?<span class="visually-hidden"> {t('unknown')}</span></span></span>;
+  const beyond = Math.abs(difference) > Math.hypot(a.U, b.U);
+  if (!beyond) return <span class="quiet" title={t('within')}>{text}<span class="visually-hidden"> {t('within')}</span></span>;
+  return (
+    <strong title={`${t(larger < 0 ? 'better' : 'worse')}; ${t('beyond')}`}>
+      {text} <span aria-hidden="true">{larger < 0 ? '▼' : '▲'}</span><span class="visually-hidden"> {t('beyond')}</span>
+    </strong>
+  );
+}

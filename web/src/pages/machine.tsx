@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useState } from 'preact/hooks';
+import type { Axis, Machine } from '../api/types';
+import { use_get } from '../api/use';
+import { FailureNotice } from '../components/failure';
+import { absent, shortest, unit_sign } from '../numbers';
+import { AttentionTags } from './machines';
+import './machines.css';
+import { AxisDialog } from './machines/axis_dialog';
+import { EntityHistory } from './machines/history';
+import { MachineDialog } from './machines/machine_dialog';
+import { plain_symbol } from './machines/parameters';
+import { t } from './machines/texts';
+import { AxisTrend } from './machines/trend';
+
+/** One machine: what it is, its axes with their limits, and how they have changed. */
+export function MachinePage({ parts }: { parts: Record<string, string> }) {
+  const machine = use_get<Machine>(`/api/machines/${parts['id']}`);
+  const [editing, set_editing] = useState<'machine' | Axis | 'axis' | null>(null);
+  const found = machine.data;
+  if (machine.error && !found) return <FailureNotice error={machine.error} retry={machine.reload} />;
+  if (!found) return null;
+  const saved_axis = () => { set_editing(null); machine.reload(); };
+  return (
+    <>
+      <div class="page-head">
+        <div>
+          <p class="crumb"><a href="/machines">{t('machines')}</a></p>
+          <h1 tabIndex={-1}>{found.name}</h1>
+        </div>
+        <div class="row no-print">
+          <a class="button" href={`/?machine=${found.id}`}>{t('all_tests', { n: found.tests })}</a>
+          <button type="button" onClick={() => set_editing('axis')}>{t('add_axis')}</button>
+          <button type="button" onClick={() => set_editing('machine')}>{t('edit')}</button>
+        </div>
+      </div>
+      {machine.error && <FailureNotice error={machine.error} retry={machine.reload} />}
+      <section class="panel">
+        <Facts machine={found} />
+      </section>
+      <div class="axis-panels">
+        {found.axes.map((axis) => (
+          <section key={axis.id} class="panel">
+            <header>
+              <h2><a href={`/axes/${axis.id}`}>{t('axis')} {axis.name}</a> <LimitsLine axis={axis} /></h2>
+              <button type="button" class="no-print" onClick={() => set_editing(axis)} aria-label={`${t('axis')} ${axis.name}: ${t('limits_edit')}`}>{t('limits_edit')}</button>
+            </header>
+            <AxisTrend axis={axis.id} version={axis.version} height={260} />
+          </section>
+        ))}
+      </div>
+      <EntityHistory path={`/api/machines/${found.id}`} subject={`machine ${found.id}`} version={found.version} />
+      {editing === 'machine' && (
+        <MachineDialog machine={found} on_saved={() => { set_editing(null); machine.reload(); }} on_close={() => set_editing(null)} />
+      )}
+      {editing !== null && editing !== 'machine' && (
+        <AxisDialog axis={editing === 'axis' ? null : editing} machine={found.id} on_saved={saved_axis} on_close={() => set_editing(null)} />
+      )}
+    </>
+  );
+}
+
+export function LimitsLine({ axis }: { axis: Axis }) {
+  if (axis.limits.length === 0) return null;
+  const unit = unit_sign(axis.kind === 'linear' ? 'um' : 'arcsec');
+  return (
+    <span class="quiet small limits-line">
+      {axis.limits.map((limit) => t('limit_line', { parameter: plain_symbol(limit.parameter), value: shortest(limit.value), unit })).join(', ')}
+    </span>
+  );
+}
+
+const facts = ['manufacturer', 'type', 'serial_number', 'controller', 'location'] as const;
+
+function Facts({ machine }: { machine: Machine }) {
+  return (
+    <>
+      <dl class="fact-grid">
+        {facts.map((key) => <div key={key}><dt>{t(key)}</dt><dd>{machine[key] || absent}</dd></div>)}
+        <div>
+          <dt>{t('latest')}</dt>
+          <dd class="latest">
+            {machine.latest_test ? <a href={`/tests/${machine.latest_test.id}`}>{machine.latest_test.measured_on || absent}</a> : absent}
+            <AttentionTags machine={machine} />
+          </dd>
+        </div>
+      </dl>
+      {machine.notes !== '' && <p class="notes">{machine.notes}</p>}
+    </>
+  );
+}

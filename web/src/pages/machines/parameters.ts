@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { FigureOfTest, Parameter, Verdict } from '../../api/types';
+import type { Shape } from '../../components/chart';
+
+/** In the order in which the library lists them. */
+export const parameters: readonly Parameter[] = ['A', 'A_up', 'A_down', 'E', 'E_up', 'E_down', 'M', 'R', 'R_up', 'R_down', 'B', 'B_mean'];
+
+const colours: Record<string, string> = { A: '--series-1', E: '--series-2', R: '--series-3', B: '--series-4', M: '--series-5' };
+const shapes: Record<string, Shape> = { A: 'circle', E: 'square', R: 'diamond', B: 'up', M: 'ring' };
+
+/** A family of parameters shares its colour; single directions are dashed, with arrows for points. */
+export function look(parameter: Parameter): { colour: string; shape: Shape; dash?: number[] } {
+  const [letter = 'A', suffix] = parameter.split('_');
+  const colour = colours[letter] ?? '--series-8';
+  if (suffix === 'up') return { colour, shape: 'up', dash: [5, 3] };
+  if (suffix === 'down') return { colour, shape: 'down', dash: [2, 3] };
+  return suffix === 'mean' ? { colour, shape: 'ring', dash: [7, 3] } : { colour, shape: shapes[letter] ?? 'circle' };
+}
+
+/** As plain characters, where no markup can stand: "R↑", "B̄". */
+export function plain_symbol(parameter: Parameter): string {
+  return parameter.replace('_up', '↑').replace('_down', '↓').replace('_mean', '\u0304');
+}
+
+/** Of several parameters together: the gravest. */
+export function joint_verdict(figures: readonly FigureOfTest[]): Verdict | null {
+  const found = figures.map((figure) => figure.verdict);
+  if (found.includes('does not conform')) return 'does not conform';
+  if (found.includes('undecided')) return 'undecided';
+  return found.includes('conforms') ? 'conforms' : null;
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import type { Limit, Parameter, Trend } from '../../api/types';
+import { use_get } from '../../api/use';
+import { Chart, ChartLegend, type ChartLine, type ChartPlace, type ChartSeries } from '../../components/chart';
+import { day_seconds } from '../../components/dates';
+import { FailureNotice } from '../../components/failure';
+import { ParameterSymbol } from '../../components/symbol';
+import { DataTable } from '../../components/table';
+import { VerdictMark } from '../../components/verdict';
+import { absent, fixed, shortest, unit_sign } from '../../numbers';
+import { go } from '../../router';
+import { FigureCell, ParameterHead, shown_of } from '../../components/figure_cell';
+import { joint_verdict, look, parameters, plain_symbol } from './parameters';
+import { t } from './texts';
+
+type Point = Trend['points'][number];
+
+/** Tests of one day keep their order, a few hours apart. */
+function times(points: readonly Point[]): number[] {
+  let last = -Infinity;
+  return points.map((point) => {
+    const day = day_seconds(point.measured_on) ?? day_seconds(point.received_at) ?? 0;
+    last = Math.max(day, last + 3 * 3600);
+    return last;
+  });
+}
+
+const by_day = (a: Point, b: Point): number =>
+  (day_seconds(a.measured_on) ?? day_seconds(a.received_at) ?? 0) - (day_seconds(b.measured_on) ?? day_seconds(b.received_at) ?? 0) || a.test - b.test;
+
+/** The history of an axis: chosen parameters over time with U as bars and limits as lines, and the same as numbers. */
+export function AxisTrend({ axis, version, height }: { axis: number; version: number; height: number }) {
+  const [wanted, set_wanted] = useState<readonly Parameter[]>(['A', 'E', 'R', 'B']);
+  const trend = use_get<Trend>(`/api/axes/${axis}/trend?parameters=${parameters.join(',')}&limit=500`);
+  const drawn = useRef(version);
+  useEffect(() => { if (drawn.current !== version) { drawn.current = version; trend.reload(); } }, [version]);  // its limits were edited
+  if (trend.error && !trend.data) return <FailureNotice error={trend.error} retry={trend.reload} />;
+  if (!trend.data) return <div style={{ height: `${height}px` }} />;
+  if (trend.data.points.length === 0) return <p class="quiet">{t('no_tests')}</p>;
+  const toggle = (key: string) => set_wanted(parameters.filter((one) => (one === key ? !wanted.includes(one) : wanted.includes(one))));
+  const given = parameters.filter((key) => trend.data?.points.some((point) => point.figures.some((figure) => figure.parameter === key)));
+  return (
+    <div class="stack trend">
+      <ChartLegend
+        label={t('parameters')} on_toggle={toggle}
+        items={given.map((key) => ({ key, label: <ParameterSymbol parameter={key} />, look: look(key), shown: wanted.includes(key) }))}
+      />
+      <TrendChart trend={trend.data} wanted={wanted} height={height} />
+      <p class="quiet small">{t('click_hint')}</p>
+      <TrendTable trend={trend.data} wanted={given.filter((key) => wanted.includes(key))} />
+    </div>
+  );
+}
+
+/** The limits of the axis; where it has none for a parameter, that of the last test. */
+function limits_of(trend: Trend, points: readonly Point[]): Limit[] {
+  const last = points[points.length - 1];
+  return parameters.flatMap((parameter) => {
+    const value = trend.axis.limits.find((limit) => limit.parameter === parameter)?.value
+      ?? last?.figures.find((figure) => figure.parameter === parameter)?.limit;
+    return value === undefined || value === null ? [] : [{ parameter, value }];
+  });
+}
+
+function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly Parameter[]; height: number }) {
+  const unit = unit_sign(trend.unit);
+  const points = useMemo(() => [...trend.points].sort(by_day), [trend]);
+  const x = useMemo(() => times(points), [points]);
+  const series = useMemo((): ChartSeries[] => parameters.map((key) => {
+    const figures = points.map((point) => point.figures.find((figure) => figure.parameter === key));
+    return {
+      key, label: plain_symbol(key), ...look(key), size: 7, across: true, hidden: !wanted.includes(key),
+      values: figures.map((figure) => figure?.value ?? null), whisker: figures.map((figure) => figure?.U ?? null),
+    };
+  }), [points, wanted]);
+  const lines = useMemo((): ChartLine[] => limits_of(trend, points).filter((limit) => wanted.includes(limit.parameter)).map((limit) => ({
+    value: limit.value, colour: look(limit.parameter).colour,
+    label: t('limit_line', { parameter: plain_symbol(limit.parameter), value: shortest(limit.value), unit }),
+  })), [trend, points, wanted, unit]);
+  const tip = (place: ChartPlace) => {
+    const point = points[place.index];
+    if (!point) return null;
+    return (
+      <>
+        <div class="head">{point.measured_on}</div>
+        <div class="title">{point.title}</div>
+        <table>
+          <tbody>
+            {wanted.map((key) => (
+              <tr key={key} class={series[place.series ?? -1]?.key === key ? 'strong' : ''}>
+                <td><ParameterSymbol parameter={key} /></td>
+                <td class="number"><FigureCell shown={shown_of(point.figures, key)} /> {unit}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </>
+    );
+  };
+  const spoken = (place: ChartPlace) => {
+    const point = points[place.index];
+    const keys = place.series === null ? wanted : [parameters[place.series] as Parameter];
+    const said = keys.map((key) => {
+      const figure = point?.figures.find((one) => one.parameter === key);
+      return `${plain_symbol(key)} ${figure ? fixed(figure.value, 1) : absent}${figure?.U ? ` ± ${fixed(figure.U, 1)}` : ''} ${unit}`;
+    });
+    return `${point?.measured_on}, ${point?.title}: ${said.join('; ')}`;
+  };
+  return (
+    <Chart
+      name={t('trend_of', { axis: trend.axis.name })} height={height} x={x} x_kind="time" x_label={t('measured')}
+      y_label={t('value_in', { unit })} y_zero series={series} lines={lines} tip={tip} spoken={spoken}
+      on_choose={(place) => { const point = points[place.index]; if (point) go(`/tests/${point.test}`); }}
+    />
+  );
+}
+
+function TrendTable({ trend, wanted }: { trend: Trend; wanted: readonly Parameter[] }) {
+  const points = [...trend.points].sort((a, b) => by_day(b, a));
+  return (
+    <details class="numbers" open={points.length <= 12}>
+      <summary>{t('numbers')}</summary>
+      <DataTable<Point>
+        caption={t('trend_of', { axis: trend.axis.name })} rows={points} row_key={(point) => point.test}
+        columns={[
+          { key: 'measured', head: t('measured'), class: 'number-text', cell: (point) => point.measured_on || point.received_at.slice(0, 10) },
+          { key: 'test', head: t('test'), row_head: true, cell: (point) => <a href={`/tests/${point.test}`}>{point.title}</a> },
+          ...wanted.map((key) => ({
+            key, head: <ParameterHead parameter={key} unit={unit_sign(trend.unit)} />, number: true, cell: (point: Point) => <FigureCell shown={shown_of(point.figures, key)} />,
+          })),
+          { key: 'verdict', head: t('verdict'), cell: (point) => <VerdictMark verdict={joint_verdict(point.figures)} /> },
+        ]}
+      />
+    </details>
+  );
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useState } from 'preact/hooks';
+import { query } from '../api/client';
+import { as_json, use_posted } from '../api/posted';
+import { use_get } from '../api/use';
+import type { Machine, Plan, PlanDraft, PlanRequest, Vocabulary } from '../api/types';
+import { FailureNotice } from '../components/failure';
+import { position_unit } from '../numbers';
+import { place } from '../router';
+import { decimal } from '../settings';
+import { PlanFields } from './plan/fields';
+import { form_of, new_form, request_of, settled, type PlanForm } from './plan/form';
+import { Keep } from './plan/keep';
+import { Outcome, TargetTable } from './plan/outcome';
+import { ProgramPanel } from './plan/program';
+import { t } from './plan/texts';
+import './plan.css';
+
+/** A new plan, or one of the store to look at and go on with. */
+export function PlanPage({ parts }: { parts: Record<string, string> }) {
+  const id = parts['id'] ?? null;
+  const plan = use_get<Plan>(id === null ? null : `/api/plans/${id}`);
+  const machines = use_get<{ machines: Machine[] }>('/api/machines');
+  const vocabulary = use_get<Vocabulary>('/api/vocabulary');
+  const wanted_axis = id === null ? place.value.query.get('axis') : null;
+  if (plan.error) return <><h1 tabIndex={-1}>{t('plan')}</h1><FailureNotice error={plan.error} retry={plan.reload} /></>;
+  if ((id !== null && plan.data?.id !== Number(id)) || (machines.loading && !machines.data)) return <h1 tabIndex={-1}>{t('plan')}</h1>;
+  return (
+    <>
+      {vocabulary.error && <FailureNotice error={vocabulary.error} retry={vocabulary.reload} />}
+      {id !== null && plan.data?.request === null
+        ? <WholePlan plan={plan.data} vocabulary={vocabulary.data} />
+        : <Editor kept={plan.data} keep={plan.set} machines={machines.data?.machines ?? []}
+            vocabulary={vocabulary.data} axis={wanted_axis} />}
+    </>
+  );
+}
+
+interface EditorProps {
+  kept: Plan | null;
+  keep: (plan: Plan) => void;
+  machines: Machine[];
+  vocabulary: Vocabulary | null;
+  axis: string | null;
+}
+
+function Editor({ kept, keep, machines, vocabulary, axis }: EditorProps) {
+  const [form, set_form] = useState<PlanForm>(() => first_form(kept, machines, axis));
+  const [touched, set_touched] = useState(false);
+  const { request, faults } = request_of(form);
+  const draft = use_posted<PlanDraft>(`/api/plans/draft${query({ decimal: decimal.value })}`, request === null ? null : { request }, as_json);
+  const shown = draft.data ?? kept;
+  const unit = position_unit(form.kind);
+  const title = form.title.trim() === '' ? usual_title(form, unit) : form.title.trim();
+  const change = (part: Partial<PlanForm>) => {
+    set_form((before) => ({ ...before, ...part }));
+    set_touched(true);
+  };
+  return (
+    <>
+      <Keep {...{ form, title, request, kept, touched }} rename={(name) => change({ title: name })}
+        done={(plan) => {
+          set_touched(false);
+          keep(plan);
+        }}
+        replace={(plan) => {
+          if (plan.request) set_form(form_of(plan.title, plan.axis, plan.request));
+          set_touched(false);
+          keep(plan);
+        }} />
+      <div class="planner">
+        <section class="panel" aria-label={t('plan')}>
+          <PlanFields {...{ form, change, machines, vocabulary }} faults={faults ?? {}}
+            chosen={shown ? settled(shown.plan) : null} />
+        </section>
+        <div class="stack">
+          {draft.error && <FailureNotice error={draft.error} retry={draft.again} />}
+          {shown && (
+            <Outcome draft={shown} unit={unit}>
+              {(draft.error || faults) && <p class="quiet small">{t('last_good')}</p>}
+            </Outcome>
+          )}
+          {vocabulary && shown && <ProgramPanel request={draft.data && !draft.error ? (draft.of as { request: PlanRequest }).request : kept?.request ?? null}
+            plan={null} name={title} vocabulary={vocabulary} />}
+        </div>
+        {shown && <TargetTable targets={shown.targets} unit={unit} />}
+      </div>
+    </>
+  );
+}
+
+function first_form(kept: Plan | null, machines: Machine[], axis: string | null): PlanForm {
+  if (kept?.request) return form_of(kept.title, kept.axis, kept.request);
+  const form = new_form();
+  const machine = machines.find((one) => one.axes.some(({ id }) => String(id) === axis));
+  const found = machine?.axes.find(({ id }) => String(id) === axis);
+  if (!machine || !found) return form;
+  return {
+    ...form, axis: found.id, name: found.name, kind: found.kind, to: found.kind === 'linear' ? '500' : '360',
+    further: { machine: machine.name },
+  };
+}
+
+const usual_title = (form: PlanForm, unit: string): string =>
+  `${form.further['machine'] ? `${form.further['machine']} ` : ''}${form.name.trim()} ${form.from.trim()}…${form.to.trim()} ${unit}`;
+
+/** A plan that came as a file: shown, not edited. */
+function WholePlan({ plan, vocabulary }: { plan: Plan; vocabulary: Vocabulary | null }) {
+  const kind = (plan.plan as { axis?: { kind?: 'linear' | 'rotary' } } | null)?.axis?.kind ?? 'linear';
+  return (
+    <>
+      <header class="row spread">
+        <h1 tabIndex={-1}>{plan.title}</h1>
+        <a class="button" href={`/captures/new?plan=${plan.id}`}>{t('capture_with')}</a>
+      </header>
+      <p class="notice">{t('whole_plan')}</p>
+      <div class="planner whole">
+        <div class="stack">
+          <Outcome draft={plan} unit={position_unit(kind)} />
+          {vocabulary && <ProgramPanel request={null} plan={plan.plan} name={plan.title} vocabulary={vocabulary} />}
+        </div>
+        <TargetTable targets={plan.targets} unit={position_unit(kind)} />
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { ComponentChildren } from 'preact';
+import type { PlanDraft } from '../../api/types';
+import { CopyButton } from '../../components/copy';
+import { FindingList } from '../../components/findings';
+import { fixed, shortest } from '../../numbers';
+import { settled } from './form';
+import { t } from './texts';
+
+/** What a plan comes to: the figures first, then the way of the axis, then what the standard says. */
+export function Outcome({ draft, unit, children }: { draft: PlanDraft; unit: string; children?: ComponentChildren }) {
+  const chosen = settled(draft.plan);
+  const runs = chosen?.runs ?? 0;
+  return (
+    <section class="panel outcome" aria-label={t('programme')}>
+      <div class="row spread">
+        <dl class="figures">
+          <Figure name={t('targets')} value={String(draft.targets.length)} />
+          <Figure name={t('runs')} value={String(runs)} />
+          <Figure name={t('duration')} value={lasting(draft.duration_s)} />
+          <Figure name={t('feed')} value={shortest(chosen?.feed)} unit={`${unit}/min`} />
+          <Figure name={t('overrun')} value={shortest(chosen?.overrun)} unit={unit} />
+        </dl>
+        <p class={`mark ${draft.conforming ? 'good' : 'bad'}`}>
+          <svg width="14" height="14" viewBox="0 0 14 14" aria-hidden="true">
+            <path d={draft.conforming ? 'M2.5 7.5l3 3 6-7' : 'M3 3l8 8M11 3l-8 8'} fill="none" stroke="currentColor" stroke-width="2" />
+          </svg>
+          {t(draft.conforming ? 'conforming' : 'departing')}
+        </p>
+      </div>
+      {draft.findings.length > 0 && <FindingList findings={draft.findings} />}
+      <div class="drawn-frame" role="group" aria-label={t('way')} tabIndex={0}>
+        <img class="drawn" src={picture(draft.figure_svg)} alt={t('figure_of', { n: draft.targets.length, runs })} />
+      </div>
+      {chosen && chosen.further.length > 0 && <Further plans={chosen.further} />}
+      {children}
+    </section>
+  );
+}
+
+function Figure({ name, value, unit }: { name: string; value: string; unit?: string }) {
+  return (
+    <div>
+      <dt>{name}</dt>
+      <dd class="number">{value}{unit && <span class="unit"> {unit}</span>}</dd>
+    </div>
+  );
+}
+
+/** As a picture of its own: what the drawing says can do nothing here. */
+const picture = (svg: string): string => `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
+
+export function lasting(seconds: number): string {
+  if (seconds < 90) return t('seconds', { n: Math.round(seconds) });
+  const minutes = Math.round(seconds / 60);
+  return minutes < 120 ? t('minutes', { n: minutes }) : t('hours', { h: Math.floor(minutes / 60), m: minutes % 60 });
+}
+
+function Further({ plans }: { plans: { title?: string; targets: number[]; runs: number }[] }) {
+  return (
+    <>
+      <h3>{t('further')}</h3>
+      <ul>
+        {plans.map((plan, i) => (
+          <li key={i}>{`${plan.title ?? ''} · ${t('targets')} ${plan.targets.length} · ${t('runs')} ${plan.runs}`}</li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+export function TargetTable({ targets, unit }: { targets: number[]; unit: string }) {
+  return (
+    <section class="panel flush targets">
+      <header>
+        <h2>{t('targets')}</h2>
+        <CopyButton label={t('copy_targets')} text={() => targets.map((target) => shortest(target, 6).replace('\u2212', '-')).join('\n')} />
+      </header>
+      <div class="table-frame" role="region" aria-label={t('targets')} tabIndex={0}>
+        <table>
+          <thead>
+            <tr>
+              <th scope="col" class="number">i</th>
+              <th scope="col" class="number">{t('position')} / {unit}</th>
+              <th scope="col" class="number">{t('interval')} / {unit}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {targets.map((target, i) => (
+              <tr key={i}>
+                <th scope="row" class="number">{i + 1}</th>
+                <td class="number">{fixed(target, 3)}</td>
+                <td class="number quiet">{i === 0 ? '' : fixed(target - (targets[i - 1] as number), 3)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useMemo, useState } from 'preact/hooks';
+import { offer } from '../../api/client';
+import { as_text, use_posted } from '../../api/posted';
+import type { PlanRequest, Vocabulary } from '../../api/types';
+import { CopyButton } from '../../components/copy';
+import { FailureNotice } from '../../components/failure';
+import { Field } from '../../components/field';
+import { Markdown } from '../../components/markdown';
+import { t } from './texts';
+
+interface Options {
+  inch: boolean; unrolled: boolean; block_numbers: boolean; stop_at_start: boolean;
+  trigger: string; number: string; decimals: string;
+}
+const usual: Options = {
+  inch: false, unrolled: false, block_numbers: true, stop_at_start: false, trigger: '', number: '', decimals: '4',
+};
+
+/** What the API takes: members that are left as they are usual are not sent. */
+function sent(options: Options): Record<string, unknown> {
+  const whole = (text: string) => (/^\d+$/.test(text.trim()) ? Number(text) : text.trim());
+  return {
+    unit: options.inch ? 'inch' : 'mm', unrolled: options.unrolled, block_numbers: options.block_numbers,
+    stop_at_start: options.stop_at_start, decimals: whole(options.decimals === '' ? usual.decimals : options.decimals),
+    ...(options.trigger === '' ? {} : { trigger_m_code: whole(options.trigger) }),
+    ...(options.number === '' ? {} : { number: whole(options.number) }),
+  };
+}
+
+/** The part program of the plan as it stands in the form, saved or not. `plan`: the whole one instead of a request. */
+export function ProgramPanel({ request, plan, name, vocabulary }:
+  { request: PlanRequest | null; plan: unknown; name: string; vocabulary: Vocabulary }) {
+  const [dialect, set_dialect] = useState(kept_dialect(vocabulary));
+  const [options, set_options] = useState(usual);
+  const chosen = vocabulary.dialects.find(({ id }) => id === dialect);
+  const body = request === null && plan === null ? null : { ...(request ? { request } : { plan }), dialect, options: sent(options) };
+  const program = use_posted('/api/plans/draft/program', body, as_text);
+  const file = `${name.replace(/[^\w.-]+/g, '-').replace(/^-+|-+$/g, '') || 'plan'}${chosen?.extension ?? '.nc'}`;
+  const choose = (id: string) => {
+    set_dialect(id);
+    keep_dialect(id);
+  };
+  return (
+    <section class="panel program" aria-labelledby="program-title">
+      <header>
+        <h2 id="program-title">{t('program')}</h2>
+        <div class="row">
+          <CopyButton text={() => program.data ?? ''} />
+          <button type="button" disabled={program.data === null || program.error !== null}
+            onClick={() => offer(new Blob([program.data ?? ''], { type: 'text/plain' }), file)}>
+            {t('download')} <span class="quiet">{file}</span>
+          </button>
+        </div>
+      </header>
+      <div class="options">
+        <Field label={t('control')}>
+          {(ids) => (
+            <select {...ids} value={dialect} onChange={(event) => choose(event.currentTarget.value)}>
+              {vocabulary.dialects.map(({ id, title }) => <option key={id} value={id}>{title}</option>)}
+            </select>
+          )}
+        </Field>
+        <OptionFields options={options} change={(part) => set_options({ ...options, ...part })} loops={chosen?.has_loops ?? true} />
+      </div>
+      {program.error && <FailureNotice error={program.error} retry={program.again} />}
+      {program.data !== null && <ProgramText text={program.data} stale={program.error !== null} />}
+      {chosen && chosen.manual !== '' && (
+        <details>
+          <summary>{t('manual')}</summary>
+          <div class="manual" lang="en"><Markdown source={chosen.manual} /></div>
+        </details>
+      )}
+    </section>
+  );
+}
+
+function OptionFields({ options, change, loops }: { options: Options; change: (part: Partial<Options>) => void; loops: boolean }) {
+  const text = (key: 'trigger' | 'number' | 'decimals', label: string) => (
+    <Field label={label}>
+      {(ids) => (
+        <input {...ids} class="number short" inputMode="numeric" autocomplete="off" value={options[key]}
+          placeholder={key === 'decimals' ? usual.decimals : t('none')} onInput={(event) => change({ [key]: event.currentTarget.value })} />
+      )}
+    </Field>
+  );
+  const box = (key: 'inch' | 'unrolled' | 'block_numbers' | 'stop_at_start', disabled = false) => (
+    <label>
+      <input type="checkbox" checked={options[key]} disabled={disabled} onChange={(event) => change({ [key]: event.currentTarget.checked })} />
+      {t(key)}
+    </label>
+  );
+  return (
+    <>
+      {text('trigger', t('trigger'))}
+      {text('number', t('number'))}
+      {text('decimals', t('decimals'))}
+      <div class="boxes">
+        {box('inch')}
+        {box('unrolled', !loops)}
+        {box('block_numbers')}
+        {box('stop_at_start')}
+      </div>
+    </>
+  );
+}
+
+function ProgramText({ text, stale }: { text: string; stale: boolean }) {
+  const lines = useMemo(() => text.replace(/\r?\n$/, '').split('\n').length, [text]);
+  const numbers = useMemo(() => Array.from({ length: lines }, (_, i) => i + 1).join('\n'), [lines]);
+  return (
+    <>
+      <div class={`listing${stale ? ' stale' : ''}`} role="region" aria-label={t('program_text')} tabIndex={0}>
+        <pre aria-hidden="true">{numbers}</pre>
+        <pre>{text}</pre>
+      </div>
+      <p class="quiet small">{t('lines', { n: lines })}</p>
+    </>
+  );
+}
+
+// A workshop has mostly one control: the one chosen last is the first next time.
+const key = 'axiometry.dialect';
+function kept_dialect(vocabulary: Vocabulary): string {
+  let kept: string | null = null;
+  try {
+    kept = localStorage.getItem(key);
+  } catch {
+    // a browser may forbid it
+  }
+  return vocabulary.dialects.find(({ id }) => id === kept)?.id ?? vocabulary.dialects[0]?.id ?? '';
+}
+function keep_dialect(id: string): void {
+  try {
+    localStorage.setItem(key, id);
+  } catch {
+    // a browser may forbid it
+  }
+}

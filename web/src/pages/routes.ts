@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every page and its path; links among pages are plain paths.
+import type { Page } from '../router';
+import { AuditPage } from './audit';
+import { AxisPage } from './axis';
+import { CapturePage } from './capture';
+import { NewCapturePage } from './capture_new';
+import { CapturesPage } from './captures';
+import { ComparePage } from './compare';
+import { InstrumentPage } from './instrument';
+import { InstrumentsPage } from './instruments';
+import { MachinePage } from './machine';
+import { MachinesPage } from './machines';
+import { PlanPage } from './plan';
+import { PlansPage } from './plans';
+import { ReportPage } from './report';
+import { SettingsPage } from './settings';
+import { OneTestPage } from './test';
+import { TestsPage } from './tests';
+
+export const routes: readonly (readonly [string, Page])[] = [
+  ['/', TestsPage],
+  ['/machines', MachinesPage],
+  ['/machines/:id', MachinePage],
+  ['/axes/:id', AxisPage],
+  ['/instruments', InstrumentsPage],
+  ['/instruments/:id', InstrumentPage],
+  ['/settings', SettingsPage],
+  ['/audit', AuditPage],
+  ['/tests/:id/report', ReportPage],
+  ['/plans', PlansPage],
+  ['/plans/new', PlanPage],
+  ['/plans/:id', PlanPage],
+  ['/tests/:id', OneTestPage],
+  ['/compare', ComparePage],
+  ['/captures', CapturesPage],
+  ['/captures/new', NewCapturePage],
+  ['/captures/:id', CapturePage],
+];

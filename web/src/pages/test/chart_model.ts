@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// The positioning chart of a test in terms of the drawing: runs, means, bands, limits.
+import type { ChartBand, ChartLine, ChartModel, ChartSeries, Values } from '../../components/chart';
+import type { Evaluated, Parameter, PositionResult } from '../../api/types';
+import { texts } from '../../i18n/texts';
+import { position_unit, shortest, unit_sign } from '../../numbers';
+import { plain_symbol } from './figures_text';
+
+export const t = texts({
+  position: ['Position', 'Position'],
+  deviation: ['Deviation', 'Abweichung'],
+  run: ['run {run} {arrow}', 'Lauf {run} {arrow}'],
+  measured: ['as measured, run {run} {arrow}', 'wie gemessen, Lauf {run} {arrow}'],
+  mean_up: ['mean ↑', 'Mittel ↑'],
+  mean_down: ['mean ↓', 'Mittel ↓'],
+  mean: ['mean of both', 'Mittel beider'],
+  limit: ['limit of {symbol}: {value} {unit} in all', 'Grenzwert {symbol}: {value} {unit} insgesamt'],
+});
+
+export type Way = 'up' | 'down';
+export const arrow = (way: Way): string => (way === 'up' ? '↑' : '↓');
+export const run_key = (way: Way, run: number): string => `${way}:${run}`;
+
+/** Parts of the chart that a user switches. */
+export type Part = 'runs' | 'mean_up' | 'mean_down' | 'mean' | 'bands' | 'uncertainty' | 'limits' | 'measured';
+
+export interface ChartChoice {
+  hidden: ReadonlySet<Part>;
+  hidden_runs: ReadonlySet<string>;
+  limit: Parameter | null;
+}
+
+type PositionU = { target: number; mean: { U: number } | null; up: { U: number } | null; down: { U: number } | null };
+
+/** U of the means at the targets, which the GUM method knows. */
+export function position_uncertainties(evaluated: Evaluated): PositionU[] | null {
+  const budget = evaluated.result.uncertainty?.gum_budget;
+  const positions = budget?.['positions'];
+  return Array.isArray(positions) && positions.length === evaluated.result.positions.length ? (positions as PositionU[]) : null;
+}
+
+/** Ranges that a limit bounds in the chart: the lowest and the highest of what the parameter is made of. */
+function bounded(positions: readonly PositionResult[], parameter: Parameter): [number, number] | null {
+  const ends: number[] = [];
+  const take = (mean: number | null, s: number | null) => {
+    if (mean === null) return;
+    const reach = parameter.startsWith('A') ? s : 0;
+    if (reach !== null) ends.push(mean - 2 * reach, mean + 2 * reach);
+  };
+  for (const position of positions) {
+    if (parameter === 'M') take(position.mean, 0);
+    else {
+      if (!parameter.endsWith('_down')) take(position.mean_up, position.s_up);
+      if (!parameter.endsWith('_up')) take(position.mean_down, position.s_down);
+    }
+  }
+  return ends.length === 0 ? null : [Math.min(...ends), Math.max(...ends)];
+}
+
+/** Parameters with a limit that can be drawn: those that are a range of deviations. */
+export function drawable_limits(evaluated: Evaluated): Parameter[] {
+  return evaluated.shown.filter((row) => row.limit !== null && /^[AEM]/.test(row.parameter)).map((row) => row.parameter);
+}
+
+/** A limit bounds a range, not a place: its two lines stand about the middle of that range. */
+function limit_lines(evaluated: Evaluated, choice: ChartChoice): ChartLine[] {
+  const row = evaluated.shown.find((shown) => shown.parameter === choice.limit);
+  const range = choice.limit === null ? null : bounded(evaluated.result.positions, choice.limit);
+  if (!row || row.limit === null || range === null) return [];
+  const middle = (range[0] + range[1]) / 2;
+  const colour = row.verdict === 'does not conform' ? '--bad' : '--good';
+  const hidden = choice.hidden.has('limits');
+  const label = t('limit', { symbol: plain_symbol(row.parameter), value: shortest(row.limit), unit: row.unit });
+  return [
+    { value: middle + row.limit / 2, colour, label, hidden },
+    { value: middle - row.limit / 2, colour, label: '', hidden },
+  ];
+}
+
+/** Indices of the targets in ascending order, as the chart wants them. */
+export function chart_order(evaluated: Evaluated): number[] {
+  const { targets } = evaluated.readings;
+  return targets.map((_, i) => i).sort((a, b) => (targets[a] as number) - (targets[b] as number));
+}
+
+function run_series(evaluated: Evaluated, order: readonly number[], choice: ChartChoice): ChartSeries[] {
+  const { readings } = evaluated;
+  const made: ChartSeries[] = [];
+  const add = (table: (number | null)[][], way: Way, measured: boolean) => {
+    for (let run = 0; run < (table[0]?.length ?? 0); run += 1) {
+      const values = order.map((i) => table[i]?.[run] ?? null);
+      if (values.every((value) => value === null)) continue;
+      made.push({
+        key: `${measured ? 'measured' : 'run'}:${run_key(way, run)}`, values, colour: `--series-${way}`,
+        label: t(measured ? 'measured' : 'run', { run: run + 1, arrow: arrow(way) }),
+        width: 1, opacity: measured ? 0.45 : 0.5, shape: measured ? 'ring' : 'circle', size: 3.5,
+        ...(measured ? { dash: [1, 3] } : {}),
+        hidden: choice.hidden.has(measured ? 'measured' : 'runs') || choice.hidden_runs.has(run_key(way, run)),
+      });
+    }
+  };
+  add(readings.up, 'up', false);
+  add(readings.down, 'down', false);
+  if (readings.as_measured) {
+    add(readings.as_measured.up, 'up', true);
+    add(readings.as_measured.down, 'down', true);
+  }
+  return made;
+}
+
+function mean_series(positions: readonly PositionResult[], choice: ChartChoice): ChartSeries[] {
+  const all: ChartSeries[] = [
+    { key: 'mean', label: t('mean'), values: positions.map((p) => p.mean), colour: '--series-mean', width: 1.5, dash: [2, 3], shape: null, hidden: choice.hidden.has('mean') },
+    { key: 'mean_up', label: t('mean_up'), values: positions.map((p) => p.mean_up), colour: '--series-up', width: 2, shape: 'up', size: 8, hidden: choice.hidden.has('mean_up') },
+    { key: 'mean_down', label: t('mean_down'), values: positions.map((p) => p.mean_down), colour: '--series-down', width: 2, dash: [7, 3], shape: 'down', size: 8, hidden: choice.hidden.has('mean_down') },
+  ];
+  return all.filter((series) => series.values.some((value) => value !== null));
+}
+
+const shifted = (means: Values, reach: Values, sign: 1 | -1): Values =>
+  means.map((mean, i) => (mean === null || reach[i] === null || reach[i] === undefined ? null : mean + sign * (reach[i] as number)));
+
+function band(key: string, means: Values, reach: Values, colour: string, opacity: number, hidden: boolean): ChartBand {
+  return { key, upper: shifted(means, reach, 1), lower: shifted(means, reach, -1), colour, opacity, hidden };
+}
+
+export function chart_model(evaluated: Evaluated, choice: ChartChoice): ChartModel & { order: number[] } {
+  const order = chart_order(evaluated);
+  const positions = order.map((i) => evaluated.result.positions[i]).filter((p): p is PositionResult => p !== undefined);
+  const known = position_uncertainties(evaluated);
+  const { kind } = evaluated.result.axis;
+  const twice = (s: number | null): number | null => (s === null ? null : 2 * s);
+  const bands: ChartBand[] = [
+    band('up', positions.map((p) => p.mean_up), positions.map((p) => twice(p.s_up)), '--series-up', 0.13, choice.hidden.has('bands')),
+    band('down', positions.map((p) => p.mean_down), positions.map((p) => twice(p.s_down)), '--series-down', 0.13, choice.hidden.has('bands')),
+  ];
+  const help: ChartSeries[] = [];
+  if (known) {
+    // Of both directions together where both were measured, else of the one.
+    const one = positions.every((p) => p.mean === null) ? (positions.some((p) => p.mean_up !== null) ? 'up' : 'down') : null;
+    const means = positions.map((p) => (one === null ? p.mean : one === 'up' ? p.mean_up : p.mean_down));
+    const reach = order.map((i) => (one === null ? known[i]?.mean?.U : known[i]?.[one]?.U) ?? null);
+    const hidden = choice.hidden.has('uncertainty');
+    const made = band('uncertainty', means, reach, '--series-mean', 0.12, hidden);
+    bands.push(made);
+    const edge = { colour: '--series-mean', width: 1, opacity: 0.5, shape: null, quiet: true, hidden };
+    help.push({ key: 'upper', label: '', values: made.upper, ...edge }, { key: 'lower', label: '', values: made.lower, ...edge });
+  }
+  return {
+    order, x: order.map((i) => evaluated.readings.targets[i] as number),
+    x_label: `${t('position')}, ${position_unit(kind)}`,
+    y_label: `${t('deviation')}, ${unit_sign(evaluated.result.unit)}`,
+    series: [...run_series(evaluated, order, choice), ...help, ...mean_series(positions, choice)],
+    bands, lines: limit_lines(evaluated, choice),
+  };
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Unsaved edits survive a reload, a closed lid and the back button: this tab keeps them until they are saved or discarded.
+import type { Draft } from '../../api/types';
+
+export interface KeptDraft extends Draft { base_version: number; title: string }
+
+const name = (test: number): string => `axiometry.draft.${test}`;
+
+/** A browser may forbid to keep anything; then a draft lasts as long as the page. */
+export function keep_draft(test: number, draft: KeptDraft | null): void {
+  try {
+    if (draft === null) sessionStorage.removeItem(name(test));
+    else sessionStorage.setItem(name(test), JSON.stringify(draft));
+  } catch {
+    // see above
+  }
+}
+
+export function kept_draft(test: number): KeptDraft | null {
+  try {
+    const text = sessionStorage.getItem(name(test));
+    return text === null ? null : (JSON.parse(text) as KeptDraft);
+  } catch {
+    return null;
+  }
+}

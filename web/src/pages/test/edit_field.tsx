@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useEffect, useRef, useState } from 'preact/hooks';
+import type { Field as FieldInfo, Vocabulary } from '../../api/types';
+import { Field } from '../../components/field';
+import { texts } from '../../i18n/texts';
+import { decimal } from '../../settings';
+import { EditRecords } from './edit_records';
+import { field_unit, plain_text, same_value, stated_text, typed_text } from './field_value';
+import type { TestState } from './state';
+
+const t = texts({
+  not_given: ['not given', 'nicht angegeben'],
+  yes: ['yes', 'ja'],
+  no: ['no', 'nein'],
+  file_says: ['In the file: {value}', 'In der Datei: {value}'],
+  instrument_says: ['From {name}: {value}', 'Von {name}: {value}'],
+  axis_says: ['Limit of the axis: {value}', 'Grenzwert der Achse: {value}'],
+  file_silent: ['Not in the file', 'Nicht in der Datei'],
+  undo: ['Undo', 'Zurücknehmen'],
+  undo_field: ['Undo the change of {title}', 'Änderung von {title} zurücknehmen'],
+  linear: ['linear', 'linear'],
+  rotary: ['rotary', 'rotatorisch'],
+  'this-test': ['this test', 'diese Prüfung'],
+  'this-machine': ['this machine', 'diese Maschine'],
+});
+
+const own_words = ['linear', 'rotary', 'this-test', 'this-machine'] as const;
+
+/** A choice in words: cycles and rules have titles in the vocabulary. */
+function choice_title(vocabulary: Vocabulary, choice: string): string {
+  const own = own_words.find((word) => word === choice);
+  if (own !== undefined) return t(own);
+  return [...vocabulary.cycles, ...vocabulary.rules].find((one) => one.id === choice)?.title ?? choice;
+}
+
+/** One field of the metadata: what is typed becomes a change at once; what the file says stands below. */
+export function EditField({ state, field, vocabulary }: { state: TestState; field: FieldInfo; vocabulary: Vocabulary }) {
+  const frame = useRef<HTMLDivElement>(null);
+  const stated = stated_text(field, state.stated.value);
+  const changed = state.changes.value[field.key] !== undefined;
+  const wanted = state.wanted_field.value === field.key;
+  useEffect(() => {
+    if (!wanted) return;
+    state.wanted_field.value = null;
+    const control = frame.current?.querySelector<HTMLElement>('input, select, textarea, button');
+    frame.current?.scrollIntoView({ block: 'center' });
+    control?.focus({ preventScroll: true });
+  }, [wanted]);
+  const origin = origin_of(state, field, stated, changed, vocabulary);
+  const unit = field_unit(field, state.evaluated.value.result.axis.kind);
+  return (
+    <div ref={frame} class={`edit-field ${changed ? 'changed' : ''} ${field.type}`}>
+      <Field label={<>{field.title}{unit !== '' && <span class="unit">, {unit}</span>}</>} fault={state.faults.value[field.key] ?? null}
+             hint={<>{origin !== null && <span class="file-says">{origin}</span>} {field.description}{field.clause !== '' && <span class="clause"> {field.clause}</span>}</>}>
+        {(ids) => <Control ids={ids} state={state} field={field} vocabulary={vocabulary} stated={stated} />}
+      </Field>
+      {changed && (
+        <button type="button" class="plain small undo" aria-label={t('undo_field', { title: field.title })} onClick={() => state.put(field, stated)}>{t('undo')}</button>
+      )}
+    </div>
+  );
+}
+
+/** Where an unchanged value comes from: the file, or what the archive knows of instruments and axis. */
+function origin_of(state: TestState, field: FieldInfo, stated: string, changed: boolean, vocabulary: Vocabulary): string | null {
+  const taken = state.evaluated.value.from_archive;
+  const instrument = taken?.instruments.find((one) => one.inputs[field.key] !== undefined);
+  if (instrument && !changed) return t('instrument_says', { name: instrument.name, value: shown(field, instrument.inputs[field.key] as string, vocabulary) });
+  const limit = taken?.axis?.limits.find((one) => field.key === `tolerance.${one.parameter}`);
+  if (limit && stated === '' && !changed) return t('axis_says', { value: shown(field, String(limit.value), vocabulary) });
+  if (!changed) return null;
+  return stated === '' ? t('file_silent') : t('file_says', { value: shown(field, stated, vocabulary) });
+}
+
+function shown(field: FieldInfo, text: string, vocabulary: Vocabulary): string {
+  if (field.type === 'choice') return choice_title(vocabulary, text);
+  if (field.type === 'boolean') return text === 'yes' ? t('yes') : t('no');
+  return typed_text(field, text);
+}
+
+type Ids = { id: string; 'aria-describedby': string | undefined; 'aria-invalid': 'true' | undefined };
+
+function Control({ ids, state, field, vocabulary, stated }: {
+  ids: Ids; state: TestState; field: FieldInfo; vocabulary: Vocabulary; stated: string;
+}) {
+  const text = state.text_of(field);
+  if (field.type === 'records') return <EditRecords ids={ids} field={field} text={text} change={(next) => state.put(field, next)} />;
+  if (field.type === 'choice' || field.type === 'boolean') {
+    const choices = field.type === 'boolean' ? ['yes', 'no'] : field.choices;
+    return (
+      <select {...ids} value={text} onChange={(event) => state.put(field, event.currentTarget.value)}>
+        <option value="">{t('not_given')}</option>
+        {choices.map((choice) => <option key={choice} value={choice}>{shown(field, choice, vocabulary)}</option>)}
+      </select>
+    );
+  }
+  return <Typed ids={ids} field={field} text={text} placeholder={typed_text(field, stated)} change={(next) => state.put(field, next)} />;
+}
+
+/** An input that keeps what was typed as it was typed, until the value changes from elsewhere. */
+function Typed({ ids, field, text, placeholder, change }: {
+  ids: Ids; field: FieldInfo; text: string; placeholder: string; change: (text: string) => void;
+}) {
+  const mark = decimal.value;
+  const [typed, set_typed] = useState(typed_text(field, text));
+  useEffect(() => {
+    if (!same_value(field, plain_text(field, typed), text)) set_typed(typed_text(field, text));
+  }, [text]);
+  useEffect(() => set_typed(typed_text(field, text)), [mark]);
+  const numeric = field.type === 'number' || field.type === 'numbers';
+  return (
+    <input {...ids} type="text" value={typed} placeholder={placeholder} inputMode={field.type === 'number' && (field.minimum ?? -1) >= 0 ? 'decimal' : 'text'}
+           class={numeric ? 'number' : ''} autoComplete="off" spellcheck={!numeric}
+           onInput={(event) => {
+             set_typed(event.currentTarget.value);
+             change(plain_text(field, event.currentTarget.value));
+           }} />
+  );
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useEffect, useState } from 'preact/hooks';
+import type { Field } from '../../api/types';
+import { texts } from '../../i18n/texts';
+import { marked, parsed } from '../../numbers';
+import { records_of, records_text } from './field_value';
+
+const t = texts({
+  add: ['Add a row', 'Zeile hinzufügen'],
+  remove: ['Remove row {row}', 'Zeile {row} entfernen'],
+  cell: ['{column}, row {row}', '{column}, Zeile {row}'],
+});
+
+interface Props {
+  ids: { id: string; 'aria-describedby': string | undefined; 'aria-invalid': 'true' | undefined };
+  field: Field;
+  text: string;
+  change: (text: string) => void;
+}
+
+/** A list of records as a small table; rows in which nothing stands yet are only on the screen. */
+export function EditRecords({ ids, field, text, change }: Props) {
+  const shown = (rows: string[][]) => rows.map((row) => row.map((cell, i) => (field.columns[i]?.type === 'number' && parsed(cell) !== null ? marked(cell) : cell)));
+  const [rows, set_rows] = useState(shown(records_of(field, text)));
+  useEffect(() => {
+    if (records_text(field, rows) !== records_text(field, records_of(field, text))) set_rows(shown(records_of(field, text)));
+  }, [text]);
+  const put = (next: string[][]) => {
+    set_rows(next);
+    change(records_text(field, next));
+  };
+  return (
+    <div class="records">
+      {rows.length > 0 && (
+        <div class="table-frame">
+          <table>
+            <thead>
+              <tr>
+                {field.columns.map((column) => <th key={column.key} scope="col">{column.title}{column.unit !== '' && `, ${column.unit}`}</th>)}
+                <td />
+              </tr>
+            </thead>
+            <tbody>
+              {rows.map((row, r) => (
+                <tr key={r}>
+                  {field.columns.map((column, c) => (
+                    <td key={column.key}>
+                      <input type="text" value={row[c]} size={column.type === 'number' ? 6 : 12} autoComplete="off"
+                             aria-label={t('cell', { column: column.title, row: r + 1 })} aria-invalid={ids['aria-invalid']}
+                             onInput={(event) => {
+                               const next = event.currentTarget.value;
+                               put(rows.map((other, i) => (i === r ? other.map((cell, k) => (k === c ? next : cell)) : other)));
+                             }} />
+                    </td>
+                  ))}
+                  <td><button type="button" class="plain" aria-label={t('remove', { row: r + 1 })} onClick={() => put(rows.filter((_, i) => i !== r))}>×</button></td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
+      )}
+      <button {...ids} type="button" class="small" onClick={() => set_rows([...rows, field.columns.map(() => '')])}>{t('add')}</button>
+    </div>
+  );
+}

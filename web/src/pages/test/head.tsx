@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { ComponentChildren } from 'preact';
+import { useState } from 'preact/hooks';
+import { query, send } from '../../api/client';
+import type { Test } from '../../api/types';
+import { VerdictMark } from '../../components/verdict';
+import { texts } from '../../i18n/texts';
+import { bytes } from '../../numbers';
+import { ReasonDialog } from './reason_dialog';
+import { test_path, type TestState } from './state';
+
+const t = texts({
+  machine: ['Machine', 'Maschine'],
+  axis: ['Axis', 'Achse'],
+  date: ['Date', 'Datum'],
+  standard: ['Standard', 'Norm'],
+  file: ['File', 'Datei'],
+  instruments: ['Instruments', 'Messmittel'],
+  not_a_result: ['not a result of this standard', 'kein Ergebnis nach dieser Norm'],
+  report: ['Report', 'Bericht'],
+  compare: ['Compare', 'Vergleichen'],
+  raw: ['Raw file', 'Rohdatei'],
+  edit: ['Edit', 'Bearbeiten'],
+  close: ['Close the editor', 'Bearbeiten beenden'],
+  withdraw: ['Withdraw', 'Zurückziehen'],
+  reinstate: ['Reinstate', 'Wieder gültig machen'],
+  withdrawn: ['withdrawn', 'zurückgezogen'],
+  withdraw_title: ['Withdraw this test', 'Diese Prüfung zurückziehen'],
+  withdraw_text: ['It stays in the archive with all its data, but no longer counts in lists and trends.',
+                  'Sie bleibt mit allen Daten im Archiv, zählt aber in Listen und Verläufen nicht mehr.'],
+  reinstate_title: ['Reinstate this test', 'Diese Prüfung wieder gültig machen'],
+  reinstate_text: ['It counts again in lists and trends.', 'Sie zählt in Listen und Verläufen wieder.'],
+  due: ['calibration due {date}', 'Kalibrierung fällig {date}'],
+  unnamed: ['not named', 'nicht benannt'],
+});
+
+function Fact({ label, children }: { label: string; children: ComponentChildren }) {
+  return <div><dt>{label}</dt><dd>{children}</dd></div>;
+}
+
+function measured_on(test: Test): string {
+  const conditions = test.result.metadata['test'] as Record<string, unknown> | undefined;
+  return typeof conditions?.['date'] === 'string' ? conditions['date'] : '–';
+}
+
+function Facts({ state }: { state: TestState }) {
+  const test = state.test.value;
+  const result = state.evaluated.value.result;
+  return (
+    <dl class="test-facts">
+      <Fact label={t('machine')}>{test.machine ? <a href={`/machines/${test.machine.id}`}>{test.machine.name || t('unnamed')}</a> : t('unnamed')}</Fact>
+      <Fact label={t('axis')}>{test.axis ? <a href={`/axes/${test.axis.id}`}>{test.axis.name || t('unnamed')}</a> : result.axis.name || t('unnamed')}</Fact>
+      <Fact label={t('date')}>{measured_on(test)}</Fact>
+      <Fact label={t('standard')}>
+        {result.standard}{' '}
+        {!result.conforming && <span class="mark bad">{t('not_a_result')}</span>}
+        {result.label && <span class="label-words">{result.label}</span>}
+      </Fact>
+      {test.instruments.length > 0 && (
+        <Fact label={t('instruments')}>
+          {test.instruments.map((instrument, i) => (
+            <span key={instrument.id}>{i > 0 && ', '}
+              <a href={`/instruments/${instrument.id}`} title={instrument.calibration_due ? t('due', { date: instrument.calibration_due }) : undefined}>{instrument.name}</a>
+            </span>
+          ))}
+        </Fact>
+      )}
+      <Fact label={t('file')}>
+        <span class="file-name">{test.file.name}{test.file.name_in_file !== '' && ` · ${test.file.name_in_file}`}</span>{' '}
+        <span class="quiet number">{bytes(test.file.size)} · <span class="mono" title={`SHA-256 ${test.file.sha256}`}>{test.file.sha256.slice(0, 8)}</span></span>
+      </Fact>
+    </dl>
+  );
+}
+
+/** What test this is, and what can be done with it. */
+export function Head({ state }: { state: TestState }) {
+  const test = state.test.value;
+  const [asking, set_asking] = useState(false);
+  const version = test.version === test.latest ? null : test.version;
+  const turn = test.withdrawn ? 'reinstate' : 'withdraw';
+  return (
+    <header class="test-head">
+      <div class="row spread">
+        <div class="row title-row">
+          <h1 tabIndex={-1}>{test.title}</h1>
+          <VerdictMark verdict={state.evaluated.value.verdict} />
+          {test.withdrawn && <span class="mark caution">{t('withdrawn')}</span>}
+        </div>
+        <div class="row no-print">
+          <button type="button" aria-expanded={state.editing.value} aria-controls="edit-panel" disabled={version !== null}
+                  onClick={() => (state.editing.value ? (state.editing.value = false) : state.edit())}>
+            {state.editing.value ? t('close') : t('edit')}
+          </button>
+          <a class="button primary" href={`/tests/${test.id}/report${query({ version })}`}>{t('report')}</a>
+          <a class="button" href={`/compare?tests=${test.id}`}>{t('compare')}</a>
+          <a class="button" href={`/api/tests/${test.id}/raw`} download={test.file.name}>{t('raw')}</a>
+          <button type="button" onClick={() => set_asking(true)}>{t(turn)}</button>
+        </div>
+      </div>
+      <Facts state={state} />
+      {asking && (
+        <ReasonDialog title={t(`${turn}_title`)} action={t(turn)} close={() => set_asking(false)}
+          act={async (reason) => state.refresh(await send<Test>('POST', test_path(test.id, `/${turn}`), { reason }))}>
+          <p>{t(`${turn}_text`)}</p>
+        </ReasonDialog>
+      )}
+    </header>
+  );
+}

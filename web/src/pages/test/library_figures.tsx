@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useState } from 'preact/hooks';
+import { query } from '../../api/client';
+import { use_get } from '../../api/use';
+import { FailureNotice } from '../../components/failure';
+import { texts } from '../../i18n/texts';
+import { decimal, language, shown_theme } from '../../settings';
+import type { TestState } from './state';
+
+const t = texts({
+  title: ['Figures of the report', 'Bilder des Berichts'],
+  choose: ['Figure', 'Bild'],
+  save: ['Save as SVG', 'Als SVG speichern'],
+  kept: ['Of version {version}, without the unsaved changes.', 'Von Version {version}, ohne die ungespeicherten Änderungen.'],
+});
+
+interface FigureList { figures: { id: number; title: string }[] }
+
+/** The figures as the library draws them, which reports hold and exports are. */
+export function LibraryFigures({ state }: { state: TestState }) {
+  const test = state.test.value;
+  const list = use_get<FigureList>(`/api/tests/${test.id}/figures${query({ version: test.version })}`);
+  const [at, set_at] = useState(0);
+  const figures = list.data?.figures ?? [];
+  const n = at < figures.length ? at : 0;
+  const path = (theme: string) =>
+    `/api/tests/${test.id}/figures/${figures[n]?.id}.svg${query({ version: test.version, theme, language: language.value, decimal: decimal.value })}`;
+  if (list.data !== null && figures.length === 0) return null;
+  return (
+    <section class="panel figures-panel">
+      <header>
+        <h2>{t('title')}</h2>
+        {figures.length > 0 && <a class="button small no-print" href={path('light')} download={`${test.title} ${figures[n]?.id ?? ''}.svg`}>{t('save')}</a>}
+      </header>
+      {list.error && <FailureNotice error={list.error} retry={list.reload} />}
+      {figures.length > 1 && (
+        <select class="figure-choice no-print" aria-label={t('choose')} value={n} onChange={(event) => set_at(Number(event.currentTarget.value))}>
+          {figures.map((figure, i) => <option key={figure.id} value={i}>{figure.title}</option>)}
+        </select>
+      )}
+      {figures.length > 0 && <img class="library-figure" src={path(shown_theme.value)} alt={figures[n]?.title ?? ''} loading="lazy" />}
+      {state.edited.value && <p class="small quiet">{t('kept', { version: test.version })}</p>}
+    </section>
+  );
+}

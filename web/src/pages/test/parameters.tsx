@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Evaluated, MonteCarloOutput, Parameter, Verdict, Vocabulary } from '../../api/types';
+import { ParameterSymbol } from '../../components/symbol';
+import { VerdictMark } from '../../components/verdict';
+import { texts } from '../../i18n/texts';
+import { absent, fixed, parsed, shortest } from '../../numbers';
+import { decimals_of, main_parameters, type Shown } from './figures_text';
+import { LimitBar } from './limit_bar';
+import type { TestState } from './state';
+
+const t = texts({
+  glance: ['At a glance', 'Auf einen Blick'],
+  title: ['Parameters', 'Kenngrößen'],
+  parameter: ['Parameter', 'Kenngröße'],
+  name: ['Name', 'Benennung'],
+  value: ['Value', 'Wert'],
+  limit: ['Limit', 'Grenzwert'],
+  against: ['Value against limit', 'Wert und Grenzwert'],
+  verdict: ['Verdict', 'Urteil'],
+  kept: ['kept', 'gespeichert'],
+  of_limit: ['limit {limit}', 'Grenzwert {limit}'],
+  no_uncertainty: ['no uncertainty stated', 'ohne Angabe der Unsicherheit'],
+  interval: ['Monte Carlo interval', 'Monte-Carlo-Intervall'],
+  units: ['Values in {unit}. U: expanded uncertainty, about 95 %.', 'Werte in {unit}. U: erweiterte Unsicherheit, rund 95 %.'],
+});
+
+const tone_of = (verdict: Verdict | null) =>
+  verdict === 'conforms' ? 'good' : verdict === 'does not conform' ? 'bad' : verdict === 'undecided' ? 'caution' : 'none';
+
+const shown_of = (evaluated: Evaluated, parameter: Parameter): Shown | undefined =>
+  evaluated.shown.find((row) => row.parameter === parameter);
+
+/** The expanded uncertainty as it is shown, as a number for the bar. */
+const number_of = (text: string): number | null => parsed(text);
+
+function Stored({ now, kept }: { now: Shown; kept: Shown | undefined }) {
+  if (kept === undefined || (kept.value === now.value && kept.U === now.U && kept.interval === now.interval)) return null;
+  const text = kept.U === '' ? `${kept.value} ${kept.interval}` : `${kept.value} ± ${kept.U}`;
+  return <span class="was small number">{t('kept')} {text}</span>;
+}
+
+/** The five figures that say how the axis is, large. */
+export function Headline({ state }: { state: TestState }) {
+  const evaluated = state.evaluated.value;
+  const kept = state.test.value;
+  const main = main_parameters(evaluated.result);
+  // Bars without a limit stand on one scale, so that they can be compared with each other.
+  const reach = Math.max(...main.map((parameter) => Math.abs(evaluated.result.parameters[parameter] ?? 0) + (number_of(shown_of(evaluated, parameter)?.U ?? '') ?? 0)));
+  return (
+    <section class="panel headline" aria-label={t('glance')}>
+      {main.map((parameter) => {
+        const row = shown_of(evaluated, parameter);
+        const value = evaluated.result.parameters[parameter];
+        if (row === undefined || value === null) return null;
+        return (
+          <div key={parameter} class="glance">
+            <div class="row spread">
+              <span class="glance-symbol"><ParameterSymbol parameter={parameter} /></span>
+              {row.limit !== null && <VerdictMark verdict={row.verdict} short />}
+            </div>
+            <div class="number"><span class="glance-value">{row.value}</span>{' '}
+              {row.U !== '' && <span class="glance-u">± {row.U}</span>} <span class="quiet">{row.unit}</span>
+              {row.U === '' && row.interval !== '' && <span class="small"> ({row.interval})</span>}
+            </div>
+            <LimitBar value={value} U={number_of(row.U)} limit={row.limit} tone={tone_of(row.verdict)} reach={reach} />
+            <div class="small quiet number">
+              {row.limit !== null && t('of_limit', { limit: shortest(row.limit) })} <Stored now={row} kept={shown_of(kept, parameter)} />
+            </div>
+          </div>
+        );
+      })}
+    </section>
+  );
+}
+
+interface Methods { annex_a: boolean; gum: boolean; monte_carlo: boolean }
+
+function methods_of(evaluated: Evaluated): Methods {
+  const uncertainty = evaluated.result.uncertainty;
+  return { annex_a: !!uncertainty?.annex_a, gum: !!uncertainty?.gum, monte_carlo: !!uncertainty?.monte_carlo };
+}
+
+function interval_text(output: MonteCarloOutput | null | undefined, decimals: number): string {
+  return output ? `${fixed(output.symmetric[0], decimals)} … ${fixed(output.symmetric[1], decimals)}` : absent;
+}
+
+/** All twelve parameters, with the uncertainty by every method that was run. */
+export function Parameters({ state, vocabulary }: { state: TestState; vocabulary: Vocabulary | null }) {
+  const evaluated = state.evaluated.value;
+  const kept = state.test.value;
+  const methods = methods_of(evaluated);
+  const any_limit = evaluated.shown.some((row) => row.limit !== null);
+  return (
+    <section class="panel flush parameters-panel">
+      <header><h2>{t('title')}</h2>{!methods.annex_a && !methods.gum && <span class="small quiet">{t('no_uncertainty')}</span>}</header>
+      <div class="table-frame">
+        <table class={`parameters ${any_limit || methods.monte_carlo ? 'full' : ''}`}>
+          <thead>
+            <tr>
+              <th scope="col"><span class="visually-hidden">{t('parameter')}</span></th>
+              <th scope="col" class="name">{t('name')}</th>
+              <th scope="col" class="number">{t('value')}</th>
+              {methods.annex_a && <th scope="col" class="number">U <span class="method">{'Annex A'}</span></th>}
+              {methods.gum && <th scope="col" class="number">U <span class="method">GUM</span></th>}
+              {methods.monte_carlo && <th scope="col" class="number">{t('interval')}</th>}
+              {any_limit && <th scope="col" class="number">{t('limit')}</th>}
+              {any_limit && <th scope="col"><span class="visually-hidden">{t('verdict')}</span></th>}
+              {any_limit && <th scope="col"><span class="visually-hidden">{t('against')}</span></th>}
+            </tr>
+          </thead>
+          <tbody>
+            {evaluated.shown.map((row) => (
+              <Row key={row.parameter} row={row} kept={shown_of(kept, row.parameter)} evaluated={evaluated} methods={methods}
+                   any_limit={any_limit} title={vocabulary?.parameters.find((p) => p.key === row.parameter)?.title ?? ''} />
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p class="small quiet foot">{t('units', { unit: evaluated.shown[0]?.unit ?? '' })}</p>
+    </section>
+  );
+}
+
+function Row({ row, kept, evaluated, methods, any_limit, title }: {
+  row: Shown; kept: Shown | undefined; evaluated: Evaluated; methods: Methods; any_limit: boolean; title: string;
+}) {
+  const uncertainty = evaluated.result.uncertainty;
+  const decimals = decimals_of(row.value);
+  const value = evaluated.result.parameters[row.parameter];
+  return (
+    <tr class={main_parameters(evaluated.result).includes(row.parameter) ? 'main' : ''}>
+      <th scope="row" title={title}><ParameterSymbol parameter={row.parameter} /></th>
+      <td class="name">{title}</td>
+      <td class="number">{value === null ? absent : row.value} <Stored now={row} kept={kept} /></td>
+      {methods.annex_a && <td class="number">{fixed(uncertainty?.annex_a?.[row.parameter], decimals)}</td>}
+      {methods.gum && <td class="number">{fixed(uncertainty?.gum?.[row.parameter]?.U, decimals)}</td>}
+      {methods.monte_carlo && <td class="number">{interval_text(uncertainty?.monte_carlo?.[row.parameter], decimals)}</td>}
+      {any_limit && <td class="number">{shortest(row.limit)}</td>}
+      {any_limit && <td class="verdict-cell">{row.limit !== null && <VerdictMark verdict={row.verdict} short />}</td>}
+      {any_limit && (
+        <td class="bar-cell">
+          {row.limit !== null && value !== null && <LimitBar value={value} U={number_of(row.U)} limit={row.limit} tone={tone_of(row.verdict)} />}
+        </td>
+      )}
+    </tr>
+  );
+}

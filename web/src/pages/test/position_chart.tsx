@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useMemo, useState } from 'preact/hooks';
+import type { Evaluated, Parameter } from '../../api/types';
+import { Chart, ChartLegend, type ChartPlace } from '../../components/chart';
+import { texts } from '../../i18n/texts';
+import { fixed, position_unit, shortest, unit_sign } from '../../numbers';
+import { decimal, language } from '../../settings';
+import { arrow, chart_model, drawable_limits, position_uncertainties, run_key, type Part, type Way } from './chart_model';
+import { plain_symbol } from './figures_text';
+import type { TestState } from './state';
+
+const t = texts({
+  title: ['Deviations', 'Abweichungen'],
+  name: ['Deviations over position: single runs, means, bands and limits', 'Abweichungen über der Position: einzelne Läufe, Mittelwerte, Bänder und Grenzwerte'],
+  legend: ['What the chart shows', 'Was das Diagramm zeigt'],
+  runs: ['single readings', 'einzelne Messwerte'],
+  mean_up: ['x̄↑', 'x̄↑'],
+  mean_down: ['x̄↓', 'x̄↓'],
+  mean: ['x̄', 'x̄'],
+  bands: ['x̄ ± 2s', 'x̄ ± 2s'],
+  uncertainty: ['x̄ ± U (GUM)', 'x̄ ± U (GUM)'],
+  limits: ['limit', 'Grenzwert'],
+  measured: ['as measured', 'wie gemessen'],
+  of: ['limit of', 'Grenzwert von'],
+  each_run: ['Runs', 'Läufe'],
+  all_runs: ['all', 'alle'],
+  one_run: ['Run {run} {arrow}', 'Lauf {run} {arrow}'],
+  target: ['Target {target} {unit}', 'Zielposition {target} {unit}'],
+  run_here: ['run {run} {arrow} {value}', 'Lauf {run} {arrow} {value}'],
+  spoken: ['{target}: mean up {up}, mean down {down}, reversal {reversal} {unit}', '{target}: Mittel aufwärts {up}, abwärts {down}, Umkehrspanne {reversal} {unit}'],
+});
+
+const looks = {
+  runs: { colour: '--series-mean', width: 1, shape: 'circle' },
+  mean_up: { colour: '--series-up', width: 2, shape: 'up' },
+  mean_down: { colour: '--series-down', width: 2, dash: [5, 2], shape: 'down' },
+  mean: { colour: '--series-mean', width: 1.5, dash: [2, 3], shape: null },
+  bands: { colour: '--series-up', width: 3, shape: null },
+  uncertainty: { colour: '--ink-quiet', width: 3, shape: null },
+  limits: { colour: '--good', width: 1.5, dash: [5, 3], shape: null },
+  measured: { colour: '--series-mean', width: 1, dash: [1, 3], shape: 'ring' },
+} as const;
+
+function present_parts(evaluated: Evaluated, limits: readonly Parameter[]): Part[] {
+  const { positions } = evaluated.result;
+  const some = (key: 'mean_up' | 'mean_down' | 'mean' | 's_up' | 's_down') => positions.some((p) => p[key] !== null);
+  const parts: [Part, boolean][] = [
+    ['runs', true], ['mean_up', some('mean_up')], ['mean_down', some('mean_down')], ['mean', some('mean')],
+    ['bands', some('s_up') || some('s_down')], ['uncertainty', position_uncertainties(evaluated) !== null],
+    ['limits', limits.length > 0], ['measured', evaluated.readings.as_measured !== null],
+  ];
+  return parts.filter(([, there]) => there).map(([part]) => part);
+}
+
+function toggled<T>(set: ReadonlySet<T>, item: T): Set<T> {
+  const next = new Set(set);
+  if (!next.delete(item)) next.add(item);
+  return next;
+}
+
+/** The readings and what the standard makes of them; cursor and rows of the table are one. */
+export function PositionChart({ state, height }: { state: TestState; height: number }) {
+  const evaluated = state.evaluated.value;
+  const [hidden, set_hidden] = useState<ReadonlySet<Part>>(new Set<Part>(['uncertainty', 'measured']));
+  const [hidden_runs, set_hidden_runs] = useState<ReadonlySet<string>>(new Set<string>());
+  const [wanted_limit, set_limit] = useState<Parameter | null>(null);
+  const limits = drawable_limits(evaluated);
+  const limit = wanted_limit !== null && limits.includes(wanted_limit) ? wanted_limit : (limits[0] ?? null);
+  const model = useMemo(() => chart_model(evaluated, { hidden, hidden_runs, limit }),
+                        [evaluated, hidden, hidden_runs, limit, language.value, decimal.value]);
+  const here = state.target.value;
+  return (
+    <section class="panel chart-panel">
+      <header>
+        <h2>{t('title')}</h2>
+        <div class="row no-print">
+          <ChartLegend label={t('legend')} on_toggle={(key) => set_hidden(toggled(hidden, key as Part))}
+            items={present_parts(evaluated, limits).map((part) => ({ key: part, label: t(part), look: looks[part], shown: !hidden.has(part) }))} />
+          {limits.length > 1 && (
+            <label class="small">{t('of')}
+              <select value={limit ?? ''} onChange={(event) => set_limit(event.currentTarget.value as Parameter)}>
+                {limits.map((parameter) => <option key={parameter} value={parameter}>{plain_symbol(parameter)}</option>)}
+              </select>
+            </label>
+          )}
+        </div>
+      </header>
+      <Chart {...model} name={t('name')} height={height} cursor={here === null ? null : model.order.indexOf(here)}
+        on_cursor={(place) => { state.target.value = place === null ? null : (model.order[place.index] ?? null); }}
+        tip={(place) => <Tip evaluated={evaluated} model={model} place={place} />}
+        spoken={(place) => spoken(evaluated, model, place)} />
+      <RunChips evaluated={evaluated} hidden={hidden_runs} set_hidden={set_hidden_runs} />
+    </section>
+  );
+}
+
+/** Single runs on and off, one button each. */
+function RunChips({ evaluated, hidden, set_hidden }: {
+  evaluated: Evaluated; hidden: ReadonlySet<string>; set_hidden: (hidden: ReadonlySet<string>) => void;
+}) {
+  const { readings } = evaluated;
+  const rows = (['up', 'down'] as Way[]).filter((way) => readings[way].some((row) => row.some((value) => value !== null)));
+  return (
+    <div class="run-chips no-print" role="group" aria-label={t('each_run')}>
+      <span class="small quiet">{t('each_run')}</span>
+      {rows.map((way) => (
+        <span key={way} class={`chip-row ${way}`}>
+          <span aria-hidden="true">{arrow(way)}</span>
+          {(readings[way][0] ?? []).map((_, run) => (
+            <button key={run} type="button" aria-pressed={!hidden.has(run_key(way, run))} aria-label={t('one_run', { run: run + 1, arrow: arrow(way) })}
+                    onClick={() => set_hidden(toggled(hidden, run_key(way, run)))}>{run + 1}</button>
+          ))}
+        </span>
+      ))}
+      {hidden.size > 0 && <button type="button" class="plain small" onClick={() => set_hidden(new Set())}>{t('all_runs')}</button>}
+    </div>
+  );
+}
+
+type Model = ReturnType<typeof chart_model>;
+
+/** "run 3 ↑ −1.58" of the series that the pointer is at, where it is a single reading. */
+function reading_here(model: Model, place: ChartPlace): string | null {
+  const series = place.series === null ? undefined : model.series[place.series];
+  const value = series?.values[place.index];
+  return series === undefined || typeof value !== 'number' || series.key.startsWith('mean_') || series.key === 'mean' ? null
+    : `${series.label}: ${fixed(value, 2)}`;
+}
+
+function Tip({ evaluated, model, place }: { evaluated: Evaluated; model: Model; place: ChartPlace }) {
+  const position = evaluated.result.positions[model.order[place.index] ?? -1];
+  if (!position) return null;
+  const unit = unit_sign(evaluated.result.unit);
+  const rows: [string, number | null][] = [
+    ['x̄↑', position.mean_up], ['x̄↓', position.mean_down], ['x̄', position.mean], ['B', position.reversal],
+    ['s↑', position.s_up], ['s↓', position.s_down],
+  ];
+  const reading = reading_here(model, place);
+  return (
+    <>
+      <div class="head">{t('target', { target: shortest(position.target), unit: position_unit(evaluated.result.axis.kind) })}</div>
+      {reading !== null && <div class="number"><strong>{reading} {unit}</strong></div>}
+      <table><tbody>
+        {rows.filter(([, value]) => value !== null).map(([symbol, value]) => (
+          <tr key={symbol}><td>{symbol}</td><td class="number">{fixed(value, 2)} {unit}</td></tr>
+        ))}
+      </tbody></table>
+    </>
+  );
+}
+
+function spoken(evaluated: Evaluated, model: Model, place: ChartPlace): string {
+  const position = evaluated.result.positions[model.order[place.index] ?? -1];
+  if (!position) return '';
+  const target = t('target', { target: shortest(position.target), unit: position_unit(evaluated.result.axis.kind) });
+  const reading = reading_here(model, place);
+  if (reading !== null) return `${target}: ${reading}`;
+  return t('spoken', {
+    target, up: fixed(position.mean_up, 2), down: fixed(position.mean_down, 2), reversal: fixed(position.reversal, 2),
+    unit: unit_sign(evaluated.result.unit),
+  });
+}

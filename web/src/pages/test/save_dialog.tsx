@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useState } from 'preact/hooks';
+import { get, send } from '../../api/client';
+import type { Changes, Revision, Test, Vocabulary } from '../../api/types';
+import { Field } from '../../components/field';
+import { texts } from '../../i18n/texts';
+import { when } from '../../numbers';
+import { Differences, different_keys } from './differences';
+import { Modal, ReasonDialog } from './reason_dialog';
+import { test_path, type TestState } from './state';
+
+const t = texts({
+  title: ['Save as version {version}', 'Als Version {version} speichern'],
+  save: ['Save', 'Speichern'],
+  name: ['Title of the test', 'Titel der Prüfung'],
+  raw: ['The measured data stay as they are; version {version} stays readable.', 'Die Messdaten bleiben, wie sie sind; Version {version} bleibt lesbar.'],
+  base: ['Version {version}', 'Version {version}'],
+  mine: ['This edit', 'Diese Bearbeitung'],
+  conflict: ['Somebody else saved first', 'Jemand hat zuerst gespeichert'],
+  who: ['Version {version} was saved by {actor}, {at}.', 'Version {version} wurde von {actor} gespeichert, {at}.'],
+  unnamed: ['somebody unnamed', 'jemand ohne Namen'],
+  why: ['Reason: {reason}', 'Grund: {reason}'],
+  both: ['Changed in both: {count}. This edit wins where it is re-applied.', 'In beiden geändert: {count}. Beim erneuten Anwenden gilt diese Bearbeitung.'],
+  theirs: ['Version {version}', 'Version {version}'],
+  reapply: ['Re-apply my changes to version {version}', 'Meine Änderungen auf Version {version} anwenden'],
+  later: ['Not now', 'Nicht jetzt'],
+  drop: ['Discard my changes', 'Meine Änderungen verwerfen'],
+});
+
+/** What was changed since `base`, put onto `other`. */
+function rebased(base: Changes, mine: Changes, other: Changes): Changes {
+  const next = { ...other };
+  for (const key of different_keys(base, mine)) {
+    const value = mine[key];
+    if (value === undefined) delete next[key];
+    else next[key] = value;
+  }
+  return next;
+}
+
+interface Props { state: TestState; vocabulary: Vocabulary; close: () => void; adopt: (saved: Test) => void }
+
+/** Keeps the draft as a new version; where somebody was faster, shows what they did and moves the edits on top of it. */
+export function SaveDialog({ state, vocabulary, close, adopt }: Props) {
+  const test = state.test.value;
+  const [newer, set_newer] = useState<Test | null>(null);
+  if (newer !== null) return <Conflict state={state} newer={newer} vocabulary={vocabulary} close={close} adopt={adopt} />;
+  const save = async (reason: string) => {
+    const revision: Revision = { base_version: test.version, title: state.title.value.trim(), reason, changes: state.changes.value, options: state.options.value };
+    adopt(await send<Test>('POST', test_path(test.id, '/versions'), revision));
+  };
+  const look = () => void get<Test>(test_path(test.id)).then(set_newer, () => undefined);
+  return (
+    <ReasonDialog title={t('title', { version: test.latest + 1 })} action={t('save')} close={close} act={save}
+      caught={(failure) => { if (failure.kind === 'conflict') look(); return false; }} disabled={state.title.value.trim() === ''}>
+      <p class="small quiet">{t('raw', { version: test.version })}</p>
+      <Field label={t('name')}>{(ids) => <input {...ids} type="text" value={state.title.value} onInput={(event) => state.rename(event.currentTarget.value)} />}</Field>
+      <Differences vocabulary={vocabulary} states={[
+        { title: t('base', { version: test.version }), state: test },
+        { title: t('mine'), state: { changes: state.changes.value, options: state.options.value } },
+      ]} />
+    </ReasonDialog>
+  );
+}
+
+function Conflict({ state, newer, vocabulary, close, adopt }: Props & { newer: Test }) {
+  const test = state.test.value;
+  const mine = { changes: state.changes.value, options: state.options.value };
+  const [kept_options] = useState(mine.options);
+  const both = different_keys(test.changes, mine.changes).filter((key) => different_keys(test.changes, newer.changes).includes(key));
+  const reapply = () => {
+    const changes = rebased(test.changes, mine.changes, newer.changes);
+    const options = JSON.stringify(kept_options) === JSON.stringify(test.options) ? newer.options : kept_options;
+    const title = state.title.value === test.title ? newer.title : state.title.value;
+    adopt(newer);
+    state.rename(title);
+    state.replace(changes, options);
+    state.editing.value = true;
+    close();
+  };
+  return (
+    <Modal title={t('conflict')} close={close}>
+      {newer.versions.filter((version) => version.version > test.version).map((version) => (
+        <p key={version.version}>
+          {t('who', { version: version.version, actor: version.actor || t('unnamed'), at: when(version.at) })}
+          {version.reason !== '' && <> {t('why', { reason: version.reason })}</>}
+        </p>
+      ))}
+      <Differences vocabulary={vocabulary} states={[
+        { title: t('base', { version: test.version }), state: test },
+        { title: t('theirs', { version: newer.version }), state: newer },
+        { title: t('mine'), state: mine },
+      ]} />
+      {both.length > 0 && <p class="notice caution">{t('both', { count: both.length })}</p>}
+      <div class="row">
+        <button type="button" class="primary" onClick={reapply}>{t('reapply', { version: newer.version })}</button>
+        <button type="button" onClick={close}>{t('later')}</button>
+        <button type="button" onClick={() => { state.discard(); adopt(newer); close(); }}>{t('drop')}</button>
+      </div>
+    </Modal>
+  );
+}

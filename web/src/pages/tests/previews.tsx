@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+import { why_read_only } from '../../api/session';
+import type { Preview } from '../../api/types';
+import { FailureNotice } from '../../components/failure';
+import { VerdictMark } from '../../components/verdict';
+import { bytes, marked, position_unit, shortest } from '../../numbers';
+import { go } from '../../router';
+import { FigureCell, ParameterHead } from '../../components/figure_cell';
+import { can_be_kept, incoming, keep, keep_all, remove, remove_all, retry, type Incoming } from './incoming';
+import { t } from './texts';
+
+/** The chosen files, each with what is in it or why it is refused. */
+export function Previews({ on_formats }: { on_formats: () => void }) {
+  const files = incoming.value;
+  if (files.length === 0) return null;
+  const ready = files.filter(can_be_kept).length;
+  const why = why_read_only();
+  return (
+    <section class="panel flush previews" aria-label={t('files')}>
+      <header>
+        <h2>{t('files')} <span class="quiet small">{t('files_hint')}</span></h2>
+        <div class="row">
+          {ready > 1 && <button type="button" class="primary" disabled={why !== null} onClick={() => void keep_all()}>{t('keep_all', { n: ready })}</button>}
+          <button type="button" onClick={remove_all}>{t('clear')}</button>
+        </div>
+      </header>
+      <ul aria-live="polite">
+        {files.map((one) => <FileEntry key={one.key} one={one} why={why} alone={files.length === 1} on_formats={on_formats} />)}
+      </ul>
+    </section>
+  );
+}
+
+function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string | null; alone: boolean; on_formats: () => void }) {
+  const preview = one.preview;
+  const keep_this = async () => {
+    const received = await keep(one.key);
+    if (received && alone && received.tests.length <= 1) { remove(one.key); go(`/tests/${received.id}`); }
+  };
+  return (
+    <li>
+      <div class="line">
+        <div class="what">
+          <strong class="name">{one.file.name}</strong>
+          <span class="quiet small number">{bytes(one.file.size)}</span>
+          {preview?.format && <span class="quiet small">{preview.format.title}</span>}
+        </div>
+        <div class="row">
+          <State one={one} />
+          {can_be_kept(one) && (
+            <button type="button" class="primary" disabled={why !== null} title={why === null ? undefined : t('cannot_keep')} onClick={() => void keep_this()}>
+              {t(preview && preview.same_content.length > 0 ? 'keep_again' : 'keep')}
+            </button>
+          )}
+          <button type="button" class="plain" aria-label={t('take_away', { name: one.file.name })} onClick={() => remove(one.key)}>
+            <svg width="12" height="12" viewBox="0 0 14 14" aria-hidden="true"><path d="M2 2l10 10M12 2L2 12" stroke="currentColor" stroke-width="1.6" /></svg>
+          </button>
+        </div>
+      </div>
+      {one.error && <FailureNotice error={one.error} {...(one.state === 'waiting' && one.error.status !== 413 ? { retry: () => retry(one.key) } : {})} />}
+      {preview?.refused && <Refusal refused={preview.refused} on_formats={on_formats} />}
+      {one.received
+        ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: {one.received.tests.map((test, i) => (
+            <span key={test.id}>{i > 0 && ', '}<a href={`/tests/${test.id}`}>{test.title || t('test_number', { id: test.id })}</a></span>
+          ))}</p>
+        : preview && preview.same_content.length > 0 && (
+            <p class="notice caution">{t('same')} {preview.same_content.map((id, i) => (
+              <span key={id}>{i > 0 && ', '}<a href={`/tests/${id}`}>{t('test_number', { id })}</a></span>
+            ))}</p>
+          )}
+      {preview && preview.tests.length > 0 && !one.received && <Contents preview={preview} />}
+    </li>
+  );
+}
+
+function State({ one }: { one: Incoming }) {
+  if (one.state !== 'reading' && one.state !== 'keeping') {
+    return one.state === 'waiting' && !one.error ? <span class="quiet small">{t('waiting')}</span> : null;
+  }
+  const word = t(one.state === 'reading' ? 'reading' : 'keeping');
+  return (
+    <span class="quiet small row">
+      {one.file.size > 500_000 && <progress max={1} value={one.part} aria-label={word} />}
+      {word}
+    </span>
+  );
+}
+
+function Refusal({ refused, on_formats }: { refused: NonNullable<Preview['refused']>; on_formats: () => void }) {
+  const place = refused.line ? `${refused.line}${refused.column ? `:${refused.column}` : ''}` : '';
+  return (
+    <div class="notice bad" role="alert">
+      <p>
+        <strong>{t('refused')}</strong>{place !== '' && <span class="number"> ({t('refused_at', { place })})</span>}: {refused.message}
+      </p>
+      <button type="button" class="plain link" onClick={on_formats}>{t('formats')}</button>
+    </div>
+  );
+}
+
+const glance = ['A', 'E', 'R', 'B'] as const;
+
+/** The tests of a file: what they are of and what comes out. */
+function Contents({ preview }: { preview: Preview }) {
+  const shown = preview.tests.slice(0, 8);
+  const rest = preview.tests.length - shown.length;
+  return (
+    <div class="table-frame" tabIndex={0} role="region" aria-label={preview.file.name}>
+      <table>
+        <thead>
+          <tr>
+            <th scope="col">{t('test')}</th><th scope="col">{t('measured')}</th><th scope="col">{t('extent')}</th>
+            {glance.map((key) => <th key={key} scope="col" class="number"><ParameterHead parameter={key} /></th>)}
+            <th scope="col">{t('unit')}</th><th scope="col">{t('verdict')}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {shown.map((test, i) => (
+            <tr key={i}>
+              <th scope="row">{[test.name, test.machine, test.axis && t('axis_of', { axis: test.axis })].filter((part) => part !== '').join(', ') || t('no_name')}</th>
+              <td class="number">{test.measured_on || '–'}</td>
+              <td class="quiet small number">
+                {t('targets_runs', { targets: test.targets, runs: test.runs })}, {t('stretch', { first: shortest(test.first), last: shortest(test.last) })} {position_unit(test.kind)}
+              </td>
+              {glance.map((key) => {
+                const found = test.evaluated?.shown.find((one) => one.parameter === key);
+                return <td key={key} class="number"><FigureCell shown={found ? { value: marked(found.value), U: marked(found.U), verdict: found.verdict } : null} /></td>;
+              })}
+              <td class="quiet">{test.evaluated?.shown[0]?.unit}</td>
+              <td>{test.evaluated && <VerdictMark verdict={test.evaluated.verdict} />}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {rest > 0 && <p class="quiet small more">{t('more_tests', { n: rest })}</p>}
+    </div>
+  );
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+import assert from 'node:assert/strict';
+import { shows } from './world.mjs';
+
+export const offline = {
+  async 'a program that is gone is said, and what was typed is still there when it is back'(world) {
+    const { id } = await world.plan();
+    const page = await world.page();
+    await page.goto(`/plans/${id}`);
+    await shows(page.locator('.figures'), /Targets/);
+    await world.server.stop('SIGKILL');
+    await page.getByLabel('Dwell (s)').fill('8');
+    await shows(page.getByRole('alert').first(), 'does not answer');
+    await page.getByRole('button', { name: 'Save version 2' }).click();
+    await shows(page.getByRole('alert').first(), 'does not answer');
+    await world.back();
+    await page.getByRole('button', { name: 'Try again' }).first().click();
+    assert.equal(await page.getByLabel('Dwell (s)').inputValue(), '8');
+    await page.getByRole('button', { name: 'Save version 2' }).click();
+    await shows(page.locator('main'), /Version 2/);
+    assert.equal((await world.api('GET', `/api/plans/${id}`)).request.dwell_s, 8);
+  },
+
+  async 'a list that could not be loaded is loaded when asked again'(world) {
+    await world.kept();
+    const page = await world.page();
+    await page.goto('/plans');
+    await page.getByRole('heading', { level: 1 }).waitFor();
+    await world.server.stop('SIGKILL');
+    await page.getByRole('link', { name: 'Tests', exact: true }).click();
+    await shows(page.getByRole('alert').first(), 'does not answer');
+    await world.back();
+    await page.getByRole('button', { name: 'Try again' }).first().click();
+    await shows(page.locator('main'), /9\.6/);
+  },
+};

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every page there is, on a store with something in it.
+import { fileURLToPath } from 'node:url';
+
+const of_examples = (name) => fileURLToPath(new URL(`../../examples/${name}`, import.meta.url));
+
+/** Fills the store of the world; the paths of all pages. */
+export async function visited(world) {
+  const first = await world.kept();
+  const second = await world.kept(of_examples('simulated-backlash.json'), 'backlash.json');
+  const third = await world.kept(of_examples('simulated-ball-screw.json'), 'ball-screw.json');
+  const { id: plan } = await world.plan();
+  const capture = await world.api('POST', '/api/captures', {
+    plan, source: 'simulator', layout: '', options: { speed: '60', preset: 'good', seed: '1' },
+  });
+  await world.api('POST', '/api/instruments', {
+    role: 'Laser interferometer', manufacturer: 'Example', type: 'LI-1', serial_number: '1234', certificate: 'C-77',
+    calibrated_on: '2026-01-10', calibration_due: '2027-01-10', inputs: {}, notes: '',
+  });
+  const { machines } = await world.api('GET', '/api/machines');
+  const machine = machines.find((one) => one.axes.length > 0) ?? machines[0];
+  const axis = machine?.axes[0];
+  const { instruments } = await world.api('GET', '/api/instruments');
+  return [
+    '/', `/tests/${first}`, `/tests/${second}`, `/tests/${first}/report`, `/compare?tests=${first},${second},${third}`,
+    '/machines', ...(machine ? [`/machines/${machine.id}`] : []), ...(axis ? [`/axes/${axis.id}`] : []),
+    '/instruments', `/instruments/${instruments[0].id}`, '/plans', '/plans/new', `/plans/${plan}`,
+    '/captures', '/captures/new', `/captures/${capture.id}`, '/settings', '/audit', '/no/such/page',
+  ];
+}
+
+/** Until the page has what it asked for, and has drawn it. A live page asks for ever: it gets its time. */
+export async function settle(page) {
+  await page.waitForLoadState('networkidle', { timeout: 2500 }).catch(() => undefined);
+  await page.waitForTimeout(150);
+}

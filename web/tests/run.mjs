@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// node web/tests/run.mjs PROGRAM [WORD…]: the page in Debian's Chromium, against that program. With words only the tests
+// whose name has one of them. Each test has an empty store of its own.
+import { chromium } from 'playwright-core';
+import { accessibility } from './accessibility.mjs';
+import { capture } from './capture.mjs';
+import { conflict } from './conflict.mjs';
+import { german } from './german.mjs';
+import { keyboard } from './keyboard.mjs';
+import { offline } from './offline.mjs';
+import { plan } from './plan.mjs';
+import { story } from './story.mjs';
+import { timing } from './timing.mjs';
+import { World, strangers } from './world.mjs';
+import { wrong_files } from './wrong_files.mjs';
+
+const [program, ...words] = process.argv.slice(2);
+if (!program) {
+  console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
+  process.exit(2);
+}
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...conflict, ...plan, ...capture, ...german, ...offline, ...timing };
+const wanted = Object.entries(all).filter(([name]) => words.length === 0 || words.some((word) => name.toLowerCase().includes(word.toLowerCase())));
+
+// Chromium's sandbox does not work for root, as which containers of tests mostly run.
+const flags = process.getuid() === 0 ? ['--no-sandbox'] : [];
+const browser = await chromium.launch({ executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium', args: [...flags, '--disable-background-networking'] });
+let passed = 0;
+let failed = 0;
+const report = (name, began, error) => {
+  error ? (failed += 1) : (passed += 1);
+  console.log(`${error ? 'FAILED' : 'passed'}  ${name} (${((Date.now() - began) / 1000).toFixed(1)} s)`);
+  if (error) console.log(String(error.stack ?? error).replace(/^/gm, '        '));
+};
+
+for (const [name, run] of wanted) {
+  const began = Date.now();
+  let world = null;
+  let error = null;
+  try {
+    world = await World.make(program, browser);
+    await run(world);
+    if (world.faults.length > 0) throw new Error(`the page reported ${world.faults.join('; ')}`);
+  } catch (thrown) {
+    error = thrown;
+    const page = world?.contexts.at(-1)?.pages()[0];
+    const folder = process.env['AXIOMETRY_PICTURES'];
+    if (page && folder) await page.screenshot({ path: `${folder}/${name.replace(/\W+/g, '-')}.png`, fullPage: true }).catch(() => undefined);
+  }
+  await world?.end().catch((thrown) => { error ??= thrown; });
+  report(name, began, error);
+}
+await browser.close();
+report('no request leaves this machine', Date.now(), strangers.length > 0 ? new Error(strangers.join('\n')) : null);
+console.log(`${passed} passed, ${failed} failed`);
+process.exit(failed === 0 ? 0 : 1);

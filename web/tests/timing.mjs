@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+import assert from 'node:assert/strict';
+import { median, shows } from './world.mjs';
+
+const first_paint_ms = 300;
+const change_ms = 50;
+const times = 9;
+
+/** First contentful paint, each time in a browser that has cached nothing. */
+async function first_paints(world, path) {
+  const found = [];
+  for (let i = 0; i < times; i++) {
+    const page = await world.page();
+    await page.goto(path, { waitUntil: 'load' });
+    found.push(await page.evaluate(() => new Promise((resolve) => {
+      new PerformanceObserver((list) => list.getEntriesByName('first-contentful-paint').forEach((entry) => resolve(entry.startTime)))
+        .observe({ type: 'paint', buffered: true });
+    })));
+    await page.context().close();
+    world.contexts.pop();
+  }
+  return found;
+}
+
+/** From an input to the change of what a selector shows, within the page's own clock. */
+async function changes(page, field, shown, values) {
+  const handle = await field.elementHandle();
+  const found = [];
+  for (const value of values) {
+    found.push(await page.evaluate(([input, selector, text]) => new Promise((resolve, reject) => {
+      const words = () => [...document.querySelectorAll(selector)].map((one) => one.textContent).join('|');
+      const before = words();
+      const late = setTimeout(() => reject(new Error(`nothing changed in ${selector} after ${text}`)), 5000);
+      let began = 0;
+      const watch = new MutationObserver(() => {
+        if (words() === before) return;
+        watch.disconnect();
+        clearTimeout(late);
+        resolve(performance.now() - began);
+      });
+      watch.observe(document.body, { childList: true, characterData: true, subtree: true });
+      Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, 'value').set.call(input, text);
+      began = performance.now();
+      input.dispatchEvent(new Event('input', { bubbles: true }));
+    }), [handle, shown, value]));
+    await page.waitForTimeout(60);
+  }
+  return found;
+}
+
+function within(what, values, bound) {
+  const found = median(values);
+  console.log(`        ${what}: median ${found.toFixed(1)} ms of ${values.map((value) => value.toFixed(0)).join(' ')}, expected below ${bound}`);
+  assert.ok(found < bound, `${what}: found a median of ${found.toFixed(1)} ms, expected below ${bound} ms`);
+}
+
+export const timing = {
+  async 'the first paint comes within 300 ms'(world) {
+    const id = await world.kept();
+    await world.plan();
+    for (const path of ['/', `/tests/${id}`, '/plans/new']) within(`first paint of ${path.replace(/\d+/, '…')}`, await first_paints(world, path), first_paint_ms);
+  },
+
+  async 'a change of an uncertainty input becomes new numbers within 50 ms'(world) {
+    const id = await world.kept();
+    const page = await world.page();
+    await page.goto(`/tests/${id}`);
+    await shows(page.locator('main'), /9\.6/);
+    await page.getByRole('button', { name: 'Edit', exact: true }).click();
+    const field = page.getByLabel(/misalignment/i).first();
+    await field.waitFor();
+    within('new uncertainties', await changes(page, field, '.headline', ['11', '2', '3', '4', '5', '6', '7', '8', '9']), change_ms);
+  },
+
+  async 'a change of a plan becomes a new plan within 50 ms'(world) {
+    const page = await world.page();
+    await page.goto('/plans/new');
+    await shows(page.locator('.figures'), /Targets/);
+    within('new plan', await changes(page, page.getByLabel('Dwell (s)'), '.figures', ['4', '8', '12', '16', '20', '24', '28', '32', '36']), change_ms);
+  },
+};
