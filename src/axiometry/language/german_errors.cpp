@@ -215,6 +215,10 @@ constexpr Phrase rows[] = {
     {"found the unknown unit {0=}, expected one of {1=}", "unbekannte Einheit {0}; erwartet: eine von {1}"},
     {"found tolerance.rule = guard-band alone, expected its width in tolerance.guard_band, in {0=}",
      "tolerance.rule = guard-band allein; erwartet: die Breite in tolerance.guard_band, in {0}"},
+    {"found too little for the correction {0=}, expected also instrument.refractive_index (1 when lengths in vacuum "
+     "are shown)",
+     "zu wenige Angaben für die Korrektur {0}; erwartet: auch instrument.refractive_index (1, wenn Längen im Vakuum "
+     "angezeigt werden)"},
     {"found too little for the correction {0=}, expected also {1=}",
      "zu wenige Angaben für die Korrektur {0}; erwartet: auch {1}"},
     {"found two distributions of the input {0=}, expected one",

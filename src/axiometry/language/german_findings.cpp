@@ -29,6 +29,7 @@ constexpr Phrase rows[] = {
     {"axis: {0}", "Achse: {0}"},
     {"component {0#} without {1}", "Komponente {0} ohne {1}"},
     {"environmental variation (A.9)", "Umgebungsschwankung (A.9)"},
+    {"equipment: test equipment", "Messmittel"},
     {"equipment: {0}", "Messmittel: {0}"},
     {"expansion coefficient of the machine tool (A.7)", "Ausdehnungskoeffizient der Werkzeugmaschine (A.7)"},
     {"found a calibrated position {0#} that is no number, expected one in mm",

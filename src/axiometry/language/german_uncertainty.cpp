@@ -45,7 +45,7 @@ constexpr Phrase rows[] = {
     {"Contributions to the uncertainty", "Beiträge zur Unsicherheit"},
     {"Contributor", "Beitrag"},
     {"Corrected", "Korrigiert"},
-    {"Coverage", "Überdeckungswahrscheinlichkeit"},
+    {"Coverage", "Überdeckung"},
     {"Distribution", "Verteilung"},
     {"Drift from run to run", "Drift von Durchlauf zu Durchlauf"},
     {"Environmental variation", "Umgebungsschwankung"},
@@ -329,6 +329,9 @@ constexpr Phrase rows[] = {
     {"{0}, {1#} of the variance; {2#} = {3#}", "{0}, {1} der Varianz; {2} = {3}"},
     {"{0}, {1#} of the variance; {2#} = {3#}.", "{0}, {1} der Varianz; {2} = {3}."},
     {"{0}; part of the scatter", "{0}; Teil der Streuung"},
+    {"ΔT_e from the air temperature", "ΔT_e aus der Lufttemperatur"},
+    {"α of the machine tool was not given; 12 µm/(m·°C) is assumed (Table A.2)",
+     "α der Werkzeugmaschine wurde nicht angegeben; 12\u00a0µm/(m·°C) ist angenommen (Tabelle A.2)"},
     {"α of the {0} was not given; 12 µm/(m·°C) is assumed (Table A.2)",
      "α ({0}) wurde nicht angegeben; 12\u00a0µm/(m·°C) ist angenommen (Tabelle A.2)"},
     {"δ: half a unit of the last significant digit of {0#} that shall be right (JCGM 101, 7.9.2). Stable: mean, {1#} "

@@ -359,6 +359,17 @@ TEST(GermanPicture, HasGermanTitles) {
   EXPECT_THAT(report.written("svg"), HasSubstr("Ausgewertet nach ISO 230-2:2014"));
 }
 
+TEST(GermanPlanSheet, SaysItsLabelInTheFootToo) {
+  auto request = plan_request(0, 800);
+  request.cycle = TestCycle::pilgrim;
+  const Plan plan = iso230_2::make_plan(request).value();
+  const Duration duration = iso230_2::estimated_duration(plan, 1000);
+  const auto findings = iso230_2::plan_findings(plan);
+  const Document sheet = translated(plan_sheet({plan, findings, 1000, duration, duration}, in_german), in_german);
+  EXPECT_EQ(sheet.running_status,
+            "Prüfplan · Begriffe von ISO 230-2:2014 · Pilgerschrittzyklus, nicht für die Abnahme");
+}
+
 TEST(GermanCsv, IsTheEnglishOne) {
   Reported report = reported_table2();
   const std::string english = report.written("csv");
