@@ -32,7 +32,7 @@ class CaptureService::Running {
   void stop() { stop_ = true; }
   void interrupt() { interrupt_ = true; }
   void wait_for_end(std::chrono::milliseconds longest);
-  CaptureState state(std::optional<Revision> after) const;  ///< nothing: without readings, events and evaluation
+  CaptureState state(std::optional<CaptureRevision> after) const;  ///< nothing: without readings, events and evaluation
 
   const std::string& source() const { return source_; }
   bool ended() const;
@@ -61,8 +61,8 @@ class CaptureService::Running {
   mutable std::mutex mutex_;  // of the state
   std::condition_variable changed_;
   CaptureState state_;
-  Revision anew_at_ = 0;  // readings before it hold no longer
-  std::jthread thread_;   // last: it uses all of the above
+  CaptureRevision anew_at_ = 0;  // readings before it hold no longer
+  std::jthread thread_;          // last: it uses all of the above
 };
 
 }  // namespace axiometry::app

@@ -279,7 +279,7 @@ std::shared_ptr<CaptureService::Running> CaptureService::find(store::Id id) cons
   return place == captures_.end() ? nullptr : place->second;
 }
 
-Result<CaptureState> CaptureService::state(store::Id id, Revision after) const {
+Result<CaptureState> CaptureService::state(store::Id id, CaptureRevision after) const {
   if (const auto running = find(id)) return running->state(after);
   return fail(ErrorKind::not_found, fmt::format("found no capture {} that runs or has run lately", id));
 }
