@@ -37,7 +37,7 @@ std::string environment(const char* name) {
 }
 
 /// Where programs keep what a user has made: of XDG, else below the home folder. Makes the folder.
-Result<std::string> usual_store() {
+Result<std::filesystem::path> data_folder() {
   const std::string data = environment("XDG_DATA_HOME");
   const std::string home = environment("HOME");
   if (data.empty() && home.empty()) return fail("found no home folder to keep a store in, expected --store");
@@ -46,7 +46,14 @@ Result<std::string> usual_store() {
   std::error_code code;
   std::filesystem::create_directories(folder, code);
   if (code) return std::unexpected(Error{fmt::format("cannot make the folder: {}", code.message()), folder, {}});
-  return (folder / "workbench.db").string();
+  return folder;
+}
+
+Result<void> complete(server::ServeOptions& options) {
+  if (!options.store.empty()) return {};
+  AXIOMETRY_TRY(const std::filesystem::path folder, data_folder());
+  options.store = folder / "workbench.db";
+  return {};
 }
 
 Result<std::string> token_of(const std::string& file) {
@@ -72,11 +79,7 @@ int serve(ServeArguments& arguments) {
   auto token = token_of(arguments.token_file);
   if (!token) return failed(token.error());
   arguments.options.token = *std::move(token);
-  if (arguments.options.store.empty()) {
-    auto usual = usual_store();
-    if (!usual) return failed(usual.error());
-    arguments.options.store = *std::move(usual);
-  }
+  if (const auto completed = complete(arguments.options); !completed) return failed(completed.error());
   const server::ServeObserver observer{
       .ready =
           [&](const std::string& address) {
@@ -132,6 +135,18 @@ void add_serve(CLI::App& program, int& exit_code) {
              options.limits.bodies_bytes = 4 * options.limits.upload_bytes;
              return {};
            });
+  add_read(
+      *verb,
+      {"--source", "NAME=ADDRESS",
+       "What captures may listen to: laser=tcp://192.168.1.20:5000 or drive=serial:///dev/ttyACM0?baud=2000000; may "
+       "be repeated"},
+      [&options](const std::string& text) -> Result<void> {
+        AXIOMETRY_TRY(auto source, app::parse_capture_source(text));
+        options.sources.push_back(std::move(source));
+        return {};
+      })
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  verb->add_flag("--examples", options.examples, "Put instructive tests into the archive if it is empty");
   verb->add_flag("--log", options.log, "A line for every request on the standard error");
   verb->add_flag("--quiet,-q", arguments->quiet, "Say nothing but the address and what is wrong");
   verb->callback([arguments, &exit_code] { exit_code = serve(*arguments); });

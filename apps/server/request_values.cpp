@@ -19,8 +19,10 @@ constexpr std::int64_t id_max = std::int64_t{1} << 53;
 constexpr std::int64_t version_max = 1'000'000'000;
 
 constexpr std::array units = {
-    std::pair{std::string_view("um"), report::DisplayUnit::um}, std::pair{std::string_view("mm"), report::DisplayUnit::mm},
-    std::pair{std::string_view("nm"), report::DisplayUnit::nm}, std::pair{std::string_view("deg"), report::DisplayUnit::deg},
+    std::pair{std::string_view("um"), report::DisplayUnit::um},
+    std::pair{std::string_view("mm"), report::DisplayUnit::mm},
+    std::pair{std::string_view("nm"), report::DisplayUnit::nm},
+    std::pair{std::string_view("deg"), report::DisplayUnit::deg},
     std::pair{std::string_view("arcsec"), report::DisplayUnit::arcsec},
 };
 
@@ -89,8 +91,8 @@ Result<void> choose_number_style(std::string_view decimal, std::string_view unit
 Result<report::Options> report_options_of(const Request& request) {
   report::Options options;
   options.numbers.decimal_mark = request.language == language::Language::german ? ',' : '.';
-  AXIOMETRY_TRY_VOID(choose_number_style(request.parameter("decimal").value_or(""),
-                                         request.parameter("unit").value_or(""), options));
+  AXIOMETRY_TRY_VOID(
+      choose_number_style(request.parameter("decimal").value_or(""), request.parameter("unit").value_or(""), options));
   return options;
 }
 

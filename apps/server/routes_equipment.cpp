@@ -171,8 +171,7 @@ Result<Response> trend(Store& store, const Request& request) {
   AXIOMETRY_TRY(auto axis, store.get<Axis>(id));
   AXIOMETRY_TRY(auto machine, store.get<Machine>(axis.value.machine));
   AXIOMETRY_TRY(auto points, store.trend(id, parameters, limit.value_or(limit_usual)));
-  return json_response(
-      app::to_json(app::AxisTrend{std::move(axis), std::move(machine.value.name), std::move(points)}));
+  return json_response(app::to_json(app::AxisTrend{std::move(axis), std::move(machine.value.name), std::move(points)}));
 }
 
 Result<Response> audit(Store& store, const Request& request) {

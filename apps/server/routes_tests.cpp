@@ -24,10 +24,14 @@ using json::Value;
 using Order = store::TestFilter::Order;
 
 constexpr std::array orders = {
-    std::pair{std::string_view("received"), Order::received}, std::pair{std::string_view("measured"), Order::measured},
-    std::pair{std::string_view("title"), Order::title},       std::pair{std::string_view("machine"), Order::machine},
-    std::pair{std::string_view("A"), Order::A},               std::pair{std::string_view("E"), Order::E},
-    std::pair{std::string_view("R"), Order::R},               std::pair{std::string_view("B"), Order::B},
+    std::pair{std::string_view("received"), Order::received},
+    std::pair{std::string_view("measured"), Order::measured},
+    std::pair{std::string_view("title"), Order::title},
+    std::pair{std::string_view("machine"), Order::machine},
+    std::pair{std::string_view("A"), Order::A},
+    std::pair{std::string_view("E"), Order::E},
+    std::pair{std::string_view("R"), Order::R},
+    std::pair{std::string_view("B"), Order::B},
 };
 
 Result<store::TestFilter> filter_of(const Request& request) {

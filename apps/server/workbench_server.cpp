@@ -7,6 +7,9 @@
 #include <memory>
 #include <utility>
 
+#include "axiometry/app/capture_keeping.h"
+#include "axiometry/app/examples.h"
+#include "axiometry/app/workbench.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/report/utf8.h"
 #include "guard.h"
@@ -50,6 +53,22 @@ Service service_of(const Router& router, const Site& site, TokenGate& token, con
   return service;
 }
 
+Result<std::unique_ptr<app::CaptureService>> open_captures(const ServeOptions& options, app::Workbench& workbench) {
+  std::string folder = options.capture_folder;
+  if (folder.empty()) {
+    AXIOMETRY_TRY(folder, app::captures_folder(workbench.archive().info()));
+  }
+  return app::CaptureService::open({.folder = std::move(folder), .sources = options.sources},
+                                   app::keeping_in(workbench));
+}
+
+void add_api_routes(Router& router, const Context& context) {
+  add_test_routes(router, context);
+  add_equipment_routes(router, context);
+  add_plan_routes(router, context);
+  add_capture_routes(router, context);
+}
+
 }  // namespace
 
 Result<void> check_exposure(const ServeOptions& options) {
@@ -91,8 +110,12 @@ Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observe
   const unsigned port = transport->port();
   const Site site = make_site({.tls = tls, .listen = options.listen, .port = port, .names = options.host_names});
   TokenGate token({.token = options.token, .tls = tls, .port = port});
+  app::Workbench workbench(*store);
+  if (options.examples) AXIOMETRY_TRY_VOID(app::add_examples(workbench));
+  AXIOMETRY_TRY(const auto captures, open_captures(options, workbench));
   Router router;
   add_service_routes(router, {.store = *store, .token = token, .upload_bytes = options.limits.upload_bytes});
+  add_api_routes(router, {.store = *store, .workbench = workbench, .captures = *captures});
   add_page_routes(router, page_files());
 
   const Service service = service_of(router, site, token, options);

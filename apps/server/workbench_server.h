@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "axiometry/app/capture_source.h"
 #include "axiometry/base/result.h"
 #include "limits.h"
 
@@ -21,7 +22,10 @@ struct ServeOptions {
   std::string token{};                    ///< empty: none is asked for, on this machine only
   std::vector<std::string> host_names{};  ///< further names by which the server is reached
   Limits limits{};
-  bool log = false;  ///< a line on the standard error for every request
+  std::vector<app::CaptureSource> sources{};  ///< that captures may listen to, beside the simulator
+  std::string capture_folder{};               ///< for what captures hear, until it is in the store
+  bool examples = false;                      ///< put instructive tests into a store that is empty
+  bool log = false;                           ///< a line on the standard error for every request
 };
 
 /// What is told while it runs.

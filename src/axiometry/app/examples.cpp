@@ -30,12 +30,13 @@ struct ExampleMachine {
   std::string_view location;
 };
 
-constexpr ExampleMachine milling_machine{"Machining centre 7", "Virtual Machine Works", "Vertical machining centre",
-                                         "VMW-0715",           "LinuxCNC",              "Hall 2, bay 4"};
+constexpr ExampleMachine milling_machine{
+    "Machining centre 7", "Virtual Machine Works", "Vertical machining centre", "VMW-0715",
+    "LinuxCNC",           "Hall 2, bay 4"};
 constexpr ExampleMachine grinder{"Surface grinder 3", "Virtual Machine Works", "Surface grinding machine",
                                  "VMW-0311",          "Siemens 840D",          "Hall 1, bay 9"};
-constexpr ExampleMachine lathe{"Turning centre 12", "Virtual Machine Works", "Turning centre",
-                               "VMW-1204",          "Fanuc 0i",              "Hall 2, bay 1"};
+constexpr ExampleMachine lathe{"Turning centre 12", "Virtual Machine Works", "Turning centre", "VMW-1204",
+                               "Fanuc 0i",          "Hall 2, bay 1"};
 
 /// One simulated test.
 struct ExampleTest {
@@ -109,16 +110,16 @@ store::Machine machine_record(const ExampleMachine& machine) {
 }
 
 store::Instrument laser() {
-  return {.role = "Laser interferometer",
-          .manufacturer = "Virtual Instruments",
-          .type = "VI-80",
-          .serial_number = "80-1147",
-          .certificate = "VI-2026-0113",
-          .calibrated_on = "2026-01-13",
-          .calibration_due = "2027-01-13",
-          .inputs = {{"uncertainty.device_calibration_um_per_m", "0.4"},
-                     {"uncertainty.device_expansion_um_per_m_C", "0"}},
-          .notes = "A simulated instrument; its inputs go into every test that names it"};
+  return {
+      .role = "Laser interferometer",
+      .manufacturer = "Virtual Instruments",
+      .type = "VI-80",
+      .serial_number = "80-1147",
+      .certificate = "VI-2026-0113",
+      .calibrated_on = "2026-01-13",
+      .calibration_due = "2027-01-13",
+      .inputs = {{"uncertainty.device_calibration_um_per_m", "0.4"}, {"uncertainty.device_expansion_um_per_m_C", "0"}},
+      .notes = "A simulated instrument; its inputs go into every test that names it"};
 }
 
 Result<Plan> plan_of(const ExampleTest& test) {
@@ -191,7 +192,7 @@ Result<std::string> file_of(const ExampleTest& test) {
   request.seed = test.seed;
   AXIOMETRY_TRY(simulation::SimulatedTest simulated, simulation::simulate(request));
   AXIOMETRY_TRY_VOID(set_metadata(simulated.test.metadata, metadata_of(test)));
-  const formats::Format* format = formats::find_format("axiometry-json");
+  const formats::Format* format = formats::find_format("json");
   AXIOMETRY_CONTRACT(format != nullptr && format->write != nullptr);
   return format->write(simulated.test);
 }

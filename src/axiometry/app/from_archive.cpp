@@ -256,8 +256,8 @@ store::Axis axis_of(const Metadata& metadata) {
 Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& metadata, const Changes& changes,
                                     const std::optional<ArchiveLinks>& links) {
   const bool linked_equipment = links && !concerns(changes, "equipment");
-  AXIOMETRY_TRY(const KnownInstruments instruments, linked_equipment ? linked_instruments(store, links->instruments)
-                                                                     : found_instruments(store, metadata));
+  AXIOMETRY_TRY(const KnownInstruments instruments,
+                linked_equipment ? linked_instruments(store, links->instruments) : found_instruments(store, metadata));
   FromArchive taken{.instruments = inputs_of(instruments, metadata, changes), .axis = {}};
   const bool linked_axis = links && links->axis && !concerns(changes, "machine.") && !concerns(changes, "axis.");
   if (linked_axis) {
@@ -280,8 +280,7 @@ EvaluateOptions with_archive(EvaluateOptions options, const Changes& changes, co
   if (!taken.axis) return options;
   for (const store::Limit& limit : taken.axis->limits)
     if (const auto* parameter = iso230_2::find_parameter(limit.parameter))
-      options.tolerance.of_axis.push_back(
-          {parameter, Deviation::native(limit.value), iso230_2::ToleranceSource::axis});
+      options.tolerance.of_axis.push_back({parameter, Deviation::native(limit.value), iso230_2::ToleranceSource::axis});
   return options;
 }
 

@@ -21,9 +21,7 @@ struct Rules {
 bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code <= 0x9F); }
 
 /// U+202A to U+202E and U+2066 to U+2069.
-bool turns_direction(char32_t code) {
-  return (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-}
+bool turns_direction(char32_t code) { return (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069); }
 
 Result<std::string> given(std::string_view what, std::string_view raw, const Rules& rules) {
   const std::string_view text = text::trim(raw);
@@ -65,7 +63,8 @@ Result<std::int64_t> given_number(std::string_view what, const json::Value& valu
       value.number() == std::floor(value.number()))
     return static_cast<std::int64_t>(value.number());
   return fail(fmt::format("found {} for {}, expected a whole number from 1",
-                          value.is(json::Kind::number) ? format_exact(value.number()) : std::string(json::kind_name(value.kind())),
+                          value.is(json::Kind::number) ? format_exact(value.number())
+                                                       : std::string(json::kind_name(value.kind())),
                           what),
               value.at());
 }

@@ -15,8 +15,8 @@ namespace axiometry::app {
 inline constexpr std::size_t line_length_max = 500;    ///< characters of a name or title
 inline constexpr std::size_t text_length_max = 10000;  ///< of notes and of a metadata item
 
-/// The text without blanks around it. Fails, naming `what`, on bytes that are not UTF-8, on control characters, on marks
-/// that turn the direction of writing (behind which another name can hide) and beyond line_length_max.
+/// The text without blanks around it. Fails, naming `what`, on bytes that are not UTF-8, on control characters, on
+/// marks that turn the direction of writing (behind which another name can hide) and beyond line_length_max.
 Result<std::string> given_line(std::string_view what, std::string_view text);
 
 /// The same for text of several lines, up to text_length_max; line breaks and tabs may stand in it.

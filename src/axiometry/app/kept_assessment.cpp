@@ -78,9 +78,8 @@ iso230_2::Assessment assessment_shown_by(const json::Value& result) {
 
 AxisKind axis_kind_of(const json::Value& result) {
   const Value* kind = member(member(&result, "axis"), "kind");
-  return kind != nullptr && kind->is(Kind::text) && kind->text() == axis_kind_name(AxisKind::rotary)
-             ? AxisKind::rotary
-             : AxisKind::linear;
+  return kind != nullptr && kind->is(Kind::text) && kind->text() == axis_kind_name(AxisKind::rotary) ? AxisKind::rotary
+                                                                                                     : AxisKind::linear;
 }
 
 }  // namespace axiometry::app

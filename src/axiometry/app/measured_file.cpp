@@ -22,9 +22,10 @@ Result<void> refuse_others(std::string_view bytes, std::string_view head) {
   const bool guessed = format && (*format)->id == "generic";
   if (format && !guessed) return {};
   if (const auto recording = formats::recognise_recording(head))
-    return fail(fmt::format("found a continuous recording ({}), expected a measured test; its readings are taken out "
-                            "of it by 'axiometry evaluate --plan PLAN FILE' with the plan the axis moved after",
-                            (*recording)->title));
+    return fail(
+        fmt::format("found a continuous recording ({}), expected a measured test; its readings are taken out "
+                    "of it by 'axiometry evaluate --plan PLAN FILE' with the plan the axis moved after",
+                    (*recording)->title));
   if (!format && text::trim(head).starts_with('{') && formats::read_plan(bytes))
     return fail("found a plan, expected a measured test; plans are kept on the page of plans");
   return {};

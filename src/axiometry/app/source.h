@@ -54,7 +54,7 @@ class Source final : public formats::ByteReader {
 
   std::string name_;
   int descriptor_ = -1;
-  std::string_view bytes_;         // in memory: all of them
+  std::string_view bytes_;  // in memory: all of them
   std::size_t bytes_consumed_ = 0;
   bool in_memory_ = false;
   std::optional<std::uint64_t> size_;  // of a regular file and of bytes

@@ -73,9 +73,9 @@ Result<void> take_seed(const Value& value, TestOptions& options) {
 Result<void> take_coverage(const Value& value, TestOptions& options) {
   AXIOMETRY_TRY(options.coverage, formats::number_in(value, "coverage"));
   if (options.coverage >= 0.5 && options.coverage <= 0.9999) return {};
-  return fail(fmt::format("found the coverage {}, expected a probability from 0.5 to 0.9999",
-                          format_exact(options.coverage)),
-              value.at());
+  return fail(
+      fmt::format("found the coverage {}, expected a probability from 0.5 to 0.9999", format_exact(options.coverage)),
+      value.at());
 }
 
 }  // namespace

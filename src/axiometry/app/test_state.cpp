@@ -116,8 +116,7 @@ store::Evaluation evaluation_of(const Evaluated& evaluated, const TestOptions& o
   evaluation.result = json::dump(to_json(evaluated), 0);
   evaluation.unit = deviation_unit_key(evaluated.test.metadata.axis.kind);
   evaluation.conforming = evaluated.assessment.conforming();
-  if (const auto verdict = iso230_2::overall_verdict(evaluated.judgements))
-    evaluation.verdict = verdict_text(*verdict);
+  if (const auto verdict = iso230_2::overall_verdict(evaluated.judgements)) evaluation.verdict = verdict_text(*verdict);
   evaluation.label = evaluated.assessment.label;
   evaluation.figures = figures_of(evaluated);
   return evaluation;

@@ -73,8 +73,7 @@ Result<void> take_text(JsonMembers& members, const Value& object, std::string_vi
 template <typename Thing>
 Result<void> take_lines(JsonMembers& members, const Value& object, Thing& thing,
                         std::span<const TextMember<Thing>> texts) {
-  for (const auto& [name, text] : texts)
-    AXIOMETRY_TRY_VOID(take_text(members, object, name, thing.*text, &given_line));
+  for (const auto& [name, text] : texts) AXIOMETRY_TRY_VOID(take_text(members, object, name, thing.*text, &given_line));
   return take_text(members, object, "notes", thing.notes, &given_text);
 }
 

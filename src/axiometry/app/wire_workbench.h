@@ -20,15 +20,15 @@ struct Reader {
   NumberStyle numbers{};
 };
 
-json::Value to_json(const Outcome& outcome, const Reader& reader);   ///< Evaluated
-json::Value to_json(const Preview& preview, const Reader& reader);   ///< Preview
-json::Value to_json(const Received& received, const Reader& reader); ///< Received
-json::Value to_json(const KeptTest& kept, const Reader& reader);     ///< Test
+json::Value to_json(const Outcome& outcome, const Reader& reader);    ///< Evaluated
+json::Value to_json(const Preview& preview, const Reader& reader);    ///< Preview
+json::Value to_json(const Received& received, const Reader& reader);  ///< Received
+json::Value to_json(const KeptTest& kept, const Reader& reader);      ///< Test
 json::Value to_json(const store::TestPage& page);
 json::Value to_json(const store::Document& document);
 json::Value to_json(const store::Change& change);
 json::Value figures_to_json(std::span<const store::Figure> figures);
-json::Value error_to_json(const Error& error, const Reader& reader); ///< the inner object of a Failure
+json::Value error_to_json(const Error& error, const Reader& reader);  ///< the inner object of a Failure
 
 /// null for an empty text.
 json::Value text_or_null(const std::string& text);

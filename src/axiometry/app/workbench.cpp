@@ -69,9 +69,9 @@ Result<Incoming> incoming(State& state, const Upload& upload, std::optional<Outc
   for (const MeasuredTest& measured : file->tests) {
     AXIOMETRY_TRY(First evaluated, evaluate_first(state, measured, name));
     const Evaluated& e = evaluated.found.evaluated;
-    store::NewTest test{.name_in_file = measured.name,
-                        .state = state_of(e, evaluated.draft.changes, evaluated.draft.options,
-                                          evaluated.found.from_archive)};
+    store::NewTest test{
+        .name_in_file = measured.name,
+        .state = state_of(e, evaluated.draft.changes, evaluated.draft.options, evaluated.found.from_archive)};
     test.state.title = first_title(e);
     test.state.plan = upload.plan;
     all.tests.push_back(std::move(test));
@@ -115,7 +115,7 @@ Result<Outcome> kept_outcome(State& state, const store::TestRecord& record, cons
 
 }  // namespace
 
-Workbench::Workbench(store::Store& store) : state_(new State{.store = store}) {}
+Workbench::Workbench(store::Store& store) : state_(std::make_unique<State>(store)) {}
 Workbench::~Workbench() = default;
 
 store::Store& Workbench::archive() const { return state_->store; }

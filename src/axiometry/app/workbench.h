@@ -17,8 +17,8 @@
 /// what was kept. A report is computed again from the measured bytes, the changes, the options and the seed of its
 /// version, and is refused (conflict) where that no longer gives the figures that were kept.
 ///
-/// Metadata of an evaluation: what the file says, where it says nothing the inputs of the instruments it names, and over
-/// both the changes. Limits: those the file or the changes state; where they state none, those of the axis.
+/// Metadata of an evaluation: what the file says, where it says nothing the inputs of the instruments it names, and
+/// over both the changes. Limits: those the file or the changes state; where they state none, those of the axis.
 namespace axiometry::app {
 
 /// May be used from many threads at once. Errors are those of the readers (bad_input, with the place) and of the store.

@@ -26,14 +26,17 @@ struct MediaRow {
   std::string_view media_type;
 };
 constexpr std::array media_types = {
-    MediaRow{"html", "text/html; charset=utf-8"}, MediaRow{"pdf", "application/pdf"},
-    MediaRow{"svg", "image/svg+xml"},             MediaRow{"png", "image/png"},
-    MediaRow{"csv", "text/csv; charset=utf-8"},   MediaRow{"json", "application/json"},
+    MediaRow{"html", "text/html; charset=utf-8"},
+    MediaRow{"pdf", "application/pdf"},
+    MediaRow{"svg", "image/svg+xml"},
+    MediaRow{"png", "image/png"},
+    MediaRow{"csv", "text/csv; charset=utf-8"},
+    MediaRow{"json", "application/json"},
 };
 constexpr std::string_view octets = "application/octet-stream";
 
 /// Types that a browser shows and does not run.
-constexpr std::array<std::string_view, 6> harmless = {"image/png", "image/jpeg",      "image/gif",
+constexpr std::array<std::string_view, 6> harmless = {"image/png",  "image/jpeg",      "image/gif",
                                                       "image/webp", "application/pdf", "text/plain"};
 
 std::string media_type_of(std::string_view extension) {

@@ -35,12 +35,12 @@ Result<void> check_same(const store::TestRecord& record, const Evaluated& evalua
   const auto now = figures_of(evaluated);
   for (std::size_t k = 0; k < std::max(kept.size(), now.size()); ++k) {
     if (k < kept.size() && k < now.size() && same_figure(kept[k], now[k])) continue;
-    return fail(ErrorKind::conflict,
-                fmt::format("found {} where version {} keeps {}, computed by {}; expected the same from this program, "
-                            "axiometry {}: save a new version to evaluate the test with it",
-                            k < now.size() ? figure_text(now[k]) : "nothing", record.version,
-                            k < kept.size() ? figure_text(kept[k]) : "nothing", record.state.evaluation.program,
-                            version));
+    return fail(
+        ErrorKind::conflict,
+        fmt::format("found {} where version {} keeps {}, computed by {}; expected the same from this program, "
+                    "axiometry {}: save a new version to evaluate the test with it",
+                    k < now.size() ? figure_text(now[k]) : "nothing", record.version,
+                    k < kept.size() ? figure_text(kept[k]) : "nothing", record.state.evaluation.program, version));
   }
   return {};
 }

@@ -21,6 +21,8 @@ struct Found {
 };
 
 struct Workbench::State {
+  explicit State(store::Store& archive) : store(archive) {}
+
   store::Store& store;
   Recent<std::string, MeasuredFile> files{std::size_t{64} << 20};  ///< by SHA-256; weighed by their bytes
   Recent<std::string, Evaluated> evaluations{64};                  ///< of kept versions: "12/3"

@@ -35,7 +35,7 @@ struct Draft {
 struct Revision {
   Draft draft;
   int base_version = 0;
-  std::string title;                ///< empty: as it is
+  std::string title;  ///< empty: as it is
   std::string reason{};
   std::optional<store::Id> plan{};  ///< none: as it is
 };
@@ -81,8 +81,8 @@ struct Received {
 /// A test of the archive at one of its versions.
 struct KeptTest {
   store::TestRecord record;
-  std::size_t size = 0;                  ///< of the file, bytes
-  std::vector<store::Change> versions;   ///< the first is version 1
+  std::size_t size = 0;                 ///< of the file, bytes
+  std::vector<store::Change> versions;  ///< the first is version 1
   std::optional<store::Machine> machine;
   std::optional<store::Axis> axis;
   std::vector<store::Versioned<store::Instrument>> instruments;

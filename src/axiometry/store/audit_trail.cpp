@@ -69,7 +69,8 @@ Result<std::vector<AuditEntry>> entries(Connection& connection, const std::strin
   return found;
 }
 
-Result<std::int64_t> verify_chain(Connection& connection, std::vector<std::string>& problems) {
+Result<std::int64_t> verify_chain(Connection& connection, std::vector<std::string>& problems,
+                                  const std::function<void(const AuditEntry&)>& visit) {
   std::string previous;
   std::int64_t last = 0;
   while (true) {
@@ -88,6 +89,7 @@ Result<std::int64_t> verify_chain(Connection& connection, std::vector<std::strin
             fmt::format("audit trail: found entry {} with the hash {}, expected {}: it or one in front "
                         "of it was changed",
                         entry.id, entry.sha256, expected));
+      visit(entry);
       previous = entry.sha256;
       last = entry.id;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +30,9 @@ std::string chained_hash(const std::string& previous, const AuditEntry& entry);
 Result<std::vector<AuditEntry>> entries(Connection& connection, const std::string& subject, std::int64_t before,
                                         std::int64_t limit);
 
-/// Follows the chain from its beginning and gives the number of entries; what is wrong goes into `problems`.
-Result<std::int64_t> verify_chain(Connection& connection, std::vector<std::string>& problems);
+/// Follows the chain from its beginning, shows each entry to `visit` and gives their number; what is wrong goes into
+/// `problems`.
+Result<std::int64_t> verify_chain(Connection& connection, std::vector<std::string>& problems,
+                                  const std::function<void(const AuditEntry&)>& visit);
 
 }  // namespace axiometry::store

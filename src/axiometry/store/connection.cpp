@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "axiometry/base/contract.h"
 #include "axiometry/base/text.h"
 
 namespace axiometry::store {
@@ -38,7 +37,7 @@ bool Row::null(std::size_t column) const { return std::holds_alternative<std::mo
 
 std::int64_t Row::integer(std::size_t column) const {
   const auto* value = std::get_if<std::int64_t>(&cells_.at(column));
-  AXIOMETRY_CONTRACT(value != nullptr);
+  if (value == nullptr) throw DamagedCell();
   return *value;
 }
 
@@ -61,7 +60,7 @@ const std::string& Row::text(std::size_t column) const {
   const Cell& cell = cells_.at(column);
   if (const auto* bytes = std::get_if<Bytes>(&cell)) return bytes->bytes;
   const auto* value = std::get_if<std::string>(&cell);
-  AXIOMETRY_CONTRACT(value != nullptr);
+  if (value == nullptr) throw DamagedCell();
   return *value;
 }
 

@@ -38,7 +38,11 @@ Parameter parameter(const std::optional<T>& value) {
 /// A cell as a parameter of the next statement; lives as long as the cell.
 Parameter parameter(const Cell& cell);
 
-/// One line of an answer. Asking for another type than the cell has breaks the contract: who wrote the SELECT knows.
+/// Thrown where a cell is of another type than was written into its column: somebody else has been at the database, and
+/// no reader can go on. Ends the transaction as an Error of the kind damaged (store_state.h).
+struct DamagedCell {};
+
+/// One line of an answer. Its cells are asked for as what was written into them.
 class Row {
  public:
   explicit Row(std::vector<Cell> cells) : cells_(std::move(cells)) {}

@@ -7,6 +7,7 @@
 #include "axiometry/digest/sha256.h"
 #include "axiometry/store/audit_trail.h"
 #include "axiometry/store/clock.h"
+#include "axiometry/store/fingerprint.h"
 #include "axiometry/store/test_versions.h"
 #include "axiometry/store/things.h"
 
@@ -33,6 +34,23 @@ Document document_of(const Row& row) {
 
 }  // namespace
 
+std::string fingerprint(const Document& d) {
+  return Fingerprint()
+      .add_cell(d.id)
+      .add_cell(d.test)
+      .add_cell(std::int64_t{d.version})
+      .add(kind_name(d.kind))
+      .add(d.name)
+      .add(d.media_type)
+      .add(d.language)
+      .add(d.sha256)
+      .add_cell(d.size)
+      .add(d.change.at)
+      .add(d.change.actor)
+      .add(d.change.reason)
+      .finish();
+}
+
 Result<Document> write_document(Connection& connection, const Document& document, std::string_view bytes,
                                 const By& by) {
   AXIOMETRY_TRY(const TestVersion version, read_version(connection, document.test, document.version));
@@ -50,9 +68,10 @@ Result<Document> write_document(Connection& connection, const Document& document
        written.sha256, written.size, written.change.at, written.change.actor, written.change.reason}));
   json::Value detail = json::Value::object();
   detail.add("test", static_cast<double>(version.test));
-  detail.add("version", version.version);
+  detail.add("test_version", version.version);
   detail.add("name", written.name);
   detail.add("content", written.sha256);
+  detail.add("sha256", fingerprint(written));
   AXIOMETRY_TRY_VOID(record(connection, written.change,
                             {fmt::format("{}.added", kind), fmt::format("document {}", written.id), detail}));
   return written;

@@ -13,6 +13,9 @@ Result<Document> write_document(Connection& connection, const Document& document
 Result<std::vector<Document>> documents_of(Connection& connection, Id test);
 Result<Document> read_document(Connection& connection, Id id);
 
+/// The hash of all its fields.
+std::string fingerprint(const Document& document);
+
 /// The bytes of this hash, whatever they are of. Fails with `damaged` when they no longer have it.
 Result<Content> read_content(Connection& connection, const std::string& sha256);
 

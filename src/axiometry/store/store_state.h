@@ -46,7 +46,7 @@ struct Store::State {
                   "found the store busy with another change for ten seconds, expected it to become free");
     AXIOMETRY_TRY(const ConnectionPool::Lease connection, begun());
     Rollback rollback(*connection);
-    auto result = function(*connection);
+    auto result = guarded(function, *connection);
     if (!result) return result;
     AXIOMETRY_TRY_VOID(connection->commit());
     rollback.release();
@@ -54,6 +54,15 @@ struct Store::State {
   }
 
  private:
+  template <typename Function>
+  static auto guarded(Function& function, Connection& connection) -> std::invoke_result_t<Function, Connection&> {
+    try {
+      return function(connection);
+    } catch (const DamagedCell&) {
+      return fail(ErrorKind::damaged, "found a value of another type than was written, expected the store unchanged");
+    }
+  }
+
   template <typename Function>
   auto read_once(Function& function, bool& lost) -> std::invoke_result_t<Function, Connection&> {
     lost = false;
@@ -63,7 +72,7 @@ struct Store::State {
       return std::unexpected(begun.error());
     }
     const Rollback rollback(*connection);  // nothing was written: this ends it as well as commit() does
-    auto result = function(*connection);
+    auto result = guarded(function, *connection);
     lost = !result && !connection->alive();
     return result;
   }

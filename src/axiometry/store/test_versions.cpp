@@ -164,21 +164,28 @@ Result<void> write_version(Connection& connection, TestVersion& version) {
   return {};
 }
 
-Result<TestHead> read_head(Connection& connection, Id test) {
+Result<std::vector<TestHead>> read_heads(Connection& connection, Id first, Id last) {
   AXIOMETRY_TRY(const Rows rows,
                 connection.query("SELECT id, content, file_name, format, name_in_file, at, actor, reason, latest, "
-                                 "withdrawn FROM test WHERE id = $1",
-                                 {test}));
-  if (rows.empty()) return fail(ErrorKind::not_found, fmt::format("found no test {}, expected one", test));
-  const Row& row = rows[0];
-  return TestHead{.id = row.integer(0),
-                  .sha256 = row.text(1),
-                  .file_name = row.text(2),
-                  .format = row.text(3),
-                  .name_in_file = row.text(4),
-                  .received = {row.text(5), row.text(6), row.text(7)},
-                  .latest = row.number(8),
-                  .withdrawn = row.flag(9)};
+                                 "withdrawn FROM test WHERE id BETWEEN $1 AND $2 ORDER BY id",
+                                 {first, last}));
+  std::vector<TestHead> heads;
+  for (const Row& row : rows)
+    heads.push_back({.id = row.integer(0),
+                     .sha256 = row.text(1),
+                     .file_name = row.text(2),
+                     .format = row.text(3),
+                     .name_in_file = row.text(4),
+                     .received = {row.text(5), row.text(6), row.text(7)},
+                     .latest = row.number(8),
+                     .withdrawn = row.flag(9)});
+  return heads;
+}
+
+Result<TestHead> read_head(Connection& connection, Id test) {
+  AXIOMETRY_TRY(const std::vector<TestHead> heads, read_heads(connection, test, test));
+  if (heads.empty()) return fail(ErrorKind::not_found, fmt::format("found no test {}, expected one", test));
+  return heads[0];
 }
 
 Result<std::vector<TestVersion>> read_versions(Connection& connection, Id first, Id last) {
@@ -194,7 +201,11 @@ Result<std::vector<TestVersion>> read_versions(Connection& connection, Id first,
     place[{row.integer(0), row.number(1)}] = versions.size();
     versions.push_back(version_from(row));
   }
-  const auto of = [&](const Row& row) -> TestVersion& { return versions[place.at({row.integer(0), row.number(1)})]; };
+  const auto of = [&](const Row& row) -> TestVersion& {
+    const auto found = place.find({row.integer(0), row.number(1)});
+    if (found == place.end()) throw DamagedCell();  // belongs to nothing, which the database does not allow
+    return versions[found->second];
+  };
   for (const Row& row : evaluations) of(row).evaluation = evaluation_from(row);
   for (const Row& row : instruments) of(row).instruments.push_back({row.integer(2), row.number(3)});
   for (const Row& row : figures) of(row).evaluation.figures.push_back(figure_of(row, 3));

@@ -166,29 +166,31 @@ Result<std::vector<Versioned<Thing>>> thing_versions(Connection& connection, Id 
 }
 
 template <typename Thing>
-Result<void> verify_things(Connection& connection, std::vector<std::string>& problems) {
+Result<void> verify_things(Connection& connection, const Attested& attested, std::vector<std::string>& problems) {
   using Table = ThingTable<Thing>;
   AXIOMETRY_TRY(const Rows heads, connection.query(fmt::format("SELECT id, latest FROM {} ORDER BY id", Table::name)));
   AXIOMETRY_TRY(const Rows rows, connection.query(selection<Thing>("ORDER BY v.id, v.version")));
   auto row = rows.begin();
   for (std::size_t k = 0; k < heads.size(); ++k) {
     const Id id = heads[k].integer(0);
+    const std::string subject = fmt::format("{} {}", Table::name, id);
     if (id != static_cast<Id>(k) + 1)
       problems.push_back(fmt::format("{}: found the number {}, expected {}", Table::name, id, k + 1));
     int version = 0;
     for (; row != rows.end() && row->integer(0) == id; ++row) {
       if (row->number(1) != ++version)
-        problems.push_back(
-            fmt::format("{} {}: found version {}, expected {}", Table::name, id, row->number(1), version));
+        problems.push_back(fmt::format("{}: found version {}, expected {}", subject, row->number(1), version));
       const auto fields = std::span(row->cells()).subspan(own_columns);
-      if (fingerprint(id, row->number(1), {row->text(2), row->text(3), row->text(4)}, fields) != row->text(5))
-        problems.push_back(
-            fmt::format("{} {}: found version {} changed after it was kept", Table::name, id, row->number(1)));
+      const std::string hash = fingerprint(id, row->number(1), {row->text(2), row->text(3), row->text(4)}, fields);
+      if (hash != row->text(5) || !attested.knows(subject, row->number(1), hash))
+        problems.push_back(fmt::format("{}: found version {} changed after it was kept", subject, row->number(1)));
     }
     if (version != heads[k].number(1))
-      problems.push_back(
-          fmt::format("{} {}: found {} versions, expected {}", Table::name, id, version, heads[k].number(1)));
+      problems.push_back(fmt::format("{}: found {} versions, expected {}", subject, version, heads[k].number(1)));
   }
+  if (attested.count(Table::name) != static_cast<std::int64_t>(rows.size()))
+    problems.push_back(fmt::format("{}: found {} versions, expected the {} of the audit trail", Table::name,
+                                   rows.size(), attested.count(Table::name)));
   return {};
 }
 
@@ -198,7 +200,7 @@ Result<void> verify_things(Connection& connection, std::vector<std::string>& pro
   template Result<Versioned<Thing>> get_thing<Thing>(Connection&, Id, std::optional<int>); \
   template Result<std::vector<Versioned<Thing>>> all_things<Thing>(Connection&);           \
   template Result<std::vector<Versioned<Thing>>> thing_versions<Thing>(Connection&, Id);   \
-  template Result<void> verify_things<Thing>(Connection&, std::vector<std::string>&)
+  template Result<void> verify_things<Thing>(Connection&, const Attested&, std::vector<std::string>&)
 
 AXIOMETRY_THING(Machine);
 AXIOMETRY_THING(Axis);

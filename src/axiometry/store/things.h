@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "axiometry/store/attested.h"
 #include "axiometry/store/connection.h"
 #include "axiometry/store/records.h"
 
@@ -25,9 +26,10 @@ Result<std::vector<Versioned<Thing>>> all_things(Connection& connection);  ///< 
 template <typename Thing>
 Result<std::vector<Versioned<Thing>>> thing_versions(Connection& connection, Id id);
 
-/// Whether each version has the hash it was kept with, and the versions and ids are complete.
+/// Whether each version has the hash that it was kept with and that the audit trail knows, and the versions and ids are
+/// complete.
 template <typename Thing>
-Result<void> verify_things(Connection& connection, std::vector<std::string>& problems);
+Result<void> verify_things(Connection& connection, const Attested& attested, std::vector<std::string>& problems);
 
 /// The next number of a table whose numbers have no gaps. Only within a transaction that writes.
 Result<Id> next_id(Connection& connection, std::string_view table);

@@ -2,7 +2,6 @@
 // The page of one test: what the axis does, how sure that is, and what may be changed about it.
 import { useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { query } from '../api/client';
 import type { Test, Vocabulary } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
@@ -18,7 +17,7 @@ import { LibraryFigures } from './test/library_figures';
 import { Headline, Parameters } from './test/parameters';
 import { PositionChart } from './test/position_chart';
 import { Positions } from './test/positions';
-import { TestState } from './test/state';
+import { TestState, test_path } from './test/state';
 import { OldVersionBanner, Versions } from './test/versions';
 import './test.css';
 
@@ -50,7 +49,7 @@ function use_state(test: Test | null): TestState | null {
 
 export function OneTestPage({ parts }: { parts: Record<string, string> }) {
   const version = place.value.query.get('version');
-  const loaded = use_get<Test>(`/api/tests/${encodeURIComponent(parts['id'] ?? '')}${query({ version })}`);
+  const loaded = use_get<Test>(test_path(parts['id'] ?? '', '', { version }));
   const vocabulary = use_get<Vocabulary>('/api/vocabulary').data;
   // After the address has changed, nothing of the former test is shown as if it were this one.
   const fits = loaded.data !== null && String(loaded.data.id) === parts['id'];

@@ -5,7 +5,7 @@ import { Swatch } from '../../components/chart';
 import { ParameterSymbol } from '../../components/symbol';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
-import { absent, fixed, marked } from '../../numbers';
+import { absent, fixed, parsed } from '../../numbers';
 import { all_parameters, decimals_of, main_parameters } from '../test/figures_text';
 import { look_of } from './curves';
 
@@ -30,8 +30,7 @@ function cell_of(test: Test, parameter: Parameter): Cell | null {
   const shown = test.shown.find((row) => row.parameter === parameter);
   const value = test.result.parameters[parameter];
   if (!shown || value === null || value === undefined) return null;
-  const U = shown.U === '' ? null : Number(shown.U);
-  return { value, text: shown.value, U: U !== null && Number.isFinite(U) ? U : null, U_text: shown.U };
+  return { value, text: shown.value, U: parsed(shown.U), U_text: shown.U };
 }
 
 /** The parameters of all tests, with differences to the first one and whether they mean anything. */
@@ -89,7 +88,7 @@ function Value({ test, parameter }: { test: Test; parameter: Parameter }) {
   if (cell === null) return <>{absent}</>;
   return (
     <>
-      {marked(cell.text)}{cell.U_text !== '' && <span class="quiet"> ± {marked(cell.U_text)}</span>}
+      {cell.text}{cell.U_text !== '' && <span class="quiet"> ± {cell.U_text}</span>}
       <span class="slot">{shown && shown.limit !== null && <VerdictMark verdict={shown.verdict} short />}</span>
     </>
   );

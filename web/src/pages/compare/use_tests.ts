@@ -2,8 +2,8 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { get, type ApiError } from '../../api/client';
 import type { Test } from '../../api/types';
-import { language } from '../../settings';
-import { failure_of } from '../test/state';
+import { decimal, language } from '../../settings';
+import { failure_of, test_path } from '../test/state';
 
 export interface LoadedTest { id: number; test: Test | null; error: ApiError | null }
 
@@ -12,7 +12,7 @@ export function use_tests(ids: readonly number[]): LoadedTest[] {
   const known = useRef(new Map<number, LoadedTest>());
   const asked = useRef(new Set<number>());
   const [, set_turn] = useState(0);
-  const spoken = language.value;
+  const spoken = `${language.value} ${decimal.value}`;
   const list = ids.join();
   useEffect(() => {
     asked.current.clear();
@@ -26,7 +26,7 @@ export function use_tests(ids: readonly number[]): LoadedTest[] {
         if (loaded.error) asked.current.delete(id);
         set_turn((n) => n + 1);
       };
-      get<Test>(`/api/tests/${id}`).then(
+      get<Test>(test_path(id)).then(
         (test) => keep({ test, error: null }),
         (error: unknown) => keep({ test: known.current.get(id)?.test ?? null, error: failure_of(error) }),
       );

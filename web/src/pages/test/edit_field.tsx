@@ -13,6 +13,8 @@ const t = texts({
   yes: ['yes', 'ja'],
   no: ['no', 'nein'],
   file_says: ['In the file: {value}', 'In der Datei: {value}'],
+  instrument_says: ['From {name}: {value}', 'Von {name}: {value}'],
+  axis_says: ['Limit of the axis: {value}', 'Grenzwert der Achse: {value}'],
   file_silent: ['Not in the file', 'Nicht in der Datei'],
   undo: ['Undo', 'Zurücknehmen'],
   undo_field: ['Undo the change of {title}', 'Änderung von {title} zurücknehmen'],
@@ -44,12 +46,12 @@ export function EditField({ state, field, vocabulary }: { state: TestState; fiel
     frame.current?.scrollIntoView({ block: 'center' });
     control?.focus({ preventScroll: true });
   }, [wanted]);
+  const origin = origin_of(state, field, stated, changed, vocabulary);
   const unit = field_unit(field, state.evaluated.value.result.axis.kind);
-  const kept = stated === '' ? t('file_silent') : t('file_says', { value: shown(field, stated, vocabulary) });
   return (
     <div ref={frame} class={`edit-field ${changed ? 'changed' : ''} ${field.type}`}>
       <Field label={<>{field.title}{unit !== '' && <span class="unit">, {unit}</span>}</>} fault={state.faults.value[field.key] ?? null}
-             hint={<>{changed && <span class="file-says">{kept} </span>}{field.description}{field.clause !== '' && <span class="clause"> {field.clause}</span>}</>}>
+             hint={<>{origin !== null && <span class="file-says">{origin}</span>} {field.description}{field.clause !== '' && <span class="clause"> {field.clause}</span>}</>}>
         {(ids) => <Control ids={ids} state={state} field={field} vocabulary={vocabulary} stated={stated} />}
       </Field>
       {changed && (
@@ -57,6 +59,17 @@ export function EditField({ state, field, vocabulary }: { state: TestState; fiel
       )}
     </div>
   );
+}
+
+/** Where an unchanged value comes from: the file, or what the archive knows of instruments and axis. */
+function origin_of(state: TestState, field: FieldInfo, stated: string, changed: boolean, vocabulary: Vocabulary): string | null {
+  const taken = state.evaluated.value.from_archive;
+  const instrument = taken?.instruments.find((one) => one.inputs[field.key] !== undefined);
+  if (instrument && !changed) return t('instrument_says', { name: instrument.name, value: shown(field, instrument.inputs[field.key] as string, vocabulary) });
+  const limit = taken?.axis?.limits.find((one) => field.key === `tolerance.${one.parameter}`);
+  if (limit && stated === '' && !changed) return t('axis_says', { value: shown(field, String(limit.value), vocabulary) });
+  if (!changed) return null;
+  return stated === '' ? t('file_silent') : t('file_says', { value: shown(field, stated, vocabulary) });
 }
 
 function shown(field: FieldInfo, text: string, vocabulary: Vocabulary): string {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
-import { send } from '../../api/client';
-import { query } from '../../api/client';
+import { query, send } from '../../api/client';
 import type { Test } from '../../api/types';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
 import { bytes } from '../../numbers';
 import { ReasonDialog } from './reason_dialog';
-import type { TestState } from './state';
+import { test_path, type TestState } from './state';
 
 const t = texts({
   machine: ['Machine', 'Maschine'],
@@ -48,7 +47,7 @@ function Facts({ state }: { state: TestState }) {
   const test = state.test.value;
   const result = state.evaluated.value.result;
   return (
-    <dl class="facts">
+    <dl class="test-facts">
       <Fact label={t('machine')}>{test.machine ? <a href={`/machines/${test.machine.id}`}>{test.machine.name || t('unnamed')}</a> : t('unnamed')}</Fact>
       <Fact label={t('axis')}>{test.axis ? <a href={`/axes/${test.axis.id}`}>{test.axis.name || t('unnamed')}</a> : result.axis.name || t('unnamed')}</Fact>
       <Fact label={t('date')}>{measured_on(test)}</Fact>
@@ -68,7 +67,7 @@ function Facts({ state }: { state: TestState }) {
       )}
       <Fact label={t('file')}>
         <span class="file-name">{test.file.name}{test.file.name_in_file !== '' && ` · ${test.file.name_in_file}`}</span>{' '}
-        <span class="quiet">{bytes(test.file.size)} · <span class="mono" title={`SHA-256 ${test.file.sha256}`}>{test.file.sha256.slice(0, 8)}</span></span>
+        <span class="quiet number">{bytes(test.file.size)} · <span class="mono" title={`SHA-256 ${test.file.sha256}`}>{test.file.sha256.slice(0, 8)}</span></span>
       </Fact>
     </dl>
   );
@@ -102,7 +101,7 @@ export function Head({ state }: { state: TestState }) {
       <Facts state={state} />
       {asking && (
         <ReasonDialog title={t(`${turn}_title`)} action={t(turn)} close={() => set_asking(false)}
-          act={async (reason) => state.refresh({ ...(await send<Test>('POST', `/api/tests/${test.id}/${turn}`, { reason })) })}>
+          act={async (reason) => state.refresh(await send<Test>('POST', test_path(test.id, `/${turn}`), { reason }))}>
           <p>{t(`${turn}_text`)}</p>
         </ReasonDialog>
       )}

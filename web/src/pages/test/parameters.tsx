@@ -3,7 +3,7 @@ import type { Evaluated, MonteCarloOutput, Parameter, Verdict, Vocabulary } from
 import { ParameterSymbol } from '../../components/symbol';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
-import { absent, fixed, marked, shortest } from '../../numbers';
+import { absent, fixed, parsed, shortest } from '../../numbers';
 import { decimals_of, main_parameters, type Shown } from './figures_text';
 import { LimitBar } from './limit_bar';
 import type { TestState } from './state';
@@ -31,11 +31,11 @@ const shown_of = (evaluated: Evaluated, parameter: Parameter): Shown | undefined
   evaluated.shown.find((row) => row.parameter === parameter);
 
 /** The expanded uncertainty as it is shown, as a number for the bar. */
-const number_of = (text: string): number | null => (text === '' || Number.isNaN(Number(text)) ? null : Number(text));
+const number_of = (text: string): number | null => parsed(text);
 
 function Stored({ now, kept }: { now: Shown; kept: Shown | undefined }) {
   if (kept === undefined || (kept.value === now.value && kept.U === now.U && kept.interval === now.interval)) return null;
-  const text = kept.U === '' ? marked(kept.value) : `${marked(kept.value)} ± ${marked(kept.U)}`;
+  const text = kept.U === '' ? `${kept.value} ${kept.interval}` : `${kept.value} ± ${kept.U}`;
   return <span class="was small number">{t('kept')} {text}</span>;
 }
 
@@ -43,9 +43,12 @@ function Stored({ now, kept }: { now: Shown; kept: Shown | undefined }) {
 export function Headline({ state }: { state: TestState }) {
   const evaluated = state.evaluated.value;
   const kept = state.test.value;
+  const main = main_parameters(evaluated.result);
+  // Bars without a limit stand on one scale, so that they can be compared with each other.
+  const reach = Math.max(...main.map((parameter) => Math.abs(evaluated.result.parameters[parameter] ?? 0) + (number_of(shown_of(evaluated, parameter)?.U ?? '') ?? 0)));
   return (
     <section class="panel headline" aria-label={t('glance')}>
-      {main_parameters(evaluated.result).map((parameter) => {
+      {main.map((parameter) => {
         const row = shown_of(evaluated, parameter);
         const value = evaluated.result.parameters[parameter];
         if (row === undefined || value === null) return null;
@@ -55,12 +58,13 @@ export function Headline({ state }: { state: TestState }) {
               <span class="glance-symbol"><ParameterSymbol parameter={parameter} /></span>
               {row.limit !== null && <VerdictMark verdict={row.verdict} short />}
             </div>
-            <div class="number"><span class="glance-value">{marked(row.value)}</span>{' '}
-              {row.U !== '' && <span class="glance-u">± {marked(row.U)}</span>} <span class="quiet">{row.unit}</span>
+            <div class="number"><span class="glance-value">{row.value}</span>{' '}
+              {row.U !== '' && <span class="glance-u">± {row.U}</span>} <span class="quiet">{row.unit}</span>
+              {row.U === '' && row.interval !== '' && <span class="small"> ({row.interval})</span>}
             </div>
-            <LimitBar value={value} U={number_of(row.U)} limit={row.limit} tone={tone_of(row.verdict)} />
+            <LimitBar value={value} U={number_of(row.U)} limit={row.limit} tone={tone_of(row.verdict)} reach={reach} />
             <div class="small quiet number">
-              {row.limit !== null ? t('of_limit', { limit: shortest(row.limit) }) : '\u00a0'} <Stored now={row} kept={shown_of(kept, parameter)} />
+              {row.limit !== null && t('of_limit', { limit: shortest(row.limit) })} <Stored now={row} kept={shown_of(kept, parameter)} />
             </div>
           </div>
         );
@@ -90,7 +94,7 @@ export function Parameters({ state, vocabulary }: { state: TestState; vocabulary
     <section class="panel flush parameters-panel">
       <header><h2>{t('title')}</h2>{!methods.annex_a && !methods.gum && <span class="small quiet">{t('no_uncertainty')}</span>}</header>
       <div class="table-frame">
-        <table class="parameters">
+        <table class={`parameters ${any_limit || methods.monte_carlo ? 'full' : ''}`}>
           <thead>
             <tr>
               <th scope="col"><span class="visually-hidden">{t('parameter')}</span></th>
@@ -127,7 +131,7 @@ function Row({ row, kept, evaluated, methods, any_limit, title }: {
     <tr class={main_parameters(evaluated.result).includes(row.parameter) ? 'main' : ''}>
       <th scope="row" title={title}><ParameterSymbol parameter={row.parameter} /></th>
       <td class="name">{title}</td>
-      <td class="number">{marked(row.value)} <Stored now={row} kept={kept} /></td>
+      <td class="number">{value === null ? absent : row.value} <Stored now={row} kept={kept} /></td>
       {methods.annex_a && <td class="number">{fixed(uncertainty?.annex_a?.[row.parameter], decimals)}</td>}
       {methods.gum && <td class="number">{fixed(uncertainty?.gum?.[row.parameter]?.U, decimals)}</td>}
       {methods.monte_carlo && <td class="number">{interval_text(uncertainty?.monte_carlo?.[row.parameter], decimals)}</td>}

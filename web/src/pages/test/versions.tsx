@@ -8,7 +8,7 @@ import { when } from '../../numbers';
 import { go } from '../../router';
 import { Differences } from './differences';
 import { keep_draft } from './draft_store';
-import type { TestState } from './state';
+import { test_path, type TestState } from './state';
 
 const t = texts({
   title: ['Versions', 'Versionen'],
@@ -28,7 +28,7 @@ const t = texts({
 export function OldVersionBanner({ test }: { test: Test }) {
   if (test.version === test.latest) return null;
   const take_up = () => {
-    keep_draft(test.id, { base_version: test.latest, changes: test.changes, options: test.options });
+    keep_draft(test.id, { base_version: test.latest, changes: test.changes, options: test.options, title: test.title });
     go(`/tests/${test.id}`);
   };
   return (
@@ -82,7 +82,7 @@ export function Versions({ state, vocabulary }: { state: TestState; vocabulary: 
 }
 
 function Against({ test, version, choose, vocabulary }: { test: Test; version: number; choose: (version: number) => void; vocabulary: Vocabulary | null }) {
-  const older = use_get<Test>(`/api/tests/${test.id}?version=${version}`);
+  const older = use_get<Test>(test_path(test.id, '', { version }));
   return (
     <div class="stack tight">
       {test.version > 2 && (

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/workbench.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "axiometry/app/example_table2.h"
+#include "axiometry/app/wire_workbench.h"
+#include "axiometry/digest/sha256.h"
+#include "tests/support/archive.h"
+
+namespace axiometry::app {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const store::By me{"A. Tester", "a test"};
+
+class TheWorkbench : public testing::Test {
+ protected:
+  store::Id keep(std::string_view bytes, const std::string& name = "table2.json") {
+    const Upload upload{name, bytes};
+    auto received = workbench.receive(std::span(&upload, 1), me);
+    EXPECT_TRUE(received) << received.error().to_string();
+    return received ? received->tests.front().id : 0;
+  }
+
+  double figure(const json::Value& result, std::string_view parameter) {
+    return result.find("parameters")->find(parameter)->number();
+  }
+
+  double expanded(const json::Value& result, std::string_view parameter) {
+    return result.find("uncertainty")->find("annex_a")->find(parameter)->number();
+  }
+
+  testing_support::Archive archive;
+  store::Store& store = archive.store();
+  Workbench workbench{store};
+};
+
+constexpr std::string_view two_tests =
+    "test,target_mm,direction,run,deviation_um\n"
+    "first,0,+,1,1\nfirst,100,+,1,2\nfirst,0,-,1,3\nfirst,100,-,1,4\n"
+    "second,0,+,1,5\nsecond,100,+,1,6\nsecond,0,-,1,7\nsecond,100,-,1,8\n";
+
+TEST_F(TheWorkbench, KeepsATestWithItsEvaluationAndItsVeryBytes) {
+  const Upload upload{"../../etc/table 2.json", example_table2};
+  const auto received = workbench.receive(std::span(&upload, 1), me);
+  ASSERT_TRUE(received) << received.error().to_string();
+  EXPECT_NEAR(figure(received->first.result, "A"), 9.586, 5e-4);
+  const auto test = workbench.test(received->tests.front().id);
+  ASSERT_TRUE(test) << test.error().to_string();
+  EXPECT_EQ(test->record.file_name, "table 2.json");
+  EXPECT_EQ(test->record.state.title, "table 2");
+  EXPECT_EQ(test->record.state.measured_on, "2014-05-15");
+  EXPECT_EQ(test->record.sha256, sha256(example_table2));
+  EXPECT_EQ(test->size, example_table2.size());
+  EXPECT_EQ(test->machine->name, "Table 2 of ISO 230-2 (worked example)");
+  EXPECT_EQ(test->axis->name, "X");
+  ASSERT_EQ(test->instruments.size(), 2u);
+  EXPECT_EQ(test->versions.size(), 1u);
+  EXPECT_EQ(test->versions.front().actor, "A. Tester");
+  EXPECT_EQ(json::dump(test->outcome.result), json::dump(received->first.result));
+  EXPECT_EQ(workbench.raw(test->record.id)->bytes, example_table2);
+}
+
+TEST_F(TheWorkbench, RefusesAFileWithItsPlaceAndKeepsNothingOfAllThatCameWithIt) {
+  const Upload uploads[] = {{"good.json", example_table2},
+                            {"bad.csv", "target_mm,direction,run,deviation_um\n0,+,1,x\n"}};
+  const auto received = workbench.receive(uploads, me);
+  ASSERT_FALSE(received);
+  EXPECT_EQ(received.error().file, "bad.csv");
+  EXPECT_EQ(received.error().at.line, 2u);
+  EXPECT_EQ(store.counts()->tests, 0);
+  EXPECT_EQ(store.counts()->content_bytes, 0);
+}
+
+TEST_F(TheWorkbench, MakesANewTestOfBytesItKnowsAndSaysSo) {
+  const auto first = keep(example_table2);
+  const Upload again{"again.json", example_table2};
+  const auto received = workbench.receive(std::span(&again, 1), me);
+  ASSERT_TRUE(received);
+  EXPECT_THAT(received->same_content, ElementsAre(first));
+  EXPECT_NE(received->tests.front().id, first);
+  EXPECT_EQ(workbench.test(received->tests.front().id)->record.state.title, "again");
+  EXPECT_THAT(workbench.preview({"x.json", example_table2})->same_content,
+              ElementsAre(first, received->tests.front().id));
+}
+
+TEST_F(TheWorkbench, KeepsEveryTestOfAFileOfMany) {
+  const Upload upload{"many.csv", two_tests};
+  const auto received = workbench.receive(std::span(&upload, 1), me);
+  ASSERT_TRUE(received) << received.error().to_string();
+  ASSERT_EQ(received->tests.size(), 2u);
+  EXPECT_EQ(received->tests[1].title, "many second");
+  const auto second = workbench.test(received->tests[1].id);
+  ASSERT_TRUE(second) << second.error().to_string();
+  EXPECT_EQ(second->record.name_in_file, "second");
+  EXPECT_EQ(second->outcome.readings.reading(1, Direction::down, 0)->in_native(), 8.0);
+}
+
+TEST_F(TheWorkbench, PreviewsWithoutKeepingAndTellsWhyItRefuses) {
+  const auto good = workbench.preview({"table2.csv", example_table2});
+  ASSERT_TRUE(good);
+  EXPECT_EQ(good->format, "json") << "by content, whatever the name says";
+  ASSERT_EQ(good->tests.size(), 1u);
+  EXPECT_TRUE(good->tests.front().outcome);
+  const auto bad = workbench.preview({"photo.jpg", std::string_view("\xFF\xD8\xFF\xE0\0\x10JFIF", 10)});
+  ASSERT_TRUE(bad);
+  ASSERT_TRUE(bad->refused);
+  EXPECT_EQ(bad->refused->file, "photo.jpg");
+  EXPECT_THAT(bad->tests, IsEmpty());
+  EXPECT_EQ(store.counts()->tests, 0);
+}
+
+TEST_F(TheWorkbench, TellsWhatToDoWithARecording) {
+  std::string recording = "time_s,position_mm\n";
+  for (int k = 0; k < 200; ++k) recording += std::to_string(k * 0.001) + "," + std::to_string(k * 0.01) + "\n";
+  const auto preview = workbench.preview({"recording.csv", recording});
+  ASSERT_TRUE(preview);
+  ASSERT_TRUE(preview->refused);
+  EXPECT_THAT(preview->refused->message, HasSubstr("recording"));
+}
+
+TEST_F(TheWorkbench, TriesChangesWithoutKeepingThem) {
+  const auto id = keep(example_table2);
+  const double before = expanded(workbench.test(id)->outcome.result, "A");
+  Draft draft;
+  draft.changes = {{"uncertainty.device_calibration_um_per_m", "20"}};
+  const auto outcome = workbench.draft(id, draft);
+  ASSERT_TRUE(outcome) << outcome.error().to_string();
+  EXPECT_GT(expanded(outcome->result, "A"), before + 5.0);
+  EXPECT_EQ(expanded(workbench.test(id)->outcome.result, "A"), before);
+  EXPECT_EQ(workbench.test(id)->versions.size(), 1u);
+}
+
+TEST_F(TheWorkbench, TakesAValueAwayAndReplacesAList) {
+  const auto id = keep(example_table2);
+  Draft draft;
+  draft.changes = {{"test.inspector", ""}, {"equipment", "Laser | Maker | L1 | 9\nOptics | Maker | O1 | 10\n"}};
+  const auto outcome = workbench.draft(id, draft);
+  ASSERT_TRUE(outcome) << outcome.error().to_string();
+  const json::Value& metadata = *outcome->result.find("metadata");
+  EXPECT_EQ(metadata.find("test")->find("inspector"), nullptr);
+  EXPECT_EQ(metadata.find("equipment")->items().size(), 2u);
+}
+
+TEST_F(TheWorkbench, RevisesIntoANewVersionAndRefusesASecondOneFromTheSameBase) {
+  const auto id = keep(example_table2);
+  Revision revision;
+  revision.base_version = 1;
+  revision.title = "Checked";
+  revision.draft.changes = {{"tolerance.A", "12"}};
+  const auto revised = workbench.revise(id, revision, me);
+  ASSERT_TRUE(revised) << revised.error().to_string();
+  EXPECT_EQ(revised->record.version, 2);
+  EXPECT_EQ(revised->record.state.title, "Checked");
+  EXPECT_EQ(revised->record.state.evaluation.verdict, "conforms");
+  const auto second = workbench.revise(id, revision, me);
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().kind, ErrorKind::conflict);
+  const auto first = workbench.test(id, 1);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->record.state.title, "table2");
+  EXPECT_EQ(first->outcome.result.find("verdict"), nullptr);
+  EXPECT_EQ(workbench.raw(id)->bytes, example_table2);
+}
+
+TEST_F(TheWorkbench, ShowsCorrectedReadingsBesideThoseThatWereMeasured) {
+  const auto id = keep(example_table2);
+  Revision revision;
+  revision.base_version = 1;
+  revision.draft.options.corrections = {"drift"};
+  ASSERT_TRUE(workbench.revise(id, revision, me));
+  const auto test = workbench.test(id);
+  ASSERT_TRUE(test);
+  ASSERT_TRUE(test->outcome.as_measured);
+  EXPECT_EQ(test->outcome.as_measured->reading(0, Direction::up, 0)->in_native(), -1.2);
+  EXPECT_NE(test->outcome.readings.reading(0, Direction::up, 0)->in_native(), -1.2);
+}
+
+TEST_F(TheWorkbench, TakesInputsFromTheInstrumentWhereNobodyStatesThem) {
+  store::Instrument laser;
+  laser.manufacturer = "Example Instruments";
+  laser.type = "LI-1";
+  laser.serial_number = "1234";
+  laser.inputs = {{"uncertainty.instrument_resolution", "0.5"}, {"uncertainty.misalignment_mm", "100"}};
+  ASSERT_TRUE(store.add(laser, me));
+  const auto id = keep(example_table2);
+  const auto test = workbench.test(id);
+  ASSERT_TRUE(test);
+  ASSERT_EQ(test->outcome.from_archive.instruments.size(), 1u);
+  const auto& taken = test->outcome.from_archive.instruments.front();
+  EXPECT_THAT(taken.inputs,
+              ElementsAre(std::pair<std::string, std::string>("uncertainty.instrument_resolution", "0.5")))
+      << "the file states the misalignment itself";
+  Draft draft;
+  draft.changes = {{"uncertainty.instrument_resolution", ""}};
+  EXPECT_THAT(workbench.draft(id, draft)->from_archive.instruments, IsEmpty());
+}
+
+TEST_F(TheWorkbench, ReportsAVersionWithTheInputsOfItsDayAlthoughTheInstrumentHasChanged) {
+  store::Instrument laser;
+  laser.serial_number = "1234";
+  laser.manufacturer = "Example Instruments";
+  laser.type = "LI-1";
+  laser.inputs = {{"uncertainty.instrument_resolution", "0.5"}};
+  const auto added = store.add(laser, me);
+  ASSERT_TRUE(added);
+  const auto id = keep(example_table2);
+  laser.inputs = {{"uncertainty.instrument_resolution", "50"}};
+  ASSERT_TRUE(store.change(added->id, 1, laser, me));
+  Workbench another(store);  // remembers nothing
+  const auto csv = another.report(id, 1, {.extension = "csv"});
+  ASSERT_TRUE(csv) << csv.error().to_string();
+  EXPECT_THAT(csv->bytes, HasSubstr("parameter,,,A,9.58"));
+}
+
+TEST_F(TheWorkbench, AppliesTheLimitsOfTheAxisWhereTheTestStatesNone) {
+  const auto id = keep(example_table2);
+  const auto axis = store.get<store::Axis>(*workbench.test(id)->record.axis);
+  ASSERT_TRUE(axis);
+  store::Axis limited = axis->value;
+  limited.limits = {{"A", 5.0}, {"B", 50.0}};
+  ASSERT_TRUE(store.change(axis->id, axis->version, limited, me));
+  const auto outcome = workbench.draft(id, {});
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->result.find("verdict")->text(), "does not conform");
+  EXPECT_EQ(outcome->result.find("tolerances")->items().front().find("source")->text(), "axis");
+  Draft stated;
+  stated.changes = {{"tolerance.A", "20"}};
+  const auto own = workbench.draft(id, stated);
+  EXPECT_EQ(own->result.find("verdict")->text(), "conforms");
+  EXPECT_EQ(own->result.find("tolerances")->items().size(), 1u);
+}
+
+TEST_F(TheWorkbench, FindsTheAxisOfAMachineThatWasRenamed) {
+  const auto first = keep(example_table2);
+  const auto record = workbench.test(first)->record;
+  auto machine = store.get<store::Machine>(*record.machine);
+  machine->value.name = "M-17";
+  ASSERT_TRUE(store.change(machine->id, 1, machine->value, me));
+  auto axis = store.get<store::Axis>(*record.axis);
+  axis->value.limits = {{"A", 5.0}};
+  ASSERT_TRUE(store.change(axis->id, 1, axis->value, me));
+  const auto second = workbench.test(keep(example_table2, "second.json"));
+  EXPECT_EQ(second->record.machine, record.machine);
+  EXPECT_EQ(second->record.state.evaluation.verdict, "does not conform");
+}
+
+TEST_F(TheWorkbench, RefusesAReportWhoseFiguresAreNoLongerThoseThatWereKept) {
+  const auto id = keep(example_table2);
+  auto record = store.test(id);
+  ASSERT_TRUE(record);
+  record->state.evaluation.figures.front().value += 0.01;
+  record->state.evaluation.program = "axiometry 9.9";
+  ASSERT_TRUE(store.revise(id, 1, record->state, me));
+  const auto report = workbench.report(id, {}, {.extension = "html"});
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().kind, ErrorKind::conflict);
+  EXPECT_THAT(report.error().message, HasSubstr("axiometry 9.9"));
+  EXPECT_TRUE(workbench.report(id, {}, {.extension = "json"})) << "what was kept stays to be had";
+  EXPECT_TRUE(workbench.report(id, 1, {.extension = "html"}));
+}
+
+TEST_F(TheWorkbench, WritesReportsInEveryFormat) {
+  const auto id = keep(example_table2);
+  for (const auto& [extension, beginning] : {std::pair{"html", "<!"},
+                                             {"pdf", "%PDF"},
+                                             {"svg", "<?xml"},
+                                             {"png", "\x89PNG"},
+                                             {"csv", "axis,"},
+                                             {"json", "{"}}) {
+    const auto report = workbench.report(id, {}, {.extension = extension});
+    ASSERT_TRUE(report) << extension << report.error().to_string();
+    EXPECT_EQ(report->bytes.substr(0, std::string_view(beginning).size()), beginning);
+    EXPECT_EQ(report->file_name, std::string("table2.") + extension);
+  }
+  EXPECT_EQ(workbench.report(id, {}, {.extension = "exe"}).error().kind, ErrorKind::not_found);
+  EXPECT_EQ(workbench.report(77, {}, {.extension = "pdf"}).error().kind, ErrorKind::not_found);
+}
+
+TEST_F(TheWorkbench, KeepsAnIssuedReportAsItWas) {
+  const auto id = keep(example_table2);
+  const auto document = workbench.issue(id, {}, {.extension = "html"}, me);
+  ASSERT_TRUE(document) << document.error().to_string();
+  Revision revision;
+  revision.base_version = 1;
+  revision.draft.changes = {{"test.inspector", "Somebody else"}};
+  ASSERT_TRUE(workbench.revise(id, revision, me));
+  const auto bytes = workbench.document(document->id);
+  ASSERT_TRUE(bytes);
+  EXPECT_THAT(bytes->bytes, HasSubstr("A. N. Inspector"));
+  EXPECT_EQ(bytes->media_type, "application/octet-stream") << "no browser shall run it";
+}
+
+TEST_F(TheWorkbench, HandsOutAttachmentsUnderATypeThatNothingRuns) {
+  const auto id = keep(example_table2);
+  const auto page = workbench.attach(id, {"x.html", "text/html", "<script>alert(1)</script>"}, me);
+  const auto picture = workbench.attach(id, {"x.png", "image/PNG; a=b", "picture"}, me);
+  const auto vector = workbench.attach(id, {"x.svg", "image/svg+xml", "<svg onload=''/>"}, me);
+  ASSERT_TRUE(page && picture && vector);
+  EXPECT_EQ(workbench.document(page->id)->media_type, "application/octet-stream");
+  EXPECT_EQ(workbench.document(picture->id)->media_type, "image/png");
+  EXPECT_EQ(workbench.document(vector->id)->media_type, "application/octet-stream");
+  EXPECT_FALSE(workbench.attach(id, {"x\r\nEvil: 1", "text/plain", "x"}, me));
+}
+
+TEST_F(TheWorkbench, DrawsFiguresForBothThemes) {
+  const auto id = keep(example_table2);
+  const auto titles = workbench.figures(id, {}, {.extension = "svg"});
+  ASSERT_TRUE(titles);
+  EXPECT_EQ(titles->size(), 3u);
+  const auto light = workbench.figure(id, {}, 0, false, {.extension = "svg"});
+  const auto dark = workbench.figure(id, {}, 0, true, {.extension = "svg"});
+  ASSERT_TRUE(light && dark);
+  EXPECT_NE(*light, *dark);
+  EXPECT_EQ(workbench.figure(id, {}, 9, false, {.extension = "svg"}).error().kind, ErrorKind::not_found);
+}
+
+TEST_F(TheWorkbench, WithdrawsAndReinstates) {
+  const auto id = keep(example_table2);
+  EXPECT_TRUE(workbench.withdraw(id, true, me)->record.withdrawn);
+  EXPECT_EQ(store.tests({})->total, 0);
+  EXPECT_FALSE(workbench.withdraw(id, false, me)->record.withdrawn);
+  EXPECT_EQ(store.tests({})->total, 1);
+}
+
+TEST_F(TheWorkbench, ServesManyAtOnce) {
+  const auto id = keep(example_table2);
+  std::vector<std::thread> threads;
+  std::atomic<int> failures = 0;
+  for (int t = 0; t < 8; ++t)
+    threads.emplace_back([&, t] {
+      for (int k = 0; k < 8; ++k) {
+        Draft draft;
+        draft.changes = {{"uncertainty.misalignment_mm", std::to_string(1 + t)}};
+        if (!workbench.draft(id, draft) || !workbench.report(id, {}, {.extension = "csv"}) || !workbench.test(id))
+          ++failures;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(failures, 0);
+}
+
+}  // namespace
+}  // namespace axiometry::app

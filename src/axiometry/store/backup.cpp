@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "axiometry/base/json.h"
+#include "axiometry/store/audit_trail.h"
+#include "axiometry/store/clock.h"
+#include "axiometry/store/copy.h"
+#include "axiometry/store/migrations.h"
+#include "axiometry/store/sqlite_connection.h"
+#include "axiometry/store/store_state.h"
+
+namespace axiometry::store {
+namespace {
+
+namespace files = std::filesystem;
+
+std::unexpected<Error> fail_system(const std::string& file, std::string_view doing) {
+  const int code = errno;
+  const ErrorKind kind = code == ENOSPC || code == EDQUOT                   ? ErrorKind::full
+                         : code == EROFS || code == EACCES || code == EPERM ? ErrorKind::read_only
+                         : code == EEXIST                                   ? ErrorKind::conflict
+                                                                            : ErrorKind::unavailable;
+  return std::unexpected(Error{fmt::format("cannot {}: {}", doing, std::strerror(code)), file, {}, kind});
+}
+
+std::unexpected<Error> fail_exists(const std::string& file) {
+  return std::unexpected(
+      Error{"found a file of this name, expected none: a backup never replaces one", file, {}, ErrorKind::conflict});
+}
+
+/// A new neighbour of the file that shall appear whole; gone again unless it gets the name.
+class Neighbour {
+ public:
+  static Result<Neighbour> make(const std::string& file) {
+    static std::atomic<unsigned> count = 0;
+    const std::string name = fmt::format("{}.part-{}-{}", file, ::getpid(), count++);
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (descriptor < 0) return fail_system(file, "make a backup there");
+    ::close(descriptor);
+    return Neighbour(file, name);
+  }
+  ~Neighbour() {
+    if (name_.empty()) return;
+    for (const char* rest : {"", "-wal", "-shm", "-journal"}) ::unlink((name_ + rest).c_str());
+  }
+  Neighbour(Neighbour&& other) noexcept : file_(other.file_), name_(std::exchange(other.name_, "")) {}
+  Neighbour& operator=(Neighbour&&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  /// To the disk, then under its name, which nobody may have taken meanwhile.
+  Result<void> take_name() const {
+    if (!synced(name_, O_RDONLY)) return fail_system(file_, "write the backup to the disk");
+    if (::link(name_.c_str(), file_.c_str()) != 0) {
+      if (errno == EEXIST || files::exists(file_)) return fail_exists(file_);
+      // A file system without links (FAT).
+      if (::rename(name_.c_str(), file_.c_str()) != 0) return fail_system(file_, "give the backup its name");
+    }
+    const std::string folder = files::absolute(file_).parent_path().string();
+    if (!synced(folder, O_RDONLY | O_DIRECTORY)) return fail_system(file_, "write the folder of the backup");
+    return {};
+  }
+
+ private:
+  Neighbour(std::string file, std::string name) : file_(std::move(file)), name_(std::move(name)) {}
+
+  static bool synced(const std::string& path, int flags) {
+    const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    const bool done = ::fsync(descriptor) == 0 || errno == EINVAL;  // some folders cannot be synced
+    ::close(descriptor);
+    return done;
+  }
+
+  std::string file_;
+  std::string name_;
+};
+
+/// Pages of one moment, while others go on writing.
+Result<void> copy_pages(sqlite3* from, const std::string& file) {
+  AXIOMETRY_TRY(const SqliteDatabase to, open_sqlite(file, SQLITE_OPEN_READWRITE));
+  sqlite3_backup* backup = sqlite3_backup_init(to.get(), "main", from, "main");
+  if (backup == nullptr) return std::unexpected(sqlite_error(to.get()));
+  sqlite3_backup_step(backup, -1);
+  if (sqlite3_backup_finish(backup) != SQLITE_OK) return std::unexpected(sqlite_error(to.get()));
+  return {};
+}
+
+/// One file, without others beside it; closed when this returns.
+Result<void> make_single(const std::string& file) {
+  AXIOMETRY_TRY(SqliteDatabase database, open_sqlite(file, SQLITE_OPEN_READWRITE));
+  SqliteConnection connection(std::move(database));
+  return connection.script("PRAGMA journal_mode = DELETE");
+}
+
+Result<void> copy_to_sqlite(Connection& from, const std::string& file) {
+  AXIOMETRY_TRY(const std::unique_ptr<Place> place, sqlite_place(file, {}));
+  AXIOMETRY_TRY(const std::unique_ptr<Connection> to, place->connect());
+  AXIOMETRY_TRY(const int schema, migrate(*to));
+  static_cast<void>(schema);
+  AXIOMETRY_TRY_VOID(to->begin_write());
+  Rollback rollback(*to);
+  AXIOMETRY_TRY_VOID(copy_rows(from, *to));
+  AXIOMETRY_TRY_VOID(to->commit());
+  rollback.release();
+  return {};
+}
+
+Result<void> check_empty(Connection& connection) {
+  AXIOMETRY_TRY(const Rows rows, connection.query("SELECT (SELECT count(*) FROM audit), (SELECT count(*) FROM test)"));
+  if (rows[0].integer(0) != 0)
+    return fail(ErrorKind::conflict, fmt::format("found a store with {} tests and {} lines of audit trail, expected an "
+                                                 "empty one",
+                                                 rows[0].integer(1), rows[0].integer(0)));
+  return {};
+}
+
+Error in_file(Error error, const std::string& file) {
+  if (error.file.empty()) error.file = file;
+  return error;
+}
+
+}  // namespace
+
+Result<void> Store::backup(const std::string& file) const {
+  std::error_code error;
+  if (files::exists(files::symlink_status(file, error))) return fail_exists(file);
+  AXIOMETRY_TRY(const Neighbour neighbour, Neighbour::make(file));
+  const auto copied = [&]() -> Result<void> {
+    if (state_->info.kind == "sqlite") {
+      AXIOMETRY_TRY(const ConnectionPool::Lease connection, state_->pool.lease());
+      AXIOMETRY_TRY_VOID(copy_pages(static_cast<SqliteConnection&>(*connection).database(), neighbour.name()));
+    } else {
+      AXIOMETRY_TRY_VOID(
+          state_->read([&](Connection& connection) { return copy_to_sqlite(connection, neighbour.name()); }));
+    }
+    return make_single(neighbour.name());
+  }();
+  if (!copied) return std::unexpected(in_file(copied.error(), file));
+  return neighbour.take_name();
+}
+
+Result<Counts> Store::restore(const std::string& backup_file, std::string_view address) {
+  if (is_postgresql(backup_file)) return fail("found the address of a server as a backup, expected a file");
+  AXIOMETRY_TRY(const std::unique_ptr<Store> from, open(backup_file, {.create = false, .read_only = true}));
+  AXIOMETRY_TRY(const Verification verification, from->verify());
+  if (!verification.problems.empty())
+    return std::unexpected(Error{fmt::format("found a damaged backup ({} problems; the first: {}), expected one that "
+                                             "is whole",
+                                             verification.problems.size(), verification.problems[0]),
+                                 backup_file,
+                                 {},
+                                 ErrorKind::damaged});
+  AXIOMETRY_TRY(const std::unique_ptr<Store> to, open(address));
+  const auto copied = from->state_->read([&](Connection& source) {
+    return to->state_->write([&](Connection& target) -> Result<void> {
+      AXIOMETRY_TRY_VOID(check_empty(target));
+      AXIOMETRY_TRY_VOID(copy_rows(source, target));
+      json::Value detail = json::Value::object();
+      detail.add("file", files::path(backup_file).filename().string());
+      detail.add("tests", static_cast<double>(verification.tests));
+      detail.add("entries", static_cast<double>(verification.entries));
+      AXIOMETRY_TRY_VOID(record(target, change_now({"restore", ""}), {"store.restored", "store", detail}));
+      return target.run("ANALYZE");
+    });
+  });
+  if (!copied) return std::unexpected(in_file(copied.error(), to->state_->info.location));
+  return to->counts();
+}
+
+}  // namespace axiometry::store

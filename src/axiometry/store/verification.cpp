@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <map>
+
+#include "axiometry/digest/sha256.h"
+#include "axiometry/store/attested.h"
+#include "axiometry/store/audit_trail.h"
+#include "axiometry/store/documents.h"
+#include "axiometry/store/fingerprint.h"
+#include "axiometry/store/store_state.h"
+#include "axiometry/store/test_list.h"
+#include "axiometry/store/things.h"
+
+namespace axiometry::store {
+namespace {
+
+constexpr Id tests_at_once = 100;
+constexpr std::size_t most_problems = 1000;
+
+/// One reading of everything, in one moment.
+class Verifier {
+ public:
+  explicit Verifier(Connection& connection) : connection_(connection) {}
+
+  Result<Verification> run();
+
+ private:
+  template <typename... Parts>
+  void problem(fmt::format_string<Parts...> text, Parts&&... parts) {
+    if (found_.problems.size() < most_problems)
+      found_.problems.push_back(fmt::format(text, std::forward<Parts>(parts)...));
+  }
+  Result<void> everything();
+  Result<void> database();
+  Result<void> contents();
+  Result<void> tests();
+  Result<void> some_tests(Id first, Id last);
+  void check_test(const TestHead& head, std::span<const TestVersion> versions, const Row* listed);
+  Result<void> documents();
+  Result<void> names();
+
+  Connection& connection_;
+  Verification found_;
+  Attested attested_;
+  std::map<Id, Machine> machines_;
+  std::map<Id, Axis> axes_;
+};
+
+Result<Verification> Verifier::run() {
+  Result<void> read;
+  try {
+    read = everything();
+  } catch (const DamagedCell&) {
+    read = fail(ErrorKind::damaged, "found a value of another type than was written");
+  }
+  if (!read && read.error().kind != ErrorKind::damaged) return std::unexpected(read.error());
+  if (!read) problem("{}; the rest was not looked at", read.error().message);
+  return std::move(found_);
+}
+
+Result<void> Verifier::everything() {
+  AXIOMETRY_TRY_VOID(database());
+  AXIOMETRY_TRY(found_.entries,
+                verify_chain(connection_, found_.problems, [&](const AuditEntry& entry) { attested_.learn(entry); }));
+  AXIOMETRY_TRY_VOID(contents());
+  AXIOMETRY_TRY_VOID(verify_things<Machine>(connection_, attested_, found_.problems));
+  AXIOMETRY_TRY_VOID(verify_things<Axis>(connection_, attested_, found_.problems));
+  AXIOMETRY_TRY_VOID(verify_things<Instrument>(connection_, attested_, found_.problems));
+  AXIOMETRY_TRY_VOID(verify_things<PlanRecord>(connection_, attested_, found_.problems));
+  AXIOMETRY_TRY_VOID(names());
+  AXIOMETRY_TRY_VOID(tests());
+  return documents();
+}
+
+/// PostgreSQL checks references when they are written and its pages when they are read, where it was told to.
+Result<void> Verifier::database() {
+  if (!connection_.is_sqlite()) return {};
+  AXIOMETRY_TRY(const Rows integrity, connection_.query("PRAGMA integrity_check"));
+  for (const Row& row : integrity)
+    if (row.text(0) != "ok") problem("file: {}", row.text(0));
+  AXIOMETRY_TRY(const Rows references, connection_.query("PRAGMA foreign_key_check"));
+  for (const Row& row : references)
+    problem("{}: found a row that refers to a row of {} that does not exist", row.text(0), row.text(2));
+  return {};
+}
+
+Result<void> Verifier::contents() {
+  AXIOMETRY_TRY(const Rows last, connection_.query("SELECT coalesce(max(id), 0), count(*) FROM content"));
+  for (Id id = 1; id <= last[0].integer(0); ++id) {
+    AXIOMETRY_TRY(const Rows rows, connection_.query("SELECT sha256, size, bytes FROM content WHERE id = $1", {id}));
+    if (rows.empty()) {
+      problem("content {}: found none, expected all from 1 to {}", id, last[0].integer(0));
+      continue;
+    }
+    const std::string& bytes = rows[0].text(2);
+    const std::string hash = sha256(bytes);
+    if (hash != rows[0].text(0) || rows[0].integer(1) != static_cast<std::int64_t>(bytes.size()))
+      problem("content {}: found {} bytes with the SHA-256 {}, expected {} with {}", id, bytes.size(), hash,
+              rows[0].integer(1), rows[0].text(0));
+    else if (!attested_.knows(fmt::format("content {}", id), 0, hash))
+      problem("content {}: found bytes that the audit trail does not know", id);
+    ++found_.contents;
+  }
+  if (attested_.count("content") != last[0].integer(1))
+    problem("content: found {}, expected the {} of the audit trail", last[0].integer(1), attested_.count("content"));
+  return {};
+}
+
+Result<void> Verifier::names() {
+  AXIOMETRY_TRY(const auto machines, all_things<Machine>(connection_));
+  for (const auto& machine : machines) machines_[machine.id] = machine.value;
+  AXIOMETRY_TRY(const auto axes, all_things<Axis>(connection_));
+  for (const auto& axis : axes) axes_[axis.id] = axis.value;
+  return {};
+}
+
+void Verifier::check_test(const TestHead& head, std::span<const TestVersion> versions, const Row* listed) {
+  const std::string subject = fmt::format("test {}", head.id);
+  int expected = 0;
+  for (const TestVersion& version : versions) {
+    if (version.version != ++expected) problem("{}: found version {}, expected {}", subject, version.version, expected);
+    const std::string hash = fingerprint(version);
+    if (hash != version.sha256 || !attested_.knows(subject, version.version, hash))
+      problem("{}: found version {} changed after it was kept", subject, version.version);
+  }
+  if (expected != head.latest || versions.empty()) {
+    problem("{}: found {} versions, expected {}", subject, expected, head.latest);
+    return;
+  }
+  if (head.withdrawn != attested_.withdrawn(subject))
+    problem("{}: found it {}withdrawn, expected what the audit trail says", subject, head.withdrawn ? "" : "not ");
+  const TestVersion& latest = versions.back();
+  const std::string machine = latest.machine ? machines_[*latest.machine].name : "";
+  const std::string axis = latest.axis ? axes_[*latest.axis].name : latest.axis_name;
+  const std::string kind = latest.axis ? axes_[*latest.axis].kind : latest.axis_kind;
+  Fingerprint is;
+  Fingerprint shall;
+  if (listed == nullptr ||
+      is.add(listed->cells()).finish() != shall.add(list_cells(head, latest, machine, axis, kind)).finish())
+    problem("{}: found another line in the lists than its latest version gives", subject);
+}
+
+Result<void> Verifier::some_tests(Id first, Id last) {
+  AXIOMETRY_TRY(const std::vector<TestHead> heads, read_heads(connection_, first, last));
+  AXIOMETRY_TRY(const std::vector<TestVersion> versions, read_versions(connection_, first, last));
+  AXIOMETRY_TRY(const Rows lists, listed(connection_, first, last));
+  auto version = versions.begin();
+  auto list = lists.begin();
+  Id expected = first;
+  for (const TestHead& head : heads) {
+    for (; expected < head.id; ++expected) problem("test {}: found none, expected all without gaps", expected);
+    expected = head.id + 1;
+    const auto begin = version;
+    while (version != versions.end() && version->test == head.id) ++version;
+    while (list != lists.end() && list->integer(0) < head.id) ++list;
+    const bool is_listed = list != lists.end() && list->integer(0) == head.id;
+    check_test(head, {begin, version}, is_listed ? &*list : nullptr);
+    ++found_.tests;
+  }
+  return {};
+}
+
+Result<void> Verifier::tests() {
+  AXIOMETRY_TRY(const Rows last, connection_.query("SELECT coalesce(max(id), 0) FROM test"));
+  for (Id first = 1; first <= last[0].integer(0); first += tests_at_once)
+    AXIOMETRY_TRY_VOID(some_tests(first, std::min(first + tests_at_once - 1, last[0].integer(0))));
+  AXIOMETRY_TRY(const Rows versions, connection_.query("SELECT count(*) FROM test_version"));
+  if (attested_.count("test") != versions[0].integer(0))
+    problem("test: found {} versions, expected the {} of the audit trail", versions[0].integer(0),
+            attested_.count("test"));
+  return {};
+}
+
+Result<void> Verifier::documents() {
+  AXIOMETRY_TRY(const Rows last, connection_.query("SELECT coalesce(max(id), 0), count(*) FROM document"));
+  for (Id id = 1; id <= last[0].integer(0); ++id) {
+    const auto document = read_document(connection_, id);
+    if (!document && document.error().kind != ErrorKind::not_found) return std::unexpected(document.error());
+    if (!document)
+      problem("document {}: found none, expected all from 1 to {}", id, last[0].integer(0));
+    else if (!attested_.knows(fmt::format("document {}", id), 0, fingerprint(*document)))
+      problem("document {}: found it changed after it was kept", id);
+  }
+  if (attested_.count("document") != last[0].integer(1))
+    problem("document: found {}, expected the {} of the audit trail", last[0].integer(1), attested_.count("document"));
+  return {};
+}
+
+}  // namespace
+
+Result<Verification> Store::verify() const {
+  return state_->read([](Connection& connection) { return Verifier(connection).run(); });
+}
+
+}  // namespace axiometry::store
