@@ -3,10 +3,15 @@ import type { ComponentChildren } from 'preact';
 
 export interface Bar { key: string; title: string; detail: ComponentChildren; size: number | null; value: string; share: string | null }
 
-/** Sizes beside each other, as a table whose bars are drawn; what does not act is listed without one. */
-export function Bars({ head, bars }: { head: { what: string; value: string; share: string | null }; bars: readonly Bar[] }) {
-  const largest = Math.max(0, ...bars.map((bar) => bar.size ?? 0));
+interface Props { head: { what: string; value: string; share: string | null }; absent: string; bars: readonly Bar[] }
+
+/** Sizes beside each other, as a table whose bars are drawn; what does not act is only named, after `absent`. */
+export function Bars({ head, absent, bars }: Props) {
+  const acting = bars.filter((bar) => bar.size);
+  const others = bars.filter((bar) => !bar.size);
+  const largest = Math.max(0, ...acting.map((bar) => bar.size ?? 0));
   return (
+    <>
     <div class="table-frame" tabIndex={0} role="region" aria-label={head.what}>
       <table class="bars">
         <thead>
@@ -16,8 +21,8 @@ export function Bars({ head, bars }: { head: { what: string; value: string; shar
           </tr>
         </thead>
         <tbody>
-          {bars.map((bar) => (
-            <tr key={bar.key} class={bar.size ? '' : 'absent'}>
+          {acting.map((bar) => (
+            <tr key={bar.key}>
               <th scope="row">{bar.title}<div class="small quiet">{bar.detail}</div></th>
               <td class="number">{bar.value}</td>
               <td class="bar-cell">
@@ -31,5 +36,7 @@ export function Bars({ head, bars }: { head: { what: string; value: string; shar
         </tbody>
       </table>
     </div>
+    {others.length > 0 && <p class="small quiet others">{absent} {others.map((bar) => bar.title).join('; ')}</p>}
+    </>
   );
 }

@@ -27,7 +27,7 @@ const t = texts({
   improve: ['Improve first: {title}. Without it U({symbol}) would be {less} instead of {now} {unit}.',
             'Zuerst verbessern: {title}. Ohne diesen Beitrag wäre U({symbol}) {less} statt {now} {unit}.'],
   improve_annex: ['The largest contribution: {title}, {value} {unit}.', 'Der größte Beitrag: {title}, {value} {unit}.'],
-  not_acting: ['not given or not acting', 'nicht angegeben oder ohne Wirkung'],
+  not_acting: ['Not given or not acting:', 'Nicht angegeben oder ohne Wirkung:'],
   notes: ['Notes', 'Anmerkungen'],
   stale: ['Without the unsaved changes: Monte Carlo has not been run for them.', 'Für die ungespeicherten Änderungen wurde Monte Carlo noch nicht gerechnet.'],
   run: ['Run Monte Carlo', 'Monte Carlo rechnen'],
@@ -114,13 +114,12 @@ function AnnexA({ evaluated }: { evaluated: Evaluated }) {
   if (!budget) return null;
   const bars = budget.contributors.map((one): Bar => ({
     key: one.key, title: one.title, size: one.U, value: fixed(one.U, 2), share: null,
-    detail: one.U === null ? t('not_acting')
-      : `${one.symbol} (${one.formula}): ${one.inputs.map((input) => `${input.symbol} = ${shortest(input.value, 6)} ${input.unit}`.trim()).join(', ')}`,
+    detail: `${one.symbol} (${one.formula}): ${one.inputs.map((input) => `${input.symbol} = ${shortest(input.value, 6)} ${input.unit}`.trim()).join(', ')}`,
   })).sort(by_size);
   const first = bars[0];
   return (
     <>
-      <Bars head={{ what: t('contributor'), value: t('expanded', { unit: unit_of(evaluated) }), share: null }} bars={bars} />
+      <Bars absent={t('not_acting')} head={{ what: t('contributor'), value: t('expanded', { unit: unit_of(evaluated) }), share: null }} bars={bars} />
       {first?.size ? <p class="improve">{t('improve_annex', { title: first.title, value: first.value, unit: unit_of(evaluated) })}</p> : null}
       <Notes notes={budget.notes} />
     </>
@@ -151,7 +150,7 @@ function Gum({ evaluated, parameter }: { evaluated: Evaluated; parameter: Parame
   const less = total && first?.size ? total.k * Math.sqrt(Math.max(0, total.u ** 2 - first.size ** 2)) : null;
   return (
     <>
-      <Bars head={{ what: t('input'), value: t('standard', { unit: unit_of(evaluated) }), share: t('share') }} bars={bars} />
+      <Bars absent={t('not_acting')} head={{ what: t('input'), value: t('standard', { unit: unit_of(evaluated) }), share: t('share') }} bars={bars} />
       {total && first && less !== null && (
         <p class="improve">{t('improve', { title: first.title, symbol: plain_symbol(parameter), less: fixed(less, 2), now: fixed(total.U, 2), unit: unit_of(evaluated) })}</p>
       )}
@@ -172,7 +171,7 @@ function MonteCarlo({ evaluated, parameter }: { evaluated: Evaluated; parameter:
   return (
     <>
       <Histogram output={output} run={run ?? null} unit={unit_of(evaluated)} symbol={plain_symbol(parameter)} />
-      {bars.length > 0 && <Bars head={{ what: t('input'), value: t('standard', { unit: unit_of(evaluated) }), share: t('share') }} bars={bars} />}
+      {bars.length > 0 && <Bars absent={t('not_acting')} head={{ what: t('input'), value: t('standard', { unit: unit_of(evaluated) }), share: t('share') }} bars={bars} />}
       <Notes notes={run?.notes ?? []} />
     </>
   );

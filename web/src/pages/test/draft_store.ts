@@ -2,7 +2,7 @@
 // Unsaved edits survive a reload, a closed lid and the back button: this tab keeps them until they are saved or discarded.
 import type { Draft } from '../../api/types';
 
-export interface KeptDraft extends Draft { base_version: number }
+export interface KeptDraft extends Draft { base_version: number; title: string }
 
 const name = (test: number): string => `axiometry.draft.${test}`;
 

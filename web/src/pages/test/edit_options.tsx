@@ -41,7 +41,7 @@ export function EditOptions({ state, vocabulary }: { state: TestState; vocabular
             <NumberField label={t('trials')} hint={t('trials_hint')} value={options.trials} empty low={100} high={10_000_000} put={(trials) => state.choose({ trials })} />
             <NumberField label={t('seed')} value={options.seed} low={0} high={Number.MAX_SAFE_INTEGER} put={(seed) => state.choose({ seed: seed ?? 1 })} />
             <CoverageField value={options.coverage} put={(coverage) => state.choose({ coverage })} />
-            <button type="button" disabled={running || !state.dirty.value} onClick={() => state.run_monte_carlo()}>{running ? t('running') : t('run')}</button>
+            <button type="button" disabled={running || !state.edited.value} onClick={() => state.run_monte_carlo()}>{running ? t('running') : t('run')}</button>
           </div>
         )}
         {vocabulary.corrections.length > 0 && (

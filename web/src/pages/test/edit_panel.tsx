@@ -2,6 +2,7 @@
 import { useState } from 'preact/hooks';
 import type { Field, Test, Vocabulary } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
+import { Field as FormField } from '../../components/field';
 import { texts } from '../../i18n/texts';
 import { EditField } from './edit_field';
 import { EditOptions } from './edit_options';
@@ -11,6 +12,7 @@ import type { TestState } from './state';
 
 const t = texts({
   title: ['Edit', 'Bearbeiten'],
+  name: ['Title of the test', 'Titel der Prüfung'],
   search: ['Search the fields', 'Felder durchsuchen'],
   only_changed: ['Changed', 'Geändert'],
   only_missing: ['Missing', 'Fehlend'],
@@ -80,6 +82,9 @@ export function EditPanel({ state, vocabulary, adopt }: { state: TestState; voca
     <section class="panel edit-panel no-print" id="edit-panel" aria-label={t('title')}>
       <Bar state={state} faults={count} save={() => set_saving(true)} />
       {state.failure.value && <FailureNotice error={state.failure.value} retry={() => state.retry()} />}
+      <FormField label={t('name')}>
+        {(ids) => <input {...ids} type="text" value={state.title.value} onInput={(event) => state.rename(event.currentTarget.value)} />}
+      </FormField>
       <div class="row">
         <input type="search" class="grow" aria-label={t('search')} placeholder={t('search')} value={text} onInput={(event) => set_text(event.currentTarget.value)} />
         <div class="segments">
@@ -106,7 +111,7 @@ function Bar({ state, faults, save }: { state: TestState; faults: number; save: 
         <h2>{t('title')}</h2>
         <div class="row">
           <button type="button" disabled={!dirty} onClick={() => state.discard()}>{t('discard')}</button>
-          <button type="button" class="primary" disabled={!dirty || faults > 0} onClick={save}>{t('save', { version: state.test.value.latest + 1 })}</button>
+          <button type="button" class="primary" disabled={!dirty || faults > 0 || state.title.value.trim() === ''} onClick={save}>{t('save', { version: state.test.value.latest + 1 })}</button>
         </div>
       </div>
       <p class="small quiet" role="status">

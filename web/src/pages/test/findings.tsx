@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Field, Finding, Vocabulary } from '../../api/types';
 import { texts } from '../../i18n/texts';
-import { stated_text } from './field_value';
+import { field_unit, stated_text } from './field_value';
 import type { TestState } from './state';
 
 const t = texts({
@@ -73,11 +73,12 @@ function Message({ finding }: { finding: Finding }) {
 
 function FillIn({ fields, state }: { fields: readonly Field[]; state: TestState }) {
   if (fields.length === 0 || state.test.value.version !== state.test.value.latest) return null;
+  const { kind } = state.evaluated.value.result.axis;
   return (
     <p class="fill-in no-print">
       <span class="small quiet">{t('fill_in')}</span>{' '}
       {fields.map((field) => (
-        <button key={field.key} type="button" class="small" onClick={() => state.edit(field.key)}>{field.title}</button>
+        <button key={field.key} type="button" class="small" onClick={() => state.edit(field.key)}>{[field.title, field_unit(field, kind)].filter((part) => part !== '').join(', ')}</button>
       ))}
     </p>
   );

@@ -47,7 +47,7 @@ function Facts({ state }: { state: TestState }) {
   const test = state.test.value;
   const result = state.evaluated.value.result;
   return (
-    <dl class="facts">
+    <dl class="test-facts">
       <Fact label={t('machine')}>{test.machine ? <a href={`/machines/${test.machine.id}`}>{test.machine.name || t('unnamed')}</a> : t('unnamed')}</Fact>
       <Fact label={t('axis')}>{test.axis ? <a href={`/axes/${test.axis.id}`}>{test.axis.name || t('unnamed')}</a> : result.axis.name || t('unnamed')}</Fact>
       <Fact label={t('date')}>{measured_on(test)}</Fact>
@@ -67,7 +67,7 @@ function Facts({ state }: { state: TestState }) {
       )}
       <Fact label={t('file')}>
         <span class="file-name">{test.file.name}{test.file.name_in_file !== '' && ` · ${test.file.name_in_file}`}</span>{' '}
-        <span class="quiet">{bytes(test.file.size)} · <span class="mono" title={`SHA-256 ${test.file.sha256}`}>{test.file.sha256.slice(0, 8)}</span></span>
+        <span class="quiet number">{bytes(test.file.size)} · <span class="mono" title={`SHA-256 ${test.file.sha256}`}>{test.file.sha256.slice(0, 8)}</span></span>
       </Fact>
     </dl>
   );

@@ -51,7 +51,7 @@ export function Histogram({ output, run, unit, symbol }: {
           <text key={i} x={x(end)} y={height - 5} text-anchor={i === 0 ? 'start' : 'end'}>{fixed(end, 2)}</text>
         ))}
       </svg>
-      <dl class="facts small">
+      <dl class="test-facts small">
         {rows.map(([label, text]) => <div key={label}><dt>{label}</dt><dd class="number">{text} {unit}</dd></div>)}
       </dl>
       {run && (

@@ -34,14 +34,12 @@ export function LibraryFigures({ state }: { state: TestState }) {
       </header>
       {list.error && <FailureNotice error={list.error} retry={list.reload} />}
       {figures.length > 1 && (
-        <div class="segments no-print" role="group" aria-label={t('choose')}>
-          {figures.map((figure, i) => (
-            <button key={figure.id} type="button" class="small" aria-pressed={i === n} onClick={() => set_at(i)}>{figure.title}</button>
-          ))}
-        </div>
+        <select class="figure-choice no-print" aria-label={t('choose')} value={n} onChange={(event) => set_at(Number(event.currentTarget.value))}>
+          {figures.map((figure, i) => <option key={figure.id} value={i}>{figure.title}</option>)}
+        </select>
       )}
       {figures.length > 0 && <img class="library-figure" src={path(shown_theme.value)} alt={figures[n]?.title ?? ''} loading="lazy" />}
-      {state.dirty.value && <p class="small quiet">{t('kept', { version: test.version })}</p>}
+      {state.edited.value && <p class="small quiet">{t('kept', { version: test.version })}</p>}
     </section>
   );
 }

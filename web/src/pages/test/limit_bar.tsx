@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
-interface Props { value: number; U: number | null; limit: number | null; tone: 'good' | 'bad' | 'caution' | 'none' }
+interface Props { value: number; U: number | null; limit: number | null; tone: 'good' | 'bad' | 'caution' | 'none'; reach?: number }
 
-/** A value as a bar, its expanded uncertainty as a whisker, its limit as a line across. The numbers stand beside it. */
-export function LimitBar({ value, U, limit, tone }: Props) {
+/** `reach`: of the scale where there is no limit. A value as a bar, its expanded uncertainty as a whisker, its limit as a line across. The numbers stand beside it. */
+export function LimitBar({ value, U, limit, tone, reach: common = 0 }: Props) {
   const size = Math.abs(value);
-  const reach = Math.max((limit ?? 0) * 1.25, (size + (U ?? 0)) * 1.08, 1e-9);
+  const reach = Math.max((limit ?? 0) * 1.25, (size + (U ?? 0)) * 1.02, limit === null ? common * 1.02 : 0, 1e-9);
   const x = (v: number): number => Math.round(Math.min(Math.max(v / reach, 0), 1) * 1000) / 10;
   return (
     <svg class={`limit-bar ${tone}`} viewBox="0 0 100 14" preserveAspectRatio="none" aria-hidden="true">

@@ -43,9 +43,12 @@ function Stored({ now, kept }: { now: Shown; kept: Shown | undefined }) {
 export function Headline({ state }: { state: TestState }) {
   const evaluated = state.evaluated.value;
   const kept = state.test.value;
+  const main = main_parameters(evaluated.result);
+  // Bars without a limit stand on one scale, so that they can be compared with each other.
+  const reach = Math.max(...main.map((parameter) => Math.abs(evaluated.result.parameters[parameter] ?? 0) + (number_of(shown_of(evaluated, parameter)?.U ?? '') ?? 0)));
   return (
     <section class="panel headline" aria-label={t('glance')}>
-      {main_parameters(evaluated.result).map((parameter) => {
+      {main.map((parameter) => {
         const row = shown_of(evaluated, parameter);
         const value = evaluated.result.parameters[parameter];
         if (row === undefined || value === null) return null;
@@ -59,9 +62,9 @@ export function Headline({ state }: { state: TestState }) {
               {row.U !== '' && <span class="glance-u">± {row.U}</span>} <span class="quiet">{row.unit}</span>
               {row.U === '' && row.interval !== '' && <span class="small"> ({row.interval})</span>}
             </div>
-            <LimitBar value={value} U={number_of(row.U)} limit={row.limit} tone={tone_of(row.verdict)} />
+            <LimitBar value={value} U={number_of(row.U)} limit={row.limit} tone={tone_of(row.verdict)} reach={reach} />
             <div class="small quiet number">
-              {row.limit !== null ? t('of_limit', { limit: shortest(row.limit) }) : '\u00a0'} <Stored now={row} kept={shown_of(kept, parameter)} />
+              {row.limit !== null && t('of_limit', { limit: shortest(row.limit) })} <Stored now={row} kept={shown_of(kept, parameter)} />
             </div>
           </div>
         );
@@ -91,7 +94,7 @@ export function Parameters({ state, vocabulary }: { state: TestState; vocabulary
     <section class="panel flush parameters-panel">
       <header><h2>{t('title')}</h2>{!methods.annex_a && !methods.gum && <span class="small quiet">{t('no_uncertainty')}</span>}</header>
       <div class="table-frame">
-        <table class="parameters">
+        <table class={`parameters ${any_limit || methods.monte_carlo ? 'full' : ''}`}>
           <thead>
             <tr>
               <th scope="col"><span class="visually-hidden">{t('parameter')}</span></th>

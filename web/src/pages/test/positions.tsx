@@ -89,9 +89,9 @@ export function Positions({ state }: { state: TestState }) {
               <Fragment key={i}>
                 <tr class={state.target.value === i ? 'pointed' : ''} onMouseEnter={() => (state.target.value = i)}>
                   <th scope="row" class="number">
-                    <button type="button" class="expand" aria-expanded={open.has(i)} onClick={() => toggle(i)} onFocus={() => (state.target.value = i)}
-                            aria-label={t('readings_at', { target: shortest(position.target) })}>
+                    <button type="button" class="expand" aria-expanded={open.has(i)} onClick={() => toggle(i)} onFocus={() => (state.target.value = i)}>
                       <span aria-hidden="true">{open.has(i) ? '▾' : '▸'}</span> {i + 1}
+                      <span class="visually-hidden"> {t('readings_at', { target: shortest(position.target) })}</span>
                     </button>
                   </th>
                   <td class="number">{fixed(position.target, decimals)}</td>

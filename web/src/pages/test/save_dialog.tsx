@@ -43,19 +43,18 @@ interface Props { state: TestState; vocabulary: Vocabulary; close: () => void; a
 /** Keeps the draft as a new version; where somebody was faster, shows what they did and moves the edits on top of it. */
 export function SaveDialog({ state, vocabulary, close, adopt }: Props) {
   const test = state.test.value;
-  const [title, set_title] = useState(test.title);
   const [newer, set_newer] = useState<Test | null>(null);
   if (newer !== null) return <Conflict state={state} newer={newer} vocabulary={vocabulary} close={close} adopt={adopt} />;
   const save = async (reason: string) => {
-    const revision: Revision = { base_version: test.version, title: title.trim(), reason, changes: state.changes.value, options: state.options.value };
+    const revision: Revision = { base_version: test.version, title: state.title.value.trim(), reason, changes: state.changes.value, options: state.options.value };
     adopt(await send<Test>('POST', test_path(test.id, '/versions'), revision));
   };
   const look = () => void get<Test>(test_path(test.id)).then(set_newer, () => undefined);
   return (
     <ReasonDialog title={t('title', { version: test.latest + 1 })} action={t('save')} close={close} act={save}
-      caught={(failure) => { if (failure.kind === 'conflict') look(); return false; }} disabled={title.trim() === ''}>
+      caught={(failure) => { if (failure.kind === 'conflict') look(); return false; }} disabled={state.title.value.trim() === ''}>
       <p class="small quiet">{t('raw', { version: test.version })}</p>
-      <Field label={t('name')}>{(ids) => <input {...ids} type="text" value={title} onInput={(event) => set_title(event.currentTarget.value)} />}</Field>
+      <Field label={t('name')}>{(ids) => <input {...ids} type="text" value={state.title.value} onInput={(event) => state.rename(event.currentTarget.value)} />}</Field>
       <Differences vocabulary={vocabulary} states={[
         { title: t('base', { version: test.version }), state: test },
         { title: t('mine'), state: { changes: state.changes.value, options: state.options.value } },
@@ -72,7 +71,9 @@ function Conflict({ state, newer, vocabulary, close, adopt }: Props & { newer: T
   const reapply = () => {
     const changes = rebased(test.changes, mine.changes, newer.changes);
     const options = JSON.stringify(kept_options) === JSON.stringify(test.options) ? newer.options : kept_options;
+    const title = state.title.value === test.title ? newer.title : state.title.value;
     adopt(newer);
+    state.rename(title);
     state.replace(changes, options);
     state.editing.value = true;
     close();

@@ -7,9 +7,6 @@ import { decimal } from '../../settings';
 import { keep_draft, kept_draft } from './draft_store';
 import { same_value, stated_text } from './field_value';
 
-/** Typing in one frame is one request. */
-const settle_ms = 8;
-
 export const same_changes = (a: Changes, b: Changes): boolean => {
   const keys = Object.keys(a);
   return keys.length === Object.keys(b).length && keys.every((key) => a[key] === b[key]);
@@ -33,6 +30,7 @@ export class TestState {
   readonly test = signal<Test>(undefined as never);
   readonly changes = signal<Changes>({});
   readonly options = signal<Options>(undefined as never);
+  readonly title = signal('');
   readonly draft = signal<Evaluated | null>(null);
   /** By field: what the server says against the value. The numbers are those without it. */
   readonly faults = signal<Record<string, string>>({});
@@ -49,8 +47,10 @@ export class TestState {
   readonly restored = signal(false);
 
   readonly evaluated: ReadonlySignal<Evaluated> = computed(() => this.draft.value ?? this.test.value);
-  readonly dirty = computed(() =>
+  /** Whether numbers may differ from the kept ones. */
+  readonly edited = computed(() =>
     !same_changes(this.changes.value, this.test.value.changes) || !same_options(this.options.value, this.test.value.options));
+  readonly dirty = computed(() => this.edited.value || this.title.value.trim() !== this.test.value.title);
   /** Monte Carlo takes seconds, so a draft is without it until it is asked for. */
   readonly lacks_sampling = computed(() =>
     this.draft.value !== null && this.options.value.methods.includes('monte-carlo') &&
@@ -67,6 +67,7 @@ export class TestState {
     if (kept.base_version !== test.version) return;
     this.changes.value = kept.changes;
     this.options.value = kept.options;
+    this.title.value = kept.title;
     if (!this.dirty.value) return;
     this.restored.value = true;
     this.editing.value = true;
@@ -79,6 +80,7 @@ export class TestState {
     this.test.value = test;
     this.changes.value = test.changes;
     this.options.value = test.options;
+    this.title.value = test.title;
     this.draft.value = null;
     this.faults.value = {};
     this.failure.value = null;
@@ -90,7 +92,7 @@ export class TestState {
   /** The same version again, perhaps in another language or with a document more. */
   refresh(test: Test): void {
     this.test.value = test;
-    if (this.dirty.value) this.plan_evaluation();
+    if (this.edited.value) this.plan_evaluation();
   }
 
   private async ask_what_the_file_says(): Promise<void> {
@@ -119,6 +121,11 @@ export class TestState {
     this.changed();
   }
 
+  rename(title: string): void {
+    this.title.value = title;
+    this.keep();
+  }
+
   choose(options: Partial<Options>): void {
     this.options.value = { ...this.options.value, ...options };
     this.changed();
@@ -143,15 +150,21 @@ export class TestState {
     this.busy.value = 'no';
   }
 
-  private changed(): void {
+  private keep(): void {
     const { id, version } = this.test.value;
-    keep_draft(id, this.dirty.value ? { base_version: version, changes: this.changes.value, options: this.options.value } : null);
+    const draft = { base_version: version, changes: this.changes.value, options: this.options.value, title: this.title.value };
+    keep_draft(id, this.dirty.value ? draft : null);
+  }
+
+  private changed(): void {
+    this.keep();
     this.plan_evaluation();
   }
 
+  /** Changes made in one go are one request; a request that is overtaken is given up. */
   private plan_evaluation(): void {
     window.clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.evaluate(false), settle_ms);
+    this.timer = window.setTimeout(() => void this.evaluate(false));
   }
 
   run_monte_carlo(): void {
@@ -161,7 +174,7 @@ export class TestState {
 
   private async evaluate(sampling: boolean): Promise<void> {
     this.stop();
-    if (!this.dirty.value) {
+    if (!this.edited.value) {
       this.draft.value = null;
       this.failure.value = null;
       return;

@@ -28,7 +28,7 @@ const t = texts({
 export function OldVersionBanner({ test }: { test: Test }) {
   if (test.version === test.latest) return null;
   const take_up = () => {
-    keep_draft(test.id, { base_version: test.latest, changes: test.changes, options: test.options });
+    keep_draft(test.id, { base_version: test.latest, changes: test.changes, options: test.options, title: test.title });
     go(`/tests/${test.id}`);
   };
   return (
