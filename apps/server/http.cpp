@@ -86,12 +86,17 @@ Response refusal(int status, std::string_view message, language::Language langua
 }
 
 Response download(std::string body, std::string_view content_type, std::string_view file_name) {
-  std::string plain;
-  for (const char c : file_name) plain += c >= ' ' && c <= '~' && c != '"' && c != '\\' && c != '/' ? c : '_';
+  std::string safe(file_name);
+  std::ranges::replace_if(
+      safe, [](char c) { return (c >= 0 && c < ' ') || c == 0x7F || std::string_view("<>:\"/\\|?*").contains(c); },
+      '_');
+  std::string plain = safe;
+  std::ranges::replace_if(
+      plain, [](char c) { return c < ' '; }, '_');
   return {.content_type = std::string(content_type),
           .body = std::move(body),
-          .headers = {{"Content-Disposition", fmt::format("attachment; filename=\"{}\"; filename*=UTF-8''{}", plain,
-                                                          percent_encoded(file_name))},
+          .headers = {{"Content-Disposition",
+                       fmt::format("attachment; filename=\"{}\"; filename*=UTF-8''{}", plain, percent_encoded(safe))},
                       {"Cache-Control", "no-store"}}};
 }
 

@@ -9,6 +9,7 @@
 #include "axiometry/app/plan_request.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/digest/sha256.h"
 #include "axiometry/report/shown_number.h"
 #include "routes.h"
 
@@ -152,12 +153,13 @@ Result<PlanRecord> record_of(store::Store& store, const Value& body, const app::
   AXIOMETRY_TRY([[maybe_unused]] const std::string checked, text_member(body, "title"));
   AXIOMETRY_TRY(const auto axis, whole_member(body, "axis"));
   std::string title = title_for(body, plan.planned.plan);
-  store::Content content{.sha256 = {},
+  std::string bytes = app::write_requested(plan);
+  store::Content content{.sha256 = sha256(bytes),
                          .file_name = app::file_name_part(title) + ".plan.json",
                          .format = "axiometry-plan",
-                         .bytes = app::write_requested(plan)};
-  AXIOMETRY_TRY(std::string sha256, store.keep(content, by));
-  return PlanRecord{std::move(title), axis, std::move(sha256)};
+                         .bytes = std::move(bytes)};
+  AXIOMETRY_TRY(std::string kept, store.keep(content, by));
+  return PlanRecord{std::move(title), axis, std::move(kept)};
 }
 
 Result<store::By> by_of(const Request& request, const Value& body) {

@@ -185,7 +185,7 @@ Transport::End Transport::run(const Service& service, const std::function<void()
   ready();
   state_->io.run();
   state_->share->when_none = {};
-  state_->end.all_answered = state_->pool->unfinished() == 0;
+  state_->end.all_answered = state_->share->connections.empty();
   return state_->end;
 }
 

@@ -30,11 +30,6 @@ bool WorkerPool::submit(std::function<void()> task) {
   return true;
 }
 
-std::size_t WorkerPool::unfinished() const {
-  const std::scoped_lock lock(mutex_);
-  return tasks_.size() + running_;
-}
-
 void WorkerPool::work() {
   std::unique_lock lock(mutex_);
   while (true) {
@@ -42,12 +37,10 @@ void WorkerPool::work() {
     if (ended_) return;
     std::function<void()> task = std::move(tasks_.front());
     tasks_.pop_front();
-    ++running_;
     lock.unlock();
     task();
     task = nullptr;
     lock.lock();
-    --running_;
   }
 }
 

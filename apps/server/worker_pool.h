@@ -22,16 +22,13 @@ class WorkerPool {
   /// False when so many wait already that this one is not taken. The task must not throw.
   bool submit(std::function<void()> task);
 
-  std::size_t unfinished() const;  ///< waiting and running
-
  private:
   void work();
 
   std::size_t waiting_max_;
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::function<void()>> tasks_;
-  std::size_t running_ = 0;
   bool ended_ = false;
   std::vector<std::thread> threads_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers as people read them: the user's decimal mark, a true minus sign, never "−0.0".
-import { decimal, language } from './settings';
+import { decimal } from './settings';
 
 export const absent = '–';
 
@@ -31,13 +31,11 @@ export function parsed(text: string): number | null {
 export const unit_sign = (unit: 'um' | 'arcsec'): string => (unit === 'um' ? 'µm' : '″');
 export const position_unit = (kind: 'linear' | 'rotary'): string => (kind === 'linear' ? 'mm' : '°');
 
-/** "2026-11-22" stays what it is; a time of the archive becomes local, to the minute. */
+/** "2026-11-22" stays what it is; a time of the archive becomes local, to the minute: "2026-11-22 10:30". */
 export function when(text: string): string {
   const time = new Date(text);
   if (!text.includes('T') || Number.isNaN(time.getTime())) return text;
-  return time.toLocaleString(language.value === 'de' ? 'de-DE' : 'en-GB', {
-    year: 'numeric', month: '2-digit', day: '2-digit', hour: '2-digit', minute: '2-digit',
-  });
+  return new Date(time.getTime() - time.getTimezoneOffset() * 60_000).toISOString().slice(0, 16).replace('T', ' ');
 }
 
 export function bytes(size: number): string {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same way once more with nothing but Tab, Enter, Space, arrows and letters. The mouse is never moved.
 import assert from 'node:assert/strict';
+import { shows_version } from './steps.mjs';
 import { downloaded, example, shows } from './world.mjs';
 
 /** What has the focus: its name as a screen reader says it, and whether its focus can be seen. */
@@ -35,7 +36,7 @@ export const keyboard = {
     const page = await world.page();
     await page.goto('/');
     await page.getByRole('heading', { level: 1 }).waitFor();
-    await tab_to(page, /choose files/i);
+    await tab_to(page, /^Choose files/, ['button']);
     const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
     await chooser.setFiles(example);
     await page.getByRole('button', { name: 'Keep', exact: true }).waitFor();
@@ -49,7 +50,7 @@ export const keyboard = {
     await page.getByLabel(/misalignment/i).first().waitFor();
     await tab_to(page, /misalignment/i, ['input']);
     await page.keyboard.press('Control+A');
-    await page.keyboard.type('12');
+    await page.keyboard.type('2');
     await page.waitForTimeout(300);
     await tab_to(page, /^Save/, ['button']);
     await page.keyboard.press('Enter');
@@ -59,7 +60,7 @@ export const keyboard = {
     await tab_to(page, /^Save$/, ['button']);
     await page.keyboard.press('Enter');
     await page.getByRole('dialog').waitFor({ state: 'hidden' });
-    await shows(page.locator('main'), /version 2/i);
+    await shows_version(page, 2);
 
     await page.keyboard.press('Home');
     await tab_to(page, /^Report$/, ['a']);

@@ -10,7 +10,7 @@ export const plan = {
     await shows(page.locator('.figures'), /Targets\s*5/);
     await page.getByLabel('to (mm)').fill('1000');
     await shows(page.locator('.figures'), /Targets\s*5/);
-    await page.getByLabel('Targets', { exact: true }).selectOption('count');
+    await page.getByRole('combobox', { name: 'Targets', exact: true }).selectOption('count');
     await page.getByLabel('Number of targets').fill('9');
     await shows(page.locator('.figures'), /Targets\s*9/);
     assert.equal(await targets.count(), 9);
@@ -28,7 +28,7 @@ export const plan = {
     await page.getByRole('button', { name: 'Save version 2' }).click();
     await shows(page.locator('main'), /Version 2/);
 
-    await page.getByLabel('Control').selectOption('linuxcnc');
+    await page.getByLabel('Control', { exact: true }).selectOption('linuxcnc');
     await shows(page.locator('.listing'), /G1 X/);
     const program = await downloaded(page, () => page.getByRole('button', { name: /Download/ }).click());
     assert.match(program.name, /\.ngc$/);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+import { shows } from './world.mjs';
+
 // What a user does on the page of a test, in the words of the page.
 
 export async function edit_field(page, label, text) {
@@ -19,4 +21,7 @@ export async function save_version(page, reason, { conflict = false } = {}) {
 }
 
 /** The uncertainties of the parameters as they are shown. */
-export const uncertainties = (page) => page.locator('main table').first().innerText();
+export const uncertainties = (page) => page.locator('.headline').innerText();
+
+/** Waits until the page shows that version of the test. */
+export const shows_version = (page, version) => shows(page.locator('.archive-panel tbody').first(), new RegExp(`\\b${version}\\s+shown`));

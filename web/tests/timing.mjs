@@ -69,7 +69,7 @@ export const timing = {
     await page.getByRole('button', { name: 'Edit', exact: true }).click();
     const field = page.getByLabel(/misalignment/i).first();
     await field.waitFor();
-    within('new uncertainties', await changes(page, field, 'main table', ['1', '2', '3', '4', '5', '6', '7', '8', '9']), change_ms);
+    within('new uncertainties', await changes(page, field, '.headline', ['11', '2', '3', '4', '5', '6', '7', '8', '9']), change_ms);
   },
 
   async 'a change of a plan becomes a new plan within 50 ms'(world) {

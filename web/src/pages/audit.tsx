@@ -62,16 +62,22 @@ function Entries({ entries, subject }: { entries: AuditEntry[]; subject: string 
         { key: 'id', head: '№', number: true, cell: (row) => row.id },
         { key: 'at', head: t('at'), class: 'number-text', cell: (row) => <time dateTime={row.change.at} title={row.change.at}>{when(row.change.at)}</time> },
         { key: 'actor', head: t('actor_head'), cell: (row) => row.change.actor },
-        { key: 'action', head: t('action'), cell: (row) => action_text(row.action) },
-        ...(subject === '' ? [{ key: 'subject', head: t('subject'), cell: (row: AuditEntry) => <Subject subject={row.subject} /> }] : []),
+        { key: 'action', head: t('action'), class: 'number-text', cell: (row) => action_text(row.action) },
+        ...(subject === '' ? [{ key: 'subject', head: t('subject'), class: 'number-text', cell: (row: AuditEntry) => <Subject subject={row.subject} /> }] : []),
         { key: 'reason', head: t('reason'), cell: (row) => row.change.reason },
         { key: 'detail', head: t('detail'), class: 'detail small', cell: (row) => (
-          Object.entries(row.detail).map(([key, value]) => <span key={key}><span class="quiet">{key}</span> {typeof value === 'string' ? value : JSON.stringify(value)}</span>)
+          Object.entries(row.detail).map(([key, value]) => <span key={key}><span class="quiet">{key}</span> <Value value={value} /></span>)
         ) },
         { key: 'hash', head: t('hash'), class: 'mono quiet', cell: (row) => <span title={row.sha256}>{row.sha256.slice(0, 12)}</span> },
       ]}
     />
   );
+}
+
+/** A hash is known by its beginning; the whole of it is in its tip. */
+function Value({ value }: { value: unknown }) {
+  const text = typeof value === 'string' ? value : JSON.stringify(value);
+  return /^[0-9a-f]{64}$/.test(text) ? <span class="mono" title={text}>{text.slice(0, 12)}</span> : <>{text}</>;
 }
 
 function Subject({ subject }: { subject: string }) {

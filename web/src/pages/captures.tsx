@@ -20,7 +20,7 @@ export function CapturesPage() {
       {captures.error && <FailureNotice error={captures.error} retry={captures.reload} />}
       {captures.data && rows.length === 0 && <p class="quiet">{t('none_yet')}</p>}
       {rows.length > 0 && (
-        <section class="panel flush" aria-label={t('captures')}>
+        <section class="panel flush">
           <div class="table-frame" role="region" aria-label={t('captures')} tabIndex={0}>
             <table>
               <thead>

@@ -35,7 +35,7 @@ export function InstrumentPage({ parts }: { parts: Record<string, string> }) {
       </div>
       {instrument.error && <FailureNotice error={instrument.error} retry={instrument.reload} />}
       <section class="panel">
-        <dl class="facts">
+        <dl class="fact-grid">
           {facts.map((key) => <div key={key}><dt>{t(key)}</dt><dd>{found[key] || absent}</dd></div>)}
           <div><dt>{t('calibration_due')}</dt><dd><Due due={found.calibration_due} /></dd></div>
         </dl>

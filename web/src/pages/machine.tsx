@@ -75,7 +75,7 @@ const facts = ['manufacturer', 'type', 'serial_number', 'controller', 'location'
 function Facts({ machine }: { machine: Machine }) {
   return (
     <>
-      <dl class="facts">
+      <dl class="fact-grid">
         {facts.map((key) => <div key={key}><dt>{t(key)}</dt><dd>{machine[key] || absent}</dd></div>)}
         <div>
           <dt>{t('latest')}</dt>

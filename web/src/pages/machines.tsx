@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import type { Machine } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
@@ -9,6 +9,7 @@ import { absent } from '../numbers';
 import { go } from '../router';
 import './machines.css';
 import { attention, weight } from './machines/attention';
+import { load_courses } from './machines/axis_courses';
 import { AxisSpark } from './machines/axis_spark';
 import { MachineDialog } from './machines/machine_dialog';
 import { t } from './machines/texts';
@@ -32,6 +33,10 @@ export function MachinesPage() {
   const [order, set_order] = useState<Order>({ by: 'attention', descending: true });
   const [adding, set_adding] = useState(false);
   const all = machines.data?.machines ?? [];
+  useEffect(() => {
+    if (machines.data) return load_courses(machines.data.machines.flatMap((machine) => machine.axes));
+    return undefined;
+  }, [machines.data]);
   const compare = sorts[order.by] ?? sorts['name'];
   const rows = all.filter((machine) => fits(machine, text)).sort((a, b) => (compare?.(a, b) ?? 0) * (order.descending ? -1 : 1));
   const grave = all.filter((machine) => weight(machine) > 1).length;
@@ -42,7 +47,7 @@ export function MachinesPage() {
         <div class="row">
           {all.length > 0 && <span class="quiet small">{t('summary', { n: all.length, attention: grave })}</span>}
           {all.length > 8 && (
-            <input type="search" aria-label={t('search')} placeholder={t('search_hint')} value={text} onInput={(event) => set_text(event.currentTarget.value)} />
+            <input type="search" aria-label={t('search')} placeholder={t('search_hint')} class="wide" value={text} onInput={(event) => set_text(event.currentTarget.value)} />
           )}
           <button type="button" onClick={() => set_adding(true)}>{t('add')}</button>
         </div>
@@ -70,16 +75,17 @@ function MachineTable({ rows, order, on_order }: { rows: Machine[]; order: Order
           <>
             <a href={`/machines/${row.id}`}>{row.name}</a>
             <span class="quiet small block">{[row.manufacturer, row.type].filter((part) => part !== '').join(' ')}</span>
+            <span class="only-narrow"><AttentionTags machine={row} /></span>
           </>
         ) },
-        { key: 'location', head: t('location'), order: 'location', cell: (row) => row.location || absent },
-        { key: 'attention', head: t('attention'), order: 'attention', falling: true, cell: (row) => <AttentionTags machine={row} /> },
-        { key: 'latest', head: t('latest'), order: 'latest', falling: true, class: 'number-text', cell: (row) => (
+        { key: 'location', head: t('location'), order: 'location', class: 'wide-only', cell: (row) => row.location || absent },
+        { key: 'attention', head: t('attention'), order: 'attention', falling: true, class: 'wide-only', cell: (row) => <AttentionTags machine={row} /> },
+        { key: 'latest', head: t('latest'), order: 'latest', falling: true, class: 'number-text wide-only', cell: (row) => (
           row.latest_test
             ? <a class="quiet-link" href={`/tests/${row.latest_test.id}`}>{row.latest_test.measured_on || absent}</a>
             : absent
         ) },
-        { key: 'tests', head: t('tests'), number: true, cell: (row) => <a class="quiet-link" href={`/?machine=${row.id}`}>{row.tests}</a> },
+        { key: 'tests', head: t('tests'), number: true, class: 'wide-only', cell: (row) => <a class="quiet-link" href={`/?machine=${row.id}`}>{row.tests}</a> },
         { key: 'axes', head: t('axes_course'), class: 'axes', cell: (row) => (
           <div class="axis-sparks">{row.axes.map((axis) => <AxisSpark key={axis.id} axis={axis} />)}</div>
         ) },
@@ -93,10 +99,9 @@ export function AttentionTags({ machine }: { machine: Machine }) {
   if (all.length === 0) return machine.latest_test?.verdict ? <VerdictMark verdict={machine.latest_test.verdict} /> : <span class="quiet">{absent}</span>;
   return (
     <span class="tags">
-      {all.map(({ kind, since }) => {
-        if (kind === 'not_conforming') return <VerdictMark key={kind} verdict="does not conform" />;
-        if (kind === 'undecided') return <VerdictMark key={kind} verdict="undecided" />;
-        return <span key={kind} class={`tag ${kind === 'overdue' ? 'caution' : ''}`}>{t(kind, { date: since })}</span>;
+      {all.map(({ kind, since, axes }) => {
+        if (kind === 'overdue' || kind === 'never') return <span key={kind} class={`tag ${kind === 'overdue' ? 'caution' : ''}`}>{t(kind, { date: since })}</span>;
+        return <span key={kind} class="verdict-of">{axes.length > 0 && <strong>{axes.join(', ')}</strong>}<VerdictMark verdict={kind} /></span>;
       })}
     </span>
   );

@@ -25,7 +25,7 @@ export function PlansPage() {
       {plans.error && <FailureNotice error={plans.error} retry={plans.reload} />}
       {plans.data?.plans.length === 0 && <p class="quiet">{t('none_yet')}</p>}
       {plans.data && plans.data.plans.length > 0 && (
-        <section class="panel flush" aria-label={t('plans')}>
+        <section class="panel flush">
           <div class="table-frame" role="region" aria-label={t('plans')} tabIndex={0}>
             <table>
               <thead>

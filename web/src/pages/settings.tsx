@@ -39,7 +39,7 @@ function Choice<T extends string>({ label, value, options }: { label: string; va
 function Choices() {
   return (
     <section class="panel">
-      <h2>{t('title')} <span class="quiet small">{t('here')}</span></h2>
+      <h2>{t('here')} <span class="quiet small">{t('here_more')}</span></h2>
       <div class="choices">
         <Choice label={t('language')} value={language} options={[['en', 'English'], ['de', 'Deutsch']]} />
         <Choice label={t('decimal')} value={decimal} options={[['point', t('point')], ['comma', t('comma')]]} />

@@ -49,7 +49,7 @@ export function LiveTable({ readings, targets, runs, unit, deviation_unit, due }
   const used = directions.filter((direction) => direction === 'up' || readings.some((one) => one.direction === 'down') || due?.direction === 'down' || runs > 1);
   const columns = used.flatMap((direction) => Array.from({ length: runs }, (_, i) => ({ direction, run: i + 1 })));
   return (
-    <section class="panel flush filling" aria-labelledby="filling">
+    <section class="panel flush filling">
       <header><h2 id="filling">{t('readings')} <span class="quiet small">/ {deviation_unit}</span></h2></header>
       <div class="table-frame" role="region" aria-labelledby="filling" tabIndex={0}>
         <table>

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useRef } from 'preact/hooks';
-import type { Axis, Trend } from '../../api/types';
-import { use_get } from '../../api/use';
+import type { Axis } from '../../api/types';
 import { Spark } from '../../components/spark';
-import { use_seen } from '../../components/use_seen';
 import { absent, fixed, shortest, unit_sign } from '../../numbers';
+import { courses } from './axis_courses';
 import { t } from './texts';
 
 /** One axis among many: its name, the course of A against its limit, the last value. */
 export function AxisSpark({ axis }: { axis: Axis }) {
-  const frame = useRef<HTMLAnchorElement>(null);
-  const seen = use_seen(frame);
-  const trend = use_get<Trend>(seen ? `/api/axes/${axis.id}/trend?parameters=A&limit=24` : null).data;
+  const trend = courses.value.get(axis.id);
   const figures = trend?.points.flatMap((point) => point.figures.filter((figure) => figure.parameter === 'A')) ?? [];
   const last = figures[figures.length - 1];
   const limit = axis.limits.find((one) => one.parameter === 'A')?.value ?? last?.limit ?? null;
@@ -20,7 +16,7 @@ export function AxisSpark({ axis }: { axis: Axis }) {
     ? t('spark', { axis: axis.name, value: fixed(last.value, 1), unit, n: figures.length }) + (limit === null ? '' : t('spark_limit', { limit: shortest(limit) }))
     : axis.name;
   return (
-    <a ref={frame} class="axis-spark" href={`/axes/${axis.id}`} title={label}>
+    <a class="axis-spark" href={`/axes/${axis.id}`} title={label}>
       <span class="axis-name">{axis.name}</span>
       {last ? <Spark values={figures.map((figure) => figure.value)} limit={limit} label={label} /> : <span class="blank" />}
       <span class={`number value ${last && limit !== null && last.value > limit ? 'over' : ''}`}>{last ? fixed(last.value, 1) : absent}</span>

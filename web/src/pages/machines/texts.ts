@@ -13,8 +13,6 @@ export const t = texts({
   none: ['No machine yet. Machines come with the tests that name them, or are added here.', 'Noch keine Maschine. Maschinen kommen mit den Prüfungen, die sie nennen, oder werden hier angelegt.'],
   none_fits: ['No machine fits.', 'Keine Maschine passt.'],
   attention: ['Attention', 'Beachten'],
-  not_conforming: ['does not conform', 'nicht konform'],
-  undecided: ['undecided', 'unentschieden'],
   overdue: ['overdue since {date}', 'überfällig seit {date}'],
   never: ['never tested', 'nie geprüft'],
   summary: ['{n} machines, {attention} need attention', '{n} Maschinen, {attention} zu beachten'],

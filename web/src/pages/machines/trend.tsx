@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import type { Parameter, Trend } from '../../api/types';
+import type { Limit, Parameter, Trend } from '../../api/types';
 import { use_get } from '../../api/use';
 import { Chart, ChartLegend, type ChartLine, type ChartPlace, type ChartSeries } from '../../components/chart';
 import { day_seconds } from '../../components/dates';
@@ -53,6 +53,16 @@ export function AxisTrend({ axis, version, height }: { axis: number; version: nu
   );
 }
 
+/** The limits of the axis; where it has none for a parameter, that of the last test. */
+function limits_of(trend: Trend, points: readonly Point[]): Limit[] {
+  const last = points[points.length - 1];
+  return parameters.flatMap((parameter) => {
+    const value = trend.axis.limits.find((limit) => limit.parameter === parameter)?.value
+      ?? last?.figures.find((figure) => figure.parameter === parameter)?.limit;
+    return value === undefined || value === null ? [] : [{ parameter, value }];
+  });
+}
+
 function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly Parameter[]; height: number }) {
   const unit = unit_sign(trend.unit);
   const points = useMemo(() => [...trend.points].sort(by_day), [trend]);
@@ -64,10 +74,10 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
       values: figures.map((figure) => figure?.value ?? null), whisker: figures.map((figure) => figure?.U ?? null),
     };
   }), [points, wanted]);
-  const lines = useMemo((): ChartLine[] => trend.axis.limits.filter((limit) => wanted.includes(limit.parameter)).map((limit) => ({
+  const lines = useMemo((): ChartLine[] => limits_of(trend, points).filter((limit) => wanted.includes(limit.parameter)).map((limit) => ({
     value: limit.value, colour: look(limit.parameter).colour,
     label: t('limit_line', { parameter: plain_symbol(limit.parameter), value: shortest(limit.value), unit }),
-  })), [trend, wanted, unit]);
+  })), [trend, points, wanted, unit]);
   const tip = (place: ChartPlace) => {
     const point = points[place.index];
     if (!point) return null;
@@ -119,7 +129,7 @@ function TrendTable({ trend, wanted }: { trend: Trend; wanted: readonly Paramete
           ...wanted.map((key) => ({
             key, head: <ParameterHead parameter={key} unit={unit_sign(trend.unit)} />, number: true, cell: (point: Point) => <FigureCell shown={shown_of(point.figures, key)} />,
           })),
-          { key: 'verdict', head: t('verdict'), cell: (point) => <VerdictMark verdict={joint_verdict(point.figures)} /> },
+          { key: 'verdict', head: t('verdict'), cell: (point) => <VerdictMark verdict={joint_verdict(point.figures)} short /> },
         ]}
       />
     </details>

@@ -29,7 +29,7 @@ export function Outcome({ draft, unit, children }: { draft: PlanDraft; unit: str
         </p>
       </div>
       {draft.findings.length > 0 && <FindingList findings={draft.findings} />}
-      <div class="drawn-frame" role="region" aria-label={t('programme')} tabIndex={0}>
+      <div class="drawn-frame" role="group" aria-label={t('way')} tabIndex={0}>
         <img class="drawn" src={picture(draft.figure_svg)} alt={t('figure_of', { n: draft.targets.length, runs })} />
       </div>
       {chosen && chosen.further.length > 0 && <Further plans={chosen.further} />}

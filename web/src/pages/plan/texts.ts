@@ -47,6 +47,7 @@ export const t = texts({
   wanted: ['found nothing, expected a number', 'nichts gefunden, eine Zahl erwartet'],
   wanted_text: ['found nothing, expected a name', 'nichts gefunden, einen Namen erwartet'],
   // the outcome
+  way: ['The way of the axis', 'Der Weg der Achse'],
   programme: ['Programme', 'Programm'],
   figure_of: ['The way of the axis over time: {n} targets, {runs} runs', 'Der Weg der Achse über der Zeit: {n} Zielpositionen, {runs} Läufe'],
   duration: ['Duration', 'Dauer'],

@@ -3,7 +3,8 @@ import { texts } from '../../i18n/texts';
 
 export const t = texts({
   title: ['Settings', 'Einstellungen'],
-  here: ['They hold for this browser.', 'Sie gelten für diesen Browser.'],
+  here: ['This browser', 'Dieser Browser'],
+  here_more: ['not the archive, not others', 'nicht das Archiv, nicht andere'],
   language: ['Language', 'Sprache'],
   decimal: ['Decimal mark', 'Dezimalzeichen'],
   point: ['point: 1.5', 'Punkt: 1.5'],

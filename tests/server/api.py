@@ -1,0 +1,243 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Plays the API from an empty store to a downloaded report, and holds every answer against its description.
+
+Usage: api.py PROGRAM [--store postgresql://…]
+
+Needs python3-jsonschema. Every JSON answer must fit the schema that apps/server/openapi.json gives for its operation and
+status. A PostgreSQL store must be empty.
+"""
+import json
+import pathlib
+import re
+import sys
+import tempfile
+
+import jsonschema
+
+from served import Checks, Served
+
+ROOT = pathlib.Path(__file__).parents[2]
+EXAMPLE = (ROOT / "examples" / "iso230-2-table2.json").read_bytes()
+OPTIONS = {"methods": ["gum"], "trials": None, "seed": 1, "coverage": 0.95, "corrections": []}
+PLAN = {"axis": "X", "kind": "linear", "from": 0, "to": 500, "positions": None, "targets": None, "cycle": "standard",
+        "runs": 5, "feed": 1000, "dwell_s": 4, "overrun": None, "seed": 7, "further": {}}
+
+
+def innermost(fault):
+    """Of alternatives, what is wrong with the one that goes deepest."""
+    while fault.context:
+        fault = max(fault.context, key=lambda inner: len(inner.absolute_path) + len(inner.context or []))
+    return "/".join(map(str, fault.absolute_path)), fault.message[:200]
+
+
+class Play:
+    """Requests with expectations; each answer is validated."""
+
+    def __init__(self, server, checks):
+        self.server = server
+        self.checks = checks
+        self.description = server.request("GET", "/api/openapi.json").json()
+        self.played = set()
+
+    def operation(self, method, path):
+        """The description's path that fits with the fewest braces."""
+        found = []
+        for pattern, operations in self.description["paths"].items():
+            expression = "[^/]+".join(re.escape(part) for part in re.split(r"\{[a-z]+\}", pattern))
+            if method.lower() in operations and re.fullmatch(expression, path.split("?")[0]):
+                found.append((pattern.count("{"), pattern))
+        return min(found)[1] if found else None
+
+    def expect(self, status, method, path, body=None, headers=None):
+        answer = self.server.request(method, path, body, headers)
+        what = f"{method} {path}"
+        self.checks.that(f"{what} answers {status}", answer.status == status, (answer.status, answer.body[:300]))
+        pattern = self.operation(method, path)
+        self.checks.that(f"{what} is described", pattern is not None or status in (404, 405))
+        if pattern is None:
+            return answer
+        if answer.status < 400:
+            self.played.add((method, pattern))
+        responses = self.description["paths"][pattern][method.lower()]["responses"]
+        response = responses.get(str(answer.status), responses["default"] if answer.status >= 400 else None)
+        self.checks.that(f"{what}: status {answer.status} is described", response is not None)
+        if response is None:
+            return answer
+        self.validate(what, answer, response)
+        return answer
+
+    def validate(self, what, answer, response):
+        if "$ref" in response:
+            response = self.description["components"]["responses"][response["$ref"].rsplit("/", 1)[1]]
+        kind = answer.headers.get("content-type", "").split(";")[0]
+        described = response.get("content", {})
+        if not described:
+            self.checks.that(f"{what} has no body", answer.body == b"", answer.body[:80])
+            return
+        self.checks.that(f"{what}: {kind} is described", kind in described, list(described))
+        if kind != "application/json" or "application/json" not in described:
+            return
+        schema = {**described[kind]["schema"], "components": self.description["components"]}
+        faults = list(jsonschema.Draft202012Validator(schema).iter_errors(answer.json()))
+        self.checks.that(f"{what} fits its schema", not faults,
+                         [innermost(fault) for fault in faults[:4]])
+
+
+def service(play):
+    health = play.expect(200, "GET", "/api/health").json()
+    play.checks.that("the store is empty", health["store"]["counts"]["tests"] == 0, health)
+    play.expect(200, "GET", "/api/openapi.json")
+    german = play.expect(200, "GET", "/api/vocabulary?language=de").json()
+    play.checks.that("the vocabulary has twelve parameters", len(german["parameters"]) == 12)
+    play.expect(204, "POST", "/api/logout")
+    play.expect(404, "GET", "/api/nothing")
+    play.expect(405, "PUT", "/api/health", {})
+
+
+def tests(play):
+    checks = play.checks
+    play.expect(200, "GET", "/api/tests")
+    play.expect(404, "GET", "/api/tests/1")
+    name = {"X-File-Name": "Pr%C3%BCfung.json"}
+    preview = play.expect(200, "POST", "/api/preview", EXAMPLE, name).json()
+    checks.that("the preview knows the format", preview["refused"] is None and len(preview["tests"]) == 1, preview)
+    refused = play.expect(200, "POST", "/api/preview", b"nothing of use", name).json()
+    checks.that("the preview says why", refused["refused"] is not None and refused["tests"] == [], refused)
+    play.expect(422, "POST", "/api/tests", b"nothing of use", name)
+    received = play.expect(201, "POST", "/api/tests", EXAMPLE, {**name, "X-Actor": "J%C3%BCrgen"}).json()
+    test = received["id"]
+    checks.that("A is that of the standard's example", abs(received["result"]["parameters"]["A"] - 9.6) < 0.05)
+    boundary = b"--line\r\nContent-Disposition: form-data; name=\"file\"; filename=\"two.json\"\r\n\r\n" + EXAMPLE + \
+        b"\r\n--line--\r\n"
+    again = play.expect(201, "POST", "/api/tests", boundary, {"Content-Type": "multipart/form-data; boundary=line"})
+    checks.that("the same bytes make another test", again.json()["id"] != test)
+
+    kept = play.expect(200, "GET", f"/api/tests/{test}").json()
+    checks.that("the name is as it was sent", kept["file"]["name"] == "Prüfung.json", kept["file"])
+    checks.that("who sent it is known", kept["received"]["actor"] == "Jürgen", kept["received"])
+    raw = play.expect(200, "GET", f"/api/tests/{test}/raw")
+    checks.that("the bytes are as they came", raw.body == EXAMPLE)
+    changes = {"machine.name": "VMC <850>", "tolerance.A": "9"}
+    draft = play.expect(200, "POST", f"/api/tests/{test}/evaluate", {"changes": changes, "options": OPTIONS})
+    checks.that("a draft is not kept", play.expect(200, "GET", f"/api/tests/{test}").json()["latest"] == 1)
+    checks.that("GUM has been done", draft.status != 200 or draft.json()["result"]["uncertainty"]["gum"] is not None)
+    revision = {"base_version": 1, "title": "Second", "reason": "name", "changes": {"machine.name": "VMC <850>"},
+                "options": OPTIONS}
+    play.expect(201, "POST", f"/api/tests/{test}/versions", revision)
+    play.expect(409, "POST", f"/api/tests/{test}/versions", revision)
+    play.expect(422, "POST", f"/api/tests/{test}/versions", {**revision, "base_version": 2, "changes": {"no.key": "1"}})
+    play.expect(200, "GET", f"/api/tests/{test}?version=1")
+    play.expect(200, "POST", f"/api/tests/{test}/withdraw", {"reason": "wrong axis"})
+    checks.that("a withdrawn test is out of the list",
+                all(row["id"] != test for row in play.expect(200, "GET", "/api/tests").json()["tests"]))
+    play.expect(200, "POST", f"/api/tests/{test}/reinstate", {"reason": "right after all"})
+    return test
+
+
+def reports(play, test):
+    checks = play.checks
+    for extension, begin in (("pdf", b"%PDF"), ("html", b"<!"), ("svg", b"<"), ("png", b"\x89PNG"), ("json", b"{"),
+                             ("csv", b"")):
+        answer = play.expect(200, "GET", f"/api/tests/{test}/report.{extension}?language=de&decimal=comma&download=1")
+        checks.that(f"the {extension} begins as one", answer.body.startswith(begin) and answer.body, answer.body[:20])
+    play.expect(404, "GET", f"/api/tests/{test}/report.exe")
+    figures = play.expect(200, "GET", f"/api/tests/{test}/figures").json()["figures"]
+    checks.that("there are figures", len(figures) > 0, figures)
+    if figures:
+        play.expect(200, "GET", f"/api/tests/{test}/figures/{figures[0]['id']}.svg?theme=dark")
+    issued = play.expect(201, "POST", f"/api/tests/{test}/reports", {"extension": "pdf", "language": "en"}).json()
+    document = play.expect(200, "GET", f"/api/documents/{issued['id']}")
+    checks.that("the issued report is a PDF", document.body.startswith(b"%PDF"), document.body[:20])
+    play.expect(201, "POST", f"/api/tests/{test}/attachments", b"\x89PNG\r\n\x1a\n",
+                {"X-File-Name": "photo.png", "Content-Type": "image/png"})
+
+
+def equipment(play):
+    checks = play.checks
+    machines = play.expect(200, "GET", "/api/machines").json()["machines"]
+    checks.that("tests bring their machines", len(machines) > 0, machines)
+    machine = play.expect(201, "POST", "/api/machines", {"name": "Lathe", "serial_number": "L-1"}).json()
+    play.expect(200, "GET", f"/api/machines/{machine['id']}")
+    change = {"name": "Lathe 2", "serial_number": "L-1", "base_version": 1, "reason": "a better name"}
+    play.expect(200, "PUT", f"/api/machines/{machine['id']}", change)
+    play.expect(409, "PUT", f"/api/machines/{machine['id']}", change)
+    play.expect(200, "GET", f"/api/machines/{machine['id']}/versions")
+    axis = play.expect(201, "POST", "/api/axes", {"machine": machine["id"], "name": "Z", "kind": "linear", "notes": "",
+                                                  "limits": [{"parameter": "A", "value": 10}]}).json()
+    play.expect(200, "GET", "/api/axes")
+    play.expect(200, "GET", f"/api/axes/{axis['id']}")
+    play.expect(200, "PUT", f"/api/axes/{axis['id']}", {"machine": machine["id"], "name": "Z", "kind": "linear",
+                                                        "limits": [], "notes": "", "base_version": 1, "reason": ""})
+    play.expect(200, "GET", f"/api/axes/{axis['id']}/versions")
+    play.expect(200, "GET", f"/api/axes/{axis['id']}/trend?parameters=A,E,R,B&limit=10")
+    laser = {"role": "Laser interferometer", "manufacturer": "Someone", "type": "L1", "serial_number": "7",
+             "certificate": "C-1", "calibrated_on": "2026-01-01", "calibration_due": "2027-01-01", "inputs": {},
+             "notes": ""}
+    instrument = play.expect(201, "POST", "/api/instruments", laser).json()
+    play.expect(200, "GET", "/api/instruments")
+    play.expect(200, "GET", f"/api/instruments/{instrument['id']}")
+    play.expect(200, "PUT", f"/api/instruments/{instrument['id']}", {**laser, "base_version": 1, "reason": "due"})
+    play.expect(200, "GET", f"/api/instruments/{instrument['id']}/versions")
+    tested = [axis for machine in machines for axis in machine["axes"]]
+    if tested:
+        trend = play.expect(200, "GET", f"/api/axes/{tested[0]['id']}/trend?parameters=A,E,R,B&limit=10").json()
+        checks.that("the trend has the tests", len(trend["points"]) > 0, trend)
+    audit = play.expect(200, "GET", "/api/audit?limit=100").json()["entries"]
+    checks.that("all that was done is in the audit trail", len(audit) >= 10, len(audit))
+
+
+def plans(play):
+    play.expect(200, "POST", "/api/plans/draft", {"request": PLAN})
+    play.expect(422, "POST", "/api/plans/draft", {"request": {**PLAN, "to": 0}})
+    play.expect(200, "POST", "/api/plans/draft/program", {"request": PLAN, "dialect": "linuxcnc", "options": {}})
+    play.expect(200, "POST", "/api/plans/draft/sheet.pdf", {"request": PLAN})
+    plan = play.expect(201, "POST", "/api/plans", {"title": "X 500", "axis": None, "request": PLAN}).json()
+    number = plan["id"]
+    play.expect(200, "GET", "/api/plans")
+    play.expect(200, "GET", f"/api/plans/{number}")
+    play.expect(200, "PUT", f"/api/plans/{number}", {"title": "X 500 slow", "axis": None, "base_version": 1, "reason": "",
+                                                     "request": {**PLAN, "feed": 500}})
+    play.expect(200, "GET", f"/api/plans/{number}/versions")
+    play.expect(200, "GET", f"/api/plans/{number}/plan.json")
+    play.expect(200, "GET", f"/api/plans/{number}/sheet.html?language=de")
+    program = play.expect(200, "GET", f"/api/plans/{number}/program?dialect=linuxcnc&unrolled=1")
+    play.checks.that("the program moves the axis", b"X" in program.body, program.body[:200])
+
+
+def captures(play):
+    if play.server.request("GET", "/api/sources").status == 404:
+        return
+    play.expect(200, "GET", "/api/sources")
+    play.expect(200, "GET", "/api/captures")
+    play.expect(404, "GET", "/api/captures/99")
+    plan = play.expect(200, "GET", "/api/plans").json()["plans"][0]["id"]
+    begun = play.expect(201, "POST", "/api/captures", {"plan": plan, "source": "simulator", "layout": "",
+                                                       "options": {"speed": "60"}}).json()
+    if "id" in begun:
+        play.expect(200, "GET", f"/api/captures/{begun['id']}?after=0")
+        play.expect(200, "POST", f"/api/captures/{begun['id']}/stop", {})
+
+
+def main():
+    program = str(pathlib.Path(sys.argv[1]).resolve())
+    checks = Checks()
+    with tempfile.TemporaryDirectory() as folder:
+        store = sys.argv[3] if sys.argv[2:3] == ["--store"] else pathlib.Path(folder) / "api.db"
+        with Served(program, store) as server:
+            play = Play(server, checks)
+            service(play)
+            test = tests(play)
+            reports(play, test)
+            equipment(play)
+            plans(play)
+            captures(play)
+            described = {(method.upper(), path) for path, operations in play.description["paths"].items()
+                         for method in operations}
+            rest = sorted(described - play.played - {("POST", "/api/login")})
+            checks.that("every operation was played", not rest, rest)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
