@@ -85,6 +85,7 @@ function use_title_of_heading(): void {
       const heading = main.querySelector('h1')?.textContent?.trim() ?? '';
       const title = heading === '' ? 'Axiometry' : `${heading} – Axiometry`;
       if (document.title !== title) document.title = title;
+      if (expecting()) focus_content();
     };
     name();
     const watch = new MutationObserver(name);
@@ -95,9 +96,17 @@ function use_title_of_heading(): void {
 
 /** After a link was followed the focus is at the new page's heading, as after a page load; not at the first page. */
 let arrived = '';
+let arrived_at = -Infinity;
 function use_focus_on_arrival(path: string): void {
   useEffect(() => {
-    if (arrived !== '' && arrived !== path) focus_content();
+    if (arrived !== '' && arrived !== path) { arrived_at = performance.now(); focus_content(); }
     arrived = path;
   }, [path]);
+}
+
+/** A page whose heading comes with its data has nothing to focus at first, or loses it; once the user went on, it is theirs. */
+function expecting(): boolean {
+  const at = document.activeElement;
+  const free = at === null || at === document.body || at.id === 'content';
+  return free && performance.now() - arrived_at < 3000 && document.querySelector('#content h1') !== null;
 }

@@ -19,11 +19,11 @@ struct ToleranceOptions {
   std::vector<ToleranceText> limits{};
   std::optional<RuleText> rule{};
   std::optional<ToleranceTable> table{};
-  std::string table_name{};                    ///< in the table; empty: the one the test's file names, or the only one
-  std::vector<iso230_2::Tolerance> of_axis{};  ///< apply as a whole where nothing else sets any limit
+  std::string table_name{};  ///< in the table; empty: the one the test's file names, or the only one
   /// Whether the limits are meant for several tests: then one of a parameter that a test does not have leaves
   /// that test without a verdict on it. For a single test it is a mistake.
   bool many_tests = false;
+  std::vector<iso230_2::Tolerance> of_axis{};  ///< apply as a whole where nothing else sets any limit
 };
 
 /// The row of a tolerance table that applies to a test.

@@ -108,11 +108,19 @@ export interface Evaluated {
   readings: Readings;
   verdict: Verdict | null;                 // of all tolerances together
   shown: { parameter: Parameter; value: string; U: string; interval: string; unit: string; limit: number | null; verdict: Verdict | null }[];
+  from_archive?: FromArchive;              // what it took from the archive beside the test itself
   milliseconds: number;                    // the evaluation took
   from_archive?: FromArchive;
 }
 
 /** Inputs of instruments and limits of the axis that took part because neither file nor changes state them. */
+export interface FromArchive {
+  instruments: { instrument: number; version: number; name: string; inputs: Changes }[];
+  axis: { axis: number; version: number; limits: Limit[] } | null;
+}
+
+/** Inputs of instruments that neither the file nor the changes state, and limits of the axis where nothing else sets any
+ *  (their judgements have the source "axis"). They are kept with a version as they were on its day. */
 export interface FromArchive {
   instruments: { instrument: number; version: number; name: string; inputs: Changes }[];
   axis: { axis: number; version: number; limits: Limit[] } | null;
@@ -127,7 +135,8 @@ export interface Options {
   corrections: string[];                   // "nde", "air=ciddor", …: as --correct
 }
 
-/** Over what the file says: key and text as `--set` takes them; "" takes the value away. */
+/** Over what the file says: key and text as `--set` takes them; "" takes the value away. A list of records (equipment,
+ *  sensors) has a record per line, "cell | cell", and takes the place of the file's. */
 export type Changes = Record<string, string>;
 
 // POST /api/preview (the file's bytes; X-File-Name: percent-encoded name): nothing is kept.
@@ -141,11 +150,15 @@ export interface Preview {
   same_content: number[];                  // ids of tests with these very bytes
 }
 
-// POST /api/tests (bytes with X-File-Name, or multipart/form-data with one file) → 201
+// POST /api/tests[?plan=ID] (bytes with X-File-Name, or multipart/form-data with one or more files: all are kept, or
+// when one is refused none) → 201
 export interface Received extends Evaluated {
   id: number; version: number;             // of the first test in the file
   tests: { id: number; version: number; title: string }[];
+  same_content?: number[];                 // tests that had these very bytes before
 }
+// POST /api/evaluations?draft={"changes":…,"options":…}&test=NAME (bytes as above) → Evaluated: nothing is kept
+// Requests with ?decimal=comma|point: numbers in `shown` and in reports; else as the language of the request has them.
 
 // GET /api/tests?text=&machine=&axis=&instrument=&from=&to=&verdict=&withdrawn=&order=&descending=&offset=&limit=
 export interface TestPage { tests: TestRow[]; total: number }
@@ -184,7 +197,7 @@ export interface Revision extends Draft { base_version: number; title: string; r
 // POST /api/tests/{id}/withdraw {reason}, /api/tests/{id}/reinstate {reason} → Test
 // GET  /api/tests/{id}/raw → the bytes as they came
 // GET  /api/tests/{id}/report.{html|pdf|svg|png|csv|json|…}?version=&language=de&decimal=comma&unit=mm&download=1
-// GET  /api/tests/{id}/figures?version= → {figures: {id, title}[]};  /api/tests/{id}/figures/{n}.svg?version=&theme=dark
+// GET  /api/tests/{id}/figures?version= → {figures: {id, title}[]};  /api/tests/{id}/figures/{id}.svg?version=&theme=dark
 // POST /api/tests/{id}/reports {extension, language, decimal, unit} → 201 Document (issued: kept as it is for good)
 // POST /api/tests/{id}/attachments (bytes, X-File-Name, Content-Type) → 201 Document
 // GET  /api/documents/{id} → its bytes

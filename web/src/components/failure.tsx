@@ -17,12 +17,4 @@ export function FailureNotice({ error, retry }: { error: ApiError; retry?: () =>
     error.kind === 'conflict' || error.kind === 'read_only' || error.kind === 'full' || error.kind === 'not_found' ? t(error.kind) : null;
   return (
     <div class="notice bad" role="alert">
-      {heading && <p><strong>{heading}</strong></p>}
-      <p>
-        {error.kind === 'offline' ? t('offline') : error.message}
-        {error.place !== '' && <span class="quiet"> ({error.place})</span>}
-      </p>
-      {retry && <button type="button" onClick={retry}>{t('again')}</button>}
-    </div>
-  );
-}
+      {heading && <p class="heading">{heading}</p>}

@@ -24,7 +24,7 @@ export function VersionList({ versions, cell }: { versions: readonly Version[]; 
       rows={[...versions].sort((a, b) => b.version - a.version)}
       row_key={(row) => row.version}
       columns={[
-        { key: 'version', head: t('version'), cell: (row) => (cell ? cell(row.version) : row.version), number: true },
+        { key: 'version', head: t('version'), cell: (row) => (cell ? cell(row.version) : row.version), class: 'number-text' },
         { key: 'at', head: t('at'), cell: (row) => <span class="number">{when(row.at)}</span> },
         { key: 'actor', head: t('actor'), cell: (row) => row.actor },
         { key: 'reason', head: t('reason'), cell: (row) => row.reason || <span class="quiet">{t('none')}</span> },

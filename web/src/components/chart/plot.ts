@@ -46,9 +46,11 @@ function time_ticks(splits: number[]): string[] {
   return dates.map((date) => date.slice(0, cut));
 }
 
+/** As many decimals as the step between ticks has: 2.5 needs one. */
 function number_ticks(splits: number[], step: number): string[] {
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  return splits.map((value) => marked(value.toFixed(Math.min(decimals, 9))));
+  let decimals = 0;
+  while (decimals < 9 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals += 1;
+  return splits.map((value) => marked(value.toFixed(decimals)));
 }
 
 function axis(label: string, kind: 'number' | 'time', side: 'x' | 'y'): uPlot.Axis {
@@ -79,7 +81,7 @@ export function make_plot(model: () => ChartModel, events: PlotEvents, size: { w
   const kind = shape.x_kind ?? 'number';
   const options: uPlot.Options = {
     ...size,
-    padding: [8, 12, 0, 0],
+    padding: [8, 20, 0, 0],
     tzDate: (second) => uPlot.tzDate(new Date(second * 1000), 'Etc/UTC'),
     legend: { show: false },
     cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: true, uni: 24, dist: 6 } },

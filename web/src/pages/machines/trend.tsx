@@ -129,7 +129,7 @@ function TrendTable({ trend, wanted }: { trend: Trend; wanted: readonly Paramete
           ...wanted.map((key) => ({
             key, head: <ParameterHead parameter={key} unit={unit_sign(trend.unit)} />, number: true, cell: (point: Point) => <FigureCell shown={shown_of(point.figures, key)} />,
           })),
-          { key: 'verdict', head: t('verdict'), cell: (point) => <VerdictMark verdict={joint_verdict(point.figures)} /> },
+          { key: 'verdict', head: t('verdict'), cell: (point) => <VerdictMark verdict={joint_verdict(point.figures)} short /> },
         ]}
       />
     </details>

@@ -32,12 +32,14 @@ function change(key: number, to: Partial<Incoming>): void {
 export function add_files(files: readonly File[]): void {
   incoming.value = [
     ...incoming.value,
-    ...files.map((file): Incoming => ({ key: next_key++, file, state: 'waiting', part: 0, preview: null, received: null, error: too_large(file) })),
+    ...files.map((file): Incoming => ({ key: next_key++, file, state: 'waiting', part: 0, preview: null, received: null, error: hopeless(file) })),
   ];
   read_next();
 }
 
-function too_large(file: File): ApiError | null {
+/** What need not be sent to know that it will be refused. */
+function hopeless(file: File): ApiError | null {
+  if (file.size === 0) return new ApiError('bad_input', t('empty_file'), 422);
   const limit = health.value?.limits.upload_bytes ?? Infinity;
   return file.size > limit ? new ApiError('bad_input', t('too_large', { size: bytes(file.size), limit: bytes(limit) }), 413) : null;
 }
@@ -73,6 +75,10 @@ async function read(one: Incoming): Promise<void> {
   else if (answer !== null) change(one.key, { state: 'ready', preview: answer });
   read_next();
 }
+
+/** Whether trying again may help: the same bytes are refused again. */
+export const may_retry = (one: Incoming): boolean =>
+  one.state === 'waiting' && one.error !== null && ['offline', 'unavailable', 'unauthorised', 'full'].includes(one.error.kind);
 
 /** Asks again for a file whose preview failed. */
 export function retry(key: number): void {

@@ -6,7 +6,7 @@ import { VerdictMark } from '../../components/verdict';
 import { bytes, marked, position_unit, shortest } from '../../numbers';
 import { go } from '../../router';
 import { FigureCell, ParameterHead } from '../../components/figure_cell';
-import { can_be_kept, incoming, keep, keep_all, remove, remove_all, retry, type Incoming } from './incoming';
+import { can_be_kept, incoming, keep, keep_all, may_retry, remove, remove_all, retry, type Incoming } from './incoming';
 import { t } from './texts';
 
 /** The chosen files, each with what is in it or why it is refused. */
@@ -57,7 +57,7 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
           </button>
         </div>
       </div>
-      {one.error && <FailureNotice error={one.error} {...(one.state === 'waiting' && one.error.status !== 413 ? { retry: () => retry(one.key) } : {})} />}
+      {one.error && <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />}
       {preview?.refused && <Refusal refused={preview.refused} on_formats={on_formats} />}
       {one.received
         ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: {one.received.tests.map((test, i) => (
@@ -124,7 +124,7 @@ function Contents({ preview }: { preview: Preview }) {
               </td>
               {glance.map((key) => {
                 const found = test.evaluated?.shown.find((one) => one.parameter === key);
-                return <td key={key} class="number"><FigureCell shown={found ? { value: marked(found.value), U: marked(found.U), verdict: found.verdict } : null} /></td>;
+                return <td key={key} class="number"><FigureCell shown={found && /\d/.test(found.value) ? { value: marked(found.value), U: marked(found.U), verdict: found.verdict } : null} /></td>;
               })}
               <td class="quiet">{test.evaluated?.shown[0]?.unit}</td>
               <td>{test.evaluated && <VerdictMark verdict={test.evaluated.verdict} />}</td>

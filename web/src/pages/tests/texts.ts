@@ -26,6 +26,7 @@ export const t = texts({
   refused: ['Refused', 'Abgelehnt'],
   refused_at: ['line {place}', 'Zeile {place}'],
   again: ['Try again', 'Noch einmal'],
+  empty_file: ['found an empty file, expected measured deviations', 'leere Datei gefunden, gemessene Abweichungen erwartet'],
   too_large: ['found a file of {size}, expected at most {limit}', '{size} gefunden, höchstens {limit} erwartet'],
   same: ['These very bytes are kept already:', 'Genau diese Bytes sind schon gespeichert:'],
   test_number: ['test {id}', 'Prüfung {id}'],
