@@ -5,12 +5,14 @@
 #include <string>
 
 #include "axiometry/app/file_name_part.h"
+#include "axiometry/app/given_text.h"
 #include "axiometry/app/nc_program.h"
 #include "axiometry/app/plan_request.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/report/shown_number.h"
+#include "request_values.h"
 #include "routes.h"
 
 namespace axiometry::server {
@@ -20,8 +22,6 @@ using json::Kind;
 using json::Value;
 using store::PlanRecord;
 using VersionedPlan = store::Versioned<PlanRecord>;
-
-constexpr std::size_t longest_title = 500;
 
 struct MediaType {
   std::string_view extension;
@@ -37,90 +37,58 @@ std::string_view media_type_of(std::string_view extension) {
   return row == std::end(media_types) ? "application/octet-stream" : row->type;
 }
 
-Result<report::Options> report_options(const Request& request) {
-  report::Options options;
-  const auto decimal = request.parameter("decimal");
-  if (decimal && *decimal != "comma" && *decimal != "point")
-    return fail(fmt::format("found the decimal mark {}, expected point or comma", text::quoted(*decimal)));
-  const bool comma = decimal ? *decimal == "comma" : request.language == language::Language::german;
-  options.numbers.decimal_mark = comma ? ',' : '.';
-  return options;
-}
-
-Result<store::Id> id_of(const Request& request) {
-  const auto id = parse_count(request.segment("id"));
-  if (!id || *id == 0 || *id > std::uint64_t{1} << 53)
-    return fail(ErrorKind::not_found, fmt::format("found no plan {}", text::quoted(request.segment("id"))));
-  return static_cast<store::Id>(*id);
-}
-
-Result<std::optional<int>> version_of(const Request& request) {
-  const auto text = request.parameter("version");
-  if (!text) return std::optional<int>();
-  const auto version = parse_count(*text);
-  if (!version || *version == 0 || *version > 1'000'000'000)
-    return fail(fmt::format("found the version {}, expected a whole number from 1", text::quoted(*text)));
-  return std::optional(static_cast<int>(*version));
-}
-
-/// What the user calls it, or its axis and travel.
-std::string title_for(const Value& body, const Plan& plan) {
-  const Value* given = body.find("title");
-  if (given != nullptr && given->is(Kind::text) && !text::trim(given->text()).empty())
-    return std::string(text::trim(given->text()));
-  const report::Options plain;
-  return fmt::format("{}{}{} to {} {}", plan.machine.empty() ? "" : plan.machine + ", ",
-                     plan.axis.name.empty() ? "" : plan.axis.name + " ",
-                     report::shown_short(plan.targets.front().in_native(), plain),
-                     report::shown_short(plan.targets.back().in_native(), plain), position_unit(plan.axis.kind));
-}
-
 Result<std::string> text_member(const Value& body, std::string_view name) {
   const Value* value = body.find(name);
   if (value == nullptr || value->is(Kind::null)) return std::string();
-  if (!value->is(Kind::text) || value->text().size() > longest_title)
-    return fail(fmt::format("{}: found {}, expected a text of at most {} bytes", name,
-                            value->is(Kind::text) ? "a longer one" : json::kind_name(value->kind()), longest_title),
-                value->at());
-  return value->text();
+  if (!value->is(Kind::text))
+    return fail(fmt::format("{}: found {}, expected a text", name, json::kind_name(value->kind())), value->at());
+  return app::given_line(name, value->text());
 }
 
-Result<std::optional<store::Id>> whole_member(const Value& body, std::string_view name) {
+Result<std::optional<store::Id>> number_member(const Value& body, std::string_view name) {
   const Value* value = body.find(name);
   if (value == nullptr || value->is(Kind::null)) return std::optional<store::Id>();
-  if (!value->is(Kind::number) || value->number() < 1.0 || value->number() > 9e15 ||
-      value->number() != static_cast<double>(static_cast<store::Id>(value->number())))
-    return fail(fmt::format("{}: found {}, expected a whole number from 1", name,
-                            value->is(Kind::number) ? format_exact(value->number())
-                                                    : std::string(json::kind_name(value->kind()))),
-                value->at());
-  return std::optional(static_cast<store::Id>(value->number()));
+  AXIOMETRY_TRY(const store::Id number, app::given_number(name, *value));
+  return std::optional(number);
 }
 
-Value id_or_null(std::optional<store::Id> id) { return id ? Value(static_cast<double>(*id)) : Value(); }
-
-Value change_value(const store::Change& change) {
-  Value value = Value::object();
-  value.add("at", change.at);
-  value.add("actor", change.actor);
-  value.add("reason", change.reason);
-  return value;
+/// What the user calls it, or its axis and travel.
+Result<std::string> title_for(const Value& body, const Plan& plan) {
+  AXIOMETRY_TRY(std::string given, text_member(body, "title"));
+  if (!given.empty()) return given;
+  const report::Options plain;
+  return app::given_line(
+      "title", fmt::format("{}{}{} to {} {}", plan.machine.empty() ? "" : plan.machine + ", ",
+                           plan.axis.name.empty() ? "" : plan.axis.name + " ",
+                           report::shown_short(plan.targets.front().in_native(), plain),
+                           report::shown_short(plan.targets.back().in_native(), plain), position_unit(plan.axis.kind)));
 }
 
 /// What every list of plans says of one.
 Value row_value(const VersionedPlan& plan) {
   Value value = Value::object();
-  value.add("id", static_cast<double>(plan.id));
+  value.add("id", app::id_value(plan.id));
   value.add("version", plan.version);
   value.add("title", plan.value.title);
-  value.add("axis", id_or_null(plan.value.axis));
-  value.add("change", change_value(plan.change));
+  value.add("axis", plan.value.axis ? app::id_value(*plan.value.axis) : Value());
+  value.add("change", app::to_json(plan.change));
   return value;
 }
 
-Value plan_value(const VersionedPlan& kept, const app::RequestedPlan& plan, const report::Options& options) {
+/// How the answer shall look.
+struct Look {
+  app::Reader reader;
+  bool dark = false;
+};
+
+Result<Look> look_of(const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
+  return Look{reader, request.parameter("theme") == "dark"};
+}
+
+Value plan_value(const VersionedPlan& kept, const app::RequestedPlan& plan, const Look& look) {
   Value value = row_value(kept);
-  const Value draft = app::draft_value(plan, options);
+  const Value draft = app::draft_value(plan, look.reader, look.dark);
   for (const auto& [name, member] : draft.members()) value.add(name, member);
   return value;
 }
@@ -140,7 +108,7 @@ struct Kept {
 };
 
 Result<Kept> kept_plan(const store::Store& store, const Request& request) {
-  AXIOMETRY_TRY(const store::Id id, id_of(request));
+  AXIOMETRY_TRY(const store::Id id, id_of(request, "plan"));
   AXIOMETRY_TRY(const auto version, version_of(request));
   AXIOMETRY_TRY(VersionedPlan record, store.get<PlanRecord>(id, version));
   AXIOMETRY_TRY(const store::Content content, store.content(record.value.content));
@@ -150,21 +118,20 @@ Result<Kept> kept_plan(const store::Store& store, const Request& request) {
 
 Result<PlanRecord> record_of(store::Store& store, const Value& body, const app::RequestedPlan& plan,
                              const store::By& by) {
-  AXIOMETRY_TRY([[maybe_unused]] const std::string checked, text_member(body, "title"));
-  AXIOMETRY_TRY(const auto axis, whole_member(body, "axis"));
-  std::string title = title_for(body, plan.planned.plan);
-  std::string bytes = app::write_requested(plan);
-  store::Content content{.sha256 = sha256(bytes),
-                         .file_name = app::file_name_part(title) + ".plan.json",
-                         .format = "axiometry-plan",
-                         .bytes = std::move(bytes)};
-  AXIOMETRY_TRY(std::string kept, store.keep(content, by));
-  return PlanRecord{std::move(title), axis, std::move(kept)};
+  AXIOMETRY_TRY(const auto axis, number_member(body, "axis"));
+  AXIOMETRY_TRY(std::string title, title_for(body, plan.planned.plan));
+  const std::string bytes = app::write_requested(plan);
+  const store::Content content{.sha256 = sha256(bytes),
+                               .file_name = app::file_name_part(title) + ".plan.json",
+                               .format = "axiometry-plan",
+                               .bytes = bytes};
+  AXIOMETRY_TRY(std::string sha256, store.keep(content, by));
+  return PlanRecord{std::move(title), axis, std::move(sha256)};
 }
 
-Result<store::By> by_of(const Request& request, const Value& body) {
+Result<store::By> by_with_reason(const Request& request, const Value& body) {
   AXIOMETRY_TRY(std::string reason, text_member(body, "reason"));
-  return store::By{request.actor, std::move(reason)};
+  return by_of(request, std::move(reason));
 }
 
 Result<Response> program_response(const Plan& plan, const std::vector<std::pair<std::string, std::string>>& texts,
@@ -194,8 +161,9 @@ Result<Response> program_response(const Plan& plan, const std::vector<std::pair<
   return download(std::move(program), "text/plain; charset=utf-8", fmt::format("{}{}", name, dialect->extension));
 }
 
-Result<Response> sheet_response(const app::RequestedPlan& plan, const Request& request, bool to_keep) {
-  AXIOMETRY_TRY(const report::Options options, report_options(request));
+Result<Response> sheet_response(const app::RequestedPlan& plan, const Request& request) {
+  AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
+  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
   const std::string extension = text::to_lower(request.segment("extension"));
   AXIOMETRY_TRY(std::string bytes, app::plan_sheet_file(plan.planned, extension, options));
   const std::string_view type = media_type_of(extension);
@@ -224,8 +192,6 @@ Result<std::vector<std::pair<std::string, std::string>>> texts_of(const Value* o
   return texts;
 }
 
-bool to_keep(const Request& request) { return request.parameter("download").value_or("0") != "0"; }
-
 /// A request may stand alone where nothing else is asked.
 Result<app::RequestedPlan> draft_of(const Value& body) {
   const bool bare = body.find("request") == nullptr && body.find("plan") == nullptr;
@@ -236,8 +202,8 @@ void add_draft_routes(Router& router) {
   router.add("POST", "/api/plans/draft", [](const Request& request) -> Result<Response> {
     AXIOMETRY_TRY(const Value body, json_body(request));
     AXIOMETRY_TRY(const app::RequestedPlan plan, draft_of(body));
-    AXIOMETRY_TRY(const report::Options options, report_options(request));
-    return json_response(app::draft_value(plan, options));
+    AXIOMETRY_TRY(const Look look, look_of(request));
+    return json_response(app::draft_value(plan, look.reader, look.dark));
   });
   router.add("POST", "/api/plans/draft/program", [](const Request& request) -> Result<Response> {
     AXIOMETRY_TRY(const Value body, json_body(request));
@@ -245,37 +211,38 @@ void add_draft_routes(Router& router) {
     AXIOMETRY_TRY(auto texts, texts_of(body.find("options")));
     AXIOMETRY_TRY(const std::string dialect, text_member(body, "dialect"));
     texts.emplace_back("dialect", dialect);
-    return program_response(plan.planned.plan, texts, to_keep(request));
+    AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
+    return program_response(plan.planned.plan, texts, to_keep);
   });
   router.add("POST", "/api/plans/draft/sheet.{extension}", [](const Request& request) -> Result<Response> {
     AXIOMETRY_TRY(const Value body, json_body(request));
     AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
-    return sheet_response(plan, request, to_keep(request));
+    return sheet_response(plan, request);
   });
 }
 
 void add_writing_routes(Router& router, store::Store& store) {
   router.add("POST", "/api/plans", [&store](const Request& request) -> Result<Response> {
     AXIOMETRY_TRY(const Value body, json_body(request));
-    AXIOMETRY_TRY(const report::Options options, report_options(request));
+    AXIOMETRY_TRY(const Look look, look_of(request));
     AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
-    AXIOMETRY_TRY(const store::By by, by_of(request, body));
+    AXIOMETRY_TRY(const store::By by, by_with_reason(request, body));
     AXIOMETRY_TRY(const PlanRecord record, record_of(store, body, plan, by));
     AXIOMETRY_TRY(const VersionedPlan kept, store.add(record, by));
-    return json_response(plan_value(kept, plan, options), 201);
+    return json_response(plan_value(kept, plan, look), 201);
   });
   router.add("PUT", "/api/plans/{id}", [&store](const Request& request) -> Result<Response> {
-    AXIOMETRY_TRY(const store::Id id, id_of(request));
+    AXIOMETRY_TRY(const store::Id id, id_of(request, "plan"));
     AXIOMETRY_TRY(const Value body, json_body(request));
-    AXIOMETRY_TRY(const report::Options options, report_options(request));
-    AXIOMETRY_TRY(const auto base_version, whole_member(body, "base_version"));
+    AXIOMETRY_TRY(const Look look, look_of(request));
+    AXIOMETRY_TRY(const auto base_version, number_member(body, "base_version"));
     if (!base_version || *base_version > 1'000'000'000)
       return fail("found no base_version, expected the version that was edited", body.at());
     AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
-    AXIOMETRY_TRY(const store::By by, by_of(request, body));
+    AXIOMETRY_TRY(const store::By by, by_with_reason(request, body));
     AXIOMETRY_TRY(const PlanRecord record, record_of(store, body, plan, by));
     AXIOMETRY_TRY(const VersionedPlan kept, store.change(id, static_cast<int>(*base_version), record, by));
-    return json_response(plan_value(kept, plan, options));
+    return json_response(plan_value(kept, plan, look));
   });
 }
 
@@ -286,11 +253,11 @@ void add_reading_routes(Router& router, const store::Store& store) {
   });
   router.add("GET", "/api/plans/{id}", [&store](const Request& request) -> Result<Response> {
     AXIOMETRY_TRY(const Kept kept, kept_plan(store, request));
-    AXIOMETRY_TRY(const report::Options options, report_options(request));
-    return json_response(plan_value(kept.record, kept.plan, options));
+    AXIOMETRY_TRY(const Look look, look_of(request));
+    return json_response(plan_value(kept.record, kept.plan, look));
   });
   router.add("GET", "/api/plans/{id}/versions", [&store](const Request& request) -> Result<Response> {
-    AXIOMETRY_TRY(const store::Id id, id_of(request));
+    AXIOMETRY_TRY(const store::Id id, id_of(request, "plan"));
     AXIOMETRY_TRY(const auto versions, store.versions<PlanRecord>(id));
     return json_response(rows_value("versions", versions));
   });
@@ -301,11 +268,12 @@ void add_reading_routes(Router& router, const store::Store& store) {
   });
   router.add("GET", "/api/plans/{id}/sheet.{extension}", [&store](const Request& request) -> Result<Response> {
     AXIOMETRY_TRY(const Kept kept, kept_plan(store, request));
-    return sheet_response(kept.plan, request, to_keep(request));
+    return sheet_response(kept.plan, request);
   });
   router.add("GET", "/api/plans/{id}/program", [&store](const Request& request) -> Result<Response> {
     AXIOMETRY_TRY(const Kept kept, kept_plan(store, request));
-    return program_response(kept.plan.planned.plan, request.query, to_keep(request));
+    AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
+    return program_response(kept.plan.planned.plan, request.query, to_keep);
   });
 }
 

@@ -125,12 +125,12 @@ void CaptureService::Running::now(const CaptureSession& session) {
 
 void CaptureService::Running::evaluate(Test test) {
   if (begun_->simulated) mark_simulated(test, *begun_->simulated);
-  test_ = test;
-  auto evaluated = keeping_.evaluate(held_->order(), std::move(test));
+  test_ = std::move(test);
+  auto evaluated = keeping_.evaluate(held_->order(), *test_);
   if (!evaluated) return;  // too little for an evaluation yet
   const std::scoped_lock lock(mutex_);
   ++state_.revision;
-  state_.so_far = std::make_shared<const Evaluated>(*std::move(evaluated));
+  state_.so_far = std::make_shared<const Outcome>(*std::move(evaluated));
 }
 
 void CaptureService::Running::run() {

@@ -62,7 +62,7 @@ class CaptureService::Running {
   std::condition_variable changed_;
   CaptureState state_;
   CaptureRevision anew_at_ = 0;  // readings before it hold no longer
-  std::jthread thread_;   // last: it uses all of the above
+  std::jthread thread_;          // last: it uses all of the above
 };
 
 }  // namespace axiometry::app

@@ -15,7 +15,6 @@
 #include "axiometry/app/capture_folder.h"
 #include "axiometry/app/capture_source.h"
 #include "axiometry/app/capture_state.h"
-#include "axiometry/app/evaluate.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/store/records.h"
@@ -36,14 +35,14 @@ struct CaptureKeeping {
   /// Keeps the test with its raw recording, or the raw recording alone; the id of the test. When it fails, the files
   /// stay and the capture can be resumed. Called twice for the same capture, it gives the same test.
   std::function<Result<std::optional<store::Id>>(const CapturedEnd&)> keep;
-  std::function<Result<Evaluated>(const CaptureOrder&, Test)> evaluate;
+  std::function<Result<Outcome>(const CaptureOrder&, const Test&)> evaluate;
 };
 
 struct CaptureSettings {
   std::string folder;                                  ///< for what arrives, until it is in the store
   std::vector<CaptureSource> sources;                  ///< beside the simulator
   std::size_t most_at_once = 8;                        ///< captures that run
-  std::uint64_t raw_limit = std::uint64_t{512} << 20;  ///< bytes of one recording
+  std::uint64_t raw_limit = std::uint64_t{256} << 20;  ///< bytes of one recording
 };
 
 /// What is asked of a new capture.

@@ -10,6 +10,11 @@ namespace {
 
 using json::Value;
 
+/// A text of this program in the reader's language.
+std::string told_to(const Reader& reader, std::string_view text) {
+  return language::translated(text, reader.language, reader.numbers);
+}
+
 Value approach_value(const Approach& approach, const CaptureState& state) {
   Value value = Value::object();
   value.add("target", approach.target + 1);
@@ -19,21 +24,21 @@ Value approach_value(const Approach& approach, const CaptureState& state) {
   return value;
 }
 
-Value reading_value(const capture::CapturedReading& reading, const CaptureState& state) {
+Value reading_value(const capture::CapturedReading& reading, const CaptureState& state, const Reader& reader) {
   Value value = approach_value(reading.approach, state);
   value.add("deviation", reading.deviation.in_native());
   value.add("spread", reading.standstill.spread.in_native() * deviation_per_position(state.kind));
   value.add("samples", reading.standstill.count);
   Value remarks = Value::array();
-  for (const std::string& remark : reading.remarks) remarks.push(remark);
+  for (const std::string& remark : reading.remarks) remarks.push(told_to(reader, remark));
   value.add("remarks", std::move(remarks));
   return value;
 }
 
-Value event_value(const capture::CaptureEvent& event) {
+Value event_value(const capture::CaptureEvent& event, const Reader& reader) {
   Value value = Value::object();
   value.add("kind", capture::event_name(event.kind));
-  value.add("message", event.message);
+  value.add("message", told_to(reader, event.message));
   value.add("time_s", event.time_s);
   return value;
 }
@@ -70,29 +75,30 @@ bool has_ended(CaptureState::Stage stage) {
   return stage != CaptureState::Stage::waiting && stage != CaptureState::Stage::running;
 }
 
-Value to_json(const CaptureSource& source) {
+Value to_json(const CaptureSource& source, const Reader& reader) {
+  const auto told = [&](std::string_view text) { return told_to(reader, text); };
   Value value = Value::object();
   value.add("id", source.id);
-  value.add("title", source.title);
+  value.add("title", source.kind == CaptureSource::Kind::simulator ? told_to(reader, source.title) : source.title);
   value.add("kind", kind_name(source.kind));
   if (source.kind != CaptureSource::Kind::simulator) return value;
   value.add("speeds", list_of(simulation_speeds(), [](double speed) { return Value(speed); }));
-  value.add("presets", list_of(simulation::presets(), [](const simulation::Preset& preset) {
+  value.add("presets", list_of(simulation::presets(), [&](const simulation::Preset& preset) {
               Value row = Value::object();
               row.add("id", preset.id);
-              row.add("title", preset.title);
-              row.add("sign", preset.sign);
+              row.add("title", told(preset.title));
+              row.add("sign", told(preset.sign));
               return row;
             }));
   return value;
 }
 
-Value to_json(const CaptureState& state, const EvaluatedSpeller& spell) {
+Value to_json(const CaptureState& state, const Reader& reader) {
   Value value = Value::object();
   value.add("id", static_cast<double>(state.id));
   value.add("plan", static_cast<double>(state.plan));
   value.add("part", state.part);
-  value.add("source", to_json(state.source));
+  value.add("source", to_json(state.source, reader));
   value.add("started", state.started);
   value.add("revision", static_cast<double>(state.revision));
   value.add("state", stage_name(state.stage));
@@ -105,12 +111,13 @@ Value to_json(const CaptureState& state, const EvaluatedSpeller& spell) {
   value.add("taken", state.taken);
   value.add("anew", state.anew);
   value.add("readings",
-            list_of(state.readings, [&](const StampedReading& r) { return reading_value(r.reading, state); }));
-  value.add("events", list_of(state.events, event_value));
-  value.add("notices", list_of(state.notices, [](const std::string& text) { return Value(text); }));
-  value.add("so_far", state.so_far ? spell(*state.so_far) : Value());
+            list_of(state.readings, [&](const StampedReading& r) { return reading_value(r.reading, state, reader); }));
+  value.add("events",
+            list_of(state.events, [&](const capture::CaptureEvent& event) { return event_value(event, reader); }));
+  value.add("notices", list_of(state.notices, [&](const std::string& text) { return Value(told_to(reader, text)); }));
+  value.add("so_far", state.so_far ? to_json(*state.so_far, reader) : Value());
   value.add("test", state.test ? Value(static_cast<double>(*state.test)) : Value());
-  value.add("error", state.error.empty() ? Value() : Value(state.error));
+  value.add("error", state.error.empty() ? Value() : Value(told_to(reader, state.error)));
   return value;
 }
 

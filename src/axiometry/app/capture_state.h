@@ -2,14 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "axiometry/app/capture_source.h"
-#include "axiometry/app/evaluate.h"
+#include "axiometry/app/wire_workbench.h"
 #include "axiometry/base/json.h"
 #include "axiometry/capture/capture_result.h"
 #include "axiometry/capture/standstill.h"
@@ -53,7 +52,7 @@ struct CaptureState {
   bool anew = false;                     ///< they are all there are: earlier ones hold no longer
   std::vector<capture::CaptureEvent> events;
   std::vector<std::string> notices;
-  std::shared_ptr<const Evaluated> so_far;
+  std::shared_ptr<const Outcome> so_far;
   std::optional<store::Id> test;  ///< it was kept as
   std::string error;
 };
@@ -61,11 +60,8 @@ struct CaptureState {
 std::string_view stage_name(CaptureState::Stage stage);
 bool has_ended(CaptureState::Stage stage);
 
-/// How an evaluation is spelled for the page.
-using EvaluatedSpeller = std::function<json::Value(const Evaluated&)>;
-
 /// Capture and Source of web/src/api/types.ts.
-json::Value to_json(const CaptureState& state, const EvaluatedSpeller& spell);
-json::Value to_json(const CaptureSource& source);
+json::Value to_json(const CaptureState& state, const Reader& reader);
+json::Value to_json(const CaptureSource& source, const Reader& reader);
 
 }  // namespace axiometry::app

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "axiometry/app/plan.h"
+#include "axiometry/app/wire_workbench.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
-#include "axiometry/report/report.h"
 #include "axiometry/standards/iso230_2_plan.h"
 
 /// What shall be planned, as people say it: by the flags of `axiometry plan`, or by the members of a request to the
@@ -80,7 +80,8 @@ std::string write_requested(const RequestedPlan& plan);
 /// Fails as read_plan() does.
 Result<RequestedPlan> read_requested(std::string_view bytes);
 
-/// PlanDraft of web/src/api/types.ts: the plan, what is said about it, and its figures as SVG.
-json::Value draft_value(const RequestedPlan& plan, const report::Options& options);
+/// PlanDraft of web/src/api/types.ts: the plan, what is said about it in the reader's language, and its figures as
+/// SVG, for a dark page where that is asked for.
+json::Value draft_value(const RequestedPlan& plan, const Reader& reader, bool dark = false);
 
 }  // namespace axiometry::app

@@ -11,6 +11,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan_json.h"
+#include "axiometry/report/dark_page.h"
 #include "axiometry/report/figures/programme.h"
 #include "axiometry/report/svg.h"
 
@@ -222,7 +223,17 @@ Value numbers(const std::vector<Position>& positions) {
   return list;
 }
 
-Value part_value(const Plan& plan, std::size_t part, double acceleration, const report::Options& options) {
+Value findings_told(std::span<const iso230_2::Finding> findings, const Reader& reader) {
+  std::vector<iso230_2::Finding> told(findings.begin(), findings.end());
+  for (iso230_2::Finding& finding : told)
+    finding.message = language::translated(finding.message, reader.language, reader.numbers);
+  return findings_to_json(told);
+}
+
+Value part_value(const Plan& plan, std::size_t part, double acceleration, const Reader& reader, bool dark) {
+  report::Options options;
+  options.numbers = reader.numbers;
+  report::Figure figure = report::programme_figure(plan, acceleration, options);
   Value value = Value::object();
   value.add("part", part);
   value.add("title", plan.title);
@@ -231,7 +242,7 @@ Value part_value(const Plan& plan, std::size_t part, double acceleration, const 
   value.add("readings", approaches(plan).size());
   value.add("targets", numbers(plan.targets));
   value.add("duration_s", std::round(iso230_2::estimated_duration(plan, acceleration).in_s() * 10.0) / 10.0);
-  value.add("figure_svg", report::to_svg(report::programme_figure(plan, acceleration, options)));
+  value.add("figure_svg", report::to_svg(dark ? report::for_dark_page(std::move(figure)) : figure));
   return value;
 }
 
@@ -253,17 +264,17 @@ Result<RequestedPlan> read_requested(std::string_view bytes) {
   return read;
 }
 
-Value draft_value(const RequestedPlan& plan, const report::Options& options) {
+Value draft_value(const RequestedPlan& plan, const Reader& reader, bool dark) {
   const PlannedTest& test = plan.planned;
   Value parts = Value::array();
-  parts.push(part_value(test.plan, 1, test.acceleration, options));
+  parts.push(part_value(test.plan, 1, test.acceleration, reader, dark));
   for (const Plan& further : test.plan.further)
-    parts.push(part_value(further, parts.items().size() + 1, test.acceleration, options));
+    parts.push(part_value(further, parts.items().size() + 1, test.acceleration, reader, dark));
   Value value = Value::object();
   value.add("plan", plan_to_json(test));
   value.add("targets", numbers(test.plan.targets));
   value.add("duration_s", std::round(test.duration_in_all.in_s() * 10.0) / 10.0);
-  value.add("findings", findings_to_json(test.findings));
+  value.add("findings", findings_told(test.findings, reader));
   value.add("conforming", test.conforming());
   value.add("figure_svg", *parts.items().front().find("figure_svg"));
   value.add("request", plan.request);

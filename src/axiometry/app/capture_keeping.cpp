@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/capture_keeping.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "axiometry/app/file_name_part.h"
+#include "axiometry/app/raw_log.h"
+#include "axiometry/app/source.h"
+#include "axiometry/digest/sha256.h"
+#include "axiometry/formats/format.h"
+
+namespace axiometry::app {
+namespace {
+
+constexpr std::size_t largest_recording = std::size_t{1} << 30;
+constexpr std::string_view octets = "application/octet-stream";
+
+/// A file of the recording as it will be called in the archive.
+struct Part {
+  std::string name;
+  std::string bytes;
+};
+
+Result<std::string> bytes_of(const std::string& file) {
+  AXIOMETRY_TRY(Source source, Source::open(file));
+  return source.read_all(largest_recording);
+}
+
+/// "X 2026-11-22 093005"
+std::string name_of(const CaptureOrder& order) {
+  std::string when = order.started.substr(0, 19);
+  std::ranges::replace(when, 'T', ' ');
+  std::erase(when, ':');
+  return file_name_part(fmt::format("{}{}", order.walked.axis.name.empty() ? "" : order.walked.axis.name + " ", when));
+}
+
+Result<std::vector<Part>> recording_of(const CapturedEnd& end) {
+  std::error_code none;
+  std::vector<Part> parts;
+  if (!std::filesystem::exists(end.raw, none) || std::filesystem::file_size(end.raw, none) == 0) return parts;
+  const std::string name = name_of(end.order) + ".raw";
+  AXIOMETRY_TRY(std::string bytes, bytes_of(end.raw));
+  parts.push_back({name, std::move(bytes)});
+  AXIOMETRY_TRY(std::string times, bytes_of(times_name(end.raw)));
+  parts.push_back({times_name(name), std::move(times)});
+  return parts;
+}
+
+store::By by_of(const CaptureOrder& order) {
+  return {order.actor, fmt::format("captured from {} after plan {}", order.source, order.plan)};
+}
+
+Test to_be_kept(const CaptureOrder& order, Test test) {
+  if (order.source != simulator_source().id) return test;
+  std::string& machine = test.metadata.machine.name;
+  machine = machine.empty() ? "Simulator" : machine + " (simulated)";
+  return test;
+}
+
+/// A test that was kept before this program could note it: with the same bytes under the same name.
+Result<std::optional<store::Id>> kept_before(const store::Store& store, const Upload& upload) {
+  store::TestFilter filter;
+  filter.sha256 = sha256(upload.bytes);
+  filter.withdrawn = true;
+  filter.limit = 1000;
+  AXIOMETRY_TRY(const store::TestPage page, store.tests(filter));
+  const auto row = std::ranges::find(page.rows, upload.name, &store::TestRow::file_name);
+  return row == page.rows.end() ? std::optional<store::Id>() : row->id;
+}
+
+Result<store::Id> keep_test(Workbench& workbench, const CaptureOrder& order, const Test& test, const store::By& by) {
+  static const formats::Format* const json = formats::find_format("json");
+  const std::string bytes = json->write(to_be_kept(order, test));
+  const Upload upload{.name = name_of(order) + ".json", .bytes = bytes, .plan = order.plan};
+  AXIOMETRY_TRY(const auto before, kept_before(workbench.archive(), upload));
+  if (before) return *before;
+  AXIOMETRY_TRY(const Received received, workbench.receive({&upload, 1}, by));
+  return received.tests.front().id;
+}
+
+Result<void> attach(Workbench& workbench, store::Id test, const std::vector<Part>& parts, const store::By& by) {
+  AXIOMETRY_TRY(const auto documents, workbench.archive().documents(test));
+  for (const Part& part : parts) {
+    if (std::ranges::find(documents, part.name, &store::Document::name) != documents.end()) continue;
+    AXIOMETRY_TRY_VOID(workbench.attach(test, {part.name, std::string(octets), part.bytes}, by));
+  }
+  return {};
+}
+
+Result<std::optional<store::Id>> keep(Workbench& workbench, const CapturedEnd& end) {
+  const store::By by = by_of(end.order);
+  AXIOMETRY_TRY(const auto parts, recording_of(end));
+  if (end.test) {
+    AXIOMETRY_TRY(const store::Id id, keep_test(workbench, end.order, *end.test, by));
+    AXIOMETRY_TRY_VOID(attach(workbench, id, parts, by));
+    return std::optional(id);
+  }
+  for (const Part& part : parts)
+    AXIOMETRY_TRY_VOID(workbench.archive().keep({sha256(part.bytes), part.name, "recording", part.bytes}, by));
+  return std::optional<store::Id>();
+}
+
+}  // namespace
+
+CaptureKeeping keeping_in(Workbench& workbench) {
+  return {.keep = [&workbench](const CapturedEnd& end) { return keep(workbench, end); },
+          .evaluate = [&workbench](const CaptureOrder& order, const Test& test) -> Result<Outcome> {
+            Draft draft;
+            const Test whole = to_be_kept(order, test);
+            auto outcome = workbench.evaluate(whole, draft);
+            if (outcome) return outcome;
+            draft.options.gum = false;  // for which something is missing
+            return workbench.evaluate(whole, draft);
+          }};
+}
+
+Result<std::string> captures_folder(const store::Info& store) {
+  if (store.kind == "sqlite") return store.location + ".captures";
+  const auto environment = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value == nullptr ? "" : value);
+  };
+  const std::string state = environment("XDG_STATE_HOME"), home = environment("HOME");
+  if (state.empty() && home.empty()) return fail("found no home folder for captures, expected --captures");
+  const std::filesystem::path base =
+      state.empty() ? std::filesystem::path(home) / ".local" / "state" : std::filesystem::path(state);
+  return (base / "axiometry" / fmt::format("captures-{}", sha256(store.location).substr(0, 16))).string();
+}
+
+Result<Plan> captured_plan(const store::Store& store, const store::PlanRecord& record, Plan plan) {
+  if (!record.axis) return plan;
+  AXIOMETRY_TRY(const auto axis, store.get<store::Axis>(*record.axis));
+  AXIOMETRY_TRY(const auto machine, store.get<store::Machine>(axis.value.machine));
+  const auto name = [&](Plan& part) {
+    part.machine = machine.value.name;
+    part.axis.name = axis.value.name;
+  };
+  name(plan);
+  std::ranges::for_each(plan.further, name);
+  return plan;
+}
+
+}  // namespace axiometry::app
