@@ -41,13 +41,14 @@ export async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
   return (await response.json()) as T;
 }
 
+/** An answer without content is null. */
 export async function send<T>(method: 'POST' | 'PUT', path: string, body: unknown, signal?: AbortSignal): Promise<T> {
   const response = await answered(
     fetch(path, {
       method, body: JSON.stringify(body), headers: headers({ 'Content-Type': 'application/json' }), signal: signal ?? null,
     }),
   );
-  return (await response.json()) as T;
+  return (response.status === 204 ? null : await response.json()) as T;
 }
 
 /** A file's bytes as they are; `progress` hears what part of them has gone, 0 to 1. */

@@ -25,7 +25,12 @@ export const why_read_only = (): string | null => {
 export async function ask_health(): Promise<void> {
   try {
     const response = await fetch('/api/health', { headers: { 'Accept-Language': language.value } });
-    if (response.ok) health.value = (await response.json()) as Health;
+    if (response.ok) {
+      // Who has not shown the token is told the status alone.
+      const told = (await response.json()) as Pick<Health, 'status'> & Partial<Health>;
+      signed_in.value = told.program !== undefined;
+      health.value = signed_in.value ? (told as Health) : null;
+    }
     const back = !reachable.value;
     reachable.value = true;
     if (back) returned.value += 1;

@@ -110,7 +110,6 @@ export interface Evaluated {
   shown: { parameter: Parameter; value: string; U: string; interval: string; unit: string; limit: number | null; verdict: Verdict | null }[];
   from_archive?: FromArchive;              // what it took from the archive beside the test itself
   milliseconds: number;                    // the evaluation took
-  from_archive?: FromArchive;
 }
 
 /** Inputs of instruments and limits of the axis that took part because neither file nor changes state them. */

@@ -18,3 +18,11 @@ export function FailureNotice({ error, retry }: { error: ApiError; retry?: () =>
   return (
     <div class="notice bad" role="alert">
       {heading && <p class="heading">{heading}</p>}
+      <p>
+        {error.kind === 'offline' ? t('offline') : error.message}
+        {error.place !== '' && <span class="quiet"> ({error.place})</span>}
+      </p>
+      {retry && <button type="button" onClick={retry}>{t('again')}</button>}
+    </div>
+  );
+}

@@ -81,7 +81,7 @@ function Editor({ kept, keep, machines, vocabulary, axis }: EditorProps) {
             </Outcome>
           )}
           {vocabulary && shown && <ProgramPanel request={draft.data && !draft.error ? (draft.of as { request: PlanRequest }).request : kept?.request ?? null}
-            plan={null} name={title} vocabulary={vocabulary} />}
+            plan={null} further={settled(shown.plan)?.further ?? []} name={title} vocabulary={vocabulary} />}
         </div>
         {shown && <TargetTable targets={shown.targets} unit={unit} />}
       </div>
@@ -117,7 +117,7 @@ function WholePlan({ plan, vocabulary }: { plan: Plan; vocabulary: Vocabulary | 
       <div class="planner whole">
         <div class="stack">
           <Outcome draft={plan} unit={position_unit(kind)} />
-          {vocabulary && <ProgramPanel request={null} plan={plan.plan} name={plan.title} vocabulary={vocabulary} />}
+          {vocabulary && <ProgramPanel request={null} plan={plan.plan} further={settled(plan.plan)?.further ?? []} name={plan.title} vocabulary={vocabulary} />}
         </div>
         <TargetTable targets={plan.targets} unit={position_unit(kind)} />
       </div>

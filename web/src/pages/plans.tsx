@@ -34,7 +34,7 @@ export function PlansPage() {
                   <th scope="col">{t('axis')}</th>
                   <th scope="col" class="number">{t('version')}</th>
                   <th scope="col">{t('changed')}</th>
-                  <td></td>
+                  <th scope="col"><span class="visually-hidden">{t('capture_with')}</span></th>
                 </tr>
               </thead>
               <tbody>

@@ -43,7 +43,7 @@ export function ReportPage({ parts }: { parts: Record<string, string> }) {
       {vocabulary.error && <FailureNotice error={vocabulary.error} retry={vocabulary.reload} />}
       <div class="report-page">
         <div class="stack no-print">
-          <section class="panel choices" aria-labelledby="choices">
+          <section class="panel report-choices" aria-labelledby="choices">
             <h2 id="choices">{t('appearance')}</h2>
             <Choices choice={choice} change={set_choice} unit={shown.result.unit} />
           </section>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Signal } from '@preact/signals';
-import { health } from '../api/session';
+import { send } from '../api/client';
+import { ask_health, health } from '../api/session';
 import { Field } from '../components/field';
 import { bytes, count } from '../numbers';
 import { actor, decimal, due_months, language, theme } from '../settings';
@@ -13,7 +14,10 @@ export function SettingsPage() {
     <>
       <div class="page-head">
         <h1 tabIndex={-1}>{t('title')}</h1>
-        <a class="button" href="/audit">{t('audit')}</a>
+        <div class="row">
+          <a class="button" href="/audit">{t('audit')}</a>
+          {health.value?.token && <button type="button" onClick={() => void sign_out()}>{t('sign_out')}</button>}
+        </div>
       </div>
       <div class="settings-columns">
         <Choices />
@@ -22,6 +26,12 @@ export function SettingsPage() {
       </div>
     </>
   );
+}
+
+/** Whatever becomes of the request, ask_health() then finds out whether this browser is still known. */
+async function sign_out(): Promise<void> {
+  await send<null>('POST', '/api/logout', {}).catch(() => null);
+  await ask_health();
 }
 
 function Choice<T extends string>({ label, value, options }: { label: string; value: Signal<T>; options: readonly (readonly [T, string])[] }) {

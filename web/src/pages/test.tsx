@@ -74,7 +74,6 @@ export function OneTestPage({ parts }: { parts: Record<string, string> }) {
 function Whole({ state, vocabulary, adopt }: { state: TestState; vocabulary: Vocabulary | null; adopt: (saved: Test) => void }) {
   useSignalEffect(() => { unsaved.value = state.dirty.value ? t('leave') : null; });
   useEffect(() => () => { unsaved.value = null; }, []);
-  useSignalEffect(() => { document.title = `${state.test.value.title} – Axiometry`; });
   const editing = state.editing.value && vocabulary !== null;
   return (
     <article class={`test-page ${editing ? 'editing' : ''}`}>

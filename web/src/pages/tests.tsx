@@ -29,7 +29,7 @@ export function TestsPage() {
         </div>
       </div>
       <Previews on_formats={() => set_help(true)} />
-      <TestList />
+      <TestList on_choose={() => input.current?.click()} />
       {help && <FormatsHelp on_close={() => set_help(false)} />}
     </>
   );

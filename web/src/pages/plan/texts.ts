@@ -67,6 +67,8 @@ export const t = texts({
   // the program
   program: ['NC program', 'NC-Programm'],
   control: ['Control', 'Steuerung'],
+  part: ['Test of this plan', 'Prüfung dieses Plans'],
+  whole: ['the first', 'die erste'],
   inch: ['in inches', 'in Zoll'],
   unrolled: ['no loops, every run written out', 'ohne Schleifen, jeder Lauf ausgeschrieben'],
   block_numbers: ['block numbers', 'Satznummern'],

@@ -42,6 +42,7 @@ export const t = texts({
   licence_text: ['Apache 2.0; bundled libraries under the', 'Apache 2.0; mitgelieferte Bibliotheken unter der'],
   licence_link: ['MIT licence', 'MIT-Lizenz'],
   api: ['Interface for programs', 'Schnittstelle für Programme'],
+  sign_out: ['Sign out', 'Abmelden'],
   audit: ['Audit trail', 'Änderungsnachweis'],
   audit_why: ['Everything that was received, changed or issued, each line chained to the one before.', 'Alles, was eingegangen, geändert oder ausgegeben wurde, jede Zeile mit der vorigen verkettet.'],
   audit_of: ['Audit trail of {subject}', 'Änderungsnachweis zu {subject}'],

@@ -60,7 +60,7 @@ export function EditRecords({ ids, field, text, change }: Props) {
           </table>
         </div>
       )}
-      <button {...ids} type="button" class="small" onClick={() => set_rows([...rows, field.columns.map(() => '')])}>{t('add')}</button>
+      <button {...ids} type="button" class="small" aria-label={`${t('add')}: ${field.title}`} onClick={() => set_rows([...rows, field.columns.map(() => '')])}>{t('add')}</button>
     </div>
   );
 }

@@ -94,7 +94,7 @@ export function Parameters({ state, vocabulary }: { state: TestState; vocabulary
     <section class="panel flush parameters-panel">
       <header><h2>{t('title')}</h2>{!methods.annex_a && !methods.gum && <span class="small quiet">{t('no_uncertainty')}</span>}</header>
       <div class="table-frame">
-        <table class={`parameters ${any_limit || methods.monte_carlo ? 'full' : ''}`}>
+        <table class={`parameters ${any_limit || methods.monte_carlo ? 'full' : methods.annex_a || methods.gum ? '' : 'bare'}`}>
           <thead>
             <tr>
               <th scope="col"><span class="visually-hidden">{t('parameter')}</span></th>

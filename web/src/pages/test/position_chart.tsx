@@ -66,8 +66,12 @@ export function PositionChart({ state, height }: { state: TestState; height: num
   const [wanted_limit, set_limit] = useState<Parameter | null>(null);
   const limits = drawable_limits(evaluated);
   const limit = wanted_limit !== null && limits.includes(wanted_limit) ? wanted_limit : (limits[0] ?? null);
+  const { readings, result } = evaluated;
+  const judged = evaluated.shown.find((row) => row.parameter === limit);
+  // Drawn again only for what is in the picture: most edits change uncertainties alone.
   const model = useMemo(() => chart_model(evaluated, { hidden, hidden_runs, limit }),
-                        [evaluated, hidden, hidden_runs, limit, language.value, decimal.value]);
+                        [readings, result.positions, result.axis, position_uncertainties(evaluated), judged?.limit, judged?.verdict,
+                         hidden, hidden_runs, limit, language.value, decimal.value]);
   const here = state.target.value;
   return (
     <section class="panel chart-panel">

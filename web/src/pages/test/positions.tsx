@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Fragment } from 'preact';
-import { useState } from 'preact/hooks';
+import { useMemo, useState } from 'preact/hooks';
 import type { Evaluated, PositionResult, Readings } from '../../api/types';
 import { texts } from '../../i18n/texts';
 import { fixed, position_unit, shortest, unit_sign } from '../../numbers';
+import { decimal, language } from '../../settings';
 import type { TestState } from './state';
 
 const t = texts({
@@ -64,6 +65,33 @@ export function Positions({ state }: { state: TestState }) {
     set_open(next);
   };
   const decimals = position_decimals(positions);
+  const here = state.target.value;
+  const rows = useMemo(() => (
+    <tbody>
+      {positions.map((position, i) => (
+        <Fragment key={i}>
+          <tr class={here === i ? 'pointed' : ''} onMouseEnter={() => (state.target.value = i)}>
+            <th scope="row" class="number">
+              <button type="button" class="expand" aria-expanded={open.has(i)} onClick={() => toggle(i)} onFocus={() => (state.target.value = i)}>
+                <span aria-hidden="true">{open.has(i) ? '▾' : '▸'}</span> {i + 1}
+                <span class="visually-hidden"> {t('readings_at', { target: shortest(position.target) })}</span>
+              </button>
+            </th>
+            <td class="number">{fixed(position.target, decimals)}</td>
+            {present.map(([quantity]) => {
+              const decides = strong.get(`${i}:${quantity}`);
+              return (
+                <td key={quantity} class={`number ${decides ? 'decides' : ''}`} title={decides ? t('decides', { symbol: decides }) : undefined}>
+                  {number(position[quantity])}
+                </td>
+              );
+            })}
+          </tr>
+          {open.has(i) && <Single evaluated={evaluated} at={i} span={present.length + 1} number={number} />}
+        </Fragment>
+      ))}
+    </tbody>
+  ), [positions, evaluated.readings, open, digits, here, language.value, decimal.value]);
   return (
     <section class="panel flush positions-panel">
       <header>
@@ -84,30 +112,7 @@ export function Positions({ state }: { state: TestState }) {
               ))}
             </tr>
           </thead>
-          <tbody>
-            {positions.map((position, i) => (
-              <Fragment key={i}>
-                <tr class={state.target.value === i ? 'pointed' : ''} onMouseEnter={() => (state.target.value = i)}>
-                  <th scope="row" class="number">
-                    <button type="button" class="expand" aria-expanded={open.has(i)} onClick={() => toggle(i)} onFocus={() => (state.target.value = i)}>
-                      <span aria-hidden="true">{open.has(i) ? '▾' : '▸'}</span> {i + 1}
-                      <span class="visually-hidden"> {t('readings_at', { target: shortest(position.target) })}</span>
-                    </button>
-                  </th>
-                  <td class="number">{fixed(position.target, decimals)}</td>
-                  {present.map(([quantity]) => {
-                    const decides = strong.get(`${i}:${quantity}`);
-                    return (
-                      <td key={quantity} class={`number ${decides ? 'decides' : ''}`} title={decides ? t('decides', { symbol: decides }) : undefined}>
-                        {number(position[quantity])}
-                      </td>
-                    );
-                  })}
-                </tr>
-                {open.has(i) && <Single evaluated={evaluated} at={i} span={present.length + 1} number={number} />}
-              </Fragment>
-            ))}
-          </tbody>
+          {rows}
         </table>
       </div>
       <p class="small quiet foot">{t('note', { unit: unit_sign(unit) })}</p>

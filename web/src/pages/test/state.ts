@@ -6,6 +6,7 @@ import type { Changes, Evaluated, Field, Options, Test } from '../../api/types';
 import { decimal } from '../../settings';
 import { keep_draft, kept_draft } from './draft_store';
 import { same_value, stated_text } from './field_value';
+import { shared } from './shared';
 
 export const same_changes = (a: Changes, b: Changes): boolean => {
   const keys = Object.keys(a);
@@ -188,7 +189,8 @@ export class TestState {
           changes: without(this.changes.value, faulty),
           options: sampling ? this.options.value : quick(this.options.value),
         };
-        this.draft.value = await send<Evaluated>('POST', test_path(this.test.value.id, '/evaluate'), body, abort.signal);
+        const drafted = await send<Evaluated>('POST', test_path(this.test.value.id, '/evaluate'), body, abort.signal);
+        this.draft.value = shared(this.evaluated.peek(), drafted);
         this.failure.value = null;
         break;
       } catch (error) {

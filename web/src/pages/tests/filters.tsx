@@ -136,7 +136,7 @@ function SearchBox() {
   }, [asked]);
   useEffect(() => {
     if (typed === sent.current) return;
-    const timer = setTimeout(() => { sent.current = typed; set({ text: typed }); }, 120);
+    const timer = setTimeout(() => { sent.current = typed; set({ text: typed }); }, 50);
     return () => clearTimeout(timer);
   }, [typed]);
   return (

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that were chosen and are looked at, before anything is kept. They stay while other pages are visited.
-import { signal } from '@preact/signals';
+import { effect, signal, untracked } from '@preact/signals';
 import { ApiError, upload } from '../../api/client';
-import { ask_health, health } from '../../api/session';
+import { ask_health, health, returned } from '../../api/session';
 import type { Preview, Received } from '../../api/types';
 import { bytes } from '../../numbers';
 import { t } from './texts';
@@ -119,3 +119,12 @@ export function remove_all(): void {
   for (const one of incoming.value) running.get(one.key)?.abort();
   incoming.value = [];
 }
+
+// A lost server is back: what it could not answer is no longer wrong, and what waited for it goes on.
+effect(() => {
+  if (returned.value === 0) return;
+  untracked(() => {
+    incoming.value = incoming.value.map((one) => (one.error?.kind === 'offline' || one.error?.kind === 'unauthorised' ? { ...one, error: null } : one));
+    read_next();
+  });
+});

@@ -31,13 +31,13 @@ function asked(): { path: string; order: Order; offset: number } {
   return { order, offset, path: `/api/tests${query_text({ ...filters, order: order.by, descending: order.descending ? 1 : 0, offset, limit: page_size })}` };
 }
 
-export function TestList() {
+export function TestList({ on_choose }: { on_choose: () => void }) {
   const { path, order, offset } = asked();
   const page = use_get<TestPage>(path);
   const kept = kept_count.value;
   useEffect(() => { if (kept > 0) page.reload(); }, [kept]);
   const filtered = filter_keys.some((key) => place.value.query.has(key));
-  if (page.data?.total === 0 && !filtered && offset === 0 && (health.value?.store.counts.tests ?? 0) === 0) return <Welcome />;
+  if (page.data?.total === 0 && !filtered && offset === 0 && (health.value?.store.counts.tests ?? 0) === 0) return <Welcome on_choose={on_choose} />;
   return (
     <section class="panel flush test-list" aria-busy={page.loading}>
       <header><h2>{t('list')}</h2><Comparison /></header>

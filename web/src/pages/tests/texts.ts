@@ -70,9 +70,10 @@ export const t = texts({
   after: ['Next', 'Nächste'],
 
   welcome: ['An empty store', 'Ein leeres Archiv'],
+  welcome_drop: ['Drop measurement files anywhere on this page', 'Messdateien irgendwo auf dieser Seite ablegen'],
   welcome_1: [
-    'Drop the files of a laser interferometer, a control or a table of deviations here. Each is shown before it is kept.',
-    'Dateien eines Laserinterferometers, einer Steuerung oder eine Tabelle mit Abweichungen hier ablegen. Jede wird vor dem Speichern gezeigt.',
+    'Look at files of a laser interferometer, of a control, or a table of deviations. Nothing is kept before it was shown.',
+    'Dateien eines Laserinterferometers, einer Steuerung oder eine Tabelle mit Abweichungen ansehen. Gespeichert wird nichts, bevor es gezeigt wurde.',
   ],
   welcome_2: [
     'Plan a test: target positions, cycle and the NC program come from the standard.',
