@@ -30,6 +30,7 @@ std::string plain(std::string text) {
 std::vector<std::string> values_of(const std::string& flag) {
   if (flag == "--unit") return {"um", "mm", "nm", "deg", "arcsec"};
   if (flag == "--decimal") return {"point", "comma"};
+  if (flag == "--language") return {"en", "de"};
   if (flag == "--precision") return {"double", "single"};
   if (flag == "--color") return {"auto", "always", "never"};
   if (flag != "--format") return {};

@@ -101,10 +101,8 @@ void add_number_flags(CLI::App& verb, EvaluateArguments& arguments) {
              "Unit of the parameters: um, mm, nm, arcsec or deg")
       ->type_name("UNIT")
       ->group(group);
-  add_choice(verb, "--decimal", arguments.report.numbers.decimal_mark, {{"point", '.'}, {"comma", ','}},
-             "Decimal mark: point or comma")
-      ->type_name("MARK")
-      ->group(group);
+  CLI::Option* decimal = add_decimal(verb, arguments.report.numbers.decimal_mark)->group(group);
+  add_language(verb, arguments.report, decimal)->group(group);
   verb.add_option("--decimals", arguments.report.deviation_decimals,
                   "Decimals of deviations in µm or arcsec (1, more for a very small A)")
       ->check(CLI::Range(0, 6).description(""))

@@ -5,6 +5,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/language/language.h"
 
 namespace axiometry::cli {
 
@@ -44,6 +45,17 @@ CLI::Option* add_decimal(CLI::App& verb, char& mark, const std::string& descript
     mark = word == "point" ? '.' : ',';
     return {};
   });
+}
+
+CLI::Option* add_language(CLI::App& verb, report::Options& options, CLI::Option* decimal) {
+  return add_read(verb, {"--language", "LANGUAGE", "Language of reports and sheets: en or de"},
+                  [&options, decimal](const std::string& word) -> Result<void> {
+                    const auto language = language::language_of(word);
+                    if (!language) return fail(fmt::format("found {}, expected en or de", text::quoted(word)));
+                    options.language = *language;
+                    if (decimal->count() == 0) options.numbers = language::usual_numbers(*language);
+                    return {};
+                  });
 }
 
 std::string fault_of_name(const std::string& name) {

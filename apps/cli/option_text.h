@@ -6,6 +6,7 @@
 #include <string>
 
 #include "axiometry/base/result.h"
+#include "axiometry/report/report.h"
 
 /// Options whose text the program understands itself: CLI11's own numbers follow the locale.
 namespace axiometry::cli {
@@ -28,6 +29,9 @@ CLI::Option* add_count(CLI::App& verb, const OptionText& text, std::function<voi
 
 /// --decimal: the mark becomes '.' or ','.
 CLI::Option* add_decimal(CLI::App& verb, char& mark, const std::string& description = "Decimal mark: point or comma");
+
+/// --language: of reports and sheets; also the decimal mark that its readers expect, unless `decimal` is given.
+CLI::Option* add_language(CLI::App& verb, report::Options& options, CLI::Option* decimal);
 
 /// For check(): what is wrong with the name of an output, which may be "-"; "" when nothing is.
 std::string fault_of_name(const std::string& name);

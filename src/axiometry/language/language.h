@@ -10,7 +10,7 @@
 
 /// Finished English texts in another language. The rest of the library composes its sentences in English; where a
 /// person reads another language they are looked up as a whole, in a phrase book whose entries have places for what
-/// differs: "found {} runs" → "{} Läufe gefunden". What a user wrote is never looked up: who sets a text knows which
+/// differs: "found {0#} runs" → "{0} Läufe gefunden". What a user wrote is never looked up: who sets a text knows which
 /// of its parts are such words.
 namespace axiometry::language {
 
@@ -20,18 +20,28 @@ enum class Language { english, german };
 std::optional<Language> language_of(std::string_view tag);
 std::string_view tag(Language language);  ///< "en"
 
+/// The decimal mark that readers of a language expect.
+NumberStyle usual_numbers(Language language);
+
 /// The best of what an Accept-Language header asks for (RFC 9110, 12.5.4); English when it knows none.
 Language best_of(std::string_view accept_language);
 
-/// One entry: places are {0}, {1}, … in both; each of the first appears in the second.
+/// One entry. Places of the English text are numbered, each appears in the other one as {0}, {1}, …:
+///   {0}   a text that is looked up in turn
+///   {0?}  the same, or nothing
+///   {0#}  an amount: numbers, symbols and units, no words
+///   {0=}  what stays as it is, numbers too: names, clauses, words of files
 struct Phrase {
   std::string_view english;
   std::string_view other;
 };
 
-/// The text in that language: an entry that fits it as a whole; what stands at its places is looked up in turn, and
-/// numbers among it get the decimal mark. A text of several sentences is looked up as a whole first, then by sentence.
-/// What no entry fits stays English. English texts come back as they are but for the decimal mark of numbers.
+/// The text in that language: the entry with the longest literal part that fits it as a whole; what stands at its
+/// places is looked up in turn, and numbers among it get the decimal mark. An entry fits a sentence too, with its
+/// capital letter and full stop. A text of several sentences is looked up as a whole first, then by sentence; a list
+/// by its items. Quoted words ('X', "X") stay. What no entry fits stays English, as do texts without a word, such as
+/// the numbers and clauses of a table, which are set by who composes it. English texts come back as they are.
+/// Bounded work: a text that fits thousands of ways stays English.
 std::string translated(std::string_view text, Language language, const NumberStyle& numbers = {});
 
 /// Whether translated() knows it: all of it, or numbers, symbols and units alone.

@@ -66,6 +66,8 @@ RichText strong(std::string_view text) { return {TextRun{.text = std::string(tex
 
 RichText italic(std::string_view text) { return {TextRun{.text = std::string(text), .italic = true}}; }
 
+RichText verbatim(std::string_view text) { return {TextRun{.text = std::string(text), .verbatim = true}}; }
+
 RichText symbol(std::string_view text) {
   const std::size_t underscore = std::min(text.find('_'), text.size());
   const std::string_view index = text.substr(std::min(underscore + 1, text.size()));

@@ -50,6 +50,7 @@ struct TextRun {
   bool bold = false;
   bool bar = false;  ///< a line above, as in x̄ and B̄
   Script script = Script::normal;
+  bool verbatim = false;  ///< words of the user, which are the same in every language
 };
 
 /// A line of text on a base line, turned by `degrees` anticlockwise about `at`.

@@ -16,10 +16,14 @@ namespace axiometry::report::pdf {
 
 namespace {
 
-/// ASCII letters only, as the kinds of documents have.
+/// Of ASCII letters and umlauts, as the kinds of documents have them: "ü" is C3 BC, "Ü" C3 9C.
 std::string upper_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  char before = '\0';
+  for (char& c : text) {
+    const bool umlaut = before == '\xC3' && (c == '\xA4' || c == '\xB6' || c == '\xBC');
+    before = c;
+    if ((c >= 'a' && c <= 'z') || umlaut) c = static_cast<char>(c - 0x20);
+  }
   return text;
 }
 

@@ -12,6 +12,7 @@
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/symbols.h"
 #include "axiometry/report/svg.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
@@ -21,8 +22,8 @@ constexpr Colour black{0.1, 0.1, 0.1};
 constexpr Colour grey{0.4, 0.4, 0.4};
 constexpr Colour white{1.0, 1.0, 1.0};
 
-std::string subject_line(const Metadata& metadata) {
-  std::string line = title_of(metadata.axis);
+std::string subject_line(const Metadata& metadata, const Options& options) {
+  std::string line = translated(title_of(metadata.axis), options);
   for (const std::string& part : {metadata.machine.name, metadata.machine.serial_number}) {
     if (!part.empty()) line += " · " + part;
   }
@@ -87,9 +88,10 @@ Figure picture(const Subject& subject, const Options& options) {
   if (auto conformity = conformity_figure(subject, options)) parts.push_back(*std::move(conformity));
   if (auto distributions = distribution_figure(subject, options)) parts.push_back(*std::move(distributions));
   if (auto contributions = contribution_figure(subject, options)) parts.push_back(*std::move(contributions));
-  return on_paper(std::move(parts),
-                  {subject_line(subject.test.metadata), status_line(subject.assessment, subject.test.metadata.axis),
-                   subject.test.metadata.conditions.date});
+  for (Figure& part : parts) part = with_words_translated(std::move(part), options);
+  return on_paper(std::move(parts), {subject_line(subject.test.metadata, options),
+                                     translated(status_line(subject.assessment, subject.test.metadata.axis), options),
+                                     subject.test.metadata.conditions.date});
 }
 
 Figure picture(const Document& document) {

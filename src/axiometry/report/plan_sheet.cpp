@@ -12,6 +12,7 @@
 #include "axiometry/report/figures/programme.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/standards/iso230_2_plan.h"
 #include "axiometry/standards/test_standard.h"
 
@@ -28,6 +29,11 @@ std::string with_unit(double x, const Plan& plan, const Options& options, std::s
 }
 
 TableCell text_or_quiet(std::string_view text) { return text.empty() ? quiet_cell("not stated") : text_cell(text); }
+
+/// The same of words of the user.
+TableCell verbatim_or_quiet(std::string_view text) {
+  return text.empty() ? quiet_cell("not stated") : verbatim_cell(text);
+}
 
 /// A line for a pen.
 TableCell to_fill_in() { return quiet_cell("__________________"); }
@@ -167,11 +173,11 @@ Notice status(const PlanSubject& subject) {
   Notice notice{Tone::bad, plain(fmt::format("Not a plan according to {}, see Findings", subject.plan.standard)), {}};
   for (const iso230_2::Finding& finding : subject.findings)
     if (finding.severity == Severity::departure && notice.lines.size() < 3)
-      notice.lines.push_back(sentence(fmt::format("{} ({})", finding.message, finding.clause)));
+      notice.lines.push_back(finding_line(finding));
   return notice;
 }
 
-Document title_page(const PlanSubject& subject) {
+Document title_page(const PlanSubject& subject, const Options& options) {
   const Plan& plan = subject.plan;
   Document document;
   document.kind = "Test plan";
@@ -181,13 +187,13 @@ Document title_page(const PlanSubject& subject) {
                                    : fmt::format("{} {}", word_for(plan.axis), plan.axis.name));
   document.edition = iso230_2::conforming(subject.findings) ? plan.standard : fmt::format("Terms of {}", plan.standard);
   document.identity = {{plain(is_diagonal(plan.axis) ? "Diagonal" : "Axis"), text_cell(description_of(plan.axis))},
-                       {plain("Machine"), text_or_quiet(plan.machine)},
-                       {plain("Date of plan"), text_or_quiet(plan.date)},
+                       {plain("Machine"), verbatim_or_quiet(plan.machine)},
+                       {plain("Date of plan"), verbatim_or_quiet(plan.date)},
                        {plain("Duration, about"), text_cell(duration_text(subject.duration_in_all))}};
   document.status.push_back(status(subject));
   document.label = cycle_label(plan.cycle);
   if (!document.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + document.label), {}});
-  document.running_head = plan.axis.name.empty() ? description_of(plan.axis) : title_of(plan.axis);
+  document.running_head = translated(plan.axis.name.empty() ? description_of(plan.axis) : title_of(plan.axis), options);
   if (!plan.machine.empty()) document.running_head += " · " + plan.machine;
   document.running_status = "Test plan · " + document.edition;
   if (!document.label.empty()) document.running_status += " · " + document.label;
@@ -207,7 +213,7 @@ std::string duration_text(Duration duration) {
 }
 
 Document plan_sheet(const PlanSubject& subject, const Options& options) {
-  Document document = title_page(subject);
+  Document document = title_page(subject, options);
   append_programme(document, subject.plan, subject.duration, subject.acceleration, 0, options);
   for (std::size_t k = 0; k < subject.plan.further.size(); ++k)
     append_programme(document, subject.plan.further[k],

@@ -7,6 +7,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/result.h"
+#include "axiometry/language/language.h"
 #include "axiometry/model/test.h"
 #include "axiometry/standards/iso230_2_assessment.h"
 #include "axiometry/standards/iso230_2_tolerance.h"
@@ -23,6 +24,7 @@ struct Options {
   /// A (or what there is of it) would otherwise show fewer than two significant digits; see fitted().
   std::optional<int> deviation_decimals{};
   int uncertainty_digits = 2;  ///< significant digits of U; the parameter ends at the same place
+  language::Language language = language::Language::english;  ///< of what the program says, not of the user's words
 };
 
 /// The options with deviation_decimals chosen. Every entry to this folder (show, figures, compose) fits

@@ -12,6 +12,7 @@
 #include "axiometry/report/figures/plates.h"
 #include "axiometry/report/figures/scale.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report {
 namespace {
@@ -156,8 +157,9 @@ std::string value_text(const Judgement& judgement, const Subject& subject, const
   const AxisKind kind = subject.test.metadata.axis.kind;
   const ShownParameter shown = show_judged(judgement, subject.assessment, kind, options);
   const double limit = judgement.tolerance.limit.in_native() * parameter_scale(kind, options.unit).per_native;
-  return fmt::format("{}{} of {}\u00a0{}", shown.value, shown.U.empty() ? "" : " ± " + shown.U,
-                     shown_short(limit, options), shown.unit);
+  return translated(fmt::format("{}{} of {}\u00a0{}", shown.value, shown.U.empty() ? "" : " ± " + shown.U,
+                                shown_short(limit, options), shown.unit),
+                    options);
 }
 
 void draw_row(Operations& operations, const Bar& bar, const plot::Scale& x, double y, const Subject& subject,
@@ -170,7 +172,7 @@ void draw_row(Operations& operations, const Bar& bar, const plot::Scale& x, doub
   operations.push_back(
       label({plot::plain(plot::shortened(value_text(judgement, subject, options), room, ink::text_size))},
             {text_left, y - 1.2}));
-  TextRun verdict = plot::plain(uncertainty::verdict_name(judgement.decision.verdict));
+  TextRun verdict = plot::plain(translated(uncertainty::verdict_name(judgement.decision.verdict), options));
   verdict.bold = true;
   operations.push_back(label({std::move(verdict)}, {text_left, y + 8.3}));
 }
@@ -188,7 +190,7 @@ void draw_scale(Operations& operations, const plot::Scale& x, double top, double
     operations.push_back(std::move(number));
   }
   operations.push_back(plot::line({bar_left, bottom}, {bar_right, bottom}, ink::solid(ink::grey, 0.5)));
-  operations.push_back(label({plot::plain("Magnitude / % of the tolerance "), plot::italic("T")},
+  operations.push_back(label(translated({plot::plain("Magnitude / % of the tolerance "), plot::italic("T")}, options),
                              {(bar_left + bar_right) / 2.0, bottom + 24.0}, Anchor::middle));
   operations.push_back(plot::line({x(1.0), top}, {x(1.0), bottom}, ink::solid(ink::black, 1.1)));
 }
@@ -196,7 +198,8 @@ void draw_scale(Operations& operations, const plot::Scale& x, double top, double
 /// What the zones and signs mean, in one row.
 class Legend {
  public:
-  Legend(Operations& operations, double base_line) : operations_(operations), y_(base_line) {}
+  Legend(Operations& operations, double base_line, const Options& options)
+      : operations_(operations), options_(options), y_(base_line) {}
 
   void zone(Zone zone, std::string_view text) {
     const Rectangle sample{x_, y_ - 6.4, x_ + sample_width, y_ + 1.4};
@@ -239,19 +242,21 @@ class Legend {
  private:
   static constexpr double sample_width = 16.0;
 
-  void name(plot::Runs runs) {
+  void name(const plot::Runs& english) {
+    plot::Runs runs = translated(english, options_);
     const double width = text_width(runs, ink::text_size);
     operations_.push_back(label(std::move(runs), {x_ + sample_width + 4.0, y_}));
     x_ += sample_width + 4.0 + width + 14.0;
   }
 
   Operations& operations_;
+  const Options& options_;
   double y_;
   double x_ = bar_left;
 };
 
-void draw_legend(Operations& operations, const std::vector<Bar>& bars, double base_line) {
-  Legend legend(operations, base_line);
+void draw_legend(Operations& operations, const std::vector<Bar>& bars, double base_line, const Options& options) {
+  Legend legend(operations, base_line, options);
   const auto undecided_possible = [](const Bar& bar) { return !bar.band || *bar.band > 0.0; };
   const bool any_band = std::ranges::any_of(bars, [](const Bar& bar) { return bar.band.has_value(); });
   if (any_band) legend.zone(Zone::accepted, "conforms");
@@ -289,8 +294,8 @@ std::optional<Figure> conformity_figure(const Subject& subject, const Options& a
     if (judgement.magnitude) bars.push_back(bar_of(judgement));
   if (bars.empty()) return std::nullopt;
   Figure figure{.width = plot::plate_width, .height = 0.0, .title = {}, .description = {}, .operations = {}};
-  const double header = draw_label(figure.operations, subject.assessment.label);
-  draw_legend(figure.operations, bars, header + 9.0);
+  const double header = draw_label(figure.operations, translated(subject.assessment.label, options));
+  draw_legend(figure.operations, bars, header + 9.0, options);
   const double top = header + legend_height;
   const double bottom = top + row_pitch * static_cast<double>(bars.size());
   const plot::Scale x{0.0, fractions_shown(bars), bar_left, bar_right};

@@ -12,6 +12,7 @@
 #include "axiometry/report/figures/symbols.h"
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report {
 namespace {
@@ -94,7 +95,7 @@ std::optional<Figure> contribution_figure(const Subject& subject, const Options&
 
   Figure figure{.width = plot::plate_width, .height = 0.0, .title = {}, .description = {}, .operations = {}};
   Operations& operations = figure.operations;
-  const double header = plot::draw_label(operations, subject.assessment.label, 0.0, right_edge);
+  const double header = plot::draw_label(operations, translated(subject.assessment.label, options), 0.0, right_edge);
   const auto count = static_cast<double>(parameters.size());
   const double left = title_width + title_gap;
   const double width = std::min(95.0, (right_edge - left + column_gap) / count - column_gap);
@@ -108,8 +109,9 @@ std::optional<Figure> contribution_figure(const Subject& subject, const Options&
   for (std::size_t k = 0; k < all.size(); ++k) {
     const double top = header + head_height + row_pitch * static_cast<double>(k);
     operations.push_back(plot::line({0.0, top}, {right_edge, top}, ink::solid(ink::grid_grey, 0.4)));
-    operations.push_back(label({plot::plain(plot::shortened(all[k].title, title_width, ink::text_size))},
-                               {0.0, top + 12.5}, ink::text_size, Anchor::start));
+    operations.push_back(
+        label({plot::plain(plot::shortened(translated(all[k].title, options), title_width, ink::text_size))},
+              {0.0, top + 12.5}, ink::text_size, Anchor::start));
     for (std::size_t c = 0; c < parameters.size(); ++c) {
       const std::size_t p = parameters[c];
       const bool is_largest = leading(all, p, subject.assessment)->contribution == &all[k];

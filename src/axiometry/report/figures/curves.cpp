@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report::plot {
 namespace {
@@ -176,7 +177,7 @@ std::vector<LegendEntry> legend_of(const Plate& plate) {
     entries.push_back({.line = std::nullopt,
                        .band = std::nullopt,
                        .mark = reading_dot(plate.directions.front(), full_dot_radius),
-                       .text = {plain("readings "), italic("x"), index_letter("ij")}});
+                       .text = {plain(translated("readings", plate.options) + " "), italic("x"), index_letter("ij")}});
   }
   return entries;
 }

@@ -13,6 +13,7 @@
 #include "axiometry/report/figures/scale.h"
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report {
 namespace {
@@ -266,7 +267,7 @@ void draw_title(Operations& operations, const Panel& panel, const Place& place, 
     const ParameterScale scale = parameter_scale(kind, options.unit);
     remark = fmt::format("limit {}", shown_short(panel.limits.front() * scale.per_native, options));
   }
-  plot::Runs runs = {plot::plain(remark)};
+  plot::Runs runs = {plot::plain(translated(remark, options))};
   if (remark.empty() || taken + 6.0 + text_width(runs, ink::tick_text_size) > panel_width) return;
   operations.push_back(label(std::move(runs), {place.right, base_line}, ink::tick_text_size, Anchor::end,
                              panel.limits.empty() ? ink::grey : ink::vermilion));
@@ -297,16 +298,18 @@ void draw_panel(Operations& operations, const Panel& panel, Point corner, double
 std::vector<plot::LegendEntry> legend_of(const std::vector<Panel>& panels, const Subject& subject,
                                          const Options& options) {
   const auto& assessment = subject.assessment;
-  const auto entry = [](const Stroke& stroke, std::string_view text) {
-    return plot::LegendEntry{stroke, {}, {}, {plot::plain(text)}};
+  const auto entry = [&](const Stroke& stroke, std::string_view text) {
+    return plot::LegendEntry{stroke, {}, {}, {plot::plain(translated(text, options))}};
   };
   const std::string interval = shown_percent(assessment.monte_carlo->coverage, options) + " interval";
   std::vector<plot::LegendEntry> entries = {entry(value_line, "measured"),
                                             entry(mean_line, "mean of the distribution"),
-                                            {{}, core_fill, {}, {plot::plain(interval)}}};
+                                            {{}, core_fill, {}, {plot::plain(translated(interval, options))}}};
   entries.back().line = outline;
-  if (assessment.annex_a) entries.push_back({annex_a_line, {}, {}, {plot::plain("Annex A, ± "), plot::italic("U")}});
-  if (assessment.gum) entries.push_back({gum_line, {}, {}, {plot::plain("GUM, ± "), plot::italic("U")}});
+  if (assessment.annex_a)
+    entries.push_back({annex_a_line, {}, {}, translated({plot::plain("Annex A, ± "), plot::italic("U")}, options)});
+  if (assessment.gum)
+    entries.push_back({gum_line, {}, {}, translated({plot::plain("GUM, ± "), plot::italic("U")}, options)});
   if (std::ranges::any_of(panels, [](const Panel& panel) { return !panel.limits.empty(); }))
     entries.push_back(entry(limit_line, "limit"));
   return entries;
@@ -342,9 +345,10 @@ std::optional<Figure> distribution_figure(const Subject& subject, const Options&
   const AxisKind kind = subject.test.metadata.axis.kind;
   const plot::AxisUnit unit = plot::deviation_axis_unit(kind, options.unit, largest_magnitude(panels, options));
   Figure figure{.width = plot::plate_width, .height = 0.0, .title = {}, .description = {}, .operations = {}};
-  double top = plot::draw_label(figure.operations, subject.assessment.label, edge, plot::plate_width - 2.0 * edge);
+  const std::string words = translated(subject.assessment.label, options);
+  double top = plot::draw_label(figure.operations, words, edge, plot::plate_width - 2.0 * edge);
   top += draw_legend(figure.operations, legend_of(panels, subject, options), {edge, top}, plot::plate_width - edge);
-  const plot::Runs scale_note = plot::joined({plot::plain("Scales / ")}, unit.name);
+  const plot::Runs scale_note = plot::joined({plot::plain(translated("Scales", options) + " / ")}, unit.name);
   figure.operations.push_back(
       label(scale_note, {plot::plate_width - edge, top + 6.0}, ink::tick_text_size, Anchor::end, ink::grey));
   top += 10.0;

@@ -6,6 +6,7 @@
 
 #include "axiometry/report/figures/ink.h"
 #include "axiometry/report/text_layout.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report::plot {
@@ -41,13 +42,14 @@ void draw_titles(Operations& operations, const Plate& plate, const PlateLayout& 
   constexpr double longest_name = 220.0;
   constexpr double below_plot = 24.5;
   const std::string& name = plate.test.metadata.axis.name;
-  const std::string what = is_diagonal(plate.test.metadata.axis) ? "Position along the diagonal" : "Position";
+  const std::string what =
+      translated(is_diagonal(plate.test.metadata.axis) ? "Position along the diagonal" : "Position", plate.options);
   const std::string position = name.empty() ? what : what + " " + shortened(name, longest_name, ink::text_size);
   operations.push_back(label(joined({plain(position + " / ")}, layout.x_unit.name),
                              {(layout.left + layout.right) / 2.0, layout.bottom + below_plot}, ink::text_size,
                              Anchor::middle));
-  Text deviation = label(joined({plain("Deviation / ")}, layout.y_unit.name), {9.5, (layout.top + layout.bottom) / 2.0},
-                         ink::text_size, Anchor::middle);
+  Text deviation = label(joined({plain(translated("Deviation", plate.options) + " / ")}, layout.y_unit.name),
+                         {9.5, (layout.top + layout.bottom) / 2.0}, ink::text_size, Anchor::middle);
   deviation.degrees = 90.0;
   operations.push_back(std::move(deviation));
 }

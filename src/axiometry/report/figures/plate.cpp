@@ -9,6 +9,7 @@
 #include "axiometry/report/figures/ink.h"
 #include "axiometry/report/figures/plate_layout.h"
 #include "axiometry/report/text_layout.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report::plot {
 namespace {
@@ -131,7 +132,7 @@ void draw_at_margin(Operations& operations, const Plate& plate, const PlateLayou
 Figure draw(const Plate& plate) {
   Figure figure{.width = plate_width, .height = plate_height, .title = {}, .description = {}, .operations = {}};
   Operations& operations = figure.operations;
-  double header = draw_label(operations, plate.label);
+  double header = draw_label(operations, translated(plate.label, plate.options));
   header += draw_legend(operations, legend_of(plate), {header_left, header}, plate_width - header_left);
   const PlateLayout layout = lay_out(plate, header);
   draw_grid(operations, layout);

@@ -10,6 +10,7 @@
 #include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/scale.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/standards/iso230_2_plan.h"
 
 namespace axiometry::report {
@@ -94,7 +95,8 @@ class Drawing {
   }
 
   Figure draw() {
-    const double top = plot::draw_label(operations_, cycle_label(plan_.cycle), 0.0, right_edge) + head;
+    const double top =
+        plot::draw_label(operations_, translated(cycle_label(plan_.cycle), options_), 0.0, right_edge) + head;
     const double height = std::clamp(height_per_move * static_cast<double>(legs_.size()), least_height, most_height);
     y_ = {0.0, legs_.back().leave, top + 5.0, top + height - 5.0};
     top_ = top;
@@ -161,8 +163,8 @@ class Drawing {
                                   {left_edge - 6.0, y + 2.5}, ink::tick_text_size, Anchor::end));
     }
     operations_.push_back(plot::line({left_edge, top_}, {left_edge, bottom_}, ink::solid(ink::black, 0.6)));
-    Text title = label({plot::plain(minutes ? "Time / min" : "Time / s")}, {10.0, 0.5 * (top_ + bottom_)},
-                       ink::text_size, Anchor::middle);
+    Text title = label({plot::plain(translated(minutes ? "Time / min" : "Time / s", options_))},
+                       {10.0, 0.5 * (top_ + bottom_)}, ink::text_size, Anchor::middle);
     title.degrees = 90.0;
     operations_.push_back(std::move(title));
   }
@@ -180,7 +182,7 @@ class Drawing {
                                   {at, bottom_ + 11.0}, ink::tick_text_size, Anchor::middle));
     }
     operations_.push_back(plot::line({left_edge, bottom_}, {right_edge, bottom_}, ink::solid(ink::black, 0.6)));
-    operations_.push_back(label(plot::joined({plot::plain("Position / ")}, unit.name),
+    operations_.push_back(label(plot::joined({plot::plain(translated("Position", options_) + " / ")}, unit.name),
                                 {0.5 * (left_edge + right_edge), bottom_ + 22.0}, ink::text_size, Anchor::middle));
   }
 
@@ -191,9 +193,9 @@ class Drawing {
   /// One line for each stretch of one colour.
   void draw_way() {
     if (legs_.size() > most_legs) {
-      operations_.push_back(label({plot::plain(fmt::format("{} moves: too many to draw", legs_.size()))},
-                                  {0.5 * (left_edge + right_edge), 0.5 * (top_ + bottom_)}, ink::text_size,
-                                  Anchor::middle, ink::grey));
+      operations_.push_back(
+          label({plot::plain(translated(fmt::format("{} moves: too many to draw", legs_.size()), options_))},
+                {0.5 * (left_edge + right_edge), 0.5 * (top_ + bottom_)}, ink::text_size, Anchor::middle, ink::grey));
       return;
     }
     const bool dots = approaches(plan_).size() <= most_readings;
@@ -234,8 +236,9 @@ class Drawing {
       if (0.5 * (top + bottom) - 0.5 * least_pitch >= free_from) {
         operations_.push_back(plot::line({names_at - 2.0, top + 1.0}, {names_at - 2.0, bottom - 1.0},
                                          ink::solid(ink::extension_grey, 0.6)));
-        operations_.push_back(label({plot::plain(name)}, {names_at + 3.0, 0.5 * (top + bottom) + 2.5},
-                                    ink::tick_text_size, Anchor::start, ink::black));
+        operations_.push_back(label({plot::plain(translated(name, options_))},
+                                    {names_at + 3.0, 0.5 * (top + bottom) + 2.5}, ink::tick_text_size, Anchor::start,
+                                    ink::black));
         free_from = 0.5 * (top + bottom) + 0.5 * least_pitch;
       }
       k = last + 1;
@@ -249,7 +252,7 @@ class Drawing {
           {ink::solid(colour, 0.8),
            std::nullopt,
            mark ? std::optional(Disc{.radius = 1.3, .fill = colour, .stroke = {.width = 0.0}}) : std::nullopt,
-           {plot::plain(text)}});
+           {plot::plain(translated(text, options_))}});
     };
     const std::vector<Approach> all = approaches(plan_);
     for (Direction direction : {Direction::up, Direction::down})
@@ -257,7 +260,7 @@ class Drawing {
         entry(ink::of(direction), true,
               direction == Direction::up ? "Approach ↑ and reading" : "Approach ↓ and reading");
     entry(ink::extension_grey, false, "Way without reading");
-    entries.push_back({std::nullopt, ink::grid_grey, std::nullopt, {plot::plain("Overrun")}});
+    entries.push_back({std::nullopt, ink::grid_grey, std::nullopt, {plot::plain(translated("Overrun", options_))}});
     plot::draw_legend(operations_, entries, {left_edge, bottom_ + foot}, right_edge - left_edge);
   }
 

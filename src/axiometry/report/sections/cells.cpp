@@ -9,6 +9,8 @@ TableCell quiet_cell(std::string_view text) { return {plain(text), Tone::quiet};
 
 TableCell text_cell(std::string_view text) { return {plain(text)}; }
 
+TableCell verbatim_cell(std::string_view text) { return {verbatim(text)}; }
+
 TableCell deviation_cell(const std::optional<Deviation>& deviation, const Options& options) {
   return deviation ? text_cell(shown_deviation(*deviation, options)) : quiet_cell("–");
 }
@@ -31,6 +33,7 @@ TableCell stated(const Field& field, const Metadata& metadata, const Options& op
   const FieldValue value = field.get(metadata);
   if (std::holds_alternative<std::monostate>(value)) return quiet_cell("not stated");
   std::string shown = field_text(field, value);
+  if (field.type == FieldType::text || field.type == FieldType::records) return verbatim_cell(shown);
   if (const auto* x = std::get_if<double>(&value)) shown = shown_exact(*x, options);
   if (const auto* numbers = std::get_if<std::vector<double>>(&value)) shown = number_list(*numbers, options);
   const bool has_unit = field.type == FieldType::number || field.type == FieldType::numbers;

@@ -46,6 +46,13 @@ std::vector<Shared> merged(std::span<const NamedFindings> tests) {
 
 }  // namespace
 
+RichText finding_line(const iso230_2::Finding& finding) {
+  RichText line = sentence(finding.message);
+  if (line.back().text.ends_with('.')) line.back().text.pop_back();
+  const bool is_number = finding.clause.find_first_of(' ') == std::string::npos;  // 5.3.2, not Annex B
+  return joined({line, plain(" ("), is_number ? verbatim(finding.clause) : plain(finding.clause), plain(").")});
+}
+
 Section finding_section(std::span<const NamedFindings> tests) {
   Section section{"findings", "Findings", false, {}};
   const std::vector<Shared> all = merged(tests);
@@ -61,7 +68,7 @@ Section finding_section(std::span<const NamedFindings> tests) {
   for (Severity severity : {Severity::departure, Severity::missing, Severity::note})
     for (const Shared& shared : all)
       if (shared.finding->severity == severity)
-        table.rows.push_back({severity_cell(severity), text_cell(shared.finding->clause), text_cell(shared.names),
+        table.rows.push_back({severity_cell(severity), text_cell(shared.finding->clause), verbatim_cell(shared.names),
                               TableCell{sentence(shared.finding->message)}});
   section.blocks.emplace_back(std::move(table));
   return section;

@@ -75,7 +75,7 @@ TableCell paired_cell(const Field& first, const Field& second, const Pair& pair,
 }
 
 TableCell record_cell(const Cell& cell, std::size_t decimals, const Options& options) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return text->empty() ? quiet_cell("–") : text_cell(*text);
+  if (const auto* text = std::get_if<std::string>(&cell)) return text->empty() ? quiet_cell("–") : verbatim_cell(*text);
   const auto* x = std::get_if<double>(&cell);
   return x ? text_cell(format_fixed(*x, static_cast<int>(decimals), options.numbers)) : quiet_cell("–");
 }

@@ -29,7 +29,9 @@ Facts correction_facts(const AppliedCorrection& correction, std::size_t number, 
   return facts;
 }
 
-TableCell or_not_recorded(std::string_view text) { return text.empty() ? quiet_cell("not recorded") : text_cell(text); }
+TableCell or_not_recorded(std::string_view text, RichText (*set)(std::string_view)) {
+  return text.empty() ? quiet_cell("not recorded") : TableCell{set(text)};
+}
 
 }  // namespace
 
@@ -37,9 +39,9 @@ Section provenance_section(const Subject& subject, const Options& options) {
   const Provenance& source = subject.test.provenance;
   Facts facts;
   facts.facts = {
-      {plain("Source file"), or_not_recorded(file_name(source.file))},
-      {plain("SHA-256 of the source"), or_not_recorded(source.sha256)},
-      {plain("Format"), or_not_recorded(source.format)},
+      {plain("Source file"), or_not_recorded(file_name(source.file), source.file == "-" ? plain : verbatim)},
+      {plain("SHA-256 of the source"), or_not_recorded(source.sha256, verbatim)},
+      {plain("Format"), or_not_recorded(source.format, verbatim)},
       {plain("Program"), text_cell(fmt::format("Axiometry {}", version))},
       {plain("Edition of the standard"), text_cell(fmt::format("{}; {}", edition_of(subject.test.metadata.axis),
                                                                edition_remark(subject.test.metadata.axis)))},

@@ -33,6 +33,9 @@ Section figure_section(const Subject& subject, const Options& options);
 
 Section finding_section(std::span<const iso230_2::Finding> findings);
 
+/// A finding as a sentence with its clause behind it, for the first page.
+RichText finding_line(const iso230_2::Finding& finding);
+
 /// Of several tests in one report: what was found in all the same way is told once, with the names of all.
 struct NamedFindings {
   std::string_view name;
@@ -73,6 +76,7 @@ Section provenance_section(const Subject& subject, const Options& options);
 TableCell deviation_cell(const std::optional<Deviation>& deviation, const Options& options);
 TableCell quiet_cell(std::string_view text);
 TableCell text_cell(std::string_view text);
+TableCell verbatim_cell(std::string_view text);  ///< words of the user
 
 /// A field's value with its unit, quietly "not stated" where it was not given.
 TableCell stated(const Field& field, const Metadata& metadata, const Options& options);

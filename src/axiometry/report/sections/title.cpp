@@ -7,6 +7,7 @@
 #include "axiometry/base/version.h"
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
@@ -50,7 +51,7 @@ Notice departing_notice(const std::vector<Finding>& findings, const Axis& axis) 
       notice.lines.push_back(plain(fmt::format("… and {} more.", departures - departures_named)));
       break;
     }
-    notice.lines.push_back(sentence(fmt::format("{} ({})", finding.message, finding.clause)));
+    notice.lines.push_back(finding_line(finding));
   }
   return notice;
 }
@@ -65,18 +66,19 @@ std::string shortened(std::string_view text, std::size_t characters) {
   return std::string(text);
 }
 
-std::string running_head(const Metadata& metadata) {
-  std::string head = metadata.axis.name.empty() ? description_of(metadata.axis) : title_of(metadata.axis);
+std::string running_head(const Metadata& metadata, const Options& options) {
+  std::string head =
+      translated(metadata.axis.name.empty() ? description_of(metadata.axis) : title_of(metadata.axis), options);
   if (!metadata.machine.name.empty()) head += " · " + metadata.machine.name;
   return shortened(head, running_head_length);
 }
 
-std::string running_status(const iso230_2::Assessment& assessment, const Axis& axis) {
+std::string running_status(const iso230_2::Assessment& assessment, const Axis& axis, const Options& options) {
   std::string status = assessment.conforming()
                            ? edition_of(axis)
                            : fmt::format("Formulas of {}; not an {} result", edition_of(axis), standard_of(axis));
   if (!assessment.label.empty()) status += " · " + assessment.label;
-  return shortened(status, running_status_length);
+  return shortened(translated(status, options), running_status_length);
 }
 
 }  // namespace
@@ -107,10 +109,11 @@ Document title_page(const Subject& subject, const Options& options) {
   if (!assessment.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + assessment.label), {}});
   if (auto notice = tolerance_notice(subject, options)) document.status.push_back(*std::move(notice));
   document.label = assessment.label;
-  document.running_head = running_head(metadata);
+  document.running_head = running_head(metadata, options);
   if (!metadata.conditions.report_number.empty())
-    document.running_number = shortened("Report " + metadata.conditions.report_number, running_number_length);
-  document.running_status = running_status(assessment, axis);
+    document.running_number =
+        shortened(translated("Report " + metadata.conditions.report_number, options), running_number_length);
+  document.running_status = running_status(assessment, axis, options);
   document.date = metadata.conditions.date;
   document.generator = fmt::format("Axiometry {}", version);
   return document;

@@ -114,7 +114,8 @@ RichText origins_of_limits(std::span<const Judgement> judgements) {
     }
     if (symbols.empty()) continue;
     text = joined({text, plain(text.empty() ? "Limits: " : "; "), symbols,
-                   plain(fmt::format(" from the {}{}{}", source_title(source), origin.empty() ? "" : " ", origin))});
+                   plain(fmt::format(" from the {}{}", source_title(source), origin.empty() ? "" : " ")),
+                   verbatim(origin)});
   }
   return joined({text, plain(".")});
 }

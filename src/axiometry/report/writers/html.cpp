@@ -9,6 +9,7 @@
 #include "axiometry/report/compose.h"
 #include "axiometry/report/html_text.h"
 #include "axiometry/report/svg.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/report/writer.h"
 #include "axiometry/report/writers/html_style.h"
 
@@ -196,25 +197,33 @@ void append(std::string& out, const Section& section, const std::string& label) 
 }
 
 /// Running heads and page numbers, for browsers that print them.
-std::string page_rules(const Document& document) {
+std::string page_rules(const Document& document, const Options& options) {
+  // "Page 1 of 3", of which the browser counts the numbers
+  const std::string words = translated("Page 0 of 0", options);
+  const std::size_t first = words.find('0'), last = words.rfind('0');
+  const std::string counted = fmt::format("{} counter(page) {} counter(pages)", css_string(words.substr(0, first)),
+                                          css_string(words.substr(first + 1, last - first - 1)));
   return fmt::format(
       "@page{{size:A4;margin:19mm 15mm 17mm;font:7.5pt Arial,\"Liberation Sans\",sans-serif;color:#5d6670;"
       "@top-left{{content:{}}}@top-right{{content:{}}}@bottom-left{{content:{}}}"
-      "@bottom-right{{content:\"Page \" counter(page) \" of \" counter(pages)}}}}\n"
+      "@bottom-right{{content:{}}}}}\n"
       "@page :first{{@top-left{{content:none}}@top-right{{content:none}}}}\n",
-      css_string(document.running_head), css_string(document.running_number), css_string(document.running_status));
+      css_string(document.running_head), css_string(document.running_number), css_string(document.running_status),
+      counted);
 }
 
-Result<std::string> set(const Document& document, const Options&) {
+Result<std::string> set(const Document& composed, const Options& options) {
+  const Document document = translated(composed, options);
   std::string out;
   out.reserve(1 << 17);
-  out +=
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+  out += fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
+      language::tag(options.language));
   out += fmt::format("<meta name=\"generator\" content=\"{}\">\n<title>{} – {}</title>\n<style>",
                      escaped(document.generator), escaped(document.running_head), escaped(document.title));
   out += html_style;
-  out += page_rules(document);
+  out += page_rules(document, options);
   out += "</style>\n</head>\n<body>\n<div class=\"sheet\">\n<header>\n";
   out += fmt::format("<p class=\"kicker\">{} · {}</p>\n<h1>{}</h1>\n", escaped(document.kind),
                      escaped(document.edition), escaped(document.title));

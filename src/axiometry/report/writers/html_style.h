@@ -29,6 +29,7 @@ dl{margin:0}
 dt{color:var(--quiet)}
 dd{margin:0}
 dd,td,h1,.notice{overflow-wrap:anywhere;unicode-bidi:isolate}
+:lang(de) dt,:lang(de) dd,:lang(de) td,:lang(de) th{hyphens:auto;overflow-wrap:break-word}
 dd,.long{white-space:pre-line}
 .identity{display:grid;grid-template-columns:repeat(auto-fit,minmax(8.5rem,1fr));gap:.9rem 1.2rem;padding:.9rem 0;
 border:solid var(--rule);border-width:1px 0}

@@ -10,6 +10,7 @@
 #include "axiometry/report/compose.h"
 #include "axiometry/report/pdf_document.h"
 #include "axiometry/report/pdf_palette.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/report/utf8.h"
 #include "axiometry/report/writer.h"
 
@@ -74,7 +75,7 @@ void settle_creation_date(std::string& bytes, std::string_view date) {
 }
 
 void draw_pages(cairo_surface_t* surface, cairo_t* cairo, const PageFlow& flow, const Document& document,
-                const Typesetter& typesetter) {
+                const Typesetter& typesetter, const Options& options) {
   const std::size_t count = flow.pages().size();
   for (std::size_t page = 0; page < count; ++page) {
     for (const Bookmark& bookmark : flow.bookmarks())
@@ -89,13 +90,14 @@ void draw_pages(cairo_surface_t* surface, cairo_t* cairo, const PageFlow& flow, 
     }
     for (const Drawing& drawing : flow.pages()[page]) drawing(cairo);
     draw_line(cairo, foot_baseline - 12.0);
-    draw_running(cairo, typesetter, document.running_status, fmt::format("Page {} of {}", page + 1, count),
-                 foot_baseline);
+    draw_running(cairo, typesetter, document.running_status,
+                 translated(fmt::format("Page {} of {}", page + 1, count), options), foot_baseline);
     cairo_show_page(cairo);
   }
 }
 
-Result<std::string> set(const Document& document, const Options&) {
+Result<std::string> set(const Document& composed, const Options& options) {
+  const Document document = translated(composed, options);
   const Typesetter typesetter;
   const PageFlow flow = set_document(document, typesetter);
   std::string bytes;
@@ -103,7 +105,7 @@ Result<std::string> set(const Document& document, const Options&) {
       cairo_pdf_surface_create_for_stream(&append_bytes, &bytes, page_width, page_height), &cairo_surface_destroy);
   const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo(cairo_create(surface.get()), &cairo_destroy);
   set_metadata(surface.get(), document);
-  draw_pages(surface.get(), cairo.get(), flow, document, typesetter);
+  draw_pages(surface.get(), cairo.get(), flow, document, typesetter, options);
   cairo_surface_finish(surface.get());
   for (cairo_status_t status : {cairo_status(cairo.get()), cairo_surface_status(surface.get())})
     if (status != CAIRO_STATUS_SUCCESS)

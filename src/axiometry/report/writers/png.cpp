@@ -9,6 +9,7 @@
 
 #include "axiometry/report/cairo_painter.h"
 #include "axiometry/report/picture.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/report/writer.h"
 
 namespace axiometry::report {
@@ -75,7 +76,9 @@ Result<std::string> painted(const Figure& page) {
 
 Result<std::string> write(const Subject& subject, const Options& options) { return painted(picture(subject, options)); }
 
-Result<std::string> set(const Document& document, const Options&) { return painted(picture(document)); }
+Result<std::string> set(const Document& document, const Options& options) {
+  return painted(picture(translated(document, options)));
+}
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 #include "axiometry/report/svg.h"
 
 #include "axiometry/report/picture.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/report/writer.h"
 
 namespace axiometry::report {
@@ -11,7 +12,9 @@ std::string file(const Figure& figure) { return "<?xml version=\"1.0\" encoding=
 
 Result<std::string> write(const Subject& subject, const Options& options) { return file(picture(subject, options)); }
 
-Result<std::string> set(const Document& document, const Options&) { return file(picture(document)); }
+Result<std::string> set(const Document& document, const Options& options) {
+  return file(picture(translated(document, options)));
+}
 
 }  // namespace
 

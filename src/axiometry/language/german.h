@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "axiometry/language/language.h"
+
+/// The phrase book of German, one table per subject, sorted by the English text. The words are those of
+/// DIN ISO 230-2 and of calibration certificates.
+namespace axiometry::language {
+
+extern const std::span<const Phrase> german_terms;    ///< single words: parameters, verdicts, roles, units of speech
+extern const std::span<const Phrase> german_report;   ///< titles, heads and notes of the report
+extern const std::span<const Phrase> german_figures;  ///< labels, titles, descriptions
+extern const std::span<const Phrase> german_uncertainty;  ///< Annex A, GUM, Monte Carlo, budgets
+extern const std::span<const Phrase> german_findings;     ///< what departs, what is missing, what is worth a note
+extern const std::span<const Phrase> german_corrections;  ///< of readings, and where air and temperatures came from
+extern const std::span<const Phrase> german_plan;         ///< plan sheets and plan findings
+extern const std::span<const Phrase> german_fields;       ///< titles, descriptions and columns of the metadata
+extern const std::span<const Phrase> german_errors;       ///< refusals
+extern const std::span<const Phrase> german_tracking;     ///< reports of stations, lines and periodic errors
+
+}  // namespace axiometry::language

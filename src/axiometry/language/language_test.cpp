@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/language/language.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "axiometry/language/words.h"
+
+namespace axiometry::language {
+namespace {
+
+constexpr NumberStyle comma{.decimal_mark = ','};
+
+std::string german(std::string_view text) { return translated(text, Language::german, comma); }
+
+TEST(LanguageOf, KnowsTagsWithAndWithoutARegion) {
+  EXPECT_EQ(language_of("de"), Language::german);
+  EXPECT_EQ(language_of("de-AT"), Language::german);
+  EXPECT_EQ(language_of("DE"), Language::german);
+  EXPECT_EQ(language_of("en-GB"), Language::english);
+  for (const char* other : {"", "fr", "deu", "d", "-de"}) EXPECT_FALSE(language_of(other)) << other;
+}
+
+TEST(LanguageOf, ReadsWhatTagWrites) {
+  for (const Language language : {Language::english, Language::german}) EXPECT_EQ(language_of(tag(language)), language);
+}
+
+TEST(BestOf, TakesTheLanguageWithTheLargestWeight) {
+  EXPECT_EQ(best_of("de"), Language::german);
+  EXPECT_EQ(best_of("de-DE,de;q=0.9,en-US;q=0.8,en;q=0.7"), Language::german);
+  EXPECT_EQ(best_of("en-GB, de;q=0.9"), Language::english);
+  EXPECT_EQ(best_of("fr, de;q=0.3, en;q=0.2"), Language::german);
+  EXPECT_EQ(best_of("en;q=0, de;q=0.1"), Language::german);
+}
+
+TEST(BestOf, IsEnglishWhereNothingElseIsKnown) {
+  for (const char* header : {"", "fr", "*", "de;q=0", ",,;;", "de;q=x", "de;q=-1", "fr;q=1,*;q=0.5"})
+    EXPECT_EQ(best_of(header), Language::english) << header;
+}
+
+TEST(Translated, LeavesEnglishAsItIs) {
+  EXPECT_EQ(translated("found 1.5 of 2 targets", Language::english, comma), "found 1.5 of 2 targets");
+}
+
+TEST(Translated, FindsWholeTextsAndSentences) {
+  EXPECT_EQ(german("Reversal error"), "Umkehrspanne");
+  EXPECT_EQ(german("found no warm-up run, expected the warm-up that was specified or agreed before the test"),
+            "kein Warmlauf; erwartet: der vor der Prüfung festgelegte oder vereinbarte");
+  EXPECT_EQ(german("Found no warm-up run, expected the warm-up that was specified or agreed before the test."),
+            "Kein Warmlauf; erwartet: der vor der Prüfung festgelegte oder vereinbarte.");
+}
+
+TEST(Translated, MovesWhatStandsAtThePlacesAndSetsItsDecimalMark) {
+  EXPECT_EQ(german("found 1200.5 mm measured of an axis travel of 2000 mm; the results hold for that part only"),
+            "1200,5 mm eines Verfahrwegs von 2000 mm gemessen; die Ergebnisse gelten nur für diesen Teil");
+  EXPECT_EQ(german("8.0 to 12.3"), "8,0 bis 12,3");
+}
+
+TEST(Translated, KeepsClausesAndTextsWithoutWords) {
+  for (const char* same : {"5.3.2", "3.16", "9.6", "A.2.6", "ISO 230-2:2014", "µm/(m·°C)", "x̄_i↑", "", "–"})
+    EXPECT_EQ(german(same), same);
+  EXPECT_EQ(german("with one approach from each direction s, R and A (3.18 to 3.22, 3.26, 3.27) are not applicable"),
+            "bei einer Anfahrt aus jeder Richtung sind s, R und A (3.18 bis 3.22, 3.26, 3.27) nicht anwendbar");
+}
+
+TEST(Translated, LooksUpListsByTheirItems) {
+  EXPECT_EQ(german("not given, but expected in the report – machine: machine name, machine type; axis: type of scale"),
+            "nicht angegeben, im Bericht aber erwartet – Maschine: Bezeichnung der Maschine, Art der Maschine; Achse: "
+            "Art des Maßstabs");
+}
+
+TEST(Translated, SetsNoBreakSpacesWhereTheyWere) {
+  EXPECT_EQ(german("8.0\u00a0µm to 12.3\u00a0µm"), "8,0\u00a0µm bis 12,3\u00a0µm");
+  EXPECT_EQ(german("Reversal\u00a0error"), "Umkehrspanne");
+}
+
+TEST(Translated, KeepsWordsOfTheUserAtVerbatimPlaces) {
+  EXPECT_EQ(german("Axis Reversal error"), "Achse Reversal error");
+  EXPECT_EQ(german("Report 3.5 Test report"), "Bericht 3.5 Test report");
+}
+
+TEST(Translated, LeavesEnglishWhatNoEntryFits) {
+  EXPECT_EQ(german("a text that nobody wrote"), "a text that nobody wrote");
+  EXPECT_FALSE(is_known("a text that nobody wrote", Language::german));
+  EXPECT_TRUE(is_known("Reversal error", Language::german));
+  EXPECT_TRUE(is_known("12.5 µm", Language::german));
+}
+
+TEST(Translated, EndsSoonWhateverTheText) {
+  std::string hostile = "found ";
+  for (int k = 0; k < 20000; ++k) hostile += "run, target 1 (2) and 3 of 4 to 5; ";
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(german(hostile).size() > 10, true);
+  EXPECT_EQ(german(std::string(300000, ',')).size(), 300000u);
+  EXPECT_EQ(german(std::string(100000, '(') + "x and y").empty(), false);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
+
+TEST(Words, TellNumbersFromClauses) {
+  EXPECT_EQ(with_decimal_mark("12.5 µm, 5.3.2, A.2, v1.5, ISO 230.", ','), "12,5 µm, 5.3.2, A.2, v1.5, ISO 230.");
+  EXPECT_TRUE(has_no_words("U_M,DEVICE = 12 µm/(m·°C)"));
+  EXPECT_TRUE(has_no_words("2s_i↑"));
+  EXPECT_FALSE(has_no_words("1 run"));
+}
+
+}  // namespace
+}  // namespace axiometry::language

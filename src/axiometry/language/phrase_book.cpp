@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/language/phrase_book.h"
+
+#include <algorithm>
+
+#include "axiometry/base/contract.h"
+
+namespace axiometry::language {
+namespace {
+
+constexpr std::string_view no_break_space = "\u00a0";
+
+PlaceKind kind_of(std::string_view mark) {
+  if (mark == "?") return PlaceKind::optional_text;
+  if (mark == "#") return PlaceKind::amount;
+  if (mark == "=") return PlaceKind::verbatim;
+  AXIOMETRY_CONTRACT(mark.empty());
+  return PlaceKind::text;
+}
+
+Pattern parsed(const Phrase& phrase) {
+  Pattern pattern{&phrase, {}, {}, 0};
+  std::string_view rest = phrase.english;
+  for (std::size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
+    const std::size_t close = rest.find('}', open);
+    AXIOMETRY_CONTRACT(close != std::string_view::npos && close >= open + 2);
+    pattern.literals.push_back(with_blanks(packed(rest.substr(0, open))));
+    pattern.places.push_back(
+        {static_cast<std::size_t>(rest[open + 1] - '0'), kind_of(rest.substr(open + 2, close - open - 2))});
+    AXIOMETRY_CONTRACT(pattern.places.back().number < Captures{}.size());
+    rest.remove_prefix(close + 1);
+  }
+  pattern.literals.push_back(with_blanks(packed(rest)));
+  for (const std::string& literal : pattern.literals) pattern.literal_length += literal.size();
+  return pattern;
+}
+
+}  // namespace
+
+std::string packed(std::string_view text) {
+  std::string all;
+  all.reserve(text.size());
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const bool is_space = text.substr(k).starts_with(no_break_space);
+    all += is_space ? no_break : text[k];
+    if (is_space) ++k;
+  }
+  return all;
+}
+
+std::string unpacked(std::string_view text) {
+  std::string all;
+  all.reserve(text.size());
+  for (const char c : text) c == no_break ? all.append(no_break_space) : all.append(1, c);
+  return all;
+}
+
+std::string with_blanks(std::string_view packed) {
+  std::string all(packed);
+  std::ranges::replace(all, no_break, ' ');
+  return all;
+}
+
+PhraseBook::PhraseBook(std::span<const std::span<const Phrase>> tables) {
+  for (const std::span<const Phrase> table : tables)
+    for (const Phrase& phrase : table) {
+      phrases_.push_back(&phrase);
+      if (phrase.english.contains('{'))
+        patterns_.push_back(parsed(phrase));
+      else
+        literals_.emplace(with_blanks(packed(phrase.english)), phrase.other);
+    }
+  std::ranges::stable_sort(patterns_, std::ranges::greater{}, &Pattern::literal_length);
+  for (const Pattern& pattern : patterns_)
+    for (std::size_t byte = 0; byte < by_first_byte_.size(); ++byte)
+      if (pattern.first().empty() || static_cast<unsigned char>(pattern.first().front()) == byte)
+        by_first_byte_[byte].push_back(&pattern);
+}
+
+std::optional<std::string_view> PhraseBook::literal(const std::string& english) const {
+  const auto found = literals_.find(english);
+  return found == literals_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::span<const Pattern* const> PhraseBook::candidates(char first) const {
+  return by_first_byte_[static_cast<unsigned char>(first)];
+}
+
+}  // namespace axiometry::language

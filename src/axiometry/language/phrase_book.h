@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "axiometry/language/language.h"
+
+/// The phrases of one language, prepared for looking up.
+namespace axiometry::language {
+
+enum class PlaceKind { text, optional_text, amount, verbatim };
+
+/// A phrase with places: literal, place, literal, place, …, literal.
+struct Pattern {
+  struct Place {
+    std::size_t number = 0;
+    PlaceKind kind = PlaceKind::text;
+  };
+  const Phrase* phrase = nullptr;
+  std::vector<std::string> literals;  ///< one more than places; blanks instead of no-break spaces
+  std::vector<Place> places;
+  std::size_t literal_length = 0;
+
+  std::string_view first() const { return literals.front(); }
+  std::string_view last() const { return literals.back(); }
+};
+
+/// What a pattern's places hold in a text: position and length.
+struct Capture {
+  std::size_t at = 0;
+  std::size_t length = 0;
+};
+using Captures = std::array<Capture, 12>;  ///< by number of the place
+
+class PhraseBook {
+ public:
+  /// Of the rows of all tables, which must stay where they are. Contract: the places of both texts agree.
+  explicit PhraseBook(std::span<const std::span<const Phrase>> tables);
+
+  std::span<const Phrase* const> phrases() const { return phrases_; }
+
+  /// The other text of a phrase without places; nothing when there is none. Blanks instead of no-break spaces.
+  std::optional<std::string_view> literal(const std::string& english) const;
+
+  /// Patterns that may fit a text with this first byte, those with the longest literal part first.
+  std::span<const Pattern* const> candidates(char first) const;
+
+ private:
+  std::vector<const Phrase*> phrases_;
+  std::unordered_map<std::string, std::string_view> literals_;
+  std::vector<Pattern> patterns_;
+  std::array<std::vector<const Pattern*>, 256> by_first_byte_;
+};
+
+/// No-break spaces as one byte (no_break), so that a text and its form with blanks have the same length.
+inline constexpr char no_break = '\x1f';
+std::string packed(std::string_view text);
+std::string unpacked(std::string_view text);
+std::string with_blanks(std::string_view packed);
+
+}  // namespace axiometry::language

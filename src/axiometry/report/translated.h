@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "axiometry/report/document.h"
+#include "axiometry/report/report.h"
+
+/// Composed English texts in the language of the reader (Options::language). Writers of documents call it once, on
+/// all that compose() or another composer made; figures, which must measure their words, ask for single labels.
+namespace axiometry::report {
+
+std::string translated(std::string_view text, const Options& options);
+
+/// Symbols and other runs of a style of their own keep it and go where the other language puts them; what the user
+/// wrote stays.
+RichText translated(const RichText& text, const Options& options);
+
+/// Everything but the words in its drawings, which figures set themselves.
+Document translated(Document document, const Options& options);
+
+/// A figure's title and description.
+Figure with_words_translated(Figure figure, const Options& options);
+
+/// The text as a phrase book sees it: symbols as in "U_EVE" where that sets them again, else private-use characters
+/// in the place of runs with a style of their own; `in_style` holds those.
+struct FlatText {
+  std::string text;
+  std::vector<RichText> in_style;
+};
+FlatText flattened(const RichText& text);
+
+}  // namespace axiometry::report

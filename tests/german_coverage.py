@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Whether the German phrase book covers what the rules of the standard may find.
+
+Reads the string literals of the sources that compose findings and notes, cuts them at their places, and reports every
+longer piece that stands in no English phrase of src/axiometry/language/german_*.cpp. Exits with 1 if there is one.
+
+    python3 tests/german_coverage.py
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SOURCES = [
+    "standards/iso230_2_artefact.cpp", "standards/iso230_2_assessment.cpp", "standards/iso230_2_findings.cpp",
+    "standards/iso230_2_gum.cpp", "standards/iso230_2_inputs_items.cpp", "standards/iso230_2_periodic_findings.cpp",
+    "standards/iso230_2_plan_rules.cpp", "standards/iso230_2_programme.cpp", "standards/iso230_2_rules_conditions.cpp",
+    "standards/iso230_2_rules_lines.cpp", "standards/iso230_2_rules_programme.cpp",
+    "standards/iso230_2_rules_report.cpp", "standards/iso230_2_uncertainty.cpp", "standards/reading_correction.cpp",
+    "standards/station_offset.cpp", "standards/station_offset.h", "standards/test_air.cpp",
+    "report/method_values.cpp", "report/conformity_text.cpp", "report/correction_text.cpp", "report/plan_sheet.cpp",
+]
+TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)+\'', re.S)
+SHORTEST = 12  # characters of a piece that says something by itself
+NOT_FOR_READERS = re.compile(r"^[\w.:/<>-]*$|^#include|^axiometry/|^instrument\.|TOOL$|^Lee et al$")
+# Places, and what a place may hold as well: symbols, numbers, units.
+PLACE = re.compile(r"\{[^}]*\}|\b[A-Za-z]_[\w,]+|(?<![\w.])\w(?![\w.])|\d+(?:[.,]\d+)?|°C?|\bmm\b|µm|[ΔθαR]\(?|[−+=/%·]")
+
+
+def literals(path):
+    """Neighbouring literals as one, unescaped."""
+    text = re.sub(r"^\s*#include.*$", "", path.read_text(encoding="utf-8"), flags=re.M)
+    found, current, done = [], None, 0
+    for match in TOKEN.finditer(text):
+        if text[done:match.start()].strip() and current is not None:
+            found.append(current)
+            current = None
+        done = match.end()
+        if match.group(0).startswith('"'):
+            current = (current or "") + match.group(0)[1:-1]
+    if current is not None:
+        found.append(current)
+    return [re.sub(r"\\u([0-9a-fA-F]{4})", lambda m: chr(int(m.group(1), 16)), s).replace('\\"', '"') for s in found]
+
+
+def blanks(text):
+    return text.replace("\u00a0", " ")
+
+
+def english_phrases():
+    phrases = []
+    for path in sorted((ROOT / "src/axiometry/language").glob("german_*.cpp")):
+        if path.name.endswith("_test.cpp"):
+            continue
+        body = path.read_text(encoding="utf-8")
+        for row in re.findall(r'\{\s*((?:"(?:[^"\\]|\\.)*"\s*)+),', body):
+            phrases.append(blanks("".join(re.findall(r'"((?:[^"\\]|\\.)*)"', row)).replace('\\"', '"')))
+    return phrases
+
+
+def main():
+    lower = "\n".join(PLACE.sub("\0", phrase) for phrase in english_phrases()).lower()
+    missing = []
+    for name in SOURCES:
+        for literal in literals(ROOT / "src/axiometry" / name):
+            for piece in PLACE.sub("\0", blanks(literal)).split("\0"):
+                piece = piece.strip(" ,;:.()")
+                if len(piece) < SHORTEST or NOT_FOR_READERS.match(piece):
+                    continue
+                if piece.lower() not in lower:
+                    missing.append(f"{name}: {piece}")
+    for line in missing:
+        print(line)
+    print(f"german: {len(missing)} pieces are in no phrase" if missing else "german: ok")
+    return 1 if missing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
