@@ -49,15 +49,10 @@ Result<std::filesystem::path> data_folder() {
   return folder;
 }
 
-/// The store, and beside a store that is a file the folder of captures that go on.
 Result<void> complete(server::ServeOptions& options) {
-  const bool is_address = options.store.contains("://");
-  if (options.store.empty() || is_address) {
-    AXIOMETRY_TRY(const std::filesystem::path folder, data_folder());
-    if (!is_address) options.store = folder / "workbench.db";
-    options.capture_folder = folder / "captures";
-  }
-  if (!is_address) options.capture_folder = options.store + ".captures";
+  if (!options.store.empty()) return {};
+  AXIOMETRY_TRY(const std::filesystem::path folder, data_folder());
+  options.store = folder / "workbench.db";
   return {};
 }
 

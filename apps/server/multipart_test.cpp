@@ -46,8 +46,9 @@ TEST(FormParts, MayBeEmptyFiles) {
 TEST(FormParts, RefuseWhatIsCutOffOrMalformed) {
   const std::string good = part("Content-Disposition: form-data; name=f; filename=\"a\"", "x");
   EXPECT_EQ(refusal_of(good + "--cut--\r\n"), "taken");
-  EXPECT_THAT(refusal_of(good), HasSubstr("behind a boundary"));
-  EXPECT_THAT(refusal_of(good.substr(0, good.size() - 4)), HasSubstr("cut off"));
+  EXPECT_THAT(refusal_of(good), HasSubstr("cut off"));
+  EXPECT_THAT(refusal_of(good.substr(0, good.size() - 5)), HasSubstr("end of its head"));
+  EXPECT_THAT(refusal_of(good + "--cut"), HasSubstr("behind a boundary"));
   EXPECT_THAT(refusal_of("x" + good + "--cut--"), HasSubstr("begin"));
   EXPECT_THAT(refusal_of(good + "--cut--\r\nmore"), HasSubstr("behind a boundary"));
   EXPECT_THAT(refusal_of(part("no field", "x") + "--cut--"), HasSubstr("header field"));

@@ -125,8 +125,8 @@ Result<PlanRecord> record_of(store::Store& store, const Value& body, const app::
                                .file_name = app::file_name_part(title) + ".plan.json",
                                .format = "axiometry-plan",
                                .bytes = bytes};
-  AXIOMETRY_TRY(std::string sha256, store.keep(content, by));
-  return PlanRecord{std::move(title), axis, std::move(sha256)};
+  AXIOMETRY_TRY(std::string kept, store.keep(content, by));
+  return PlanRecord{std::move(title), axis, std::move(kept)};
 }
 
 Result<store::By> by_with_reason(const Request& request, const Value& body) {

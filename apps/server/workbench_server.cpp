@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "axiometry/app/capture_service.h"
+#include "axiometry/app/capture_keeping.h"
 #include "axiometry/app/examples.h"
 #include "axiometry/app/workbench.h"
 #include "axiometry/base/number_text.h"
@@ -53,17 +53,20 @@ Service service_of(const Router& router, const Site& site, TokenGate& token, con
   return service;
 }
 
-/// Nothing can be begun yet: its routes are not there.
-Result<std::unique_ptr<app::CaptureService>> open_captures(const ServeOptions& options) {
-  const auto not_yet = [](const auto&...) { return fail(ErrorKind::unavailable, "captures are kept by nobody"); };
-  return app::CaptureService::open({.folder = options.capture_folder, .sources = options.sources},
-                                   {.keep = not_yet, .evaluate = not_yet});
+Result<std::unique_ptr<app::CaptureService>> open_captures(const ServeOptions& options, app::Workbench& workbench) {
+  std::string folder = options.capture_folder;
+  if (folder.empty()) {
+    AXIOMETRY_TRY(folder, app::captures_folder(workbench.archive().info()));
+  }
+  return app::CaptureService::open({.folder = std::move(folder), .sources = options.sources},
+                                   app::keeping_in(workbench));
 }
 
 void add_api_routes(Router& router, const Context& context) {
   add_test_routes(router, context);
   add_equipment_routes(router, context);
   add_plan_routes(router, context);
+  add_capture_routes(router, context);
 }
 
 }  // namespace
@@ -109,7 +112,7 @@ Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observe
   TokenGate token({.token = options.token, .tls = tls, .port = port});
   app::Workbench workbench(*store);
   if (options.examples) AXIOMETRY_TRY_VOID(app::add_examples(workbench));
-  AXIOMETRY_TRY(const auto captures, open_captures(options));
+  AXIOMETRY_TRY(const auto captures, open_captures(options, workbench));
   Router router;
   add_service_routes(router, {.store = *store, .token = token, .upload_bytes = options.limits.upload_bytes});
   add_api_routes(router, {.store = *store, .workbench = workbench, .captures = *captures});

@@ -141,14 +141,13 @@ Result<void> HeldCapture::note_kept(store::Id test) {
 
 void HeldCapture::remove() { remove_files(base_); }
 
-Result<CaptureFolder> CaptureFolder::open(std::string path) {
+Result<void> CaptureFolder::make() const {
   std::error_code error;
-  std::filesystem::create_directories(path, error);
+  std::filesystem::create_directories(path_, error);
   if (error)
-    return std::unexpected(Error{
-        fmt::format("cannot make the folder of captures: {}", error.message()), path, {}, kind_of(error.value())});
-  ::chmod(path.c_str(), 0700);
-  return CaptureFolder(std::move(path));
+    return fail(kind_of(error.value()), fmt::format("cannot make the folder of captures: {}", error.message()));
+  ::chmod(path_.c_str(), 0700);
+  return {};
 }
 
 std::string CaptureFolder::base(store::Id id) const { return fmt::format("{}/{}{}", path_, prefix, id); }
@@ -168,6 +167,7 @@ std::vector<store::Id> CaptureFolder::ids() const {
 }
 
 Result<HeldCapture> CaptureFolder::add(CaptureOrder order) {
+  AXIOMETRY_TRY_VOID(make());
   const auto last = whole_file(path_ + counter_name);
   const auto all = ids();
   store::Id id = all.empty() ? 0 : all.back();

@@ -56,10 +56,11 @@ class HeldCapture {
 
 class CaptureFolder {
  public:
-  /// Makes it, for nobody else to read, when it does not exist. Fails with the system's reason.
-  static Result<CaptureFolder> open(std::string path);
+  /// It is made, for nobody else to read, when the first capture needs it.
+  explicit CaptureFolder(std::string path) : path_(std::move(path)) {}
 
   /// On the disk when it returns. Numbers are never used again, also not those of captures that are gone.
+  /// Fails with the system's reason, of the kinds full, read_only and unavailable.
   Result<HeldCapture> add(CaptureOrder order);
   /// Fails with not_found, and with conflict where another program is at it.
   Result<HeldCapture> take(store::Id id);
@@ -73,7 +74,7 @@ class CaptureFolder {
   std::vector<Left> left_behind();
 
  private:
-  explicit CaptureFolder(std::string path) : path_(std::move(path)) {}
+  Result<void> make() const;
   std::vector<store::Id> ids() const;
   std::string base(store::Id id) const;
 

@@ -124,7 +124,7 @@ Result<std::unique_ptr<CaptureService>> CaptureService::open(CaptureSettings set
   for (const CaptureSource& source : settings.sources)
     if (!names.insert(text::to_lower(source.id)).second)
       return fail(fmt::format("found two sources named {}, expected different names", source.id));
-  AXIOMETRY_TRY(CaptureFolder folder, CaptureFolder::open(settings.folder));
+  CaptureFolder folder(settings.folder);
   settings.sources.insert(settings.sources.begin(), simulator_source());
   return std::unique_ptr<CaptureService>(
       new CaptureService(std::move(settings), std::move(keeping), std::move(folder)));

@@ -58,7 +58,7 @@ struct CaptureWish {
 /// May be used from many threads at once. Its end interrupts all captures; their recordings can be resumed.
 class CaptureService {
  public:
-  /// Fails as CaptureFolder::open() does, and on two sources of one name.
+  /// Fails on two sources of one name.
   static Result<std::unique_ptr<CaptureService>> open(CaptureSettings settings, CaptureKeeping keeping);
   ~CaptureService();
   CaptureService(const CaptureService&) = delete;

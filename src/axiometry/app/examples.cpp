@@ -158,13 +158,13 @@ Items metadata_of(const ExampleTest& test) {
       {"machine.type", std::string(machine.type)},
       {"machine.serial_number", std::string(machine.serial_number)},
       {"machine.location", std::string(machine.location)},
+      {"equipment", ""},  // the simulator names itself there
       {"equipment", fmt::format("{} | {} | {} | {}", instrument.role, instrument.manufacturer, instrument.type,
                                 instrument.serial_number)},
       {"environment.air_temperature_start_C", "20.2"},
       {"environment.air_temperature_end_C", "20.6"},
       {"uncertainty.environmental_variation", test.kind == AxisKind::rotary ? "0.6" : "0.5"},
   };
-  if (!test.comment.empty()) items.emplace_back("test.comment", std::string(test.comment) + ". Simulated readings");
   if (test.kind == AxisKind::rotary) return items;
   const Items of_lengths = {
       {"sensors", "machine | scale, middle of the travel | 20.3 | 20.8"},
@@ -175,8 +175,8 @@ Items metadata_of(const ExampleTest& test) {
       {"axis.scale_expansion_um_per_m_C", "11.5"},
       {"uncertainty.misalignment_mm", "1"},
       {"uncertainty.machine_expansion_um_per_m_C", "11.5"},
-      {"uncertainty.machine_temperature_range_C", "0.7"},
-      {"uncertainty.machine_temperature_difference_C", "0.8"},
+      {"uncertainty.machine_temperature_range_C", "0.3"},
+      {"uncertainty.machine_temperature_difference_C", "0.4"},
       {"uncertainty.machine_expansion_range_um_per_m_C", "2"},
   };
   items.insert(items.end(), of_lengths.begin(), of_lengths.end());
@@ -192,6 +192,8 @@ Result<std::string> file_of(const ExampleTest& test) {
   request.seed = test.seed;
   AXIOMETRY_TRY(simulation::SimulatedTest simulated, simulation::simulate(request));
   AXIOMETRY_TRY_VOID(set_metadata(simulated.test.metadata, metadata_of(test)));
+  std::string& comment = simulated.test.metadata.conditions.comment;  // says that it is no measurement
+  if (!test.comment.empty()) comment = fmt::format("{}. {}", test.comment, comment);
   const formats::Format* format = formats::find_format("json");
   AXIOMETRY_CONTRACT(format != nullptr && format->write != nullptr);
   return format->write(simulated.test);
@@ -221,7 +223,7 @@ Result<void> add_equipment(store::Store& archive) {
     }
     return {};
   };
-  AXIOMETRY_TRY_VOID(add(milling_machine, {{0, "X", "linear", {{"A", 10.0}, {"R", 4.0}, {"B", 5.0}}, ""}}));
+  AXIOMETRY_TRY_VOID(add(milling_machine, {{0, "X", "linear", {{"A", 10.0}, {"R", 8.0}, {"B", 5.0}}, ""}}));
   AXIOMETRY_TRY_VOID(add(grinder, {{0, "Z", "linear", {{"A", 8.0}, {"E", 6.0}}, ""}}));
   return add(lathe, {{0, "C", "rotary", {{"A", 20.0}, {"B", 6.0}}, ""}});
 }

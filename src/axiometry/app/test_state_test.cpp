@@ -36,7 +36,7 @@ TEST(TestOptions, RefuseWhatIsUnknownWithItsPlace) {
     const auto options = test_options_from(*json::parse(text));
     return options ? std::string("taken") : options.error().to_string();
   };
-  EXPECT_EQ(refused(R"({"methods": ["gumm"]})"), "1:14: found the method \"gumm\", expected perhaps gum");
+  EXPECT_EQ(refused(R"({"methods": ["gumm"]})"), "line 1:14: found the method \"gumm\", expected perhaps gum");
   EXPECT_NE(refused(R"({"trials": 1e9})"), "taken");
   EXPECT_NE(refused(R"({"trials": 100.5})"), "taken");
   EXPECT_NE(refused(R"({"seed": -1})"), "taken");

@@ -18,6 +18,6 @@ extern const std::span<const Phrase> german_corrections;  ///< of readings, and 
 extern const std::span<const Phrase> german_plan;         ///< plan sheets and plan findings
 extern const std::span<const Phrase> german_fields;       ///< titles, descriptions and columns of the metadata
 extern const std::span<const Phrase> german_errors;       ///< refusals
-extern const std::span<const Phrase> german_tracking;     ///< reports of stations, lines and periodic errors
+extern const std::span<const Phrase> german_service;      ///< the archive and its server
 
 }  // namespace axiometry::language

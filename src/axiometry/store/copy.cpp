@@ -39,31 +39,13 @@ constexpr std::array tables = {
     Table{"list_instrument", "test", 1000},
 };
 
-constexpr std::size_t most_parameters = 600;  // of one INSERT
-
-Result<void> insert(Connection& to, std::string_view table, std::span<const Row> rows) {
-  if (rows.empty()) return {};
-  const std::size_t columns = rows[0].cells().size();
-  const std::size_t at_once = std::max<std::size_t>(1, most_parameters / columns);
-  for (std::size_t first = 0; first < rows.size(); first += at_once) {
-    std::string values;
-    std::vector<Parameter> parameters;
-    for (const Row& row : rows.subspan(first, std::min(at_once, rows.size() - first))) {
-      values += fmt::format("{}({})", values.empty() ? "" : ", ", places(parameters.size() + 1, columns));
-      for (const Cell& cell : row.cells()) parameters.push_back(parameter(cell));
-    }
-    AXIOMETRY_TRY_VOID(to.run(fmt::format("INSERT INTO {} VALUES {}", table, values), parameters));
-  }
-  return {};
-}
-
 Result<void> copy(Connection& from, Connection& to, const Table& table) {
   AXIOMETRY_TRY(const Rows last, from.query(fmt::format("SELECT coalesce(max({}), 0) FROM {}", table.key, table.name)));
   for (std::int64_t first = 1; first <= last[0].integer(0); first += table.at_once) {
     AXIOMETRY_TRY(const Rows rows,
                   from.query(fmt::format("SELECT * FROM {} WHERE {} BETWEEN $1 AND $2", table.name, table.key),
                              {first, first + table.at_once - 1}));
-    AXIOMETRY_TRY_VOID(insert(to, table.name, rows));
+    AXIOMETRY_TRY_VOID(insert_rows(to, table.name, "", rows));
   }
   return {};
 }

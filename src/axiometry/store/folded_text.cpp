@@ -42,7 +42,7 @@ std::string folded(std::string_view utf8, std::size_t largest) {
   for (std::size_t at = 0; at < utf8.size();) {
     const Letter letter = letter_at(utf8, at);
     if (result.size() + letter.bytes > largest) break;
-    if (letter.bytes == 2) {
+    if (letter.code != 0) {
       const char32_t code = small(letter.code);
       result += static_cast<char>(0xC0 | code >> 6);
       result += static_cast<char>(0x80 | (code & 0x3F));

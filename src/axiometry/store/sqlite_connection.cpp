@@ -15,7 +15,7 @@ constexpr std::size_t statements_kept = 200;
 
 ErrorKind kind_of(sqlite3* database) {
   const int system_error = sqlite3_system_errno(database);
-  const bool no_room = system_error == ENOSPC || system_error == EDQUOT || system_error == EFBIG;
+  const bool no_room = system_error == ENOSPC || system_error == EDQUOT;
   switch (sqlite3_errcode(database)) {
     case SQLITE_FULL: return ErrorKind::full;
     case SQLITE_READONLY:

@@ -13,8 +13,8 @@ bool given(std::string_view text) { return !text::trim(text).empty(); }
 
 /// The first thing whose latest version fits, else the first with any version that does.
 template <typename Thing, typename Fits>
-Result<std::optional<Versioned<Thing>>> find(Connection& connection, Fits fits) {
-  AXIOMETRY_TRY(const std::vector<Versioned<Thing>> things, all_things<Thing>(connection));
+Result<std::optional<Versioned<Thing>>> find(Connection& connection, const std::vector<Versioned<Thing>>& things,
+                                             Fits fits) {
   for (const Versioned<Thing>& thing : things)
     if (fits(thing.value)) return thing;
   for (const Versioned<Thing>& thing : things) {
@@ -31,8 +31,9 @@ Result<std::optional<Versioned<Thing>>> find(Connection& connection, Fits fits) 
 Result<std::optional<Id>> machine_of(Connection& connection, const Machine& stated, const Change& change) {
   const bool numbered = given(stated.serial_number);
   if (!numbered && !given(stated.name)) return std::nullopt;
+  AXIOMETRY_TRY(const auto machines, all_things<Machine>(connection));
   if (numbered) {
-    AXIOMETRY_TRY(const auto found, find<Machine>(connection, [&](const Machine& machine) {
+    AXIOMETRY_TRY(const auto found, find(connection, machines, [&](const Machine& machine) {
                     return same(machine.serial_number, stated.serial_number) &&
                            (!given(machine.manufacturer) || !given(stated.manufacturer) ||
                             same(machine.manufacturer, stated.manufacturer));
@@ -40,7 +41,7 @@ Result<std::optional<Id>> machine_of(Connection& connection, const Machine& stat
     if (found) return found->id;
   }
   if (given(stated.name)) {
-    AXIOMETRY_TRY(const auto found, find<Machine>(connection, [&](const Machine& machine) {
+    AXIOMETRY_TRY(const auto found, find(connection, machines, [&](const Machine& machine) {
                     return same(machine.name, stated.name) && (!numbered || !given(machine.serial_number));
                   }));
     if (found) return found->id;
@@ -53,8 +54,9 @@ Result<std::optional<Id>> machine_of(Connection& connection, const Machine& stat
 
 Result<std::optional<Id>> axis_of(Connection& connection, Id machine, const Axis& stated, const Change& change) {
   if (!given(stated.name)) return std::nullopt;
-  AXIOMETRY_TRY(const auto found, find<Axis>(connection, [&](const Axis& axis) {
-                  return axis.machine == machine && axis.kind == stated.kind && same(axis.name, stated.name);
+  AXIOMETRY_TRY(const auto axes, axes_of(connection, machine));
+  AXIOMETRY_TRY(const auto found, find(connection, axes, [&](const Axis& axis) {
+                  return axis.kind == stated.kind && same(axis.name, stated.name);
                 }));
   if (found) return found->id;
   Axis added = stated;

@@ -1,58 +1,202 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/store/store.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
-#include <cstdio>
-
-#include "axiometry/digest/sha256.h"
+#include "axiometry/store/store_test_support.h"
 
 namespace axiometry::store {
 namespace {
 
-NewTest simple(const std::string& title) {
-  NewTest test;
-  test.state.title = title;
-  test.state.machine.name = "Mill";
-  test.state.machine.serial_number = "1";
-  test.state.axis.name = "X";
-  test.state.axis.kind = "linear";
-  test.state.measured_on = "2014-01-01";
-  test.state.changes = "{}";
-  test.state.evaluation.options = "{}";
-  test.state.evaluation.result = "{}";
-  test.state.evaluation.unit = "um";
-  test.state.evaluation.figures = {{"A", 1.5, 0.2, 3.0, "conforms"}};
-  return test;
+using test::by_anna;
+using test::content_of;
+using test::must;
+using test::new_test;
+using test::why;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class StoreTest : public test::BothStores {
+ protected:
+  std::unique_ptr<Store> new_store() { return must(Store::open(new_address())); }
+};
+INSTANTIATE_TEST_SUITE_P(Both, StoreTest, testing::Values("sqlite", "postgresql"),
+                         [](const auto& each) { return each.param; });
+
+TEST_P(StoreTest, IsEmptyWhenNewAndSaysWhatItIs) {
+  const std::string address = new_address();
+  const auto store = must(Store::open(address));
+  EXPECT_EQ(store->info().kind, GetParam());
+  EXPECT_EQ(store->info().schema, 1);
+  EXPECT_TRUE(store->info().writable);
+  const Counts counts = must(store->counts());
+  EXPECT_EQ(counts.tests + counts.machines + counts.content_bytes, 0);
+  EXPECT_TRUE(must(store->verify()).problems.empty());
+  EXPECT_TRUE(Store::open(address)) << "a second time";
+  EXPECT_EQ(Store::open(new_address(), {.create = false}).error().kind, ErrorKind::not_found);
 }
 
-TEST(Store, KeepsTestsAndFindsThemInEveryOrder) {
-  const std::string file = testing::TempDir() + "store_first.db";
-  for (const char* rest : {"", "-wal", "-shm"}) std::remove((file + rest).c_str());
-  auto store = Store::open(file);
-  ASSERT_TRUE(store) << store.error().to_string();
-  const Content content{sha256("abc"), "a.csv", "csv-long", "abc"};
-  const auto ids = (*store)->receive(content, std::vector{simple("T1"), simple("T2")}, {"me", "x"});
-  ASSERT_TRUE(ids) << ids.error().to_string();
-  for (int order = 0; order < 8; ++order)
-    for (const bool descending : {false, true})
-      for (const char* text : {"", "mill x"}) {
-        TestFilter filter;
-        filter.text = text;
-        filter.order = static_cast<TestFilter::Order>(order);
-        filter.descending = descending;
-        const auto page = (*store)->tests(filter);
-        ASSERT_TRUE(page) << page.error().to_string();
-        ASSERT_EQ(page->total, 2);
-        EXPECT_EQ(page->rows[0].figures[0].value, 1.5);
-        EXPECT_EQ(page->rows[0].id, descending ? 2 : 1);
-      }
-  const auto revised = (*store)->revise(1, 1, simple("T1 again").state, {"me", ""});
-  ASSERT_TRUE(revised) << revised.error().to_string();
-  EXPECT_EQ(*revised, 2);
-  const auto trend = (*store)->trend(1, std::vector<std::string>{"A"}, 10);
-  ASSERT_TRUE(trend) << trend.error().to_string();
-  EXPECT_EQ(trend->size(), 2u);
+TEST_P(StoreTest, GivesATestBackAsItCame) {
+  const auto store = new_store();
+  NewTest test = new_test("Umkehrspanne ± „µm“\n<b>&'\"", 0.1 + 0.2);
+  test.name_in_file = "second";
+  const Content content = content_of(std::string("a\0b\xff\r\n", 6), "größe <x>.csv");
+  EXPECT_THAT(must(store->receive(content, std::vector{test}, by_anna)), ElementsAre(1));
+  const TestRecord found = must(store->test(1));
+  EXPECT_EQ(found.version, 1);
+  EXPECT_EQ(found.sha256, content.sha256);
+  EXPECT_EQ(found.file_name, content.file_name);
+  EXPECT_EQ(found.format, "csv-long");
+  EXPECT_EQ(found.name_in_file, "second");
+  EXPECT_EQ(found.received.actor, "Anna");
+  EXPECT_EQ(found.received.at.size(), std::string("2026-11-22T09:30:00.123Z").size());
+  EXPECT_EQ(found.state.title, test.state.title);
+  EXPECT_EQ(found.state.machine.serial_number, "4711");
+  EXPECT_EQ(found.state.axis.limits.at(0).value, 10.0);
+  EXPECT_EQ(found.state.instruments.at(0).inputs, test.state.instruments[0].inputs);
+  EXPECT_EQ(found.state.changes, test.state.changes);
+  const Evaluation& evaluation = found.state.evaluation;
+  EXPECT_EQ(evaluation.seed, test.state.evaluation.seed);
+  EXPECT_EQ(evaluation.result, test.state.evaluation.result);
+  EXPECT_EQ(evaluation.figures.at(0).value, 0.1 + 0.2);
+  EXPECT_EQ(evaluation.figures.at(0).limit, 10.0);
+  EXPECT_EQ(evaluation.figures.at(1).U, std::nullopt);
+  EXPECT_EQ(must(store->content(content.sha256)).bytes, content.bytes);
+}
+
+TEST_P(StoreTest, KeepsTheSameBytesOnce) {
+  const auto store = new_store();
+  must(store->receive(content_of("abc", "first.csv"), std::vector{new_test("a")}, by_anna));
+  must(store->receive(content_of("abc", "second.csv"), std::vector{new_test("b")}, by_anna));
+  EXPECT_EQ(must(store->counts()).content_bytes, 3);
+  EXPECT_EQ(must(store->test(2)).file_name, "second.csv");
+  TestFilter filter;
+  filter.sha256 = sha256("abc");
+  EXPECT_EQ(must(store->tests(filter)).total, 2);
+}
+
+TEST_P(StoreTest, KeepsAllTestsOfAFileOrNone) {
+  const auto store = new_store();
+  NewTest wrong = new_test("wrong");
+  wrong.state.evaluation.figures[0].value = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = store->receive(content_of("abc"), std::vector{new_test("right"), wrong}, by_anna);
+  EXPECT_THAT(why(refused), HasSubstr("not finite"));
+  const Counts counts = must(store->counts());
+  EXPECT_EQ(counts.tests + counts.machines + counts.content_bytes, 0);
+  EXPECT_TRUE(must(store->audit("", 0, 10)).empty());
+  EXPECT_THAT(must(store->receive(content_of("abc"), std::vector{new_test("right")}, by_anna)), ElementsAre(1));
+}
+
+TEST_P(StoreTest, RefusesWhatOneOfTheDatabasesCouldNotKeep) {
+  const auto store = new_store();
+  EXPECT_THAT(why(store->receive(content_of("a"), std::vector{new_test("\xff")}, by_anna)), HasSubstr("UTF-8"));
+  EXPECT_THAT(why(store->receive(content_of("a"), std::vector{new_test(std::string("a\0b", 3))}, by_anna)),
+              HasSubstr("NUL"));
+  Content lying = content_of("a");
+  lying.bytes = "b";
+  EXPECT_THAT(why(store->receive(lying, std::vector{new_test("a")}, by_anna)), HasSubstr("SHA-256"));
+  NewTest no_json = new_test("a");
+  no_json.state.changes = "{";
+  EXPECT_THAT(why(store->receive(content_of("a"), std::vector{no_json}, by_anna)), HasSubstr("JSON"));
+  EXPECT_FALSE(store->receive(content_of("a"), {}, by_anna));
+  EXPECT_EQ(must(store->counts()).tests, 0);
+}
+
+TEST_P(StoreTest, KeepsEveryVersionOfATest) {
+  const auto store = new_store();
+  must(store->receive(content_of("abc"), std::vector{new_test("first", 1.0)}, by_anna));
+  EXPECT_EQ(must(store->revise(1, 1, new_test("second", 2.0).state, {"Ben", "typing error"})), 2);
+  EXPECT_EQ(must(store->test(1)).state.title, "second");
+  EXPECT_EQ(must(store->test(1, 1)).state.title, "first");
+  EXPECT_EQ(must(store->test(1, 1)).state.evaluation.figures[0].value, 1.0);
+  EXPECT_EQ(must(store->test(1, 1)).latest, 2);
+  EXPECT_EQ(store->test(1, 3).error().kind, ErrorKind::not_found);
+  EXPECT_EQ(store->test(2).error().kind, ErrorKind::not_found);
+  const auto versions = must(store->test_versions(1));
+  ASSERT_EQ(versions.size(), 2u);
+  EXPECT_EQ(versions[1].reason, "typing error");
+}
+
+TEST_P(StoreTest, TellsWhoWasFirstWhenTwoEditTheSameVersion) {
+  const auto store = new_store();
+  must(store->receive(content_of("abc"), std::vector{new_test("first")}, by_anna));
+  must(store->revise(1, 1, new_test("Ben's").state, {"Ben", ""}));
+  const auto late = store->revise(1, 1, new_test("Anna's").state, by_anna);
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().kind, ErrorKind::conflict);
+  EXPECT_THAT(late.error().message, HasSubstr("version 2 of this test, made by Ben at 20"));
+  EXPECT_EQ(must(store->test(1)).state.title, "Ben's");
+}
+
+TEST_P(StoreTest, HidesWithdrawnTestsAndShowsThemWhenAsked) {
+  const auto store = new_store();
+  must(store->receive(content_of("abc"), std::vector{new_test("a"), new_test("b")}, by_anna));
+  must(store->withdraw(1, true, {"Anna", "wrong axis"}));
+  EXPECT_EQ(store->withdraw(1, true, by_anna).error().kind, ErrorKind::conflict);
+  EXPECT_TRUE(must(store->test(1)).withdrawn);
+  EXPECT_EQ(must(store->tests({})).total, 1);
+  TestFilter all;
+  all.withdrawn = true;
+  for (const char* text : {"", "mill"}) {
+    all.text = text;
+    EXPECT_EQ(must(store->tests(all)).total, 2);
+  }
+  EXPECT_EQ(must(store->trend(1, std::vector<std::string>{"A"}, 10)).size(), 1u);
+  EXPECT_TRUE(must(store->verify()).problems.empty());
+  must(store->withdraw(1, false, by_anna));
+  EXPECT_EQ(must(store->tests({})).total, 2);
+  EXPECT_TRUE(must(store->verify()).problems.empty());
+}
+
+TEST_P(StoreTest, ShowsTheHistoryOfAnAxisByTheDateOfMeasurement) {
+  const auto store = new_store();
+  std::vector<NewTest> tests;
+  for (const char* day : {"2020-01-03", "2020-01-01", "2020-01-02", "2020-01-02"}) {
+    tests.push_back(new_test(day, static_cast<double>(tests.size() + 1)));
+    tests.back().state.measured_on = day;
+  }
+  must(store->receive(content_of("abc"), tests, by_anna));
+  const auto points = must(store->trend(1, std::vector<std::string>{"A", "B"}, 3));
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[0].test, 3);
+  EXPECT_EQ(points[1].test, 4);
+  EXPECT_EQ(points[2].test, 1);
+  ASSERT_EQ(points[0].figures.size(), 1u);
+  EXPECT_EQ(points[0].figures[0].value, 3.0);
+  EXPECT_EQ(store->trend(2, {}, 3).error().kind, ErrorKind::not_found);
+}
+
+TEST_P(StoreTest, KeepsIssuedReportsAndAttachments) {
+  const auto store = new_store();
+  must(store->receive(content_of("abc"), std::vector{new_test("a")}, by_anna));
+  Document report;
+  report.test = 1;
+  report.name = "report.pdf";
+  report.media_type = "application/pdf";
+  report.language = "de";
+  const Document kept = must(store->add_document(report, std::string_view("%PDF\0", 5), by_anna));
+  EXPECT_EQ(kept.id, 1);
+  EXPECT_EQ(kept.size, 5);
+  EXPECT_EQ(must(store->content(must(store->document(1)).sha256)).bytes, std::string_view("%PDF\0", 5));
+  EXPECT_EQ(must(store->documents(1)).size(), 1u);
+  report.version = 2;
+  EXPECT_EQ(store->add_document(report, "x", by_anna).error().kind, ErrorKind::not_found);
+  EXPECT_EQ(store->document(2).error().kind, ErrorKind::not_found);
+  EXPECT_EQ(store->documents(2).error().kind, ErrorKind::not_found);
+}
+
+TEST_P(StoreTest, WritesDownWhoDidWhat) {
+  const auto store = new_store();
+  must(store->receive(content_of("abc"), std::vector{new_test("a")}, by_anna));
+  must(store->revise(1, 1, new_test("b").state, {"Ben", "typing error"}));
+  const auto of_test = must(store->audit("test 1", 0, 10));
+  ASSERT_EQ(of_test.size(), 2u);
+  EXPECT_EQ(of_test[0].action, "test.revised");
+  EXPECT_EQ(of_test[0].change.actor, "Ben");
+  EXPECT_EQ(of_test[1].action, "test.received");
+  const auto all = must(store->audit("", 0, 100));
+  EXPECT_EQ(all.size(), 6u);  // bytes, machine, axis, instrument, and the two
+  EXPECT_EQ(must(store->audit("", all[1].id, 1)).at(0).id, all[2].id);
 }
 
 }  // namespace

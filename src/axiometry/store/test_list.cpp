@@ -84,8 +84,6 @@ Result<void> list_test(Connection& connection, const TestHead& head, const TestV
     axis_name = std::move(axis.value.name);
     axis_kind = std::move(axis.value.kind);
   }
-  for (const std::string_view table : {"list_instrument", "test_search", "test_list"})
-    AXIOMETRY_TRY_VOID(connection.run(fmt::format("DELETE FROM {} WHERE test = $1", table), {latest.test}));
   const std::vector<Cell> cells = list_cells(head, latest, machine_name, axis_name, axis_kind);
   std::vector<Parameter> parameters = parameters_of(cells);
   const Parameter searched = parameters.back();
@@ -103,6 +101,12 @@ Result<void> list_test(Connection& connection, const TestHead& head, const TestV
                                       {instrument, withdrawn, latest.test}));
   }
   return {};
+}
+
+Result<void> relist_test(Connection& connection, const TestHead& head, const TestVersion& latest) {
+  for (const std::string_view table : {"list_instrument", "test_search", "test_list"})
+    AXIOMETRY_TRY_VOID(connection.run(fmt::format("DELETE FROM {} WHERE test = $1", table), {latest.test}));
+  return list_test(connection, head, latest);
 }
 
 Result<Rows> listed(Connection& connection, Id first, Id last) {

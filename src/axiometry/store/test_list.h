@@ -10,8 +10,9 @@
 /// Lists of tests and histories of axes. They are read from narrow rows that follow from the latest versions.
 namespace axiometry::store {
 
-/// Brings the rows of one test into line with its latest version.
+/// Puts a new test into the lists; or brings its rows there into line with its latest version.
 Result<void> list_test(Connection& connection, const TestHead& head, const TestVersion& latest);
+Result<void> relist_test(Connection& connection, const TestHead& head, const TestVersion& latest);
 
 /// As list_test() would write them; the words that are searched come last.
 std::vector<Cell> list_cells(const TestHead& head, const TestVersion& latest, const std::string& machine_name,

@@ -155,13 +155,14 @@ Result<void> write_version(Connection& connection, TestVersion& version) {
   parameters = {version.test, version.version};
   for (const Cell& value : evaluation) parameters.push_back(parameter(value));
   AXIOMETRY_TRY_VOID(write_row(connection, "evaluation", evaluation_columns, parameters));
-  for (std::size_t k = 0; k < version.evaluation.figures.size(); ++k) {
-    const std::vector<Cell> figure = cells_of(version.evaluation.figures[k]);
-    parameters = {version.test, version.version, static_cast<std::int64_t>(k + 1)};
-    for (const Cell& value : figure) parameters.push_back(parameter(value));
-    AXIOMETRY_TRY_VOID(write_row(connection, "figure", figure_columns, parameters));
+  Rows figures;
+  for (const Figure& figure : version.evaluation.figures) {
+    std::vector<Cell> cells = {version.test, std::int64_t{version.version},
+                               static_cast<std::int64_t>(figures.size() + 1)};
+    for (Cell& value : cells_of(figure)) cells.push_back(std::move(value));
+    figures.emplace_back(std::move(cells));
   }
-  return {};
+  return insert_rows(connection, "figure", figure_columns, figures);
 }
 
 Result<std::vector<TestHead>> read_heads(Connection& connection, Id first, Id last) {

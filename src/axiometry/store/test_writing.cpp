@@ -91,7 +91,7 @@ Result<int> revise_test(Connection& connection, Id test, int base_version, const
   version.version = ++head.latest;
   AXIOMETRY_TRY_VOID(connection.run("UPDATE test SET latest = $2 WHERE id = $1", {test, head.latest}));
   AXIOMETRY_TRY_VOID(write_version(connection, version));
-  AXIOMETRY_TRY_VOID(list_test(connection, head, version));
+  AXIOMETRY_TRY_VOID(relist_test(connection, head, version));
   AXIOMETRY_TRY_VOID(record(connection, change, {"test.revised", subject_of(test), detail_of(version)}));
   return version.version;
 }
@@ -104,7 +104,7 @@ Result<void> withdraw_test(Connection& connection, Id test, bool withdrawn, cons
   head.withdrawn = withdrawn;
   AXIOMETRY_TRY_VOID(connection.run("UPDATE test SET withdrawn = $2 WHERE id = $1", {test, std::int64_t{withdrawn}}));
   AXIOMETRY_TRY(const TestVersion version, read_version(connection, test, head.latest));
-  AXIOMETRY_TRY_VOID(list_test(connection, head, version));
+  AXIOMETRY_TRY_VOID(relist_test(connection, head, version));
   return record(connection, change_now(by), {withdrawn ? "test.withdrawn" : "test.reinstated", subject_of(test)});
 }
 

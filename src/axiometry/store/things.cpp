@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "axiometry/store/audit_trail.h"
 #include "axiometry/store/fingerprint.h"
 #include "axiometry/store/test_list.h"
@@ -11,7 +13,8 @@
 namespace axiometry::store {
 namespace {
 
-constexpr std::size_t own_columns = 6;  // id, version, at, actor, reason, sha256
+constexpr std::size_t most_parameters = 600;  // of one INSERT
+constexpr std::size_t own_columns = 6;        // id, version, at, actor, reason, sha256
 
 std::string fingerprint(Id id, int version, const Change& change, std::span<const Cell> cells) {
   return Fingerprint()
@@ -102,6 +105,25 @@ std::vector<Parameter> parameters_of(const std::vector<Cell>& cells) {
   return parameters;
 }
 
+Result<void> insert_rows(Connection& connection, std::string_view table, std::string_view columns,
+                         std::span<const Row> rows) {
+  if (rows.empty()) return {};
+  const std::size_t width = rows[0].cells().size();
+  const std::size_t at_once = std::max<std::size_t>(1, most_parameters / width);
+  for (std::size_t first = 0; first < rows.size(); first += at_once) {
+    std::string values;
+    std::vector<Parameter> parameters;
+    for (const Row& row : rows.subspan(first, std::min(at_once, rows.size() - first))) {
+      values += fmt::format("{}({})", values.empty() ? "" : ", ", places(parameters.size() + 1, width));
+      for (const Cell& cell : row.cells()) parameters.push_back(parameter(cell));
+    }
+    AXIOMETRY_TRY_VOID(connection.run(fmt::format("INSERT INTO {} {}{}{} VALUES {}", table, columns.empty() ? "" : "(",
+                                                  columns, columns.empty() ? "" : ")", values),
+                                      parameters));
+  }
+  return {};
+}
+
 Result<Id> next_id(Connection& connection, std::string_view table) {
   AXIOMETRY_TRY(const Rows rows, connection.query(fmt::format("SELECT coalesce(max(id), 0) + 1 FROM {}", table)));
   return rows[0].integer(0);
@@ -155,6 +177,15 @@ Result<std::vector<Versioned<Thing>>> all_things(Connection& connection) {
                 connection.query(selection<Thing>(fmt::format(
                     "JOIN {} t ON t.id = v.id AND t.latest = v.version ORDER BY v.id", ThingTable<Thing>::name))));
   return all_versioned<Thing>(rows);
+}
+
+Result<std::vector<Versioned<Axis>>> axes_of(Connection& connection, Id machine) {
+  AXIOMETRY_TRY(
+      const Rows rows,
+      connection.query(selection<Axis>("JOIN axis t ON t.id = v.id AND t.latest = v.version WHERE v.machine = "
+                                       "$1 ORDER BY v.id"),
+                       {machine}));
+  return all_versioned<Axis>(rows);
 }
 
 template <typename Thing>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "axiometry/store/attested.h"
@@ -23,6 +24,9 @@ Result<Versioned<Thing>> get_thing(Connection& connection, Id id, std::optional<
 template <typename Thing>
 Result<std::vector<Versioned<Thing>>> all_things(Connection& connection);  ///< latest versions, by id
 
+/// Likewise, of one machine.
+Result<std::vector<Versioned<Axis>>> axes_of(Connection& connection, Id machine);
+
 template <typename Thing>
 Result<std::vector<Versioned<Thing>>> thing_versions(Connection& connection, Id id);
 
@@ -38,5 +42,9 @@ Result<Id> next_id(Connection& connection, std::string_view table);
 std::string places(std::size_t first, std::size_t count);
 
 std::vector<Parameter> parameters_of(const std::vector<Cell>& cells);
+
+/// All these rows by as few statements as there can be.
+Result<void> insert_rows(Connection& connection, std::string_view table, std::string_view columns,
+                         std::span<const Row> rows);
 
 }  // namespace axiometry::store

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "axiometry/digest/sha256.h"
+#include "axiometry/store/place.h"
+#include "axiometry/store/store.h"
+
+namespace axiometry::store::test {
+
+inline const By by_anna{"Anna", "because"};
+
+/// A test with everything that a test may have; `value` is its A.
+inline NewTest new_test(const std::string& title, double value = 1.5) {
+  NewTest test;
+  TestState& state = test.state;
+  state.title = title;
+  state.machine.name = "Mill 1";
+  state.machine.serial_number = "4711";
+  state.axis.name = "X";
+  state.axis.kind = "linear";
+  state.axis.limits = {{"A", 10.0}};
+  Instrument& laser = state.instruments.emplace_back();
+  laser.role = "Laser interferometer";
+  laser.manufacturer = "Maker";
+  laser.type = "XL";
+  laser.serial_number = "L-1";
+  laser.inputs = {{"uncertainty.device", "0.5"}};
+  state.measured_on = "2014-05-15";
+  state.changes = R"({"machine.name":"Mill 1"})";
+  state.evaluation.program = "axiometry 0.1.0";
+  state.evaluation.standard = "ISO 230-2:2014";
+  state.evaluation.options = R"({"methods":[]})";
+  state.evaluation.seed = 18446744073709551615u;
+  state.evaluation.result = R"({"parameters":{"A":1.5}})";
+  state.evaluation.unit = "um";
+  state.evaluation.conforming = true;
+  state.evaluation.verdict = "conforms";
+  state.evaluation.label = "";
+  state.evaluation.figures = {{"A", value, 0.2, 10.0, "conforms"}, {"E", value / 3, {}, {}, ""}};
+  return test;
+}
+
+inline Content content_of(const std::string& bytes, const std::string& name = "run.csv") {
+  return {sha256(bytes), name, "csv-long", bytes};
+}
+
+/// Value of a result; a failure of the test, and of the process, where there is none.
+template <typename T>
+T must(Result<T> result) {
+  if (!result) {
+    ADD_FAILURE() << result.error().to_string();
+    std::abort();
+  }
+  if constexpr (!std::is_void_v<T>) return *std::move(result);
+}
+
+template <typename T>
+std::string why(const Result<T>& result) {
+  return result ? "" : result.error().to_string();
+}
+
+/// The same tests for both databases: a new place for each test. PostgreSQL's are schemas of the database in the
+/// environment's AXIOMETRY_TEST_POSTGRESQL (tests/store/with_postgresql); without it they are skipped, or fail where
+/// AXIOMETRY_REQUIRE_POSTGRESQL says so.
+class BothStores : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    if (GetParam() == "sqlite") return;
+    if (std::getenv("AXIOMETRY_TEST_POSTGRESQL") != nullptr) return;
+    if (std::getenv("AXIOMETRY_REQUIRE_POSTGRESQL") != nullptr) FAIL() << "no AXIOMETRY_TEST_POSTGRESQL";
+    GTEST_SKIP() << "no AXIOMETRY_TEST_POSTGRESQL";
+  }
+
+  void TearDown() override {
+    std::error_code error;
+    std::filesystem::remove_all(folder_, error);
+  }
+
+  bool sqlite() const { return GetParam() == "sqlite"; }
+
+  /// A file of that name in this test's folder.
+  std::string file(const std::string& name) {
+    if (folder_.empty()) {
+      std::string pattern = testing::TempDir() + "axiometry-store-XXXXXX";
+      folder_ = ::mkdtemp(pattern.data());
+    }
+    return folder_ + "/" + name;
+  }
+
+  /// Where no store is yet.
+  std::string new_address() {
+    static int count = 0;
+    ++count;
+    if (sqlite()) return file(fmt::format("{}.db", count));
+    const std::string uri = std::getenv("AXIOMETRY_TEST_POSTGRESQL");
+    return fmt::format("{}{}options=-csearch_path%3Dtest_{}_{}", uri, uri.find('?') == std::string::npos ? '?' : '&',
+                       ::getpid(), count);
+  }
+
+  /// To do what the store never does.
+  static std::unique_ptr<Connection> raw(const std::string& address) {
+    return must(must(place_of(address, {}))->connect());
+  }
+
+ private:
+  std::string folder_;
+};
+
+}  // namespace axiometry::store::test

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: Apache-2.0
+// What must not hurt an archive: two who write at once, one who holds on too long, no room, no right to write, another
+// program's hands on its tables.
+#include <gmock/gmock.h>
+#include <sched.h>
+#include <sqlite3.h>
+#include <sys/mount.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <atomic>
+#include <fstream>
+#include <set>
+#include <thread>
+
+#include "axiometry/store/store.h"
+#include "axiometry/store/store_test_support.h"
+
+namespace axiometry::store {
+namespace {
+
+using test::by_anna;
+using test::content_of;
+using test::must;
+using test::new_test;
+using test::why;
+using testing::Contains;
+using testing::HasSubstr;
+
+class StoreTroubleTest : public test::BothStores {
+ protected:
+  /// A store with one test of everything.
+  std::string filled() {
+    const std::string address = new_address();
+    const auto store = must(Store::open(address));
+    must(store->receive(content_of("abc"), std::vector{new_test("a"), new_test("b")}, by_anna));
+    must(store->revise(1, 1, new_test("a again").state, by_anna));
+    must(store->withdraw(2, true, by_anna));
+    Document document;
+    document.test = 1;
+    document.name = "photo.png";
+    document.kind = Document::Kind::attachment;
+    must(store->add_document(document, "bytes", by_anna));
+    must(store->add(PlanRecord{"Plan", 1, sha256("abc")}, by_anna));
+    return address;
+  }
+
+  static std::vector<std::string> problems(const std::string& address) {
+    return must(must(Store::open(address))->verify()).problems;
+  }
+
+  /// Without the guards, as somebody with a database's own tools could.
+  static void tamper(const std::string& address, const std::string& table, const std::string& sql) {
+    const auto connection = raw(address);
+    if (connection->is_sqlite())
+      for (const char* guard : {"unchanged", "undeleted", "unreplaced", "grows"})
+        must(connection->script(fmt::format("DROP TRIGGER IF EXISTS {}_{}", table, guard)));
+    else
+      must(connection->script(fmt::format("ALTER TABLE {} DISABLE TRIGGER ALL", table)));
+    if (connection->is_sqlite()) must(connection->script("PRAGMA foreign_keys = OFF"));
+    must(connection->script(sql));
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Both, StoreTroubleTest, testing::Values("sqlite", "postgresql"),
+                         [](const auto& each) { return each.param; });
+
+TEST_P(StoreTroubleTest, DatabaseItselfRefusesToChangeWhatWasKept) {
+  const std::string address = filled();
+  const auto connection = raw(address);
+  for (const char* table : {"content", "machine", "machine_version", "axis", "axis_version", "instrument",
+                            "instrument_version", "plan", "plan_version", "test", "test_version", "test_instrument",
+                            "evaluation", "figure", "document", "audit", "migration"}) {
+    const auto cleared = connection->run(fmt::format("DELETE FROM {}", table));
+    EXPECT_THAT(why(cleared), HasSubstr("taken away")) << table;
+    const auto replaced = connection->run(
+        fmt::format(sqlite() ? "INSERT OR REPLACE INTO {0} SELECT * FROM {0}" : "TRUNCATE {0} CASCADE", table));
+    EXPECT_THAT(why(replaced), testing::AnyOf(HasSubstr("there already"), HasSubstr("taken away"))) << table;
+  }
+  for (const char* change : {"content SET bytes = bytes", "content SET file_name = 'x'", "test SET content = 'x'",
+                             "test SET at = 'x'", "test_version SET title = 'x'", "evaluation SET result = '{}'",
+                             "figure SET value = 0", "document SET name = 'x'", "audit SET actor = 'x'",
+                             "machine_version SET name = 'x'", "test SET latest = latest + 2",
+                             "test SET latest = latest - 1", "axis SET latest = 0", "migration SET sha256 = 'x'"})
+    EXPECT_THAT(why(connection->run(fmt::format("UPDATE {}", change))), HasSubstr("found ")) << change;
+  EXPECT_TRUE(problems(address).empty());
+}
+
+TEST_P(StoreTroubleTest, VerifyFindsWhatWasChangedAllTheSame) {
+  struct Case {
+    const char* table;
+    const char* sql;
+    const char* said;
+  };
+  const std::string bytes = sqlite() ? "x'00'" : "'\\x00'";
+  const std::string change_content = "UPDATE content SET bytes = " + bytes;
+  for (const Case& c : {
+           Case{"content", change_content.c_str(), "content 1: found 1 bytes"},
+           Case{"content", "DELETE FROM content WHERE id = 1", "content 1: found none"},
+           Case{"test_version", "UPDATE test_version SET title = 'x' WHERE test = 1",
+                "test 1: found version 1 changed"},
+           Case{"evaluation", "UPDATE evaluation SET result = '{\"A\":1}' WHERE version = 2",
+                "test 1: found version 2 changed"},
+           Case{"figure", "UPDATE figure SET value = 0.5 WHERE test = 2", "test 2: found version 1 changed"},
+           Case{"test", "UPDATE test SET withdrawn = 0", "test 2: found it not withdrawn"},
+           Case{"test", "UPDATE test SET latest = 1", "test 1: found 2 versions"},
+           Case{"test_list", "UPDATE test_list SET value_a = 0 WHERE test = 1", "test 1: found another line"},
+           Case{"test_search", "DELETE FROM test_search", "test 1: found another line"},
+           Case{"machine_version", "UPDATE machine_version SET name = 'x'", "machine 1: found version 1 changed"},
+           Case{"document", "UPDATE document SET name = 'x'", "document 1: found it changed"},
+           Case{"audit", "UPDATE audit SET actor = 'x' WHERE id = 2", "found entry 2 with the hash"},
+           Case{"audit", "DELETE FROM audit WHERE id = 3", "found entry 4 after 2"},
+           Case{"audit", "DELETE FROM audit WHERE id > 3", "the audit trail"},
+       }) {
+    const std::string address = filled();
+    ASSERT_TRUE(problems(address).empty());
+    tamper(address, c.table, c.sql);
+    EXPECT_THAT(problems(address), Contains(HasSubstr(c.said))) << c.sql;
+  }
+}
+
+TEST_P(StoreTroubleTest, GivesNoBytesThatWereChanged) {
+  const std::string address = filled();
+  tamper(address, "content", sqlite() ? "UPDATE content SET bytes = x'00'" : "UPDATE content SET bytes = '\\x00'");
+  EXPECT_EQ(must(Store::open(address))->content(sha256("abc")).error().kind, ErrorKind::damaged);
+}
+
+TEST_P(StoreTroubleTest, RefusesAStoreOfANewerProgram) {
+  const std::string address = filled();
+  must(raw(address)->run("INSERT INTO migration (number, name, sha256, at) VALUES (7, 'x', 'x', 'x')"));
+  for (const bool read_only : {false, true}) {
+    const auto refused = Store::open(address, {.read_only = read_only});
+    EXPECT_THAT(why(refused), HasSubstr("found schema 7, expected at most 1: written by a newer Axiometry"));
+  }
+}
+
+TEST_P(StoreTroubleTest, RefusesAStoreWhoseMigrationWasAnother) {
+  const std::string address = filled();
+  tamper(address, "migration", "UPDATE migration SET sha256 = 'abc'");
+  EXPECT_THAT(why(Store::open(address)), HasSubstr("found migration 1 with the SHA-256 abc"));
+}
+
+TEST_P(StoreTroubleTest, LetsManyThreadsAndTwoProgramsWriteAtOnce) {
+  const std::string address = new_address();
+  const std::unique_ptr<Store> stores[2] = {must(Store::open(address)), must(Store::open(address))};
+  constexpr int each = 10;
+  std::vector<std::thread> threads;
+  for (int writer = 0; writer < 6; ++writer)
+    threads.emplace_back([&, writer] {
+      for (int k = 0; k < each; ++k) {
+        const auto ids = stores[writer % 2]->receive(content_of(fmt::format("{} {}", writer, k)),
+                                                     std::vector{new_test("t")}, by_anna);
+        EXPECT_TRUE(ids) << why(ids);
+      }
+    });
+  for (int reader = 0; reader < 6; ++reader)
+    threads.emplace_back([&, reader] {
+      for (int k = 0; k < each; ++k) {
+        const auto page = stores[reader % 2]->tests({});
+        EXPECT_TRUE(page) << why(page);
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(must(stores[0]->counts()).tests, 6 * each);
+  EXPECT_EQ(must(stores[0]->counts()).machines, 1);
+  EXPECT_TRUE(problems(address).empty());
+}
+
+TEST_P(StoreTroubleTest, LetsOneOfManyWhoEditTheSameVersionWin) {
+  const std::string address = filled();
+  const std::unique_ptr<Store> stores[2] = {must(Store::open(address)), must(Store::open(address))};
+  std::atomic<int> won = 0;
+  std::atomic<int> told = 0;
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 8; ++k)
+    threads.emplace_back([&, k] {
+      const auto revised = stores[k % 2]->revise(1, 2, new_test("mine").state, by_anna);
+      if (revised) ++won;
+      if (!revised && revised.error().kind == ErrorKind::conflict) ++told;
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(won, 1);
+  EXPECT_EQ(told, 7);
+}
+
+TEST_P(StoreTroubleTest, ManyMayMakeTheSameStoreAtOnce) {
+  const std::string address = new_address();
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 6; ++k)
+    threads.emplace_back([&] {
+      const auto store = Store::open(address);
+      EXPECT_TRUE(store) << why(store);
+    });
+  for (std::thread& thread : threads) thread.join();
+}
+
+TEST_P(StoreTroubleTest, ReadsWhileAnotherHoldsOnAndGivesUpWritingAfterTenSeconds) {
+  const std::string address = filled();
+  const auto store = must(Store::open(address));
+  const auto other = raw(address);
+  must(other->begin_write());
+  must(other->run("DELETE FROM test_search WHERE test = 1"));
+  EXPECT_EQ(must(store->tests({})).total, 1);
+  const auto begun = std::chrono::steady_clock::now();
+  const auto late = store->receive(content_of("new"), std::vector{new_test("t")}, by_anna);
+  EXPECT_GT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(9));
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().kind, ErrorKind::unavailable);
+  EXPECT_THAT(late.error().message, HasSubstr("locked by another program for ten seconds"));
+  other->rollback();
+  EXPECT_TRUE(store->receive(content_of("new"), std::vector{new_test("t")}, by_anna));
+  EXPECT_TRUE(problems(address).empty());
+}
+
+TEST_P(StoreTroubleTest, WritesNothingThroughAReadOnlyOpening) {
+  const std::string address = filled();
+  const auto store = must(Store::open(address, {.read_only = true}));
+  EXPECT_FALSE(store->info().writable);
+  EXPECT_EQ(must(store->tests({})).total, 1);
+  EXPECT_TRUE(must(store->verify()).problems.empty());
+  const auto refused = store->receive(content_of("x"), std::vector{new_test("t")}, by_anna);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::read_only);
+  EXPECT_EQ(store->withdraw(1, true, by_anna).error().kind, ErrorKind::read_only);
+  EXPECT_EQ(Store::open(new_address(), {.read_only = true}).error().kind, ErrorKind::not_found);
+}
+
+TEST_P(StoreTroubleTest, SaysSoWhenACellIsNotWhatWasWritten) {
+  if (!sqlite()) GTEST_SKIP() << "PostgreSQL keeps types itself";
+  const std::string address = filled();
+  tamper(address, "test", "UPDATE test SET latest = 'x' WHERE id = 1");
+  const auto store = must(Store::open(address));
+  EXPECT_EQ(store->test(1).error().kind, ErrorKind::damaged);
+  EXPECT_FALSE(must(store->verify()).problems.empty());
+}
+
+class SqliteTroubleTest : public test::BothStores {};
+INSTANTIATE_TEST_SUITE_P(One, SqliteTroubleTest, testing::Values("sqlite"),
+                         [](const auto& each) { return each.param; });
+
+std::string bytes_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST_P(SqliteTroubleTest, RefusesWhatIsNoStoreAndLeavesItAlone) {
+  std::ofstream(file("text.db")) << "just some text, long enough to be taken for something";
+  sqlite3* foreign = nullptr;
+  ASSERT_EQ(sqlite3_open(file("foreign.db").c_str(), &foreign), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(foreign, "CREATE TABLE t (x)", nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(foreign);
+  for (const char* name : {"text.db", "foreign.db"}) {
+    const std::string before = bytes_of(file(name));
+    for (const bool read_only : {false, true}) {
+      const auto refused = Store::open(file(name), {.read_only = read_only});
+      EXPECT_THAT(why(refused), HasSubstr("expected a store")) << name;
+    }
+    EXPECT_EQ(bytes_of(file(name)), before) << name;
+    EXPECT_FALSE(std::filesystem::exists(file(name) + std::string("-wal"))) << name;
+  }
+  EXPECT_THAT(why(Store::open(file("."))), HasSubstr("found a folder"));
+  EXPECT_THAT(why(Store::open("")), HasSubstr("found no name"));
+  EXPECT_THAT(why(Store::open("mysql://root:secret@host/x")), HasSubstr("expected a file or postgresql://"));
+}
+
+TEST_P(SqliteTroubleTest, MakesItsFileForItsOwnerOnlyAndTheFolderWithIt) {
+  const std::string address = file("a/b/store ? # %41.db");
+  must(must(Store::open(address))->receive(content_of("x"), std::vector{new_test("t")}, by_anna));
+  struct stat status {};
+  ASSERT_EQ(::stat(address.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0600u);
+  EXPECT_TRUE(Store::open(address, {.read_only = true}));
+}
+
+/// What a child process found wrong among mounts of its own, "" if nothing; no value where it may not mount.
+template <typename Scenario>
+std::optional<std::string> among_own_mounts(Scenario scenario) {
+  int ends[2];
+  if (::pipe(ends) != 0) return "no pipe";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const bool may = ::unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0;
+    const std::string said = may ? scenario() : "not allowed";
+    static_cast<void>(::write(ends[1], said.data(), said.size()));
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  std::string said(4096, '\0');
+  const ssize_t size = ::read(ends[0], said.data(), said.size());
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  if (status != 0) return fmt::format("ended with {}", status);
+  said.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  return said == "not allowed" ? std::nullopt : std::optional(said);
+}
+
+TEST_P(SqliteTroubleTest, KeepsNothingOfWhatFindsNoRoomAndGoesOnAfterwards) {
+  const std::string address = file("full.db");
+  const std::string folder = file("");
+  const auto wrong = among_own_mounts([&]() -> std::string {
+    if (::mount("none", folder.c_str(), "tmpfs", 0, "size=2m") != 0) return "not allowed";
+    const auto store = must(Store::open(address));
+    must(store->receive(content_of("first"), std::vector{new_test("first")}, by_anna));
+    const auto big = store->receive(content_of(std::string(2'000'000, 'x')), std::vector{new_test("big")}, by_anna);
+    if (big || big.error().kind != ErrorKind::full) return "found " + why(big);
+    if (must(store->counts()).tests != 1) return "kept half of it";
+    // To the last byte, by small ones.
+    int kept = 1;
+    while (store->receive(content_of(std::string(20'000, 'x') + std::to_string(kept)), std::vector{new_test("small")},
+                          by_anna))
+      ++kept;
+    const auto found = must(store->verify());
+    if (!found.problems.empty()) return found.problems[0];
+    if (found.tests != kept) return fmt::format("found {} tests, expected {}", found.tests, kept);
+    if (::mount("none", folder.c_str(), "tmpfs", MS_REMOUNT, "size=20m") != 0) return "cannot make room";
+    const auto again = store->receive(content_of("again"), std::vector{new_test("again")}, by_anna);
+    return again ? "" : why(again);
+  });
+  if (!wrong) GTEST_SKIP() << "may not mount";
+  EXPECT_EQ(*wrong, "");
+}
+
+TEST_P(SqliteTroubleTest, ReadsWhatLiesOnAFileSystemThatCannotBeWritten) {
+  const std::string address = file("readable.db");
+  const std::string folder = file("");
+  must(must(Store::open(address))->receive(content_of("first"), std::vector{new_test("first")}, by_anna));
+  const auto wrong = among_own_mounts([&]() -> std::string {
+    if (::mount(folder.c_str(), folder.c_str(), nullptr, MS_BIND, nullptr) != 0) return "not allowed";
+    if (::mount(nullptr, folder.c_str(), nullptr, MS_BIND | MS_REMOUNT | MS_RDONLY, nullptr) != 0) return "not allowed";
+    const auto store = Store::open(address);
+    if (!store) return why(store);
+    if ((*store)->info().writable || (*store)->info().why_not != "its file system is mounted read-only")
+      return (*store)->info().why_not;
+    if (must((*store)->tests({})).total != 1 || !must((*store)->verify()).problems.empty()) return "cannot be read";
+    const auto refused = (*store)->receive(content_of("x"), std::vector{new_test("x")}, by_anna);
+    if (refused || refused.error().kind != ErrorKind::read_only) return "found " + why(refused);
+    const auto none = Store::open(folder + "none.db");
+    if (none || none.error().kind != ErrorKind::read_only) return "found " + why(none);
+    const auto backup = (*store)->backup(folder + "backup.db");
+    return backup || backup.error().kind != ErrorKind::read_only ? "found " + why(backup) : "";
+  });
+  if (!wrong) GTEST_SKIP() << "may not mount";
+  EXPECT_EQ(*wrong, "");
+}
+
+class PostgresqlTroubleTest : public test::BothStores {};
+INSTANTIATE_TEST_SUITE_P(One, PostgresqlTroubleTest, testing::Values("postgresql"),
+                         [](const auto& each) { return each.param; });
+
+TEST_P(PostgresqlTroubleTest, NeverShowsThePassword) {
+  for (const char* address :
+       {"postgresql://anna:hidden@127.0.0.1:1/axiometry", "postgresql://anna:hidden@[::1/x",
+        "postgresql://anna:hidden@127.0.0.1:1/axiometry?nonsense=1", "postgresql://%zzhidden@x/"}) {
+    const auto refused = Store::open(address);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(why(refused), testing::Not(HasSubstr("hidden")));
+  }
+  std::string address = new_address();
+  address.insert(address.find('@'), ":hidden");
+  EXPECT_THAT(must(Store::open(address))->info().location, testing::Not(HasSubstr("hidden")));
+}
+
+TEST_P(PostgresqlTroubleTest, FindsItsServerAgainAfterTheConnectionWasLost) {
+  const std::string address = new_address();
+  const auto store = must(Store::open(address));
+  must(store->receive(content_of("a"), std::vector{new_test("a")}, by_anna));
+  const auto lose = [&] {
+    must(
+        raw(address)->query("SELECT count(pg_terminate_backend(pid)) FROM pg_stat_activity WHERE pid <> "
+                            "pg_backend_pid() AND application_name = 'axiometry'"));
+  };
+  lose();
+  EXPECT_EQ(must(store->tests({})).total, 1);
+  lose();
+  EXPECT_TRUE(store->receive(content_of("b"), std::vector{new_test("b")}, by_anna));
+  EXPECT_EQ(must(store->counts()).tests, 2);
+}
+
+TEST_P(PostgresqlTroubleTest, SaysThatTheServerAcceptsNoChanges) {
+  const std::string address = new_address();
+  must(Store::open(address));
+  const std::string reading = address + "%20-cdefault_transaction_read_only%3Don";
+  const auto store = must(Store::open(reading));
+  EXPECT_FALSE(store->info().writable);
+  EXPECT_EQ(store->receive(content_of("b"), std::vector{new_test("b")}, by_anna).error().kind, ErrorKind::read_only);
+}
+
+}  // namespace
+}  // namespace axiometry::store
