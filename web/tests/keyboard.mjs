@@ -34,11 +34,13 @@ async function tab_to(page, name, tags) {
 export const keyboard = {
   async 'by keyboard only: drop, keep, edit, save, report, issue'(world) {
     const page = await world.page();
+    // Asked for before the page is there: the browser needs a moment until it hands its own dialog over.
+    const chosen = page.waitForEvent('filechooser', { timeout: 60_000 });
     await page.goto('/');
     await page.getByRole('heading', { level: 1 }).waitFor();
     await tab_to(page, /^Choose files/, ['button']);
-    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
-    await chooser.setFiles(example);
+    await page.keyboard.press('Enter');
+    await (await chosen).setFiles(example);
     await page.getByRole('button', { name: 'Keep', exact: true }).waitFor();
     await tab_to(page, /^Keep$/);
     await page.keyboard.press('Enter');

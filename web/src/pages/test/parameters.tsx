@@ -93,7 +93,7 @@ export function Parameters({ state, vocabulary }: { state: TestState; vocabulary
   return (
     <section class="panel flush parameters-panel">
       <header><h2>{t('title')}</h2>{!methods.annex_a && !methods.gum && <span class="small quiet">{t('no_uncertainty')}</span>}</header>
-      <div class="table-frame">
+      <div class="table-frame" tabIndex={0} role="region" aria-label={t('title')}>
         <table class={`parameters ${any_limit || methods.monte_carlo ? 'full' : methods.annex_a || methods.gum ? '' : 'bare'}`}>
           <thead>
             <tr>
