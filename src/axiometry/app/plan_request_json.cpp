@@ -233,6 +233,7 @@ Value findings_told(std::span<const iso230_2::Finding> findings, const Reader& r
 Value part_value(const Plan& plan, std::size_t part, double acceleration, const Reader& reader, bool dark) {
   report::Options options;
   options.numbers = reader.numbers;
+  options.language = reader.language;
   report::Figure figure = report::programme_figure(plan, acceleration, options);
   Value value = Value::object();
   value.add("part", part);
