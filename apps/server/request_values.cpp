@@ -90,7 +90,8 @@ Result<void> choose_number_style(std::string_view decimal, std::string_view unit
 
 Result<report::Options> report_options_of(const Request& request) {
   report::Options options;
-  options.numbers.decimal_mark = request.language == language::Language::german ? ',' : '.';
+  options.language = request.language;
+  options.numbers = language::usual_numbers(request.language);
   AXIOMETRY_TRY_VOID(
       choose_number_style(request.parameter("decimal").value_or(""), request.parameter("unit").value_or(""), options));
   return options;

@@ -112,7 +112,7 @@ Result<Response> sources(const CaptureService& captures, const Request& request)
   return json_response(value);
 }
 
-Result<Response> get(const CaptureService& captures, const Request& request) {
+Result<Response> get(CaptureService& captures, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const store::Id id, id_of(request, "capture"));
   AXIOMETRY_TRY(const auto after, whole_of(request, "after", std::int64_t{1} << 53));

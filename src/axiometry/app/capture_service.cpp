@@ -99,6 +99,11 @@ Result<Plan> part_of(const Plan& whole, std::size_t part) {
   return whole.further[part - 2];
 }
 
+/// A source that is no longer named: what was heard of it can still be kept.
+CaptureSource without_address(const std::string& id) {
+  return {.id = id, .kind = CaptureSource::Kind::tcp, .title = id, .address = {}};
+}
+
 /// A connection that is there already is handed out first.
 Connect with_first(std::unique_ptr<LiveStream> first, Connect connect) {
   auto held = std::make_shared<std::unique_ptr<LiveStream>>(std::move(first));
@@ -143,7 +148,7 @@ Result<const CaptureSource*> CaptureService::source_named(const std::string& id)
 Result<CaptureService::Begun> CaptureService::begin(const CaptureOrder& order, Way way, std::uint64_t heard) const {
   auto named = source_named(order.source);
   if (!named && way != Way::conclude) return std::unexpected(std::move(named).error());
-  CaptureSource source = named ? **named : CaptureSource{order.source, CaptureSource::Kind::tcp, order.source, {}};
+  CaptureSource source = named ? **named : without_address(order.source);
   const bool simulated = source.id == simulator_source().id;
   AXIOMETRY_TRY(const OwnOptions own, own_options(order.options, source.kind));
   AXIOMETRY_TRY(CaptureOptions options, capture_options_from(own.others));
@@ -246,7 +251,7 @@ Result<CaptureState> CaptureService::restart(store::Id id, Way way) {
   }();
   if (!held) return std::unexpected(std::move(held).error());
   const auto known = source_named(held->order().source);
-  const CaptureSource source = known ? **known : CaptureSource{held->order().source, {}, {}, {}};
+  const CaptureSource source = known ? **known : without_address(held->order().source);
   if (way == Way::go_on && !known) return std::unexpected(known.error());
   AXIOMETRY_TRY_VOID(reserve(source, id));
   auto state = [&]() -> Result<CaptureState> {
@@ -279,8 +284,27 @@ std::shared_ptr<CaptureService::Running> CaptureService::find(store::Id id) cons
   return place == captures_.end() ? nullptr : place->second;
 }
 
-Result<CaptureState> CaptureService::state(store::Id id, CaptureRevision after) const {
+CaptureState CaptureService::state_of(const CaptureFolder::Left& left) const {
+  const auto source = source_named(left.order.source);
+  CaptureState state;
+  state.id = left.id;
+  state.plan = left.order.plan;
+  state.part = left.order.part;
+  state.source = source ? **source : without_address(left.order.source);
+  state.started = left.order.started;
+  state.stage = Stage::interrupted;
+  state.anew = true;
+  state.kind = left.order.walked.axis.kind;
+  state.targets = left.order.walked.targets;
+  state.approaches = approaches(left.order.walked).size();
+  return state;
+}
+
+Result<CaptureState> CaptureService::state(store::Id id, CaptureRevision after) {
   if (const auto running = find(id)) return running->state(after);
+  const std::scoped_lock lock(mutex_);
+  for (const CaptureFolder::Left& left : folder_.left_behind())
+    if (left.id == id) return state_of(left);
   return fail(ErrorKind::not_found, fmt::format("found no capture {} that runs or has run lately", id));
 }
 
@@ -288,22 +312,8 @@ std::vector<CaptureState> CaptureService::states() {
   const std::scoped_lock lock(mutex_);
   std::vector<CaptureState> states;
   for (const auto& [id, capture] : captures_) states.push_back(capture->state({}));
-  for (const CaptureFolder::Left& left : folder_.left_behind()) {
-    if (captures_.contains(left.id)) continue;
-    const auto source = source_named(left.order.source);
-    CaptureState state;
-    state.id = left.id;
-    state.plan = left.order.plan;
-    state.part = left.order.part;
-    state.source =
-        source ? **source : CaptureSource{left.order.source, CaptureSource::Kind::tcp, left.order.source, {}};
-    state.started = left.order.started;
-    state.stage = Stage::interrupted;
-    state.kind = left.order.walked.axis.kind;
-    state.targets = left.order.walked.targets;
-    state.approaches = approaches(left.order.walked).size();
-    states.push_back(std::move(state));
-  }
+  for (const CaptureFolder::Left& left : folder_.left_behind())
+    if (!captures_.contains(left.id)) states.push_back(state_of(left));
   std::ranges::sort(states, std::greater(), &CaptureState::id);
   return states;
 }

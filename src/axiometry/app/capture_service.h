@@ -79,7 +79,7 @@ class CaptureService {
   Result<CaptureState> stop(store::Id id);
 
   /// With the readings after that revision. Fails with not_found.
-  Result<CaptureState> state(store::Id id, CaptureRevision after = 0) const;
+  Result<CaptureState> state(store::Id id, CaptureRevision after = 0);
 
   /// All that run, were interrupted, or ended since the program began (the last fifty), the newest first; without
   /// readings, events and evaluation.
@@ -98,6 +98,7 @@ class CaptureService {
   CaptureState launch(HeldCapture held, Begun begun, Way way);
   Result<CaptureState> restart(store::Id id, Way way);
   std::shared_ptr<Running> find(store::Id id) const;
+  CaptureState state_of(const CaptureFolder::Left& left) const;
   void forget_old();
 
   CaptureSettings settings_;

@@ -16,6 +16,7 @@
 #include "axiometry/report/figures/distribution.h"
 #include "axiometry/report/figures/figures.h"
 #include "axiometry/report/svg.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/report/writer.h"
 
 namespace axiometry::app {
@@ -97,6 +98,7 @@ std::vector<report::Figure> drawn_figures(const Evaluated& evaluated, const repo
   for (auto& further : {report::conformity_figure(subject, options), report::contribution_figure(subject, options),
                         report::distribution_figure(subject, options)})
     if (further) figures.push_back(*further);
+  for (report::Figure& figure : figures) figure = report::with_words_translated(std::move(figure), options);
   return figures;
 }
 

@@ -4,6 +4,7 @@ import { texts } from '../../i18n/texts';
 import { typed_text } from './field_value';
 
 const t = texts({
+  title: ['Differences', 'Unterschiede'],
   field: ['Field', 'Feld'],
   nothing: ['nothing', 'nichts'],
   unchanged: ['as in the file', 'wie in der Datei'],
@@ -37,7 +38,7 @@ export function Differences({ states, vocabulary }: { states: readonly { title: 
   const options_differ = options.some((text) => text !== options[0]);
   if (keys.length === 0 && !options_differ) return <p class="quiet">{t('same')}</p>;
   return (
-    <div class="table-frame">
+    <div class="table-frame" tabIndex={0} role="region" aria-label={t('title')}>
       <table class="differences">
         <thead><tr><th scope="col">{t('field')}</th>{states.map(({ title }) => <th key={title} scope="col">{title}</th>)}</tr></thead>
         <tbody>

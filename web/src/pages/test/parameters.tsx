@@ -10,6 +10,7 @@ import type { TestState } from './state';
 
 const t = texts({
   glance: ['At a glance', 'Auf einen Blick'],
+  annex_a: ['Annex A', 'Anhang A'],
   title: ['Parameters', 'Kenngrößen'],
   parameter: ['Parameter', 'Kenngröße'],
   name: ['Name', 'Benennung'],
@@ -93,14 +94,14 @@ export function Parameters({ state, vocabulary }: { state: TestState; vocabulary
   return (
     <section class="panel flush parameters-panel">
       <header><h2>{t('title')}</h2>{!methods.annex_a && !methods.gum && <span class="small quiet">{t('no_uncertainty')}</span>}</header>
-      <div class="table-frame">
+      <div class="table-frame" tabIndex={0} role="region" aria-label={t('title')}>
         <table class={`parameters ${any_limit || methods.monte_carlo ? 'full' : methods.annex_a || methods.gum ? '' : 'bare'}`}>
           <thead>
             <tr>
               <th scope="col"><span class="visually-hidden">{t('parameter')}</span></th>
               <th scope="col" class="name">{t('name')}</th>
               <th scope="col" class="number">{t('value')}</th>
-              {methods.annex_a && <th scope="col" class="number">U <span class="method">{'Annex A'}</span></th>}
+              {methods.annex_a && <th scope="col" class="number">U <span class="method">{t('annex_a')}</span></th>}
               {methods.gum && <th scope="col" class="number">U <span class="method">GUM</span></th>}
               {methods.monte_carlo && <th scope="col" class="number">{t('interval')}</th>}
               {any_limit && <th scope="col" class="number">{t('limit')}</th>}
