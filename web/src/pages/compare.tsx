@@ -30,7 +30,7 @@ const t = texts({
   tests: ['Compared tests', 'Verglichene Prüfungen'],
   remove: ['Remove {title}', '{title} entfernen'],
   reference: ['Make it the reference', 'Zum Bezug machen'],
-  reference_of: ['Make {title} the reference', '{title} zum Bezug machen'],
+  reference_of: ['Make it the reference: {title}', 'Zum Bezug machen: {title}'],
   is_reference: ['reference', 'Bezug'],
   show: ['Show {title}', '{title} zeigen'],
   empty: ['Choose tests to lay over each other: before and after a compensation, this year and last year.',

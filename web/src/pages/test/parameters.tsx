@@ -10,6 +10,7 @@ import type { TestState } from './state';
 
 const t = texts({
   glance: ['At a glance', 'Auf einen Blick'],
+  annex_a: ['Annex A', 'Anhang A'],
   title: ['Parameters', 'Kenngrößen'],
   parameter: ['Parameter', 'Kenngröße'],
   name: ['Name', 'Benennung'],
@@ -100,7 +101,7 @@ export function Parameters({ state, vocabulary }: { state: TestState; vocabulary
               <th scope="col"><span class="visually-hidden">{t('parameter')}</span></th>
               <th scope="col" class="name">{t('name')}</th>
               <th scope="col" class="number">{t('value')}</th>
-              {methods.annex_a && <th scope="col" class="number">U <span class="method">{'Annex A'}</span></th>}
+              {methods.annex_a && <th scope="col" class="number">U <span class="method">{t('annex_a')}</span></th>}
               {methods.gum && <th scope="col" class="number">U <span class="method">GUM</span></th>}
               {methods.monte_carlo && <th scope="col" class="number">{t('interval')}</th>}
               {any_limit && <th scope="col" class="number">{t('limit')}</th>}
