@@ -46,7 +46,7 @@ Colour turned(const Colour& colour) {
   const Lab lab = lab_of(colour);
   const double share = 1.0 - std::clamp(lab.L, 0.0, 1.0);
   // Coloured inks lie in the middle, where a dark page needs more light than white needs darkness.
-  const double lifted = std::pow(share, 0.8);
+  const double lifted = std::pow(share, 0.7);
   const Lab dark{page.L + (brightest - page.L) * std::min(1.0, lifted * 1.12), lab.a + page.a * (1.0 - share),
                  lab.b + page.b * (1.0 - share)};
   return colour_of(dark, colour.alpha);
