@@ -31,6 +31,7 @@ void add_check(CLI::App& program, int& exit_code);
 void add_nc(CLI::App& program, int& exit_code);
 void add_simulate(CLI::App& program, int& exit_code);
 void add_serve(CLI::App& program, int& exit_code);
+void add_store(CLI::App& program, int& exit_code);
 void add_bench(CLI::App& program, int& exit_code);
 void add_completion(CLI::App& program, int& exit_code);
 void add_manual(CLI::App& program, int& exit_code);

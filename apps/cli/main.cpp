@@ -70,6 +70,7 @@ int run(int argc, char** argv) {
   add_schema(program, exit_code);
   add_check(program, exit_code);
   add_serve(program, exit_code);
+  add_store(program, exit_code);
   add_bench(program, exit_code);
   add_completion(program, exit_code);
   add_manual(program, exit_code);

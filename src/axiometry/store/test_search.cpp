@@ -55,14 +55,19 @@ struct Search {
   }
 };
 
-/// Conditions on columns of test_list, which is called l. `mark` stands in front of columns whose indexes shall not be
-/// used.
-void add_list_conditions(Conditions& conditions, const TestFilter& filter, std::string_view mark) {
+/// What stands in front of columns whose indexes shall not be used: nothing where they may be.
+struct Marks {
+  std::string_view withdrawn;  ///< what is not withdrawn is nearly everything
+  std::string_view measured;
+  std::string_view others;
+};
+
+/// Conditions on columns of test_list, which is called l.
+void add_list_conditions(Conditions& conditions, const TestFilter& filter, const Marks& marks) {
   const auto column = [&](std::string_view name, std::string_view rest) {
-    return fmt::format("{}l.{} {}", mark, name, rest);
+    return fmt::format("{}l.{} {}", name == "measured_on" ? marks.measured : marks.others, name, rest);
   };
-  // By arrival the index of what is not withdrawn is in the right order itself.
-  if (!filter.withdrawn) conditions.add(fmt::format("{}l.withdrawn = 0", filter.order == Order::received ? "" : mark));
+  if (!filter.withdrawn) conditions.add(fmt::format("{}l.withdrawn = 0", marks.withdrawn));
   if (filter.machine) conditions.add(column("machine", "= $"), *filter.machine);
   if (filter.axis) conditions.add(column("axis", "= $"), *filter.axis);
   if (!filter.measured_from.empty()) conditions.add(column("measured_on", ">= $"), filter.measured_from);
@@ -93,12 +98,13 @@ struct Query {
 };
 
 /// Read by the narrowest table that can tell.
-Query query_of_few(const Search& search) {
+Query query_of_few(const Search& search, std::string_view unindexed) {
   const TestFilter& filter = search.filter;
   Query query;
   if (search.of_list() || (search.words.empty() && !filter.instrument)) {
     query.from = "test_list l";
-    add_list_conditions(query.conditions, filter, "");
+    add_list_conditions(query.conditions, filter,
+                        {.withdrawn = search.of_list() ? unindexed : "", .measured = "", .others = ""});
   } else if (!search.words.empty()) {
     query.from = "test_search l";
     if (!filter.withdrawn) query.conditions.add("l.withdrawn = 0");
@@ -122,7 +128,12 @@ Query query_of_few(const Search& search) {
 Query query_of_many(const Search& search, std::string_view unindexed) {
   Query query;
   query.from = "test_list l";
-  add_list_conditions(query.conditions, search.filter, unindexed);
+  // By arrival the index of what is not withdrawn is in the right order itself, and by date that of the dates.
+  const Order order = search.filter.order;
+  add_list_conditions(query.conditions, search.filter,
+                      {.withdrawn = order == Order::received ? "" : unindexed,
+                       .measured = order == Order::measured ? "" : unindexed,
+                       .others = unindexed});
   if (search.filter.instrument) add_instrument(query.conditions, search.filter);
   if (search.words.empty()) return query;
   query.from += " CROSS JOIN test_search s";
@@ -143,7 +154,7 @@ std::vector<Id> ids_of(const Rows& rows) {
 }
 
 Result<Matches> matches(Connection& connection, const Search& search) {
-  const Query query = query_of_few(search);
+  const Query query = query_of_few(search, connection.unindexed());
   const std::string matching = fmt::format("FROM {} {}", query.from, query.conditions.where);
   const auto& parameters = query.conditions.parameters;
   if (search.of_list() || !search.words.empty() || search.filter.instrument) {
