@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "axiometry/app/whole_file.h"
 #include "axiometry/base/number_text.h"
@@ -135,17 +136,19 @@ void add_serve(CLI::App& program, int& exit_code) {
              options.limits.bodies_bytes = 4 * options.limits.upload_bytes;
              return {};
            });
-  add_read(
-      *verb,
-      {"--source", "NAME=ADDRESS",
-       "What captures may listen to: laser=tcp://192.168.1.20:5000 or drive=serial:///dev/ttyACM0?baud=2000000; may "
-       "be repeated"},
-      [&options](const std::string& text) -> Result<void> {
-        AXIOMETRY_TRY(auto source, app::parse_capture_source(text));
-        options.sources.push_back(std::move(source));
-        return {};
-      })
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  verb->add_option_function<std::vector<std::string>>(
+          "--source",
+          [&options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              auto source = app::parse_capture_source(text);
+              if (!source) throw CLI::ValidationError("--source", source.error().message);
+              options.sources.push_back(*std::move(source));
+            }
+          },
+          "What captures may listen to: laser=tcp://192.168.1.20:5000 or drive=serial:///dev/ttyACM0?baud=2000000; may "
+          "be repeated")
+      ->type_name("NAME=ADDRESS")
+      ->allow_extra_args(false);
   verb->add_flag("--examples", options.examples, "Put instructive tests into the archive if it is empty");
   verb->add_flag("--log", options.log, "A line for every request on the standard error");
   verb->add_flag("--quiet,-q", arguments->quiet, "Say nothing but the address and what is wrong");

@@ -123,7 +123,9 @@ TEST_F(CaptureRoutes, ImportAPlansFileAndGiveItBack) {
 
 TEST_F(CaptureRoutes, WriteSheetsAndProgramsOfPlansAndDrafts) {
   keep_plan();
-  EXPECT_THAT(send("GET", "/api/plans/1/sheet.html").body, HasSubstr("<html"));
+  const Response sheet = send("GET", "/api/plans/1/sheet.html");
+  EXPECT_THAT(sheet.body, HasSubstr("<html"));
+  EXPECT_THAT(sheet.headers, testing::Contains(testing::Pair("Content-Security-Policy", document_policy)));
   EXPECT_TRUE(send("GET", "/api/plans/1/sheet.pdf").body.starts_with("%PDF"));
   EXPECT_EQ(send("GET", "/api/plans/1/sheet.exe").status, 422);
   const Response program = send("GET", "/api/plans/1/program", "", {{"dialect", "linuxcnc"}, {"unrolled", "1"}});

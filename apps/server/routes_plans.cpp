@@ -167,9 +167,13 @@ Result<Response> sheet_response(const app::RequestedPlan& plan, const Request& r
   const std::string extension = text::to_lower(request.segment("extension"));
   AXIOMETRY_TRY(std::string bytes, app::plan_sheet_file(plan.planned, extension, options));
   const std::string_view type = media_type_of(extension);
-  if (!to_keep)
-    return Response{
+  if (!to_keep) {
+    Response response{
         .content_type = std::string(type), .body = std::move(bytes), .headers = {{"Cache-Control", "no-store"}}};
+    if (extension == "html" || extension == "svg")
+      response.headers.emplace_back("Content-Security-Policy", document_policy);
+    return response;
+  }
   const Plan& sheet = plan.planned.plan;
   return download(
       std::move(bytes), type,

@@ -105,6 +105,8 @@ def tests(play):
     refused = play.expect(200, "POST", "/api/preview", b"nothing of use", name).json()
     checks.that("the preview says why", refused["refused"] is not None and refused["tests"] == [], refused)
     play.expect(422, "POST", "/api/tests", b"nothing of use", name)
+    tried = play.expect(200, "POST", "/api/evaluations?draft=%7B%22changes%22%3A%7B%7D%7D", EXAMPLE, name).json()
+    checks.that("a file is evaluated without being kept", tried["result"]["parameters"]["A"] > 9.5)
     received = play.expect(201, "POST", "/api/tests", EXAMPLE, {**name, "X-Actor": "J%C3%BCrgen"}).json()
     test = received["id"]
     checks.that("A is that of the standard's example", abs(received["result"]["parameters"]["A"] - 9.6) < 0.05)

@@ -58,8 +58,8 @@ Result<iso230_2::PlanRequest> completed(const PlanWish& wish);
 /// plan.
 Result<void> check_presentable(const Plan& plan);
 
-/// A plan that was asked for as JSON, with its request: the same with the seed that was drawn, so that asking again
-/// makes the same plan; null for a plan that was given as a whole.
+/// A plan that was asked for as JSON, with its request: the same with all members that there are and the seed that was
+/// drawn, so that asking again makes the same plan; null for a plan that was given as a whole.
 struct RequestedPlan {
   PlannedTest planned;
   json::Value request;

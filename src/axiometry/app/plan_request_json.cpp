@@ -14,6 +14,7 @@
 #include "axiometry/report/dark_page.h"
 #include "axiometry/report/figures/programme.h"
 #include "axiometry/report/svg.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::app {
 namespace {
@@ -105,7 +106,7 @@ class RequestReader {
     }
     for (const Member& member : members)
       if (member.required && root_.find(member.name) == nullptr)
-        return fail(fmt::format("found no member \"{}\" in the request, expected it", member.name), root_.at());
+        return fail(fmt::format("found no member \"{}\", expected axis, kind, from, to", member.name), root_.at());
     return {};
   }
 
@@ -195,12 +196,22 @@ class RequestReader {
   std::set<std::string> flags_;
 };
 
-Value with_seed(const Value& request, std::uint64_t seed) {
-  Value copy = Value::object();
-  for (const auto& [name, value] : request.members())
-    if (name != "seed") copy.add(name, value);
-  copy.add("seed", static_cast<double>(seed));
-  return copy;
+/// With every member that a request may have, and the seed.
+Value settled(const Value& request, std::uint64_t seed) {
+  Value whole = Value::object();
+  for (const Member& member : members) {
+    const Value* value = request.find(member.name);
+    const bool given = value != nullptr && !value->is(Kind::null);
+    if (member.name == "seed")
+      whole.add(member.name, static_cast<double>(seed));
+    else if (member.name == "cycle")
+      whole.add(member.name, given ? *value : Value("standard"));
+    else if (member.kind == Kind::object)
+      whole.add(member.name, given ? *value : Value::object());
+    else
+      whole.add(member.name, given ? *value : Value());
+  }
+  return whole;
 }
 
 Result<RequestedPlan> given_plan(const Value& value) {
@@ -233,7 +244,8 @@ Value findings_told(std::span<const iso230_2::Finding> findings, const Reader& r
 Value part_value(const Plan& plan, std::size_t part, double acceleration, const Reader& reader, bool dark) {
   report::Options options;
   options.numbers = reader.numbers;
-  report::Figure figure = report::programme_figure(plan, acceleration, options);
+  options.language = reader.language;
+  report::Figure figure = report::with_words_translated(report::programme_figure(plan, acceleration, options), options);
   Value value = Value::object();
   value.add("part", part);
   value.add("title", plan.title);
@@ -288,7 +300,7 @@ Result<RequestedPlan> requested_plan_of(const Value& request) {
   AXIOMETRY_TRY(Plan plan, iso230_2::make_plan(complete));
   AXIOMETRY_TRY_VOID(check_presentable(plan));
   AXIOMETRY_TRY(PlannedTest test, planned(std::move(plan), complete.acceleration));
-  return RequestedPlan{std::move(test), with_seed(request, complete.seed)};
+  return RequestedPlan{std::move(test), settled(request, complete.seed)};
 }
 
 Result<RequestedPlan> requested_plan(const Value& body) {

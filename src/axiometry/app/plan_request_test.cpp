@@ -59,6 +59,17 @@ TEST(PlanRequest, WithoutASeedSaysTheOneThatWasDrawnSoThatThePlanCanBeMadeAgain)
   EXPECT_TRUE(first->request.find("seed")->is(json::Kind::number));
 }
 
+TEST(PlanRequest, IsSaidBackWithAllItsMembers) {
+  const auto plan = asked(R"({"axis": "X", "kind": "linear", "from": 0, "to": 500})");
+  ASSERT_TRUE(plan) << plan.error().to_string();
+  for (const char* name : {"positions", "targets", "runs", "feed", "dwell_s", "overrun"}) {
+    ASSERT_NE(plan->request.find(name), nullptr) << name;
+    EXPECT_TRUE(plan->request.find(name)->is(json::Kind::null)) << name;
+  }
+  EXPECT_EQ(plan->request.find("cycle")->text(), "standard");
+  EXPECT_TRUE(plan->request.find("further")->members().empty());
+}
+
 TEST(PlanRequest, TakesEveryFlagOfTheCommandLineByItsName) {
   const auto plan = asked(with("{\"period\": \"10\"}",
                                R"({"soft-limits": "5:495", "period": "5", "compensation-points": "0:500:50",

@@ -72,8 +72,8 @@ TEST_P(StoreTroubleTest, DatabaseItselfRefusesToChangeWhatWasKept) {
                             "evaluation", "figure", "document", "audit", "migration"}) {
     const auto cleared = connection->run(fmt::format("DELETE FROM {}", table));
     EXPECT_THAT(why(cleared), HasSubstr("taken away")) << table;
-    const auto replaced = connection->run(
-        fmt::format(sqlite() ? "INSERT OR REPLACE INTO {0} SELECT * FROM {0}" : "TRUNCATE {0} CASCADE", table));
+    const auto replaced = connection->run(sqlite() ? fmt::format("INSERT OR REPLACE INTO {0} SELECT * FROM {0}", table)
+                                                   : fmt::format("TRUNCATE {} CASCADE", table));
     EXPECT_THAT(why(replaced), testing::AnyOf(HasSubstr("there already"), HasSubstr("taken away"))) << table;
   }
   for (const char* change : {"content SET bytes = bytes", "content SET file_name = 'x'", "test SET content = 'x'",
@@ -278,7 +278,13 @@ std::optional<std::string> among_own_mounts(Scenario scenario) {
   if (::pipe(ends) != 0) return "no pipe";
   const pid_t child = ::fork();
   if (child == 0) {
+    const std::string user = fmt::format("0 {} 1", ::geteuid());
+    const std::string group = fmt::format("0 {} 1", ::getegid());
     const bool may = ::unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0;
+    // Without these files of its own have no owner.
+    std::ofstream("/proc/self/setgroups") << "deny";
+    std::ofstream("/proc/self/uid_map") << user;
+    std::ofstream("/proc/self/gid_map") << group;
     const std::string said = may ? scenario() : "not allowed";
     static_cast<void>(::write(ends[1], said.data(), said.size()));
     ::_exit(0);
