@@ -61,7 +61,7 @@ export const t = texts({
   position: ['Position', 'Position'],
   last: ['Latest reading', 'Letzter Messwert'],
   spread: ['spread {value} from {n} samples', 'Streuung {value} aus {n} Abtastwerten'],
-  parameters: ['Parameters so far', 'Kenngrößen bis jetzt'],
+  parameters: ['Parameters so far', 'Kennwerte bis jetzt'],
   too_early: ['As soon as there is enough to evaluate.', 'Sobald genug zum Auswerten da ist.'],
   events: ['Events', 'Ereignisse'],
   no_events: ['Nothing out of the ordinary.', 'Nichts Ungewöhnliches.'],

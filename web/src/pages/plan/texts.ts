@@ -62,13 +62,11 @@ export const t = texts({
   position: ['Position', 'Position'],
   interval: ['Interval', 'Abstand'],
   copy_targets: ['Copy', 'Kopieren'],
-  further: ['Further tests of this plan', 'Weitere Prüfungen dieses Plans'],
   last_good: ['Shown is the plan before this change.', 'Gezeigt wird der Plan vor dieser Änderung.'],
   // the program
   program: ['NC program', 'NC-Programm'],
   control: ['Control', 'Steuerung'],
   part: ['Test of this plan', 'Prüfung dieses Plans'],
-  whole: ['the first', 'die erste'],
   inch: ['in inches', 'in Zoll'],
   unrolled: ['no loops, every run written out', 'ohne Schleifen, jeder Durchlauf ausgeschrieben'],
   block_numbers: ['block numbers', 'Satznummern'],
