@@ -19,5 +19,6 @@ extern const std::span<const Phrase> german_plan;         ///< plan sheets and p
 extern const std::span<const Phrase> german_fields;       ///< titles, descriptions and columns of the metadata
 extern const std::span<const Phrase> german_errors;       ///< refusals
 extern const std::span<const Phrase> german_service;      ///< the archive and its server
+extern const std::span<const Phrase> german_simulation;   ///< faults of the simulated axis
 
 }  // namespace axiometry::language

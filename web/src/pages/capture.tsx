@@ -48,7 +48,7 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
             <SoFar evaluated={capture.so_far} />
             <Events capture={capture} />
           </aside>
-          <LiveTable {...shared} due={capture.due} />
+          <LiveTable {...shared} due={capture.due} approaches={capture.approaches} />
         </div>
       )}
       <Said readings={readings} unit={deviation_unit} />

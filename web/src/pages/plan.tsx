@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import { query } from '../api/client';
 import { as_json, use_posted } from '../api/posted';
@@ -7,7 +8,7 @@ import type { Machine, Plan, PlanDraft, PlanRequest, Vocabulary } from '../api/t
 import { FailureNotice } from '../components/failure';
 import { position_unit } from '../numbers';
 import { place } from '../router';
-import { decimal } from '../settings';
+import { decimal, shown_theme } from '../settings';
 import { PlanFields } from './plan/fields';
 import { form_of, new_form, request_of, settled, type PlanForm } from './plan/form';
 import { Keep } from './plan/keep';
@@ -16,10 +17,13 @@ import { ProgramPanel } from './plan/program';
 import { t } from './plan/texts';
 import './plan.css';
 
+/** How figures of the server look like the page around them. */
+const look = () => ({ decimal: decimal.value, theme: shown_theme.value });
+
 /** A new plan, or one of the store to look at and go on with. */
 export function PlanPage({ parts }: { parts: Record<string, string> }) {
   const id = parts['id'] ?? null;
-  const plan = use_get<Plan>(id === null ? null : `/api/plans/${id}`);
+  const plan = use_get<Plan>(id === null ? null : `/api/plans/${id}${query(look())}`);
   const machines = use_get<{ machines: Machine[] }>('/api/machines');
   const vocabulary = use_get<Vocabulary>('/api/vocabulary');
   const wanted_axis = id === null ? place.value.query.get('axis') : null;
@@ -48,7 +52,7 @@ function Editor({ kept, keep, machines, vocabulary, axis }: EditorProps) {
   const [form, set_form] = useState<PlanForm>(() => first_form(kept, machines, axis));
   const [touched, set_touched] = useState(false);
   const { request, faults } = request_of(form);
-  const draft = use_posted<PlanDraft>(`/api/plans/draft${query({ decimal: decimal.value })}`, request === null ? null : { request }, as_json);
+  const draft = use_posted<PlanDraft>(`/api/plans/draft${query(look())}`, request === null ? null : { request }, as_json);
   const shown = draft.data ?? kept;
   const unit = position_unit(form.kind);
   const title = form.title.trim() === '' ? usual_title(form, unit) : form.title.trim();
@@ -73,17 +77,10 @@ function Editor({ kept, keep, machines, vocabulary, axis }: EditorProps) {
           <PlanFields {...{ form, change, machines, vocabulary }} faults={faults ?? {}}
             chosen={shown ? settled(shown.plan) : null} />
         </section>
-        <div class="stack">
-          {draft.error && <FailureNotice error={draft.error} retry={draft.again} />}
-          {shown && (
-            <Outcome draft={shown} unit={unit}>
-              {(draft.error || faults) && <p class="quiet small">{t('last_good')}</p>}
-            </Outcome>
-          )}
-          {vocabulary && shown && <ProgramPanel request={draft.data && !draft.error ? (draft.of as { request: PlanRequest }).request : kept?.request ?? null}
-            plan={null} further={settled(shown.plan)?.further ?? []} name={title} vocabulary={vocabulary} />}
-        </div>
-        {shown && <TargetTable targets={shown.targets} unit={unit} />}
+        <PlanView draft={shown} unit={unit} title={title} vocabulary={vocabulary} plan={null}
+          request={draft.data && !draft.error ? (draft.of as { request: PlanRequest }).request : (kept?.request ?? null)}
+          failure={draft.error && <FailureNotice error={draft.error} retry={draft.again} />}
+          note={(draft.error || faults) && <p class="quiet small">{t('last_good')}</p>} />
       </div>
     </>
   );
@@ -115,12 +112,36 @@ function WholePlan({ plan, vocabulary }: { plan: Plan; vocabulary: Vocabulary | 
       </header>
       <p class="notice">{t('whole_plan')}</p>
       <div class="planner whole">
-        <div class="stack">
-          <Outcome draft={plan} unit={position_unit(kind)} />
-          {vocabulary && <ProgramPanel request={null} plan={plan.plan} further={settled(plan.plan)?.further ?? []} name={plan.title} vocabulary={vocabulary} />}
-        </div>
-        <TargetTable targets={plan.targets} unit={position_unit(kind)} />
+        <PlanView draft={plan} unit={position_unit(kind)} title={plan.title} vocabulary={vocabulary} plan={plan.plan} request={null} />
       </div>
+    </>
+  );
+}
+
+interface ViewProps {
+  draft: PlanDraft | null;
+  unit: string;
+  title: string;
+  vocabulary: Vocabulary | null;
+  request: PlanRequest | null;
+  plan: unknown; // the whole one, instead of a request
+  failure?: ComponentChildren;
+  note?: ComponentChildren;
+}
+
+/** What comes of a plan: programme, part program and targets, of one of its tests where it has several. */
+function PlanView({ draft, unit, title, vocabulary, request, plan, failure, note }: ViewProps) {
+  const [wanted, set_wanted] = useState(1);
+  const parts = draft?.parts ?? [];
+  const part = parts[wanted - 1] ?? parts[0] ?? null;
+  return (
+    <>
+      <div class="stack">
+        {failure}
+        {draft && <Outcome draft={draft} unit={unit} part={part} choose={set_wanted}>{note}</Outcome>}
+        {vocabulary && draft && <ProgramPanel request={request} plan={plan} part={part?.part ?? 1} name={title} vocabulary={vocabulary} />}
+      </div>
+      {draft && <TargetTable targets={part?.targets ?? draft.targets} unit={unit} />}
     </>
   );
 }

@@ -43,10 +43,10 @@ export function LiveChart({ readings, targets, runs, unit, deviation_unit }: Pro
   );
 }
 
-export function LiveTable({ readings, targets, runs, unit, deviation_unit, due }: Props) {
+export function LiveTable({ readings, targets, runs, unit, deviation_unit, due, approaches }: Props & { approaches: number }) {
   const cells = cells_of(readings);
   const latest = readings[readings.length - 1];
-  const used = directions.filter((direction) => direction === 'up' || readings.some((one) => one.direction === 'down') || due?.direction === 'down' || runs > 1);
+  const used = approaches > targets.length * runs ? directions : directions.slice(0, 1);
   const columns = used.flatMap((direction) => Array.from({ length: runs }, (_, i) => ({ direction, run: i + 1 })));
   return (
     <section class="panel flush filling">

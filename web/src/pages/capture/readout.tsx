@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is read from two metres away: where the axis is, whether it rests, where it goes next.
 import type { Capture } from '../../api/types';
-import { absent, fixed } from '../../numbers';
+import { fixed } from '../../numbers';
 import { lasting } from '../plan/outcome';
-import type { Reading } from './live';
+import { is_over, type Reading } from './live';
 import { t } from './texts';
 
 export const arrow = (direction: 'up' | 'down'): string => (direction === 'up' ? '↑' : '↓');
@@ -13,22 +13,12 @@ interface Props { capture: Capture; readings: Reading[]; targets: number[]; runs
 export function Readout({ capture, readings, targets, runs, unit, deviation_unit }: Props) {
   const { now, due } = capture;
   const target = due ? (due.position ?? targets[due.target - 1]) : undefined;
-  const rest = now !== null && now.at_rest;
   const last = readings[readings.length - 1];
   return (
     <section class="panel readout" aria-label={t('position')}>
-      <div class="where">
-        <p class="position number">
-          {now ? fixed(now.position, 3) : absent}
-          <span class="unit"> {unit}</span>
-        </p>
-        <p class={`motion ${now ? (rest ? 'rest' : 'moving') : ''}`}>
-          <svg viewBox="0 0 24 24" aria-hidden="true">
-            {rest ? <path d="M5 5h14v14H5z" fill="currentColor" /> : <path d="M3 12h15M12 5l7 7-7 7" fill="none" stroke="currentColor" stroke-width="3" />}
-          </svg>
-          {t(now ? (rest ? 'at_rest' : 'moving') : 'no_position')}
-        </p>
-      </div>
+      {now
+        ? <Where position={now.position} unit={unit} rest={now.at_rest} />
+        : <p class="where motion">{t(is_over(capture) ? capture.state : 'no_position')}</p>}
       <div class="next">
         <p class="name">{t(due ? 'next' : 'last')}</p>
         {due && target !== undefined && (
@@ -46,6 +36,20 @@ export function Readout({ capture, readings, targets, runs, unit, deviation_unit
       </div>
       <Progress capture={capture} done={readings.length} />
     </section>
+  );
+}
+
+function Where({ position, unit, rest }: { position: number; unit: string; rest: boolean }) {
+  return (
+    <div class="where">
+      <p class="position number">{fixed(position, 3)}<span class="unit"> {unit}</span></p>
+      <p class={`motion ${rest ? 'rest' : 'moving'}`}>
+        <svg viewBox="0 0 24 24" aria-hidden="true">
+          {rest ? <path d="M5 5h14v14H5z" fill="currentColor" /> : <path d="M3 12h15M12 5l7 7-7 7" fill="none" stroke="currentColor" stroke-width="3" />}
+        </svg>
+        {t(rest ? 'at_rest' : 'moving')}
+      </p>
+    </div>
   );
 }
 

@@ -52,7 +52,7 @@ export const t = texts({
 
   trend: ['Trend', 'Verlauf'],
   trend_of: ['Trend of axis {axis}', 'Verlauf der Achse {axis}'],
-  parameters: ['Parameters', 'Kenngrößen'],
+  parameters: ['Parameters', 'Kennwerte'],
   no_tests: ['No test of this axis is kept.', 'Von dieser Achse ist keine Prüfung gespeichert.'],
   measured: ['Measured', 'Gemessen'],
   test: ['Test', 'Prüfung'],

@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
-import type { PlanDraft } from '../../api/types';
+import type { PlanDraft, PlanPart } from '../../api/types';
 import { CopyButton } from '../../components/copy';
 import { FindingList } from '../../components/findings';
 import { fixed, shortest } from '../../numbers';
 import { settled } from './form';
 import { t } from './texts';
 
-/** What a plan comes to: the figures first, then the way of the axis, then what the standard says. */
-export function Outcome({ draft, unit, children }: { draft: PlanDraft; unit: string; children?: ComponentChildren }) {
+/** What a plan comes to: the figures first, then what the standard says, then the way of the axis in the chosen test. */
+export function Outcome({ draft, unit, part, choose, children }:
+  { draft: PlanDraft; unit: string; part: PlanPart | null; choose: (part: number) => void; children?: ComponentChildren }) {
   const chosen = settled(draft.plan);
-  const runs = chosen?.runs ?? 0;
+  const targets = part?.targets ?? draft.targets;
+  const runs = part?.runs ?? chosen?.runs ?? 0;
   return (
     <section class="panel outcome" aria-label={t('programme')}>
       <div class="row spread">
         <dl class="figures">
-          <Figure name={t('targets')} value={String(draft.targets.length)} />
+          <Figure name={t('targets')} value={String(targets.length)} />
           <Figure name={t('runs')} value={String(runs)} />
+          {part && <Figure name={t('readings')} value={String(part.readings)} />}
           <Figure name={t('duration')} value={lasting(draft.duration_s)} />
           <Figure name={t('feed')} value={shortest(chosen?.feed)} unit={`${unit}/min`} />
           <Figure name={t('overrun')} value={shortest(chosen?.overrun)} unit={unit} />
@@ -29,12 +32,26 @@ export function Outcome({ draft, unit, children }: { draft: PlanDraft; unit: str
         </p>
       </div>
       {draft.findings.length > 0 && <FindingList findings={draft.findings} />}
+      <PartChoice parts={draft.parts ?? []} part={part} choose={choose} />
       <div class="drawn-frame" role="group" aria-label={t('way')} tabIndex={0}>
-        <img class="drawn" src={picture(draft.figure_svg)} alt={t('figure_of', { n: draft.targets.length, runs })} />
+        <img class="drawn" src={picture(part?.figure_svg ?? draft.figure_svg)} alt={t('figure_of', { n: targets.length, runs })} />
       </div>
-      {chosen && chosen.further.length > 0 && <Further plans={chosen.further} />}
       {children}
     </section>
+  );
+}
+
+/** A long axis is tested in several parts, each of which is a test of its own. */
+function PartChoice({ parts, part, choose }: { parts: PlanPart[]; part: PlanPart | null; choose: (part: number) => void }) {
+  if (parts.length < 2) return null;
+  return (
+    <div class="row" role="group" aria-label={t('part')}>
+      {parts.map((one) => (
+        <button key={one.part} type="button" aria-pressed={one.part === part?.part} onClick={() => choose(one.part)}>
+          {one.part} {one.title}
+        </button>
+      ))}
+    </div>
   );
 }
 
@@ -54,19 +71,6 @@ export function lasting(seconds: number): string {
   if (seconds < 90) return t('seconds', { n: Math.round(seconds) });
   const minutes = Math.round(seconds / 60);
   return minutes < 120 ? t('minutes', { n: minutes }) : t('hours', { h: Math.floor(minutes / 60), m: minutes % 60 });
-}
-
-function Further({ plans }: { plans: { title?: string; targets: number[]; runs: number }[] }) {
-  return (
-    <>
-      <h3>{t('further')}</h3>
-      <ul>
-        {plans.map((plan, i) => (
-          <li key={i}>{`${plan.title ?? ''} · ${t('targets')} ${plan.targets.length} · ${t('runs')} ${plan.runs}`}</li>
-        ))}
-      </ul>
-    </>
-  );
 }
 
 export function TargetTable({ targets, unit }: { targets: number[]; unit: string }) {

@@ -29,12 +29,10 @@ function sent(options: Options): Record<string, unknown> {
 }
 
 /** The part program of the plan as it stands in the form, saved or not. `plan`: the whole one instead of a request. */
-export function ProgramPanel({ request, plan, further, name, vocabulary }:
-  { request: PlanRequest | null; plan: unknown; further: readonly { title?: string }[]; name: string; vocabulary: Vocabulary }) {
+export function ProgramPanel({ request, plan, part, name, vocabulary }:
+  { request: PlanRequest | null; plan: unknown; part: number; name: string; vocabulary: Vocabulary }) {
   const [dialect, set_dialect] = useState(kept_dialect(vocabulary));
   const [options, set_options] = useState(usual);
-  const [wanted_part, set_part] = useState(1);
-  const part = Math.min(wanted_part, further.length + 1);
   const chosen = vocabulary.dialects.find(({ id }) => id === dialect);
   const body = request === null && plan === null ? null : { ...(request ? { request } : { plan }), dialect, options: { ...sent(options), part } };
   const program = use_posted('/api/plans/draft/program', body, as_text);
@@ -63,16 +61,6 @@ export function ProgramPanel({ request, plan, further, name, vocabulary }:
             </select>
           )}
         </Field>
-        {further.length > 0 && (
-          <Field label={t('part')}>
-            {(ids) => (
-              <select {...ids} value={String(part)} onChange={(event) => set_part(Number(event.currentTarget.value))}>
-                <option value="1">{t('whole')}</option>
-                {further.map((one, i) => <option key={i} value={String(i + 2)}>{one.title || String(i + 2)}</option>)}
-              </select>
-            )}
-          </Field>
-        )}
         <OptionFields options={options} change={(part) => set_options({ ...options, ...part })} loops={chosen?.has_loops ?? true} />
       </div>
       {program.error && <FailureNotice error={program.error} retry={program.again} />}

@@ -16,7 +16,7 @@ const t = texts({
   run: ['Run', 'Lauf'],
   measured: ['as measured', 'wie gemessen'],
   decides: ['decides {symbol}', 'bestimmt {symbol}'],
-  note: ['Deviations in {unit}. Strong: decides a parameter of the axis.', 'Abweichungen in {unit}. Fett: bestimmt eine Kenngröße der Achse.'],
+  note: ['Deviations in {unit}. Strong: decides a parameter of the axis.', 'Abweichungen in {unit}. Fett: bestimmt einen Kennwert der Achse.'],
   number: ['No.', 'Nr.'],
 });
 
