@@ -79,10 +79,13 @@ void add_list_conditions(Conditions& conditions, const TestFilter& filter, const
   if (!filter.sha256.empty()) conditions.add(column("content", "= $"), filter.sha256);
 }
 
-void add_words(Conditions& conditions, const Search& search, std::string_view table) {
+/// `words` is where they stand: a column, or a look at the row of the same test.
+void add_words(Conditions& conditions, const Search& search, std::string_view words) {
   for (const std::string& word : search.words)
-    conditions.add(fmt::format("instr({}.words, $) > 0", table), std::string_view(word));
+    conditions.add(fmt::format("instr({}, $) > 0", words), std::string_view(word));
 }
+
+constexpr std::string_view words_of_test = "(SELECT s.words FROM test_search s WHERE s.test = l.test)";
 
 void add_instrument(Conditions& conditions, const TestFilter& filter) {
   conditions.add(fmt::format("EXISTS (SELECT 1 FROM list_instrument i WHERE i.instrument = ${}{} AND i.test = l.test)",
@@ -92,7 +95,6 @@ void add_instrument(Conditions& conditions, const TestFilter& filter) {
 
 /// Tables and conditions of a search.
 struct Query {
-  std::string id = "l.test";
   std::string from;
   Conditions conditions;
 };
@@ -101,25 +103,20 @@ struct Query {
 Query query_of_few(const Search& search, std::string_view unindexed) {
   const TestFilter& filter = search.filter;
   Query query;
-  if (search.of_list() || (search.words.empty() && !filter.instrument)) {
+  if (search.of_list()) {
     query.from = "test_list l";
-    add_list_conditions(query.conditions, filter,
-                        {.withdrawn = search.of_list() ? unindexed : "", .measured = "", .others = ""});
+    add_list_conditions(query.conditions, filter, {.withdrawn = unindexed, .measured = "", .others = ""});
   } else if (!search.words.empty()) {
     query.from = "test_search l";
     if (!filter.withdrawn) query.conditions.add("l.withdrawn = 0");
-    add_words(query.conditions, search, "l");
+    add_words(query.conditions, search, "l.words");
   } else {
     query.from = "list_instrument l";
     if (!filter.withdrawn) query.conditions.add("l.withdrawn = 0");
     query.conditions.add("l.instrument = $", *filter.instrument);
     return query;
   }
-  if (search.of_list() && !search.words.empty()) {
-    query.from += " CROSS JOIN test_search s";
-    query.conditions.add("s.test = l.test");
-    add_words(query.conditions, search, "s");
-  }
+  if (search.of_list()) add_words(query.conditions, search, words_of_test);
   if (filter.instrument) add_instrument(query.conditions, filter);
   return query;
 }
@@ -135,10 +132,7 @@ Query query_of_many(const Search& search, std::string_view unindexed) {
                        .measured = order == Order::measured ? "" : unindexed,
                        .others = unindexed});
   if (search.filter.instrument) add_instrument(query.conditions, search.filter);
-  if (search.words.empty()) return query;
-  query.from += " CROSS JOIN test_search s";
-  query.conditions.add("s.test = l.test");
-  add_words(query.conditions, search, "s");
+  add_words(query.conditions, search, words_of_test);
   return query;
 }
 
@@ -153,15 +147,24 @@ std::vector<Id> ids_of(const Rows& rows) {
   return ids;
 }
 
+/// Of all tests: as ids have no gaps, the last one says how many there are; few are withdrawn.
+Result<Matches> all_matches(Connection& connection, bool withdrawn) {
+  AXIOMETRY_TRY(
+      const Rows rows,
+      connection.query("SELECT (SELECT coalesce(max(test), 0) FROM test_list), (SELECT count(*) FROM test_list "
+                       "WHERE withdrawn = 1)"));
+  return Matches{rows[0].integer(0) - (withdrawn ? 0 : rows[0].integer(1)), {}};
+}
+
 Result<Matches> matches(Connection& connection, const Search& search) {
+  if (!search.of_list() && search.words.empty() && !search.filter.instrument)
+    return all_matches(connection, search.filter.withdrawn);
   const Query query = query_of_few(search, connection.unindexed());
   const std::string matching = fmt::format("FROM {} {}", query.from, query.conditions.where);
   const auto& parameters = query.conditions.parameters;
-  if (search.of_list() || !search.words.empty() || search.filter.instrument) {
-    AXIOMETRY_TRY(const Rows rows,
-                  connection.query(fmt::format("SELECT {} {} LIMIT {}", query.id, matching, few + 1), parameters));
-    if (rows.size() <= few) return Matches{static_cast<std::int64_t>(rows.size()), ids_of(rows)};
-  }
+  AXIOMETRY_TRY(const Rows rows,
+                connection.query(fmt::format("SELECT l.test {} LIMIT {}", matching, few + 1), parameters));
+  if (rows.size() <= few) return Matches{static_cast<std::int64_t>(rows.size()), ids_of(rows)};
   AXIOMETRY_TRY(const Rows count, connection.query(fmt::format("SELECT count(*) {}", matching), parameters));
   return Matches{count[0].integer(0), {}};
 }
@@ -220,17 +223,20 @@ Result<std::vector<Id>> page_of(Connection& connection, const Search& search, co
 /// Figures of the latest versions, by test.
 Result<std::map<Id, std::vector<Figure>>> figures_of(Connection& connection, std::span<const Id> tests,
                                                      std::span<const std::string> parameters) {
+  const std::string ids = list_text(connection, tests);
+  std::vector<Parameter> values = {ids};
+  for (const std::string& parameter : parameters) values.emplace_back(parameter);
+  std::map<Id, std::vector<Figure>> figures;
+  if (parameters.empty()) return figures;
   AXIOMETRY_TRY(
       const Rows rows,
       connection.query(fmt::format("SELECT f.test, f.parameter, f.value, f.expanded_uncertainty, f.tolerance, "
                                    "f.verdict FROM test_list l JOIN figure f ON f.test = l.test AND "
-                                   "f.version = l.version WHERE {} ORDER BY f.test, f.place",
-                                   among(connection, "l.test", 1)),
-                       {list_text(connection, tests)}));
-  std::map<Id, std::vector<Figure>> figures;
-  for (const Row& row : rows)
-    if (std::ranges::find(parameters, row.text(1)) != parameters.end())
-      figures[row.integer(0)].push_back(figure_of(row, 1));
+                                   "f.version = l.version WHERE {} AND f.parameter IN ({}) ORDER BY f.test, "
+                                   "f.place",
+                                   among(connection, "l.test", 1), places(2, parameters.size())),
+                       values));
+  for (const Row& row : rows) figures[row.integer(0)].push_back(figure_of(row, 1));
   return figures;
 }
 
