@@ -92,7 +92,8 @@ Result<void> copy_pages(sqlite3* from, const std::string& file) {
   if (sqlite3_backup_finish(backup) != SQLITE_OK) return std::unexpected(sqlite_error(to.get()));
   // A store that is locked for longer than we wait is no error to SQLite, but then nothing was copied.
   if (copied != SQLITE_DONE)
-    return fail(ErrorKind::unavailable, "found the store locked by another program for ten seconds, expected it free");
+    return fail(ErrorKind::unavailable,
+                "found the store locked by another program for ten seconds, expected it to be free");
   return {};
 }
 
