@@ -15,6 +15,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/utf8.h"
+#include "axiometry/store/test_records.h"
 #include "commands.h"
 #include "failure.h"
 #include "option_text.h"
@@ -30,7 +31,7 @@ struct ServeArguments {
 };
 
 constexpr unsigned port_max = 65'535;
-constexpr unsigned long long upload_mb_max = 4'096;
+constexpr unsigned long long upload_mb_max = store::content_bytes_max >> 20;
 
 std::string environment(const char* name) {
   const char* value = std::getenv(name);

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "axiometry/app/given_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "multipart.h"
@@ -14,9 +15,6 @@
 
 namespace axiometry::server {
 namespace {
-
-constexpr std::int64_t id_max = std::int64_t{1} << 53;
-constexpr std::int64_t version_max = 1'000'000'000;
 
 constexpr std::array units = {
     std::pair{std::string_view("um"), report::DisplayUnit::um},
@@ -47,13 +45,13 @@ Result<std::string> sent_name(const Request& request) {
 Result<store::Id> id_of(const Request& request, std::string_view what) {
   const std::string_view segment = request.segment("id");
   const auto id = parse_count(segment);
-  if (!id || *id == 0 || *id > static_cast<unsigned long long>(id_max))
+  if (!id || *id == 0 || *id > static_cast<unsigned long long>(store::id_max))
     return fail(ErrorKind::not_found, fmt::format("found no {} {}", what, text::quoted(segment)));
   return static_cast<store::Id>(*id);
 }
 
 Result<std::optional<int>> version_of(const Request& request) {
-  AXIOMETRY_TRY(const auto version, whole_of(request, "version", version_max));
+  AXIOMETRY_TRY(const auto version, whole_of(request, "version", store::id_max));
   if (!version) return std::optional<int>();
   if (*version == 0) return fail("found the version 0, expected a whole number from 1");
   return std::optional(static_cast<int>(*version));
@@ -107,6 +105,30 @@ store::By by_of(const Request& request, std::string reason) { return {request.ac
 Result<json::Value> optional_json_body(const Request& request) {
   if (text::trim(request.body).empty()) return json::Value::object();
   return json_body(request);
+}
+
+Result<std::string> line_member(const json::Value& body, std::string_view name) {
+  const json::Value* value = body.find(name);
+  if (value == nullptr || value->is(json::Kind::null)) return std::string();
+  if (!value->is(json::Kind::text))
+    return fail(fmt::format("{}: found {}, expected a text", name, json::kind_name(value->kind())), value->at());
+  return app::given_line(name, value->text());
+}
+
+Result<Pairs> options_member(const json::Value& body) {
+  Pairs options;
+  const json::Value* given = body.find("options");
+  if (given == nullptr || given->is(json::Kind::null)) return options;
+  if (!given->is(json::Kind::object))
+    return fail(fmt::format("options: found {}, expected object", json::kind_name(given->kind())), given->at());
+  for (const auto& [name, value] : given->members()) {
+    if (value.is(json::Kind::array) || value.is(json::Kind::object))
+      return fail(fmt::format("{}: found {}, expected a text", name, json::kind_name(value.kind())), value.at());
+    if (value.is(json::Kind::text)) options.emplace_back(name, value.text());
+    if (value.is(json::Kind::number)) options.emplace_back(name, format_exact(value.number()));
+    if (value.is(json::Kind::boolean)) options.emplace_back(name, value.boolean() ? "1" : "0");
+  }
+  return options;
 }
 
 Result<std::vector<SentFile>> files_of(const Request& request) {

@@ -41,6 +41,11 @@ store::By by_of(const Request& request, std::string reason = {});
 /// The body as an object; no body stands for an empty one.
 Result<json::Value> optional_json_body(const Request& request);
 
+/// A line of text in the body; empty where there is none.
+Result<std::string> line_member(const json::Value& body, std::string_view name);
+/// The members of "options" as texts, as a query would have them; numbers and switches are taken as such.
+Result<Pairs> options_member(const json::Value& body);
+
 /// A file in a request; the bytes are those of the request.
 struct SentFile {
   std::string name;

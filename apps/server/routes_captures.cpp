@@ -7,7 +7,6 @@
 #include "axiometry/app/capture_keeping.h"
 #include "axiometry/app/given_text.h"
 #include "axiometry/app/plan_request.h"
-#include "axiometry/base/number_text.h"
 #include "request_values.h"
 #include "routes.h"
 
@@ -20,33 +19,6 @@ using json::Kind;
 using json::Value;
 
 constexpr std::string_view members[] = {"plan", "source", "layout", "options", "resume"};
-
-Result<std::string> text_of(const Value& body, std::string_view name) {
-  const Value* value = body.find(name);
-  if (value == nullptr || value->is(Kind::null)) return std::string();
-  if (!value->is(Kind::text))
-    return fail(fmt::format("{}: found {}, expected a text", name, json::kind_name(value->kind())), value->at());
-  return app::given_line(name, value->text());
-}
-
-/// Options are texts; numbers and switches are taken as such.
-Result<std::vector<std::pair<std::string, std::string>>> options_of(const Value& body) {
-  std::vector<std::pair<std::string, std::string>> options;
-  const Value* given = body.find("options");
-  if (given == nullptr || given->is(Kind::null)) return options;
-  if (!given->is(Kind::object))
-    return fail(fmt::format("options: found {}, expected object", json::kind_name(given->kind())), given->at());
-  for (const auto& [name, value] : given->members()) {
-    if (value.is(Kind::null)) continue;
-    if (value.is(Kind::array) || value.is(Kind::object))
-      return fail(fmt::format("{}: found {}, expected a text", name, json::kind_name(value.kind())), value.at());
-    options.emplace_back(name, value.is(Kind::text)     ? value.text()
-                               : value.is(Kind::number) ? format_exact(value.number())
-                               : value.boolean()        ? "1"
-                                                        : "0");
-  }
-  return options;
-}
 
 Result<void> check_members(const Value& body) {
   for (const auto& [name, value] : body.members())
@@ -68,9 +40,9 @@ Result<CaptureState> start(const Context& context, const Request& request, const
   if (number == nullptr) return fail("found no plan, expected the number of one", body.at());
   AXIOMETRY_TRY(const store::Id plan, app::given_number("plan", *number));
   app::CaptureWish wish{.plan = plan, .whole = {}, .source = {}, .layout = {}, .options = {}, .actor = request.actor};
-  AXIOMETRY_TRY(wish.source, text_of(body, "source"));
-  AXIOMETRY_TRY(wish.layout, text_of(body, "layout"));
-  AXIOMETRY_TRY(wish.options, options_of(body));
+  AXIOMETRY_TRY(wish.source, line_member(body, "source"));
+  AXIOMETRY_TRY(wish.layout, line_member(body, "layout"));
+  AXIOMETRY_TRY(wish.options, options_member(body));
   AXIOMETRY_TRY(const auto record, context.store.get<store::PlanRecord>(plan));
   AXIOMETRY_TRY(const store::Content content, context.store.content(record.value.content));
   AXIOMETRY_TRY(app::RequestedPlan kept, app::read_requested(content.bytes));

@@ -45,27 +45,18 @@ struct Kind<Instrument> {
   static constexpr auto from = &app::instrument_from;
 };
 
-/// The newest test of a machine and how many it has.
-Result<void> add_tests(const Store& store, app::MachineSummary& summary) {
-  store::TestFilter filter;
-  filter.machine = summary.machine.id;
-  filter.order = store::TestFilter::Order::measured;
-  filter.limit = 1;
-  AXIOMETRY_TRY(store::TestPage page, store.tests(filter));
-  summary.tests = page.total;
-  if (!page.rows.empty()) summary.latest = std::move(page.rows.front());
-  return {};
-}
-
-Result<std::vector<app::MachineSummary>> summaries(const Store& store, std::vector<Versioned<Machine>> machines) {
-  AXIOMETRY_TRY(auto axes, store.all<Axis>());
+/// The machines with what is theirs, in their order.
+std::vector<app::MachineSummary> summaries(std::vector<Versioned<Machine>> machines, std::vector<Versioned<Axis>> axes,
+                                           std::vector<store::MachineTests> tests) {
   std::map<store::Id, std::vector<Versioned<Axis>>> axes_of;
   for (auto& axis : axes) axes_of[axis.value.machine].push_back(std::move(axis));
+  std::map<store::Id, store::MachineTests> tests_of;
+  for (auto& of_one : tests) tests_of.emplace(of_one.machine, std::move(of_one));
   std::vector<app::MachineSummary> all;
   for (auto& machine : machines) {
     const store::Id id = machine.id;
-    all.push_back({.machine = std::move(machine), .axes = std::move(axes_of[id])});
-    AXIOMETRY_TRY_VOID(add_tests(store, all.back()));
+    app::MachineSummary& summary = all.emplace_back(std::move(machine), std::move(axes_of[id]));
+    if (auto found = tests_of.find(id); found != tests_of.end()) summary.tests = std::move(found->second);
   }
   return all;
 }
@@ -77,7 +68,9 @@ Result<Value> whole_value(const Store&, const Versioned<Thing>& thing) {
 
 template <>
 Result<Value> whole_value(const Store& store, const Versioned<Machine>& machine) {
-  AXIOMETRY_TRY(const auto all, summaries(store, {machine}));
+  AXIOMETRY_TRY(auto axes, store.all<Axis>());
+  AXIOMETRY_TRY(auto tests, store.machine_tests(machine.id));
+  const auto all = summaries({machine}, std::move(axes), std::move(tests));
   return app::to_json(all.front());
 }
 
@@ -92,7 +85,9 @@ Result<Value> listed(const Store& store) {
 template <>
 Result<Value> listed<Machine>(const Store& store) {
   AXIOMETRY_TRY(auto machines, store.all<Machine>());
-  AXIOMETRY_TRY(const auto all, summaries(store, std::move(machines)));
+  AXIOMETRY_TRY(auto axes, store.all<Axis>());
+  AXIOMETRY_TRY(auto tests, store.machine_tests());
+  const auto all = summaries(std::move(machines), std::move(axes), std::move(tests));
   Value rows = Value::array();
   for (const auto& summary : all) rows.push(app::to_json(summary));
   return rows;
@@ -177,7 +172,7 @@ Result<Response> trend(Store& store, const Request& request) {
 Result<Response> audit(Store& store, const Request& request) {
   constexpr std::int64_t limit_usual = 100;
   constexpr std::int64_t limit_max = 1000;
-  AXIOMETRY_TRY(const auto before, whole_of(request, "before", std::int64_t{1} << 53));
+  AXIOMETRY_TRY(const auto before, whole_of(request, "before", store::id_max));
   AXIOMETRY_TRY(const auto limit, whole_of(request, "limit", limit_max));
   AXIOMETRY_TRY(const auto entries, store.audit(std::string(request.parameter("subject").value_or("")),
                                                 before.value_or(0), limit.value_or(limit_usual)));

@@ -8,6 +8,7 @@
 #include "axiometry/app/given_text.h"
 #include "axiometry/app/nc_program.h"
 #include "axiometry/app/plan_request.h"
+#include "axiometry/app/workbench_values.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/digest/sha256.h"
@@ -23,28 +24,6 @@ using json::Value;
 using store::PlanRecord;
 using VersionedPlan = store::Versioned<PlanRecord>;
 
-struct MediaType {
-  std::string_view extension;
-  std::string_view type;
-};
-constexpr MediaType media_types[] = {
-    {"html", "text/html; charset=utf-8"}, {"pdf", "application/pdf"}, {"svg", "image/svg+xml"}, {"png", "image/png"},
-    {"csv", "text/csv; charset=utf-8"},
-};
-
-std::string_view media_type_of(std::string_view extension) {
-  const auto row = std::ranges::find(media_types, extension, &MediaType::extension);
-  return row == std::end(media_types) ? "application/octet-stream" : row->type;
-}
-
-Result<std::string> text_member(const Value& body, std::string_view name) {
-  const Value* value = body.find(name);
-  if (value == nullptr || value->is(Kind::null)) return std::string();
-  if (!value->is(Kind::text))
-    return fail(fmt::format("{}: found {}, expected a text", name, json::kind_name(value->kind())), value->at());
-  return app::given_line(name, value->text());
-}
-
 Result<std::optional<store::Id>> number_member(const Value& body, std::string_view name) {
   const Value* value = body.find(name);
   if (value == nullptr || value->is(Kind::null)) return std::optional<store::Id>();
@@ -54,7 +33,7 @@ Result<std::optional<store::Id>> number_member(const Value& body, std::string_vi
 
 /// What the user calls it, or its axis and travel.
 Result<std::string> title_for(const Value& body, const Plan& plan) {
-  AXIOMETRY_TRY(std::string given, text_member(body, "title"));
+  AXIOMETRY_TRY(std::string given, line_member(body, "title"));
   if (!given.empty()) return given;
   const report::Options plain;
   return app::given_line(
@@ -130,7 +109,7 @@ Result<PlanRecord> record_of(store::Store& store, const Value& body, const app::
 }
 
 Result<store::By> by_with_reason(const Request& request, const Value& body) {
-  AXIOMETRY_TRY(std::string reason, text_member(body, "reason"));
+  AXIOMETRY_TRY(std::string reason, line_member(body, "reason"));
   return by_of(request, std::move(reason));
 }
 
@@ -166,7 +145,7 @@ Result<Response> sheet_response(const app::RequestedPlan& plan, const Request& r
   AXIOMETRY_TRY(const report::Options options, report_options_of(request));
   const std::string extension = text::to_lower(request.segment("extension"));
   AXIOMETRY_TRY(std::string bytes, app::plan_sheet_file(plan.planned, extension, options));
-  const std::string_view type = media_type_of(extension);
+  const std::string_view type = app::media_type_of(extension);
   if (!to_keep) {
     Response response{
         .content_type = std::string(type), .body = std::move(bytes), .headers = {{"Cache-Control", "no-store"}}};
@@ -178,22 +157,6 @@ Result<Response> sheet_response(const app::RequestedPlan& plan, const Request& r
   return download(
       std::move(bytes), type,
       fmt::format("plan-{}.{}", app::file_name_part(sheet.axis.name.empty() ? "axis" : sheet.axis.name), extension));
-}
-
-/// Members of an object as texts, as a query would have them.
-Result<std::vector<std::pair<std::string, std::string>>> texts_of(const Value* object) {
-  std::vector<std::pair<std::string, std::string>> texts;
-  if (object == nullptr || object->is(Kind::null)) return texts;
-  if (!object->is(Kind::object))
-    return fail(fmt::format("options: found {}, expected object", json::kind_name(object->kind())), object->at());
-  for (const auto& [name, value] : object->members()) {
-    if (value.is(Kind::text)) texts.emplace_back(name, value.text());
-    if (value.is(Kind::number)) texts.emplace_back(name, format_exact(value.number()));
-    if (value.is(Kind::boolean)) texts.emplace_back(name, value.boolean() ? "1" : "0");
-    if (value.is(Kind::array) || value.is(Kind::object))
-      return fail(fmt::format("{}: found {}, expected a text", name, json::kind_name(value.kind())), value.at());
-  }
-  return texts;
 }
 
 /// A request may stand alone where nothing else is asked.
@@ -212,8 +175,8 @@ void add_draft_routes(Router& router) {
   router.add("POST", "/api/plans/draft/program", [](const Request& request) -> Result<Response> {
     AXIOMETRY_TRY(const Value body, json_body(request));
     AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
-    AXIOMETRY_TRY(auto texts, texts_of(body.find("options")));
-    AXIOMETRY_TRY(const std::string dialect, text_member(body, "dialect"));
+    AXIOMETRY_TRY(auto texts, options_member(body));
+    AXIOMETRY_TRY(const std::string dialect, line_member(body, "dialect"));
     texts.emplace_back("dialect", dialect);
     AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
     return program_response(plan.planned.plan, texts, to_keep);
@@ -239,13 +202,13 @@ void add_writing_routes(Router& router, store::Store& store) {
     AXIOMETRY_TRY(const store::Id id, id_of(request, "plan"));
     AXIOMETRY_TRY(const Value body, json_body(request));
     AXIOMETRY_TRY(const Look look, look_of(request));
-    AXIOMETRY_TRY(const auto base_version, number_member(body, "base_version"));
-    if (!base_version || *base_version > 1'000'000'000)
-      return fail("found no base_version, expected the version that was edited", body.at());
+    const Value* const base = body.find("base_version");
+    if (base == nullptr) return fail("found no base_version, expected the version that was edited", body.at());
+    AXIOMETRY_TRY(const int base_version, app::given_version("base_version", *base));
     AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
     AXIOMETRY_TRY(const store::By by, by_with_reason(request, body));
     AXIOMETRY_TRY(const PlanRecord record, record_of(store, body, plan, by));
-    AXIOMETRY_TRY(const VersionedPlan kept, store.change(id, static_cast<int>(*base_version), record, by));
+    AXIOMETRY_TRY(const VersionedPlan kept, store.change(id, base_version, record, by));
     return json_response(plan_value(kept, plan, look));
   });
 }

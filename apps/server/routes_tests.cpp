@@ -35,7 +35,6 @@ constexpr std::array orders = {
 };
 
 Result<store::TestFilter> filter_of(const Request& request) {
-  constexpr std::int64_t id_max = std::int64_t{1} << 53;
   constexpr std::int64_t limit_max = 1000;
   store::TestFilter filter;
   const auto text = [&](std::string_view name) { return std::string(request.parameter(name).value_or("")); };
@@ -44,12 +43,12 @@ Result<store::TestFilter> filter_of(const Request& request) {
   filter.measured_to = text("to");
   filter.verdict = text("verdict");
   filter.sha256 = text("sha256");
-  AXIOMETRY_TRY(filter.machine, whole_of(request, "machine", id_max));
-  AXIOMETRY_TRY(filter.axis, whole_of(request, "axis", id_max));
-  AXIOMETRY_TRY(filter.instrument, whole_of(request, "instrument", id_max));
+  AXIOMETRY_TRY(filter.machine, whole_of(request, "machine", store::id_max));
+  AXIOMETRY_TRY(filter.axis, whole_of(request, "axis", store::id_max));
+  AXIOMETRY_TRY(filter.instrument, whole_of(request, "instrument", store::id_max));
   AXIOMETRY_TRY(filter.withdrawn, flag_of(request, "withdrawn", false));
   AXIOMETRY_TRY(filter.descending, flag_of(request, "descending", true));
-  AXIOMETRY_TRY(const auto offset, whole_of(request, "offset", id_max));
+  AXIOMETRY_TRY(const auto offset, whole_of(request, "offset", store::id_max));
   AXIOMETRY_TRY(const auto limit, whole_of(request, "limit", limit_max));
   filter.offset = offset.value_or(0);
   filter.limit = limit.value_or(filter.limit);
@@ -108,7 +107,7 @@ Result<Response> evaluate(const Workbench& workbench, const Request& request) {
 
 Result<Response> receive(Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
-  AXIOMETRY_TRY(const auto plan, whole_of(request, "plan", std::int64_t{1} << 53));
+  AXIOMETRY_TRY(const auto plan, whole_of(request, "plan", store::id_max));
   AXIOMETRY_TRY(const auto files, files_of(request));
   std::vector<app::Upload> uploads;
   for (const SentFile& file : files) uploads.push_back({file.name, file.bytes, plan});
@@ -207,10 +206,10 @@ Result<Response> issue(Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY_VOID(members.take("decimal", decimal));
   AXIOMETRY_TRY_VOID(members.take("unit", unit));
   AXIOMETRY_TRY_VOID(members.take("reason", reason));
+  AXIOMETRY_TRY(reason, app::given_line("reason", reason));
   std::optional<int> version;
   if (const Value* number = members.optional("version")) {
-    AXIOMETRY_TRY(const auto whole, app::given_number("version", *number));
-    version = static_cast<int>(whole);
+    AXIOMETRY_TRY(version, app::given_version("version", *number));
   }
   AXIOMETRY_TRY_VOID(members.finish());
   Request styled = request;

@@ -209,9 +209,10 @@ std::vector<CaptureFolder::Left> CaptureFolder::left_behind() {
   for (const store::Id id : ids()) {
     auto held = take(id);
     if (!held) continue;
-    std::error_code none;
-    const auto size = std::filesystem::file_size(held->raw(), none);
-    if (none || size == 0 || ::access(kept_name(base(id)).c_str(), F_OK) == 0)
+    std::error_code error;
+    const auto size = std::filesystem::file_size(held->raw(), error);
+    if (error && error != std::errc::no_such_file_or_directory) continue;  // bytes may be there
+    if (error || size == 0 || ::access(kept_name(base(id)).c_str(), F_OK) == 0)
       held->remove();
     else
       left.push_back({id, held->order()});

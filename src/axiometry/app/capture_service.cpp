@@ -14,6 +14,7 @@
 #include "axiometry/app/source.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/store/clock.h"
 
 namespace axiometry::app {
 namespace {
@@ -25,18 +26,6 @@ constexpr std::size_t ended_remembered = 50;
 constexpr auto longest_stop = std::chrono::seconds(5);
 constexpr double longest_give_up_s = 86'400.0;
 constexpr std::uint64_t seed_limit = std::uint64_t{1} << 53;  // whole numbers of JSON
-
-/// "2026-11-22T09:30:00.123Z"
-std::string utc_now() {
-  using namespace std::chrono;
-  const auto now = floor<milliseconds>(system_clock::now());
-  const auto day = floor<days>(now);
-  const year_month_day date(day);
-  const hh_mm_ss time(now - day);
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}Z", static_cast<int>(date.year()),
-                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), time.hours().count(),
-                     time.minutes().count(), time.seconds().count(), time.subseconds().count());
-}
 
 /// Options of a capture that are none of its recording.
 struct OwnOptions {
@@ -224,7 +213,7 @@ Result<CaptureState> CaptureService::start(const CaptureWish& wish) {
                      .layout = wish.layout.empty() ? options.stream : wish.layout,
                      .options = wish.options,
                      .actor = wish.actor,
-                     .started = utc_now()};
+                     .started = store::now_text()};
   AXIOMETRY_TRY(order.walked, part_of(wish.whole, options.part));
   if (source->kind == CaptureSource::Kind::simulator && !own.seed) {
     std::erase_if(order.options, [](const auto& option) { return option.first == "seed"; });

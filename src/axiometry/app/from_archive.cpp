@@ -120,8 +120,7 @@ Result<InstrumentInputs> instrument_from(const Value& value) {
   AXIOMETRY_TRY(const Value* id, members.required("instrument"));
   AXIOMETRY_TRY(inputs.instrument, given_number("instrument", *id));
   AXIOMETRY_TRY(const Value* version, members.required("version"));
-  AXIOMETRY_TRY(const auto number, given_number("version", *version));
-  inputs.version = static_cast<int>(number);
+  AXIOMETRY_TRY(inputs.version, given_version("version", *version));
   AXIOMETRY_TRY_VOID(members.take("name", inputs.name));
   AXIOMETRY_TRY(const Value* texts, members.required("inputs"));
   AXIOMETRY_TRY(inputs.inputs, changes_from(*texts));
@@ -135,8 +134,7 @@ Result<AxisLimits> axis_limits_from(const Value& value) {
   AXIOMETRY_TRY(const Value* id, members.required("axis"));
   AXIOMETRY_TRY(axis.axis, given_number("axis", *id));
   AXIOMETRY_TRY(const Value* version, members.required("version"));
-  AXIOMETRY_TRY(const auto number, given_number("version", *version));
-  axis.version = static_cast<int>(number);
+  AXIOMETRY_TRY(axis.version, given_version("version", *version));
   AXIOMETRY_TRY(const Value* limits, members.required("limits"));
   AXIOMETRY_TRY(axis.limits, limits_from(*limits));
   AXIOMETRY_TRY_VOID(members.finish());

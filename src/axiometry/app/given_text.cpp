@@ -9,6 +9,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/base/utf8.h"
+#include "axiometry/store/records.h"
 
 namespace axiometry::app {
 namespace {
@@ -58,7 +59,7 @@ Result<std::string> given_file_name(std::string_view name) {
 }
 
 Result<std::int64_t> given_number(std::string_view what, const json::Value& value) {
-  constexpr double largest = 9007199254740992.0;  // 2⁵³: beyond, a number of JSON is no longer exact
+  constexpr auto largest = static_cast<double>(store::id_max);
   if (value.is(json::Kind::number) && value.number() >= 1.0 && value.number() <= largest &&
       value.number() == std::floor(value.number()))
     return static_cast<std::int64_t>(value.number());
@@ -67,6 +68,11 @@ Result<std::int64_t> given_number(std::string_view what, const json::Value& valu
                                                        : std::string(json::kind_name(value.kind())),
                           what),
               value.at());
+}
+
+Result<int> given_version(std::string_view what, const json::Value& value) {
+  AXIOMETRY_TRY(const std::int64_t number, given_number(what, value));
+  return static_cast<int>(number);
 }
 
 }  // namespace axiometry::app

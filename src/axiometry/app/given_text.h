@@ -26,7 +26,10 @@ Result<std::string> given_text(std::string_view what, std::string_view text);
 /// given_line() does; "unnamed" when nothing is left.
 Result<std::string> given_file_name(std::string_view name);
 
-/// A whole number from 1, such as an id or a version. Fails, with line and column, on anything else.
+/// A whole number from 1 to store::id_max: an id or a version. Fails, with line and column, on anything else.
 Result<std::int64_t> given_number(std::string_view what, const json::Value& value);
+
+/// The same as versions are counted.
+Result<int> given_version(std::string_view what, const json::Value& value);
 
 }  // namespace axiometry::app

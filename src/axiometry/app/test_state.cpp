@@ -83,7 +83,7 @@ std::string iso_date(std::string_view raw) {
       if (const auto date = date_text(parts[0], parts[1], parts[2])) return *date;
   if (const auto parts = text::split(day, '.'); parts.size() == 3)
     if (const auto date = date_text(parts[2], parts[1], parts[0])) return *date;
-  return std::string(text);
+  return {};
 }
 
 std::vector<store::Figure> figures_of(const Evaluated& evaluated) {

@@ -12,8 +12,8 @@
 /// An evaluated test as the archive keeps it.
 namespace axiometry::app {
 
-/// "2014-05-15" of what begins like that, of "15.05.2014" and of "2014/5/15"; other text, and a day that does not
-/// exist, as it is. A date that may be read in two ways, "05/06/2014", is other text.
+/// "2014-05-15" of what begins like that, of "15.05.2014" and of "2014/5/15"; nothing of other text and of a day that
+/// does not exist. A date that may be read in two ways, "05/06/2014", is other text.
 std::string iso_date(std::string_view text);
 
 /// Every parameter that exists, with U where one was estimated (k = 2, of Annex A, else of the GUM; else half of the

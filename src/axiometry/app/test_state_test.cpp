@@ -8,14 +8,15 @@
 namespace axiometry::app {
 namespace {
 
-TEST(IsoDate, ReadsWhatIsCertainAndLeavesTheRest) {
+TEST(IsoDate, ReadsWhatIsCertainAndNothingElse) {
   EXPECT_EQ(iso_date("2014-05-15"), "2014-05-15");
   EXPECT_EQ(iso_date("2014-05-15T09:30:00Z"), "2014-05-15");
   EXPECT_EQ(iso_date(" 5.3.2026 "), "2026-03-05");
   EXPECT_EQ(iso_date("2014/5/15 10:00"), "2014-05-15");
-  EXPECT_EQ(iso_date("05/06/2014"), "05/06/2014");
-  EXPECT_EQ(iso_date("2014-02-30"), "2014-02-30");
-  EXPECT_EQ(iso_date("spring 2014"), "spring 2014");
+  EXPECT_EQ(iso_date("05/06/2014"), "");
+  EXPECT_EQ(iso_date("2014-02-30"), "");
+  EXPECT_EQ(iso_date("spring 2014"), "");
+  EXPECT_EQ(iso_date("None: simulated"), "");
   EXPECT_EQ(iso_date(""), "");
 }
 
@@ -65,6 +66,12 @@ TEST(GivenText, RefusesControlCharactersInvalidBytesAndWhatHidesNames) {
   EXPECT_FALSE(given_line("title", std::string(501, 'x')));
   EXPECT_EQ(given_line("title", std::string(501, 'x')).error().message,
             "found 501 characters in title, expected at most 500");
+}
+
+TEST(GivenVersion, IsNotCutToANumberThatFits) {
+  EXPECT_EQ(*given_version("version", json::Value(7.0)), 7);
+  EXPECT_FALSE(given_version("version", json::Value(4294967297.0)));
+  EXPECT_FALSE(given_version("version", json::Value(0.0)));
 }
 
 TEST(GivenFileName, IsANameAndNothingElse) {

@@ -81,8 +81,7 @@ Result<void> take_lines(JsonMembers& members, const Value& object, Thing& thing,
 template <typename Thing>
 Result<void> take_edit(JsonMembers& members, const Value& object, Edit<Thing>& edit) {
   if (const Value* base = members.optional("base_version")) {
-    AXIOMETRY_TRY(const auto number, given_number("base_version", *base));
-    edit.base_version = static_cast<int>(number);
+    AXIOMETRY_TRY(edit.base_version, given_version("base_version", *base));
   }
   AXIOMETRY_TRY_VOID(take_text(members, object, "reason", edit.reason, &given_line));
   for (const char* name : {"id", "version", "change", "axes", "tests", "latest_test"}) members.pass_over(name);
@@ -112,13 +111,13 @@ json::Value to_json(const MachineSummary& summary) {
   Value object = to_json(summary.machine);
   Value& axes = object.add("axes", Value::array());
   for (const auto& axis : summary.axes) axes.push(to_json(axis));
-  object.add("tests", static_cast<double>(summary.tests));
+  object.add("tests", summary.tests ? static_cast<double>(summary.tests->total) : 0.0);
   Value& latest = object.add("latest_test", Value());
-  if (!summary.latest) return object;
+  if (!summary.tests) return object;
   latest = Value::object();
-  latest.add("id", id_value(summary.latest->id));
-  latest.add("measured_on", summary.latest->measured_on);
-  latest.add("verdict", text_or_null(summary.latest->verdict));
+  latest.add("id", id_value(summary.tests->latest));
+  latest.add("measured_on", summary.tests->measured_on);
+  latest.add("verdict", text_or_null(summary.tests->verdict));
   return object;
 }
 

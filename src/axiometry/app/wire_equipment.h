@@ -16,8 +16,7 @@ namespace axiometry::app {
 struct MachineSummary {
   store::Versioned<store::Machine> machine;
   std::vector<store::Versioned<store::Axis>> axes;
-  std::int64_t tests = 0;
-  std::optional<store::TestRow> latest{};
+  std::optional<store::MachineTests> tests{};  ///< nothing: it has none
 };
 
 json::Value to_json(const MachineSummary& summary);

@@ -7,6 +7,7 @@
 
 #include "axiometry/app/given_text.h"
 #include "axiometry/app/kept_assessment.h"
+#include "axiometry/app/test_state.h"
 #include "axiometry/app/wire_uncertainty.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/json_members.h"
@@ -154,7 +155,7 @@ Value previewed_to_json(const PreviewedTest& test, const Reader& reader) {
   object.add("axis", metadata.axis.name);
   object.add("kind", axis_kind_name(metadata.axis.kind));
   object.add("machine", metadata.machine.name);
-  object.add("measured_on", metadata.conditions.date);
+  object.add("measured_on", iso_date(metadata.conditions.date));
   object.add("targets", series.target_count());
   object.add("runs", series.run_count());
   object.add("readings", series.reading_count());
@@ -345,8 +346,7 @@ Result<Revision> revision_from(const json::Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "request"));
   Revision revision;
   AXIOMETRY_TRY(const Value* base, members.required("base_version"));
-  AXIOMETRY_TRY(const auto base_version, given_number("base_version", *base));
-  revision.base_version = static_cast<int>(base_version);
+  AXIOMETRY_TRY(revision.base_version, given_version("base_version", *base));
   AXIOMETRY_TRY_VOID(members.take("title", revision.title));
   AXIOMETRY_TRY_VOID(members.take("reason", revision.reason));
   AXIOMETRY_TRY(revision.reason, given_line("reason", revision.reason));

@@ -57,15 +57,10 @@ Result<std::vector<store::Id>> ids_with(const store::Store& store, const std::st
 }
 
 /// A file that was read and evaluated, ready to be kept.
-struct Incoming {
-  store::Content content;
-  std::vector<store::NewTest> tests;
-};
-
-Result<Incoming> incoming(State& state, const Upload& upload, std::optional<Outcome>& first) {
+Result<store::NewFile> incoming(State& state, const Upload& upload, std::optional<Outcome>& first) {
   AXIOMETRY_TRY(const auto file, state.read(upload.bytes, upload.name));
   AXIOMETRY_TRY(const std::string name, given_file_name(upload.name));
-  Incoming all{.content = {file->sha256, name, file->format, std::string(upload.bytes)}, .tests = {}};
+  store::NewFile all{.content = {file->sha256, name, file->format, std::string(upload.bytes)}, .tests = {}};
   for (const MeasuredTest& measured : file->tests) {
     AXIOMETRY_TRY(First evaluated, evaluate_first(state, measured, name));
     const Evaluated& e = evaluated.found.evaluated;
@@ -99,14 +94,11 @@ Result<void> add_equipment(const store::Store& store, KeptTest& kept) {
 
 /// The outcome that a version keeps: its own result, and the readings from the raw bytes with its corrections.
 Result<Outcome> kept_outcome(State& state, const store::TestRecord& record, const Draft& draft, FromArchive taken) {
-  auto result = json::parse(record.state.evaluation.result);
-  if (!result)
-    return fail(ErrorKind::damaged,
-                fmt::format("found a result of test {} that cannot be read: {}", record.id, result.error().message));
+  AXIOMETRY_TRY(json::Value result, kept_result(record));
   AXIOMETRY_TRY(EvaluateOptions options, evaluate_options(draft.options));
   AXIOMETRY_TRY(Test test, state.measured(record));
   AXIOMETRY_TRY(test, prepare_test(std::move(test), with_archive(std::move(options), draft.changes, taken)));
-  return Outcome{.result = *std::move(result),
+  return Outcome{.result = std::move(result),
                  .readings = std::move(test.series),
                  .as_measured = std::move(test.as_measured),
                  .from_archive = std::move(taken),
@@ -149,17 +141,17 @@ Result<Preview> Workbench::preview(const Upload& upload) const {
 Result<Received> Workbench::receive(std::span<const Upload> uploads, const store::By& by) {
   if (uploads.empty()) return fail("found no file, expected at least one");
   std::optional<Outcome> first;
-  std::vector<Incoming> files;
+  std::vector<store::NewFile> files;
   for (const Upload& upload : uploads) {
-    AXIOMETRY_TRY(Incoming file, incoming(*state_, upload, first));
+    AXIOMETRY_TRY(store::NewFile file, incoming(*state_, upload, first));
     files.push_back(std::move(file));
   }
   AXIOMETRY_TRY(auto same, ids_with(state_->store, files.front().content.sha256));
+  AXIOMETRY_TRY(const auto ids, state_->store.receive(files, by));
   Received received{.tests = {}, .same_content = std::move(same), .first = *std::move(first)};
-  for (const Incoming& file : files) {
-    AXIOMETRY_TRY(const auto ids, state_->store.receive(file.content, file.tests, by));
-    for (std::size_t k = 0; k < ids.size(); ++k) received.tests.push_back({ids[k], file.tests[k].state.title});
-  }
+  auto id = ids.begin();
+  for (const store::NewFile& file : files)
+    for (const store::NewTest& test : file.tests) received.tests.push_back({*id++, test.state.title});
   return received;
 }
 

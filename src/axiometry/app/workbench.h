@@ -34,8 +34,8 @@ class Workbench {
   /// What is in a file, and its evaluation; nothing is kept. A file that cannot be read is no failure: it is refused.
   Result<Preview> preview(const Upload& upload) const;
 
-  /// Keeps files with all their tests, each at version 1, or, when one of them cannot be read, none. Bytes that are
-  /// known make new tests all the same.
+  /// Keeps files with all their tests, each at version 1, or, when one of them cannot be read or kept, none. Bytes that
+  /// are known make new tests all the same.
   Result<Received> receive(std::span<const Upload> uploads, const store::By& by);
 
   /// Of a file that is not kept: its only test, or the one of that name.

@@ -40,11 +40,6 @@ constexpr std::string_view octets = "application/octet-stream";
 constexpr std::array<std::string_view, 6> harmless = {"image/png",  "image/jpeg",      "image/gif",
                                                       "image/webp", "application/pdf", "text/plain"};
 
-std::string media_type_of(std::string_view extension) {
-  const auto row = std::ranges::find(media_types, extension, &MediaRow::extension);
-  return std::string(row == media_types.end() ? octets : row->media_type);
-}
-
 /// "image/png" of "image/PNG; q=1"; octets of what is no media type.
 std::string checked_media_type(std::string_view sent) {
   const std::string type = text::to_lower(text::trim(sent.substr(0, sent.find(';'))));
@@ -74,13 +69,13 @@ Result<const report::Writer*> writer_of(const std::string& extension) {
 
 /// The result that a version keeps, as `axiometry evaluate --json` writes it.
 Result<std::string> kept_json(const store::TestRecord& record) {
-  AXIOMETRY_TRY(const json::Value value, json::parse(record.state.evaluation.result));
+  AXIOMETRY_TRY(const json::Value value, kept_result(record));
   return json::dump(value) + "\n";
 }
 
 Result<Rendered> render(Workbench::State& state, const store::TestRecord& record, const ReportRequest& request) {
   const std::string extension = text::to_lower(request.extension);
-  Rendered rendered{{}, media_type_of(extension), report_file_name(record, extension)};
+  Rendered rendered{{}, std::string(media_type_of(extension)), report_file_name(record, extension)};
   if (extension == "json") {
     AXIOMETRY_TRY(rendered.bytes, kept_json(record));
     return rendered;
@@ -103,6 +98,11 @@ std::vector<report::Figure> drawn_figures(const Evaluated& evaluated, const repo
 }
 
 }  // namespace
+
+std::string_view media_type_of(std::string_view extension) {
+  const auto row = std::ranges::find(media_types, extension, &MediaRow::extension);
+  return row == media_types.end() ? octets : row->media_type;
+}
 
 Result<Rendered> Workbench::report(store::Id id, std::optional<int> version, const ReportRequest& request) const {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));

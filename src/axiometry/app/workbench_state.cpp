@@ -115,4 +115,12 @@ Outcome outcome_of(Found found) {
           .milliseconds = found.milliseconds};
 }
 
+Result<json::Value> kept_result(const store::TestRecord& record) {
+  auto result = json::parse(record.state.evaluation.result);
+  if (!result)
+    return fail(ErrorKind::damaged,
+                fmt::format("found a result of test {} that cannot be read: {}", record.id, result.error().message));
+  return result;
+}
+
 }  // namespace axiometry::app

@@ -46,4 +46,7 @@ struct Workbench::State {
 ArchiveLinks links_of(const store::TestRecord& record);
 Outcome outcome_of(Found found);
 
+/// The result that a version keeps. Fails with `damaged` when it cannot be read.
+Result<json::Value> kept_result(const store::TestRecord& record);
+
 }  // namespace axiometry::app

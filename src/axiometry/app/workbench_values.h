@@ -97,6 +97,9 @@ struct ReportRequest {
   language::Language language = language::Language::english;
 };
 
+/// Of files that this program makes, by their extension in small letters.
+std::string_view media_type_of(std::string_view extension);
+
 /// A file that was made.
 struct Rendered {
   std::string bytes;

@@ -88,8 +88,12 @@ Result<void> copy_pages(sqlite3* from, const std::string& file) {
   AXIOMETRY_TRY(const SqliteDatabase to, open_sqlite(file, SQLITE_OPEN_READWRITE));
   sqlite3_backup* backup = sqlite3_backup_init(to.get(), "main", from, "main");
   if (backup == nullptr) return std::unexpected(sqlite_error(to.get()));
-  sqlite3_backup_step(backup, -1);
+  const int copied = sqlite3_backup_step(backup, -1);
   if (sqlite3_backup_finish(backup) != SQLITE_OK) return std::unexpected(sqlite_error(to.get()));
+  // A store that is locked for longer than we wait is no error to SQLite, but then nothing was copied.
+  if (copied != SQLITE_DONE)
+    return fail(ErrorKind::unavailable,
+                "found the store locked by another program for ten seconds, expected it to be free");
   return {};
 }
 

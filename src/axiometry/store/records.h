@@ -13,6 +13,7 @@ namespace axiometry::store {
 
 /// Counted from 1 without gaps in each table, so that a missing number would be a lost record.
 using Id = std::int64_t;
+inline constexpr Id id_max = 0x7fff'ffff;  ///< of what a column of PostgreSQL holds; no record has a greater one
 
 /// Who changes something, and why.
 struct By {

@@ -106,6 +106,17 @@ Result<std::vector<Id>> Store::receive(const Content& content, std::span<const N
   return state_->write([&](Connection& connection) { return receive_tests(connection, content, tests, by); });
 }
 
+Result<std::vector<Id>> Store::receive(std::span<const NewFile> files, const By& by) {
+  return state_->write([&](Connection& connection) -> Result<std::vector<Id>> {
+    std::vector<Id> all;
+    for (const NewFile& file : files) {
+      AXIOMETRY_TRY(const auto ids, receive_tests(connection, file.content, file.tests, by));
+      all.insert(all.end(), ids.begin(), ids.end());
+    }
+    return all;
+  });
+}
+
 Result<int> Store::revise(Id test, int base_version, const TestState& state, const By& by) {
   return state_->write([&](Connection& connection) { return revise_test(connection, test, base_version, state, by); });
 }
@@ -132,6 +143,10 @@ Result<std::vector<Change>> Store::test_versions(Id id) const {
 
 Result<TestPage> Store::tests(const TestFilter& filter) const {
   return state_->read([&](Connection& connection) { return find_tests(connection, filter); });
+}
+
+Result<std::vector<MachineTests>> Store::machine_tests(std::optional<Id> machine) const {
+  return state_->read([&](Connection& connection) { return find_machine_tests(connection, machine); });
 }
 
 Result<std::vector<TrendPoint>> Store::trend(Id axis, std::span<const std::string> parameters,

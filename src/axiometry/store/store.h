@@ -76,7 +76,8 @@ class Store {
   template <typename Thing>
   Result<std::vector<Versioned<Thing>>> versions(Id id) const;  ///< oldest first
 
-  /// Keeps a file and all its tests, or nothing. Bytes that are there already are kept once.
+  /// Keeps files and all their tests, or nothing. Bytes that are there already are kept once. The tests' ids in order.
+  Result<std::vector<Id>> receive(std::span<const NewFile> files, const By& by);
   Result<std::vector<Id>> receive(const Content& content, std::span<const NewTest> tests, const By& by);
   /// A new version. Fails with `conflict` when base_version is not the latest, saying who made that one and when.
   Result<int> revise(Id test, int base_version, const TestState& state, const By& by);
@@ -85,6 +86,8 @@ class Store {
   Result<TestRecord> test(Id id, std::optional<int> version = {}) const;
   Result<std::vector<Change>> test_versions(Id id) const;  ///< the first is version 1
   Result<TestPage> tests(const TestFilter& filter) const;
+  /// Of every machine that has any, or of one, by its id.
+  Result<std::vector<MachineTests>> machine_tests(std::optional<Id> machine = {}) const;
   /// By the date of measurement, then of arrival; the newest `limit`.
   Result<std::vector<TrendPoint>> trend(Id axis, std::span<const std::string> parameters, std::int64_t limit) const;
 

@@ -87,6 +87,48 @@ TEST_P(StoreTest, KeepsAllTestsOfAFileOrNone) {
   EXPECT_THAT(must(store->receive(content_of("abc"), std::vector{new_test("right")}, by_anna)), ElementsAre(1));
 }
 
+TEST_P(StoreTest, KeepsAllFilesThatComeTogetherOrNone) {
+  const auto store = new_store();
+  const NewFile files[] = {{content_of("abc"), {new_test("a"), new_test("b")}}, {content_of("def"), {new_test("c")}}};
+  NewFile refused[] = {files[0], files[1]};
+  refused[1].content.bytes = "other";
+  EXPECT_THAT(why(store->receive(refused, by_anna)), HasSubstr("SHA-256"));
+  const Counts counts = must(store->counts());
+  EXPECT_EQ(counts.tests + counts.machines + counts.content_bytes, 0);
+  EXPECT_THAT(must(store->receive(files, by_anna)), ElementsAre(1, 2, 3));
+  EXPECT_EQ(must(store->test(3)).sha256, sha256("def"));
+  EXPECT_TRUE(must(store->verify()).problems.empty());
+}
+
+TEST_P(StoreTest, TellsOfEachMachineHowManyTestsItHasAndTheLatest) {
+  const auto store = new_store();
+  EXPECT_TRUE(must(store->machine_tests()).empty());
+  std::vector<NewTest> tests;
+  for (const char* day : {"2020-01-03", "2020-01-01", "2020-01-03", "", "2020-01-09", "2019-01-01"}) {
+    tests.push_back(new_test(day));
+    tests.back().state.measured_on = day;
+  }
+  tests[1].state.evaluation.verdict = "undecided";
+  tests[5].state.machine.name = "Mill 2";
+  tests[5].state.machine.serial_number = "4712";
+  tests[5].state.evaluation.verdict = "";
+  must(store->receive(content_of("abc"), tests, by_anna));
+  must(store->withdraw(5, true, by_anna));
+  const auto all = must(store->machine_tests());
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].machine, 1);
+  EXPECT_EQ(all[0].total, 4);
+  EXPECT_EQ(all[0].latest, 3) << "of two on a day the one that came later";
+  EXPECT_EQ(all[0].measured_on, "2020-01-03");
+  EXPECT_EQ(all[0].verdict, "conforms");
+  EXPECT_EQ(all[1].latest, 6);
+  EXPECT_EQ(all[1].verdict, "");
+  const auto one = must(store->machine_tests(2));
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0].machine, 2);
+  EXPECT_TRUE(must(store->machine_tests(3)).empty());
+}
+
 TEST_P(StoreTest, RefusesWhatOneOfTheDatabasesCouldNotKeep) {
   const auto store = new_store();
   EXPECT_THAT(why(store->receive(content_of("a"), std::vector{new_test("\xff")}, by_anna)), HasSubstr("UTF-8"));

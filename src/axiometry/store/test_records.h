@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -41,10 +42,14 @@ struct TestState {
   Axis axis;          ///< likewise among the machine's axes, by name; `machine` is ignored
   std::vector<Instrument> instruments;  ///< likewise by serial number, or by manufacturer and type
   std::optional<Id> plan;
-  std::string measured_on;  ///< date as the metadata state it, "2014-05-15" where it can be read as one
+  std::string measured_on;  ///< "2014-05-15"; empty where the metadata state no date that can be read as one
   std::string changes;      ///< JSON object: metadata over what the file says, key and text
   Evaluation evaluation;
 };
+
+/// More than this no content may have: PostgreSQL gives bytes as two digits each, in answers below 1 GiB, and what can
+/// be kept in one database shall fit the other.
+inline constexpr std::size_t content_bytes_max = std::size_t{500} << 20;
 
 /// The measured bytes as they came. Never changed.
 struct Content {
@@ -58,6 +63,12 @@ struct Content {
 struct NewTest {
   std::string name_in_file;  ///< of one among many; else empty
   TestState state;
+};
+
+/// A file that arrives.
+struct NewFile {
+  Content content;
+  std::vector<NewTest> tests;  ///< not empty
 };
 
 struct TestRecord {
@@ -112,6 +123,15 @@ struct TestFilter {
   bool descending = true;
   std::int64_t offset = 0;
   std::int64_t limit = 50;  ///< at most 1000
+};
+
+/// The tests of a machine that are not withdrawn.
+struct MachineTests {
+  Id machine = 0;
+  std::int64_t total = 0;  ///< never 0
+  Id latest = 0;           ///< by the date of measurement, then of arrival
+  std::string measured_on;
+  std::string verdict;  ///< of the latest, like its date
 };
 
 struct TestPage {

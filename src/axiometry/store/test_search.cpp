@@ -288,6 +288,25 @@ Result<TestPage> find_tests(Connection& connection, const TestFilter& filter) {
   return page;
 }
 
+Result<std::vector<MachineTests>> find_machine_tests(Connection& connection, std::optional<Id> machine) {
+  std::vector<Parameter> parameters;
+  if (machine) parameters.emplace_back(*machine);
+  // Both the counts and the newest come out of the index list_machine; of the table one row for each machine is read.
+  AXIOMETRY_TRY(
+      const Rows rows,
+      connection.query(
+          fmt::format("SELECT n.machine, n.total, l.test, l.measured_on, l.verdict FROM (SELECT machine, count(*) AS "
+                      "total FROM test_list WHERE withdrawn = 0 AND machine {} GROUP BY machine) n JOIN test_list l ON "
+                      "l.test = (SELECT m.test FROM test_list m WHERE m.machine = n.machine AND m.withdrawn = 0 ORDER "
+                      "BY m.measured_on DESC, m.test DESC LIMIT 1) ORDER BY n.machine",
+                      machine ? "= $1" : "IS NOT NULL"),
+          parameters));
+  std::vector<MachineTests> found;
+  for (const Row& row : rows)
+    found.push_back({row.integer(0), row.integer(1), row.integer(2), row.text(3), row.text(4)});
+  return found;
+}
+
 Result<std::vector<TrendPoint>> find_trend(Connection& connection, Id axis, std::span<const std::string> parameters,
                                            std::int64_t limit) {
   AXIOMETRY_TRY(const auto known, get_thing<Axis>(connection, axis));

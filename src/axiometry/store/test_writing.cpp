@@ -47,6 +47,8 @@ Result<Id> receive_test(Connection& connection, const Content& content, const Ne
 }  // namespace
 
 Result<void> keep_content(Connection& connection, const Content& content, const Change& change) {
+  if (content.bytes.size() > content_bytes_max)
+    return fail(fmt::format("found {} bytes, expected at most {}", content.bytes.size(), content_bytes_max));
   const std::string hash = sha256(content.bytes);
   if (hash != content.sha256)
     return fail(fmt::format("found bytes with the SHA-256 {}, expected {}", hash, text::quoted(content.sha256)));

@@ -217,7 +217,7 @@ CREATE TABLE test_list (
   content plain_text NOT NULL
 );
 CREATE INDEX list_withdrawn ON test_list (withdrawn, test);
-CREATE INDEX list_machine ON test_list (machine, withdrawn, test);
+CREATE INDEX list_machine ON test_list (machine, withdrawn, measured_on, test);
 CREATE INDEX list_axis ON test_list (axis, withdrawn, measured_on, test);
 CREATE INDEX list_verdict ON test_list (verdict, withdrawn, test);
 CREATE INDEX list_content ON test_list (content);
