@@ -207,10 +207,10 @@ Result<Response> issue(Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY_VOID(members.take("decimal", decimal));
   AXIOMETRY_TRY_VOID(members.take("unit", unit));
   AXIOMETRY_TRY_VOID(members.take("reason", reason));
+  AXIOMETRY_TRY(reason, app::given_line("reason", reason));
   std::optional<int> version;
   if (const Value* number = members.optional("version")) {
-    AXIOMETRY_TRY(const auto whole, app::given_number("version", *number));
-    version = static_cast<int>(whole);
+    AXIOMETRY_TRY(version, app::given_version("version", *number));
   }
   AXIOMETRY_TRY_VOID(members.finish());
   Request styled = request;

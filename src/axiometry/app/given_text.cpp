@@ -69,4 +69,11 @@ Result<std::int64_t> given_number(std::string_view what, const json::Value& valu
               value.at());
 }
 
+Result<int> given_version(std::string_view what, const json::Value& value) {
+  AXIOMETRY_TRY(const std::int64_t number, given_number(what, value));
+  if (number <= version_max) return static_cast<int>(number);
+  return fail(fmt::format("found {} for {}, expected a whole number from 1 to {}", number, what, version_max),
+              value.at());
+}
+
 }  // namespace axiometry::app

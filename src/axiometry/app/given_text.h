@@ -9,7 +9,7 @@
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 
-/// What a person gives for the archive: names, titles, notes, numbers of records.
+/// What a person gives for the archive: names, titles, notes, numbers of records and versions.
 namespace axiometry::app {
 
 inline constexpr std::size_t line_length_max = 500;    ///< characters of a name or title
@@ -28,5 +28,10 @@ Result<std::string> given_file_name(std::string_view name);
 
 /// A whole number from 1, such as an id or a version. Fails, with line and column, on anything else.
 Result<std::int64_t> given_number(std::string_view what, const json::Value& value);
+
+inline constexpr int version_max = 1'000'000'000;
+
+/// A version: given_number() that is at most version_max, so that no larger one can stand for another.
+Result<int> given_version(std::string_view what, const json::Value& value);
 
 }  // namespace axiometry::app

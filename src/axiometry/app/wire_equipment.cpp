@@ -81,8 +81,7 @@ Result<void> take_lines(JsonMembers& members, const Value& object, Thing& thing,
 template <typename Thing>
 Result<void> take_edit(JsonMembers& members, const Value& object, Edit<Thing>& edit) {
   if (const Value* base = members.optional("base_version")) {
-    AXIOMETRY_TRY(const auto number, given_number("base_version", *base));
-    edit.base_version = static_cast<int>(number);
+    AXIOMETRY_TRY(edit.base_version, given_version("base_version", *base));
   }
   AXIOMETRY_TRY_VOID(take_text(members, object, "reason", edit.reason, &given_line));
   for (const char* name : {"id", "version", "change", "axes", "tests", "latest_test"}) members.pass_over(name);

@@ -345,8 +345,7 @@ Result<Revision> revision_from(const json::Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "request"));
   Revision revision;
   AXIOMETRY_TRY(const Value* base, members.required("base_version"));
-  AXIOMETRY_TRY(const auto base_version, given_number("base_version", *base));
-  revision.base_version = static_cast<int>(base_version);
+  AXIOMETRY_TRY(revision.base_version, given_version("base_version", *base));
   AXIOMETRY_TRY_VOID(members.take("title", revision.title));
   AXIOMETRY_TRY_VOID(members.take("reason", revision.reason));
   AXIOMETRY_TRY(revision.reason, given_line("reason", revision.reason));
