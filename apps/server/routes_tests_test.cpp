@@ -89,6 +89,9 @@ TEST_F(Routes, RefuseAFileWithLineAndColumnAndKeepNothing) {
   const auto error = *json::parse(refused.body)->find("error");
   EXPECT_EQ(number(error, "line"), 2);
   EXPECT_EQ(text(error, "file"), "<b>.csv");
+  std::string endless(app::example_table2);
+  endless.insert(endless.find("Ball screw"), 50'000, 'x');
+  EXPECT_THAT(send("POST", "/api/tests", endless, {}, {{"x-file-name", "a.json"}}).body, HasSubstr("50030 bytes"));
   EXPECT_EQ(send("POST", "/api/tests").status, 422);
   EXPECT_EQ(send("POST", "/api/tests", "x", {}, {{"x-file-name", "%zz"}}).status, 422);
   EXPECT_EQ(number(answer(send("GET", "/api/tests"), 200), "total"), 0);
@@ -106,6 +109,7 @@ TEST_F(Routes, TryAndReviseAndAnswerConflicts) {
   EXPECT_EQ(text(second, "title"), "<i>T</i>");
   EXPECT_EQ(text(second, "verdict"), "conforms");
   EXPECT_EQ(send("POST", "/api/tests/1/versions", revision).status, 409);
+  EXPECT_EQ(send("POST", "/api/tests/1/versions", R"({"base_version": 4294967298})").status, 422);  // 2 in 32 bits
   EXPECT_TRUE(answer(send("GET", "/api/tests/1", "", {{"version", "1"}}), 200).find("verdict")->is(json::Kind::null));
   EXPECT_EQ(send("GET", "/api/tests/1", "", {{"version", "7"}}).status, 404);
   EXPECT_EQ(send("POST", "/api/tests/1/evaluate", R"({"changes": {"tolerance.A": "-5"}})").status, 422);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "axiometry/app/given_text.h"
 #include "axiometry/app/plan_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -217,6 +218,14 @@ std::size_t readings_of(const Plan& plan) {
   return all;
 }
 
+Result<void> check_names(const Plan& plan) {
+  AXIOMETRY_TRY_VOID(given_line("the name of the axis", plan.axis.name));
+  AXIOMETRY_TRY_VOID(given_line("the name of the machine", plan.machine));
+  AXIOMETRY_TRY_VOID(given_line("the title of the plan", plan.title));
+  for (const Plan& further : plan.further) AXIOMETRY_TRY_VOID(check_names(further));
+  return {};
+}
+
 }  // namespace
 
 std::span<const PlanOption> plan_options() { return options; }
@@ -238,6 +247,7 @@ Result<PlanRequest> completed(const PlanWish& wish) {
 }
 
 Result<void> check_presentable(const Plan& plan) {
+  AXIOMETRY_TRY_VOID(check_names(plan));
   const std::size_t readings = readings_of(plan);
   if (readings <= most_readings) return {};
   return fail(fmt::format("found {} targets in {} runs, {} readings in all, expected at most {}", plan.targets.size(),

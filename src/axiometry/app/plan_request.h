@@ -54,8 +54,8 @@ std::span<const PlanOptionPair> plan_options_apart();
 /// a sequence that the wish's request has already is left alone.
 Result<iso230_2::PlanRequest> completed(const PlanWish& wish);
 
-/// Fails on a plan of more readings than a page or an answer can show (100 000, with its further plans). Needs a sound
-/// plan.
+/// Fails on a plan of more readings than a page or an answer can show (100 000, with its further plans), and on names
+/// that are no given_line(). Needs a sound plan.
 Result<void> check_presentable(const Plan& plan);
 
 /// A plan that was asked for as JSON, with its request: the same with all members that there are and the seed that was

@@ -159,6 +159,12 @@ TEST(PlanRequest, APlanOfAFileIsCheckedInPlaceOfARequest) {
   EXPECT_THAT(requested_plan(value_of("{}")).error().message, HasSubstr("neither a request nor a plan"));
 }
 
+TEST(PlanRequest, TakesNoNameThatIsNoLineOfText) {
+  EXPECT_THAT(asked(with("\"X\"", "\"X\\nG0 Z-1\"")).error().message, HasSubstr("U+000A in the name of the axis"));
+  const std::string bottomless(100'000, 'X');
+  EXPECT_THAT(asked(with("\"X\"", "\"" + bottomless + "\"")).error().message, HasSubstr("expected at most 500"));
+}
+
 TEST(PlanRequest, IsKeptBesideThePlanAndReadAgainWithItsAcceleration) {
   const auto made = asked(with("\"period\": \"10\"", "\"acceleration\": \"200\""));
   ASSERT_TRUE(made) << made.error().to_string();

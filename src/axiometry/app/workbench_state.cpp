@@ -11,6 +11,7 @@
 #include "axiometry/app/wire.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/version.h"
+#include "axiometry/model/fields.h"
 
 namespace axiometry::app {
 namespace {
@@ -41,6 +42,26 @@ Result<void> check_same(const store::TestRecord& record, const Evaluated& evalua
                     "axiometry {}: save a new version to evaluate the test with it",
                     k < now.size() ? figure_text(now[k]) : "nothing", record.version,
                     k < kept.size() ? figure_text(kept[k]) : "nothing", record.state.evaluation.program, version));
+  }
+  return {};
+}
+
+Result<void> check_length(const Field& field, std::string_view text) {
+  if (text.size() <= 4 * text_length_max) return {};  // bytes of so many characters
+  return fail(
+      fmt::format("{}: found a text of {} bytes, expected at most {}", field.key, text.size(), 4 * text_length_max));
+}
+
+/// Reports of longer texts would be books.
+Result<void> check_lengths(const Metadata& metadata) {
+  for (const Field& field : metadata_fields()) {
+    const FieldValue value = field.get(metadata);
+    if (const auto* text = std::get_if<std::string>(&value)) AXIOMETRY_TRY_VOID(check_length(field, *text));
+    const auto* records = std::get_if<Records>(&value);
+    if (records == nullptr) continue;
+    for (const auto& record : *records)
+      for (const Cell& cell : record)
+        if (const auto* text = std::get_if<std::string>(&cell)) AXIOMETRY_TRY_VOID(check_length(field, *text));
   }
   return {};
 }
@@ -76,6 +97,7 @@ Result<Test> Workbench::State::measured(const store::TestRecord& record) {
 Result<Found> Workbench::State::evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links) {
   Metadata stated = test.metadata;
   AXIOMETRY_TRY_VOID(set_metadata(stated, metadata_items(draft.changes)));
+  AXIOMETRY_TRY_VOID(check_lengths(stated));
   AXIOMETRY_TRY(FromArchive taken, find_in_archive(store, stated, draft.changes, links));
   return evaluate_with(std::move(test), draft, std::move(taken));
 }

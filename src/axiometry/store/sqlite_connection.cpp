@@ -144,7 +144,21 @@ Result<void> SqliteConnection::script(const std::string& sql) {
 }
 
 Result<void> SqliteConnection::begin_read() { return run("BEGIN"); }
-Result<void> SqliteConnection::begin_write() { return run("BEGIN IMMEDIATE"); }
+
+/// SQLite would go on writing into a file that has no name any more, and what was said to be kept would be gone with
+/// this program.
+Result<void> SqliteConnection::begin_write() {
+  AXIOMETRY_TRY_VOID(run("BEGIN IMMEDIATE"));
+  int moved = 0;
+  if (sqlite3_file_control(database_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &moved) != SQLITE_OK || moved == 0)
+    return {};
+  rollback();
+  return fail(
+      ErrorKind::unavailable,
+      "found the store's file removed or replaced while it is in use, expected it in its place: nothing of this "
+      "was kept; put it back or begin again with the one that is there");
+}
+
 Result<void> SqliteConnection::commit() { return run("COMMIT"); }
 
 void SqliteConnection::rollback() {

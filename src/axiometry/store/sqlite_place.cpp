@@ -4,10 +4,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 #include <thread>
 
@@ -131,6 +134,16 @@ Result<Mode> mode_for_reading(const std::string& file, const std::string& path) 
   return Mode::immutable;
 }
 
+/// By its first sixteen bytes, the name of the format.
+bool begins_as_database(const std::string& path) {
+  constexpr std::string_view magic("SQLite format 3\0", 16);
+  std::array<char, magic.size()> head{};
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(head.data(), head.size());
+  return stream.gcount() == static_cast<std::streamsize>(head.size()) &&
+         std::string_view(head.data(), head.size()) == magic;
+}
+
 /// 1: an archive; 0: an empty database, which may become one. Nothing is written.
 Result<bool> is_archive(const std::string& file, const std::string& path, Mode mode) {
   AXIOMETRY_TRY(SqliteDatabase database, opened(path, mode == Mode::immutable ? mode : Mode::reading));
@@ -139,6 +152,10 @@ Result<bool> is_archive(const std::string& file, const std::string& path, Mode m
   const auto tables = connection.query("SELECT count(*) FROM sqlite_master");
   for (const auto* answer : {&id, &tables}) {
     if (*answer) continue;
+    if (answer->error().kind == ErrorKind::damaged && begins_as_database(path))
+      return fail_at(file, ErrorKind::damaged,
+                     "found a damaged SQLite database, cut off or overwritten in part, expected a whole one: leave it "
+                     "as it is and restore a backup into a new file");
     if (answer->error().kind == ErrorKind::damaged)
       return fail_at(file, ErrorKind::bad_input, "found a file that is no SQLite database, expected a store");
     return std::unexpected(in_store(answer->error(), file));

@@ -262,6 +262,33 @@ TEST_P(SqliteTroubleTest, RefusesWhatIsNoStoreAndLeavesItAlone) {
   EXPECT_THAT(why(Store::open("mysql://root:secret@host/x")), HasSubstr("expected a file or postgresql://"));
 }
 
+TEST_P(SqliteTroubleTest, SaysOfACutOffStoreThatItIsDamaged) {
+  const std::string address = file("cut.db");
+  must(must(Store::open(address))->receive(content_of("x"), std::vector{new_test("t")}, by_anna));
+  std::filesystem::resize_file(address, std::filesystem::file_size(address) / 2);
+  const auto refused = Store::open(address);
+  EXPECT_THAT(why(refused), HasSubstr("found a damaged SQLite database"));
+  EXPECT_EQ(refused.error().kind, ErrorKind::damaged);
+}
+
+TEST_P(SqliteTroubleTest, KeepsNothingInAFileThatHasLostItsName) {
+  const std::string address = file("moved.db");
+  const auto store = must(Store::open(address));
+  const auto keep = [&] { return store->receive(content_of("x"), std::vector{new_test("t")}, by_anna); };
+  must(keep());
+  std::filesystem::rename(address, file("away.db"));
+  for (const bool replaced : {false, true}) {
+    if (replaced) std::ofstream(address) << "another";
+    const auto refused = keep();
+    EXPECT_THAT(why(refused), HasSubstr("removed or replaced"));
+    EXPECT_EQ(refused.error().kind, ErrorKind::unavailable);
+    EXPECT_EQ(must(store->counts()).tests, 1) << "what is there can be read";
+  }
+  std::filesystem::rename(file("away.db"), address);
+  must(keep());
+  EXPECT_EQ(must(store->counts()).tests, 2);
+}
+
 TEST_P(SqliteTroubleTest, MakesItsFileForItsOwnerOnlyAndTheFolderWithIt) {
   const std::string address = file("a/b/store ? # %41.db");
   must(must(Store::open(address))->receive(content_of("x"), std::vector{new_test("t")}, by_anna));

@@ -81,6 +81,18 @@ TEST(PdfWriter, TakesHostileTextsAndHugeNumbers) {
   EXPECT_TRUE(hostile.written("pdf").starts_with("%PDF-1."));
 }
 
+TEST(PdfWriter, LosesNothingOfAWordOrATextThatItCutsIntoParagraphs) {
+  Reported table2 = reported_table2();
+  std::string& comment = table2.test.metadata.conditions.comment;
+  for (int k = 0; k < 1500; ++k) comment += "µ";
+  comment += "|";
+  table2.test.metadata.machine.name = std::string(100'000, 'W');  // took Pango most of a minute as one paragraph
+  TEXT_OR_SKIP(text, table2.written("pdf"));
+  EXPECT_THAT(*text, HasSubstr("|"));
+  EXPECT_THAT(*text, ::testing::Not(HasSubstr("\uFFFD")));
+  EXPECT_GE(std::ranges::count(*text, 'W'), 100'000);
+}
+
 TEST(PdfWriter, AddsNoHyphenWhereItBreaksASerialNumber) {
   Reported table2 = reported_table2();
   table2.test.metadata.machine.serial_number = std::string(300, 'Q');
