@@ -10,8 +10,8 @@ import { all_parameters, decimals_of, main_parameters } from '../test/figures_te
 import { look_of } from './curves';
 
 const t = texts({
-  title: ['Parameters side by side', 'Kenngrößen nebeneinander'],
-  parameter: ['Parameter', 'Kenngröße'],
+  title: ['Parameters side by side', 'Kennwerte nebeneinander'],
+  parameter: ['Parameter', 'Kennwert'],
   value: ['Value ± U', 'Wert ± U'],
   difference: ['Difference', 'Unterschied'],
   first: ['reference', 'Bezug'],

@@ -12,7 +12,7 @@ export const t = texts({
   decimal: ['Decimal sign', 'Dezimalzeichen'],
   point: ['point: 9.6', 'Punkt: 9.6'],
   comma: ['comma: 9,6', 'Komma: 9,6'],
-  unit: ['Unit of the parameters', 'Einheit der Kenngrößen'],
+  unit: ['Unit of the parameters', 'Einheit der Kennwerte'],
   download: ['Download', 'Herunterladen'],
   as_json: ['Results for programs', 'Ergebnisse für Programme'],
   raw: ['The file as it came', 'Die Datei, wie sie kam'],

@@ -11,8 +11,8 @@ import type { TestState } from './state';
 const t = texts({
   glance: ['At a glance', 'Auf einen Blick'],
   annex_a: ['Annex A', 'Anhang A'],
-  title: ['Parameters', 'Kenngrößen'],
-  parameter: ['Parameter', 'Kenngröße'],
+  title: ['Parameters', 'Kennwerte'],
+  parameter: ['Parameter', 'Kennwert'],
   name: ['Name', 'Benennung'],
   value: ['Value', 'Wert'],
   limit: ['Limit', 'Grenzwert'],
