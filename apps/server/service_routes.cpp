@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "axiometry/base/version.h"
+#include "axiometry/language/language.h"
 #include "routes.h"
 #include "vocabulary.h"
 
@@ -24,13 +25,13 @@ json::Value counts_value(const store::Counts& counts) {
   return value;
 }
 
-json::Value store_value(const store::Info& info, const store::Counts& counts) {
+json::Value store_value(const store::Info& info, const store::Counts& counts, language::Language language) {
   json::Value value = json::Value::object();
   value.add("kind", info.kind);
   value.add("location", info.location);
   value.add("schema", info.schema);
   value.add("writable", info.writable);
-  value.add("why_not", text_or_null(info.why_not));
+  value.add("why_not", text_or_null(language::translated(info.why_not, language)));
   value.add("counts", counts_value(counts));
   return value;
 }
@@ -44,7 +45,7 @@ Result<Response> health(const ServiceContext& context, const Request& request) {
   program.add("name", "axiometry");
   program.add("version", version);
   value.add("program", std::move(program));
-  value.add("store", store_value(context.store.info(), counts));
+  value.add("store", store_value(context.store.info(), counts, request.language));
   json::Value limits = json::Value::object();
   limits.add("upload_bytes", context.upload_bytes);
   value.add("limits", std::move(limits));

@@ -7,6 +7,7 @@ import { capture } from './capture.mjs';
 import { conflict } from './conflict.mjs';
 import { german } from './german.mjs';
 import { keyboard } from './keyboard.mjs';
+import { layout } from './layout.mjs';
 import { offline } from './offline.mjs';
 import { plan } from './plan.mjs';
 import { story } from './story.mjs';
@@ -19,7 +20,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...conflict, ...plan, ...capture, ...german, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...conflict, ...plan, ...capture, ...german, ...layout, ...offline, ...timing };
 const wanted = Object.entries(all).filter(([name]) => words.length === 0 || words.some((word) => name.toLowerCase().includes(word.toLowerCase())));
 
 // Chromium's sandbox does not work for root, as which containers of tests mostly run.

@@ -144,6 +144,7 @@ constexpr Phrase rows[] = {
     {"Only when the device's statement does not include temperature.",
      "Nur, wenn die Angabe zum Messgerät die Temperatur nicht einschließt."},
     {"PDF, A4", "PDF, A4"},
+    {"Parameters and positions as CSV", "Kennwerte und Positionen als CSV"},
     {"Pitch of the screw or of the scale, when known.",
      "Steigung der Spindel oder Teilung des Maßstabs, falls bekannt."},
     {"Position at which the instrument was set to zero, where a correction by this program is none; the first target "

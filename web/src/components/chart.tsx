@@ -25,6 +25,8 @@ const t = texts({
   all: ['Show all', 'Alles zeigen'],
 });
 
+const paper_width = 720;   // px, of A4 upright between its margins
+
 export function Chart(props: ChartProps) {
   const frame = useRef<HTMLDivElement>(null);
   const into = useRef<HTMLDivElement>(null);
@@ -83,6 +85,9 @@ export function Chart(props: ChartProps) {
       if (wanted.width !== made.width || wanted.height !== made.height) made.setSize(wanted);
     });
     watch.observe(box);
+    // Paper is narrower than a screen: drawn for it, words do not shrink with the picture.
+    window.addEventListener('beforeprint', () => made.setSize({ ...size(), width: Math.min(size().width, paper_width) }), end);
+    window.addEventListener('afterprint', () => made.setSize(size()), end);
     let first = true;
     const redraw = effect(() => {
       void shown_theme.value; void decimal.value;

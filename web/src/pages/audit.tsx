@@ -38,8 +38,8 @@ export function AuditPage() {
     <>
       <div class="page-head">
         <div>
-          <p class="crumb">{t('audit_why')}</p>
           <h1 tabIndex={-1}>{subject === '' ? t('audit') : t('audit_of', { subject: subject_text(subject) })}</h1>
+          <p class="crumb">{t('audit_why')}</p>
         </div>
         {subject !== '' && <a class="button" href="/audit">{t('all')}</a>}
       </div>
@@ -64,7 +64,7 @@ function Entries({ entries, subject }: { entries: AuditEntry[]; subject: string 
         { key: 'actor', head: t('actor_head'), cell: (row) => row.change.actor },
         { key: 'action', head: t('action'), class: 'number-text', cell: (row) => action_text(row.action) },
         ...(subject === '' ? [{ key: 'subject', head: t('subject'), class: 'number-text', cell: (row: AuditEntry) => <Subject subject={row.subject} /> }] : []),
-        { key: 'reason', head: t('reason'), cell: (row) => row.change.reason },
+        { key: 'reason', head: t('reason'), class: 'reason', cell: (row) => row.change.reason },
         { key: 'detail', head: t('detail'), class: 'detail small', cell: (row) => (
           Object.entries(row.detail).map(([key, value]) => <span key={key}><span class="quiet">{key}</span> <Value value={value} /></span>)
         ) },

@@ -9,7 +9,7 @@ import { absent } from '../numbers';
 import { go } from '../router';
 import './machines.css';
 import { attention, weight } from './machines/attention';
-import { load_courses } from './machines/axis_courses';
+import { last_verdict, load_courses } from './machines/axis_courses';
 import { AxisSpark } from './machines/axis_spark';
 import { MachineDialog } from './machines/machine_dialog';
 import { t } from './machines/texts';
@@ -96,13 +96,24 @@ function MachineTable({ rows, order, on_order }: { rows: Machine[]; order: Order
 
 export function AttentionTags({ machine }: { machine: Machine }) {
   const all = attention(machine);
-  if (all.length === 0) return machine.latest_test?.verdict ? <VerdictMark verdict={machine.latest_test.verdict} /> : <span class="quiet">{absent}</span>;
+  if (all.length === 0) return <Calm machine={machine} />;
   return (
     <span class="tags">
       {all.map(({ kind, since, axes }) => {
         if (kind === 'overdue' || kind === 'never') return <span key={kind} class={`tag ${kind === 'overdue' ? 'caution' : ''}`}>{t(kind, { date: since })}</span>;
         return <span key={kind} class="verdict-of">{axes.length > 0 && <strong>{axes.join(', ')}</strong>}<VerdictMark verdict={kind} /></span>;
       })}
+    </span>
+  );
+}
+
+/** Nothing to look at: the axes whose last test conforms, or that no tolerance says so of any. */
+function Calm({ machine }: { machine: Machine }) {
+  const good = machine.axes.filter((axis) => last_verdict(axis.id) === 'conforms').map((axis) => axis.name);
+  return (
+    <span class="verdict-of">
+      {good.length > 0 && good.length < machine.axes.length && <strong>{good.join(', ')}</strong>}
+      <VerdictMark verdict={good.length > 0 ? 'conforms' : (machine.latest_test?.verdict ?? null)} />
     </span>
   );
 }

@@ -88,6 +88,10 @@ figcaption{margin-top:.5rem;font-size:.9rem;font-weight:bold}
 .bar.tall::before{top:-.02em}
 sub,sup{font-size:.72em;line-height:0}
 footer{margin-top:3rem;padding-top:.6rem;border-top:1px solid var(--rule);color:var(--quiet);font-size:.8rem}
+@media screen and (max-width:56rem){
+.sheet{margin:1rem auto;padding:2rem 1.8rem}
+th,td{padding:.3rem .4rem}
+}
 @media screen and (max-width:40rem){
 body{background:var(--paper)}
 .sheet{margin:0;padding:1.4rem 1rem 2rem;box-shadow:none}

@@ -24,7 +24,7 @@ export interface ChartSeries {
 /** An area between two curves, behind all lines. */
 export interface ChartBand { key: string; upper: Values; lower: Values; colour: string; opacity?: number; hidden?: boolean }
 
-/** A limit: a line across the whole chart, with its name at the right end. */
+/** A limit: a line across the whole chart, with its name beside it. */
 export interface ChartLine { value: number; colour: string; label: string; dash?: readonly number[]; hidden?: boolean }
 
 export interface ChartModel {

@@ -47,7 +47,6 @@ const at = (plot: uPlot, x: readonly number[], values: Values, i: number): [numb
 export function paint_line(plot: uPlot, pen: CanvasRenderingContext2D, line: ChartLine, ratio: number): void {
   const y = Math.round(plot.valToPos(line.value, 'y', true));
   pen.strokeStyle = token(line.colour);
-  pen.fillStyle = pen.strokeStyle;
   pen.lineWidth = 1.25 * ratio;
   pen.setLineDash((line.dash ?? [6, 4]).map((length) => length * ratio));
   pen.beginPath();
@@ -55,11 +54,6 @@ export function paint_line(plot: uPlot, pen: CanvasRenderingContext2D, line: Cha
   pen.lineTo(plot.bbox.left + plot.bbox.width, y);
   pen.stroke();
   pen.setLineDash([]);
-  pen.font = `${11 * ratio}px ${token('--font')}`;
-  pen.textAlign = 'right';
-  const below = y - plot.bbox.top < 16 * ratio;  // no room above
-  pen.textBaseline = below ? 'top' : 'bottom';
-  pen.fillText(line.label, plot.bbox.left + plot.bbox.width - 4 * ratio, y + (below ? 3 : -3) * ratio);
 }
 
 /** Points and whiskers of one series. */

@@ -3,6 +3,7 @@
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { marked } from '../../numbers';
+import { paint_line_labels } from './labels';
 import { y_range, type ChartModel } from './model';
 import { inside, paint_band, paint_line, paint_points, token } from './paint';
 
@@ -125,7 +126,10 @@ export function make_plot(model: () => ChartModel, events: PlotEvents, size: { w
           if (series && !series.hidden) inside(plot, (pen) => paint_points(plot, pen, model().x, series, pixels()));
         },
       ],
-      draw: [() => events.drawn()],
+      draw: [
+        (plot) => inside(plot, (pen) => paint_line_labels(plot, pen, model(), pixels())),
+        () => events.drawn(),
+      ],
       setCursor: [(plot) => events.pointed(plot)],
       setSelect: [(plot) => { if (plot.select.width > 0 || plot.select.height > 0) events.zoomed(); }],
       ready: [(plot) => plot.over.addEventListener('dblclick', () => events.unzoomed())],

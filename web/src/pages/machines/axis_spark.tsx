@@ -19,7 +19,7 @@ export function AxisSpark({ axis }: { axis: Axis }) {
     <a class="axis-spark" href={`/axes/${axis.id}`} title={label}>
       <span class="axis-name">{axis.name}</span>
       {last ? <Spark values={figures.map((figure) => figure.value)} limit={limit} label={label} /> : <span class="blank" />}
-      <span class={`number value ${last && limit !== null && last.value > limit ? 'over' : ''}`}>{last ? fixed(last.value, 1) : absent}</span>
+      <span class={`number value ${last && limit !== null && last.value > limit ? 'over' : ''}`}>{last ? fixed(last.value, 1) : absent}{last && <span class="quiet small unit">{unit}</span>}</span>
     </a>
   );
 }

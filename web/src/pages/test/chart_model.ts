@@ -9,8 +9,8 @@ import { plain_symbol } from './figures_text';
 export const t = texts({
   position: ['Position', 'Position'],
   deviation: ['Deviation', 'Abweichung'],
-  run: ['run {run} {arrow}', 'Lauf {run} {arrow}'],
-  measured: ['as measured, run {run} {arrow}', 'wie gemessen, Lauf {run} {arrow}'],
+  run: ['run {run} {arrow}', 'Durchlauf {run} {arrow}'],
+  measured: ['as measured, run {run} {arrow}', 'wie gemessen, Durchlauf {run} {arrow}'],
   mean_up: ['mean ↑', 'Mittel ↑'],
   mean_down: ['mean ↓', 'Mittel ↓'],
   mean: ['mean of both', 'Mittel beider'],

@@ -38,7 +38,7 @@ export function LibraryFigures({ state }: { state: TestState }) {
           {figures.map((figure, i) => <option key={figure.id} value={i}>{figure.title}</option>)}
         </select>
       )}
-      {figures.length > 0 && <img class="library-figure" src={path(shown_theme.value)} alt={figures[n]?.title ?? ''} loading="lazy" />}
+      {figures.length > 0 && <img class="library-figure" src={path(shown_theme.value)} alt={figures[n]?.title ?? ''} />}
       {state.edited.value && <p class="small quiet">{t('kept', { version: test.version })}</p>}
     </section>
   );

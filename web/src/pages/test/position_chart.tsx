@@ -11,7 +11,7 @@ import type { TestState } from './state';
 
 const t = texts({
   title: ['Deviations', 'Abweichungen'],
-  name: ['Deviations over position: single runs, means, bands and limits', 'Abweichungen über der Position: einzelne Läufe, Mittelwerte, Bänder und Grenzwerte'],
+  name: ['Deviations over position: single runs, means, bands and limits', 'Abweichungen über der Position: einzelne Durchläufe, Mittelwerte, Bänder und Grenzwerte'],
   legend: ['What the chart shows', 'Was das Diagramm zeigt'],
   runs: ['single readings', 'einzelne Messwerte'],
   mean_up: ['x̄↑', 'x̄↑'],
@@ -22,11 +22,11 @@ const t = texts({
   limits: ['limit', 'Grenzwert'],
   measured: ['as measured', 'wie gemessen'],
   of: ['limit of', 'Grenzwert von'],
-  each_run: ['Runs', 'Läufe'],
+  each_run: ['Runs', 'Durchläufe'],
   all_runs: ['all', 'alle'],
-  one_run: ['Run {run} {arrow}', 'Lauf {run} {arrow}'],
+  one_run: ['Run {run} {arrow}', 'Durchlauf {run} {arrow}'],
   target: ['Target {target} {unit}', 'Zielposition {target} {unit}'],
-  run_here: ['run {run} {arrow} {value}', 'Lauf {run} {arrow} {value}'],
+  run_here: ['run {run} {arrow} {value}', 'Durchlauf {run} {arrow} {value}'],
   spoken: ['{target}: mean up {up}, mean down {down}, reversal {reversal} {unit}', '{target}: Mittel aufwärts {up}, abwärts {down}, Umkehrspanne {reversal} {unit}'],
 });
 

@@ -30,7 +30,7 @@ export const t = texts({
   too_large: ['found a file of {size}, expected at most {limit}', '{size} gefunden, höchstens {limit} erwartet'],
   same: ['These very bytes are kept already:', 'Genau diese Bytes sind schon gespeichert:'],
   test_number: ['test {id}', 'Prüfung {id}'],
-  targets_runs: ['{targets} targets × {runs} runs', '{targets} Zielpositionen × {runs} Läufe'],
+  targets_runs: ['{targets} targets × {runs} runs', '{targets} Zielpositionen × {runs} Durchläufe'],
   stretch: ['{first} to {last}', '{first} bis {last}'],
   extent: ['Extent', 'Umfang'],
   more_tests: ['and {n} more, not evaluated here', 'und {n} weitere, hier nicht ausgewertet'],

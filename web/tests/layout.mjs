@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// What must fit: on a tablet, on a phone in the longer language, on paper.
+import assert from 'node:assert/strict';
+import { fileURLToPath } from 'node:url';
+import { settle } from './pages.mjs';
+
+const bare = fileURLToPath(new URL('../../examples/simulated-backlash.json', import.meta.url));
+
+export const layout = {
+  async 'on a tablet the list of tests shows every column'(world) {
+    await world.kept();
+    for (const locale of ['en-GB', 'de-DE']) {
+      const page = await world.page({ width: 1024, height: 768, locale });
+      await page.goto('/');
+      await settle(page);
+      const hidden = await page.locator('.test-list .table-frame').evaluate((frame) => frame.scrollWidth - frame.clientWidth);
+      assert.equal(hidden, 0, `${locale}: ${hidden} px of the list are out of sight`);
+    }
+  },
+
+  async 'on a phone the pages stand in one row, and nothing is wider than the window'(world) {
+    const test = await world.kept(bare, 'backlash.json');
+    for (const locale of ['en-GB', 'de-DE']) {
+      const page = await world.page({ width: 390, height: 844, locale });
+      await page.goto(`/tests/${test}`);
+      await settle(page);
+      const found = await page.evaluate(() => ({
+        over: document.documentElement.scrollWidth - innerWidth,
+        tops: [...document.querySelectorAll('.bar nav a')].map((link) => Math.round(link.getBoundingClientRect().top)),
+      }));
+      assert.ok(found.over <= 0, `${locale}: ${found.over} px wider than the window`);
+      const pages = found.tops.slice(0, -1);
+      assert.ok(pages.every((top) => top === pages[0] && top > found.tops.at(-1)), `${locale}: the links stand at ${found.tops.join(', ')}`);
+    }
+  },
+
+  async 'on paper a chart is whole and drawn for white, and the figure of the report is there'(world) {
+    const test = await world.kept();
+    const page = await world.page({ width: 1400, theme: 'dark' });
+    await page.goto(`/tests/${test}`);
+    await settle(page);
+    await page.waitForFunction(() => document.querySelector('img.library-figure')?.complete);
+    await page.setViewportSize({ width: 700, height: 1000 });
+    await page.emulateMedia({ media: 'print' });
+    await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+    const found = await page.evaluate(() => {
+      const chart = document.querySelector('.chart');
+      return {
+        theme: document.documentElement.dataset.theme,
+        over: Math.ceil(chart.querySelector('canvas').getBoundingClientRect().right - chart.getBoundingClientRect().right),
+      };
+    });
+    assert.equal(found.theme, 'light');
+    assert.ok(found.over <= 0, `the chart is ${found.over} px wider than its place`);
+  },
+};
