@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <condition_variable>
+#include <memory>
 #include <mutex>
 #include <type_traits>
 #include <utility>
@@ -13,6 +15,28 @@
 
 namespace axiometry::store {
 
+/// Whose turn it is to write: who waits for another thread does not keep a connection from readers.
+class Turn {
+ public:
+  /// Whether it came within that time; then it is over with pass().
+  bool wait_for(std::chrono::seconds longest) {
+    std::unique_lock lock(mutex_);
+    if (!passed_.wait_for(lock, longest, [&] { return !taken_; })) return false;
+    taken_ = true;
+    return true;
+  }
+  void pass() {
+    const std::lock_guard lock(mutex_);
+    taken_ = false;
+    passed_.notify_one();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable passed_;
+  bool taken_ = false;
+};
+
 /// What a Store is made of, and how a call becomes one transaction.
 struct Store::State {
   State(std::unique_ptr<Place> place, std::size_t connections)
@@ -20,7 +44,7 @@ struct Store::State {
 
   ConnectionPool pool;
   Info info;
-  std::timed_mutex writing;  // who waits for another thread does not keep a connection from readers
+  Turn turn;
 
   /// What `function(connection)` reads is of one moment. Once more where the connection turns out to be lost.
   template <typename Function>
@@ -40,10 +64,10 @@ struct Store::State {
     if (!info.writable)
       return fail(ErrorKind::read_only,
                   fmt::format("found a store that can only be read ({}), expected to write", info.why_not));
-    const std::unique_lock lock(writing, std::chrono::seconds(10));
-    if (!lock.owns_lock())
+    if (!turn.wait_for(std::chrono::seconds(10)))
       return fail(ErrorKind::unavailable,
                   "found the store busy with another change for ten seconds, expected it to become free");
+    const std::unique_ptr<Turn, void (*)(Turn*)> passing(&turn, [](Turn* taken) { taken->pass(); });
     AXIOMETRY_TRY(const ConnectionPool::Lease connection, begun());
     Rollback rollback(*connection);
     auto result = guarded(function, *connection);
