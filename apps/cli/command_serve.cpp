@@ -5,12 +5,11 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
+#include "axiometry/app/store_address.h"
 #include "axiometry/app/whole_file.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -38,26 +37,6 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// Where programs keep what a user has made: of XDG, else below the home folder. Makes the folder.
-Result<std::filesystem::path> data_folder() {
-  const std::string data = environment("XDG_DATA_HOME");
-  const std::string home = environment("HOME");
-  if (data.empty() && home.empty()) return fail("found no home folder to keep a store in, expected --store");
-  const std::filesystem::path folder =
-      (data.empty() ? std::filesystem::path(home) / ".local" / "share" : std::filesystem::path(data)) / "axiometry";
-  std::error_code code;
-  std::filesystem::create_directories(folder, code);
-  if (code) return std::unexpected(Error{fmt::format("cannot make the folder: {}", code.message()), folder, {}});
-  return folder;
-}
-
-Result<void> complete(server::ServeOptions& options) {
-  if (!options.store.empty()) return {};
-  AXIOMETRY_TRY(const std::filesystem::path folder, data_folder());
-  options.store = folder / "workbench.db";
-  return {};
-}
-
 Result<std::string> token_of(const std::string& file) {
   if (file.empty()) return environment("AXIOMETRY_TOKEN");
   AXIOMETRY_TRY(const std::string text, app::whole_file(file));
@@ -81,7 +60,9 @@ int serve(ServeArguments& arguments) {
   auto token = token_of(arguments.token_file);
   if (!token) return failed(token.error());
   arguments.options.token = *std::move(token);
-  if (const auto completed = complete(arguments.options); !completed) return failed(completed.error());
+  auto address = app::store_address(arguments.options.store);
+  if (!address) return failed(address.error());
+  arguments.options.store = *std::move(address);
   const server::ServeObserver observer{
       .ready =
           [&](const std::string& address) {
@@ -125,7 +106,8 @@ void add_serve(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<ServeArguments>();
   server::ServeOptions& options = arguments->options;
   verb->add_option("--store", options.store,
-                   "Archive: a file, made where there is none, or postgresql://… (workbench.db among the user's data)")
+                   "Archive: a file, made where there is none, or postgresql://…; without it AXIOMETRY_STORE, else the "
+                   "user's own")
       ->type_name("ADDRESS");
   add_reach(*verb, *arguments);
   add_read(*verb, {"--upload-limit", "MB", "Largest file that is taken, in units of 1 048 576 bytes (64)"},
