@@ -15,7 +15,6 @@ constexpr Phrase rows[] = {
     {"ISO 14253-1: a guard band of 1.65 u on either side",
      "ISO 14253-1: ein Sicherheitsabstand von 1,65\u00a0u auf beiden Seiten"},
     {"ISO 6983 (Fanuc-compatible, without macros)", "ISO 6983 (Fanuc-kompatibel, ohne Makros)"},
-    {"Parameters and positions as CSV", "Kennwerte und Positionen als CSV"},
     {"Pilgrim step: all runs up target by target, then all down",
      "Pilgerschritt: alle Durchläufe aufwärts, Zielposition für Zielposition, dann alle abwärts"},
     {"Refractive index of air after Ciddor", "Brechzahl der Luft nach Ciddor"},
