@@ -82,7 +82,7 @@ export function make_plot(model: () => ChartModel, events: PlotEvents, size: { w
   const kind = shape.x_kind ?? 'number';
   const options: uPlot.Options = {
     ...size,
-    padding: [8, 20, 0, 0],
+    padding: [8, kind === 'time' ? 44 : 20, 0, 0], // half of the last date stands beside the plot
     tzDate: (second) => uPlot.tzDate(new Date(second * 1000), 'Etc/UTC'),
     legend: { show: false },
     cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: true, uni: 24, dist: 6 } },
@@ -91,6 +91,7 @@ export function make_plot(model: () => ChartModel, events: PlotEvents, size: { w
         time: false,
         range: (_plot, low, high) => {
           const x = model().x;
+          if (x.length === 1) return x_range(model(), x[0] as number, x[0] as number);
           return low === x[0] && high === x[x.length - 1] ? x_range(model(), low, high) : [low, high];
         },
       },
