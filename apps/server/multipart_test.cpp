@@ -22,10 +22,10 @@ std::string refusal_of(std::string_view body, std::string_view content_type = ty
 
 TEST(FormParts, AreReadWithTheirBytesAsTheyAre) {
   const std::string binary("a\r\n--cu\0\xFF", 9);
-  const auto parts = form_parts(
-      type,
+  const std::string body =
       part("Content-Disposition: form-data; name=\"file\"; filename=\"a;b.csv\"\r\nContent-Type: text/csv", binary) +
-          part("content-disposition: form-data; name=note", "hello") + "--cut--\r\n");
+      part("content-disposition: form-data; name=note", "hello") + "--cut--\r\n";
+  const auto parts = form_parts(type, body);
   ASSERT_TRUE(parts) << parts.error().message;
   ASSERT_EQ(parts->size(), 2u);
   EXPECT_EQ((*parts)[0].bytes, binary);
@@ -37,8 +37,8 @@ TEST(FormParts, AreReadWithTheirBytesAsTheyAre) {
 }
 
 TEST(FormParts, MayBeEmptyFiles) {
-  const auto parts =
-      form_parts(type, part("Content-Disposition: form-data; name=f; filename=\"e\"", "") + "--cut--\r\n");
+  const std::string body = part("Content-Disposition: form-data; name=f; filename=\"e\"", "") + "--cut--\r\n";
+  const auto parts = form_parts(type, body);
   ASSERT_TRUE(parts) << parts.error().message;
   EXPECT_EQ(parts->front().bytes, "");
 }
