@@ -14,6 +14,7 @@
 #include <boost/asio/ssl/context.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <csignal>
+#include <cstdint>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -94,7 +95,7 @@ struct Transport::State {
 
 Result<void> Transport::State::bind() {
   error_code code;
-  const tcp::endpoint endpoint(address, static_cast<asio::ip::port_type>(options.port));
+  const tcp::endpoint endpoint(address, static_cast<std::uint16_t>(options.port));
   acceptor.open(endpoint.protocol(), code);
   if (!code) acceptor.set_option(asio::socket_base::reuse_address(true), code);
   if (!code) acceptor.bind(endpoint, code);
