@@ -16,6 +16,7 @@
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -137,7 +138,8 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
   void read_request_head() {
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(share_.limits.head_bytes));
-    parser_->body_limit(boost::none);  // checked here, with the body
+    // Checked here, with the body. Beast of Boost 1.74 takes "none" for a limit that every body exceeds.
+    parser_->body_limit(std::numeric_limits<std::uint64_t>::max());
     request_ = {};
     keeps_alive_ = false;
     began_ = Clock::now();
