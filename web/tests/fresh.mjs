@@ -9,7 +9,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const web = fileURLToPath(new URL('..', import.meta.url));
-const mend = 'run: cd web && npm ci && npm run build';
+const mend = 'run: cd web && npm install --no-save && npm run build';
 const run = (command, flags) => execFileSync(command, flags, { cwd: web, stdio: ['ignore', 'pipe', 'inherit'] });
 
 /** npm keeps what it has installed in a file of its own. */
@@ -23,7 +23,7 @@ function installed() {
 
 const files_of = (folder) => (existsSync(folder) ? readdirSync(folder).sort() : []);
 
-if (!installed()) run('npm', ['ci', '--no-audit', '--no-fund', '--ignore-scripts']);
+if (!installed()) run('npm', ['install', '--no-save', '--no-audit', '--no-fund', '--ignore-scripts']);
 const folder = await mkdtemp(join(tmpdir(), 'axiometry-bundle-'));
 const faults = [];
 try {
