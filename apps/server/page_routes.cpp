@@ -35,7 +35,7 @@ constexpr std::array media_types = {
 
 constexpr std::string_view not_built = R"(<!doctype html><html lang="en"><meta charset="utf-8"><title>Axiometry</title>
 <h1>The page is not built in</h1>
-<p>This program was compiled without its page. In the source, run <code>npm ci &amp;&amp; npm run build</code> in
+<p>This program was compiled without its page. In the source, run <code>npm install &amp;&amp; npm run build</code> in
 <code>web/</code>, then build the program again. The API answers: see <a href="/api/openapi.json">openapi.json</a>.</p>
 </html>
 )";
