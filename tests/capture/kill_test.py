@@ -23,6 +23,7 @@ import time
 import made_up_run
 
 RATE = 500
+MOST_BEFORE_A_KILL = 28  # of the 30 readings of the run
 
 
 class Server:
@@ -94,13 +95,27 @@ def play(program, folder, raw, out):
     return readings_of(output), done.returncode, errors
 
 
+def kill_when_shown(process, count, pause):
+    """All that was shown. Counted in readings and not in seconds, so that a busy machine is killed amid the run too."""
+    output = ""
+    while len(readings_of(output)) < count:
+        line = process.stdout.readline()
+        if not line:
+            break
+        output += line
+    time.sleep(pause)
+    process.send_signal(signal.SIGKILL)
+    rest, errors = process.stdout.read(), process.stderr.read()  # communicate() would lose what readline() has buffered
+    process.wait()
+    demand(process.returncode in (-signal.SIGKILL, 0), f"exit code {process.returncode} before the kill: {errors}")
+    return output + rest
+
+
 def kill_once(program, folder, lines, rng, number):
     raw, out = f"{folder}/{number}.raw", f"{folder}/{number}.json"
     server = Server(lines)
     process = capture(program, folder, "--from", f"tcp://127.0.0.1:{server.port}", "--raw", raw, "--out", out)
-    time.sleep(rng.uniform(0.02, 0.7))
-    process.send_signal(signal.SIGKILL)
-    shown = readings_of(process.communicate()[0])
+    shown = readings_of(kill_when_shown(process, rng.choice([0, *range(MOST_BEFORE_A_KILL)]), rng.uniform(0, 0.02)))
     if not os.path.exists(raw):
         server.close()
         return 0
@@ -136,7 +151,7 @@ def broken_connections(program, folder, lines, rng):
     breaks = sorted(rng.sample(range(500, len(lines) - 2000), 3))
     server = Server(lines, breaks=breaks)
     out = f"{folder}/broken.json"
-    process = capture(program, folder, "--from", f"tcp://127.0.0.1:{server.port}", "--out", out, "--give-up", "0.3")
+    process = capture(program, folder, "--from", f"tcp://127.0.0.1:{server.port}", "--out", out, "--give-up", "3")
     output, errors = process.communicate(timeout=120)
     shown = readings_of(output)
     demand(errors.count("connection lost") >= 3, f"three breaks were not told: {errors}")
@@ -157,7 +172,8 @@ def interrupted(program, folder, lines):
     for _ in range(6):
         process.stdout.readline()
     process.send_signal(signal.SIGINT)
-    rest, _ = process.communicate(timeout=20)
+    rest = process.stdout.read()
+    process.wait(timeout=20)
     demand(process.returncode == 130, f"Ctrl-C gave exit code {process.returncode}")
     demand("readings from" in rest, "Ctrl-C did not end with a summary")
     check_test_file(out, {})

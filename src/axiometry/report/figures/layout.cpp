@@ -51,6 +51,13 @@ Window roomy(Window window, double least) {
   return window;
 }
 
+/// Points per mm at which two views, of which none is drawn smaller than `smallest_view`, fill `room` points together.
+double scale_of_two(double a_mm, double b_mm, double room) {
+  const double large = std::max({a_mm, b_mm, 1e-6}), small = std::min(a_mm, b_mm);
+  const double scale = room / (large + small);
+  return small * scale < smallest_view ? (room - smallest_view) / large : scale;
+}
+
 std::string shown_mm(double mm, const Options& options) {
   const bool whole = std::abs(mm - std::round(mm)) < 0.05 || std::abs(mm) >= 1e5;
   return plot::tick_label(std::round(mm * 10.0) / 10.0 + 0.0, whole ? 0 : 1, options.numbers);
@@ -139,10 +146,8 @@ class Drawing {
   double draw_plans(double top) {
     const Window xy = window_of(layout_, plot::from_above), xz = window_of(layout_, plot::from_front);
     const double dx = xy.width(), dy = xy.height(), dz = xz.height();
-    const double size = std::max({dx, dy, dz, 1e-6});
     const double width = plot::plate_width - plans_left - plans_right - between_x - 4.0 * plan_margin;
-    const double scale =
-        std::min(width / std::max(dx + dy, 0.2 * size), (plans_tallest) / std::max(dy + dz, 0.2 * size));
+    const double scale = std::min(scale_of_two(dx, dy, width), scale_of_two(dy, dz, plans_tallest));
     const double least = smallest_view / scale;
     const Window above = roomy(xy, least), front = roomy(xz, least),
                  right = roomy(window_of(layout_, plot::from_right), least);

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 #include "axiometry/report/figures/figure_rules_test_support.h"
 #include "axiometry/report/figures/layout_test_support.h"
@@ -111,6 +113,15 @@ RC_GTEST_PROP(LayoutFigure, StaysInItsBoxWithoutOverlapForAnySetUp, ()) {
     layout.obstacles.push_back({"post " + std::to_string(k), CylinderObstacle{point(), number(), number()}});
   }
   RC_ASSERT(fault_of(layout_figure(layout, {})) == "");
+}
+
+TEST(LayoutFigure, KeepsItsMarginBesideAFlatView) {
+  for (const double lean_mm : {0.0, 1.0, 20.0, 100.0}) {
+    Layout layout{.lines = {{{0, 0, 0}, {1000, lean_mm, 30}, "x"}}};
+    const Figure figure = layout_figure(layout, {});
+    const auto reaches = [](const auto& operation) { return testing::box_of(operation).right; };
+    EXPECT_LT(std::ranges::max(figure.operations | std::views::transform(reaches)), figure.width - 3.0) << lean_mm;
+  }
 }
 
 TEST(LayoutFigure, DrawsLostLinesDashedAndGrey) {
