@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -10,7 +11,9 @@
 /// Series and tests to test with. Native units: mm and µm, ° and ″.
 namespace axiometry::testing_support {
 
-using RunDeviations = std::vector<double>;  ///< one deviation per target, NaN where missing
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();  ///< a reading that is missing
+
+using RunDeviations = std::vector<double>;  ///< one deviation per target, `none` where missing
 
 /// A series from whole runs over the targets, ↑ and ↓.
 inline Series make_series(const std::vector<double>& targets, const std::vector<RunDeviations>& up,
@@ -28,6 +31,13 @@ inline Series make_series(const std::vector<double>& targets, const std::vector<
   auto series = Series::make(std::move(positions), readings);
   if (!series) throw std::logic_error(series.error().message);
   return *std::move(series);
+}
+
+inline constexpr double exact_um = 1e-9;  ///< to which deviations of some micrometres agree but for rounding
+
+/// The deviation that was read, which must be there.
+inline double x(const Series& series, std::size_t i, Direction direction, std::size_t run) {
+  return series.reading(i, direction, run)->in_native();
 }
 
 /// ISO 230-2:2014, Table 2: linear axis, 11 targets, 5 approaches from either direction.

@@ -9,27 +9,27 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr std::string_view small =
+constexpr std::string_view small_model =
     "operation model\n"
     "input a normal 1 0.1\n"
     "input b t 4 2 0.2\n"
     "model y = a*b\n"
     "trials 20000\n";
 
-Result<CheckReport> checked(std::string_view lines, std::string_view head = small) {
+Result<CheckReport> checked_model(std::string_view lines, std::string_view head = small_model) {
   return check_case(std::string(head) + std::string(lines),
                     [](std::string_view) -> Result<Test> { return fail("no"); });
 }
 
-std::vector<std::string> failures(std::string_view lines, std::string_view head = small) {
-  const auto report = checked(lines, head);
+std::vector<std::string> failures(std::string_view lines, std::string_view head = small_model) {
+  const auto report = checked_model(lines, head);
   if (!report) return {report.error().to_string()};
   std::vector<std::string> texts;
   for (const CaseComparison& c : report->failures()) texts.push_back(to_string(c));
   return texts;
 }
 
-std::string failure(std::string_view lines, std::string_view head = small) {
+std::string failure(std::string_view lines, std::string_view head = small_model) {
   const auto texts = failures(lines, head);
   return texts.empty() ? "none" : texts.front();
 }

@@ -29,7 +29,7 @@ ToleranceTable table(std::string_view text) {
 }
 
 /// "line:column: message"
-std::string refusal(std::string_view text) {
+std::string refusal_of_table(std::string_view text) {
   const auto read = read_tolerance_table(text, "limits.csv");
   if (read) return "";
   const Error& e = read.error();
@@ -97,20 +97,21 @@ TEST(ToleranceTable, NeedsNoNameWhenThereIsOne) {
 }
 
 TEST(ToleranceTable, RefusesAHeaderThatItDoesNotUnderstand) {
-  EXPECT_THAT(refusal(""), HasSubstr("found no limits, expected a header"));
-  EXPECT_THAT(refusal("# nothing\n"), HasSubstr("found no limits, expected a header"));
-  EXPECT_EQ(refusal("name,kind,travel_upto,unit,A\n"),
+  EXPECT_THAT(refusal_of_table(""), HasSubstr("found no limits, expected a header"));
+  EXPECT_THAT(refusal_of_table("# nothing\n"), HasSubstr("found no limits, expected a header"));
+  EXPECT_EQ(refusal_of_table("name,kind,travel_upto,unit,A\n"),
             "1:11: found the column \"travel_upto\", expected perhaps travel_up_to");
-  EXPECT_THAT(refusal("name,kind,travel_up_to,unit,Q\n"), HasSubstr("1:29: found the column \"Q\", expected one of"));
-  EXPECT_EQ(refusal("name,kind,travel_up_to,unit,A,a\n"),
+  EXPECT_THAT(refusal_of_table("name,kind,travel_up_to,unit,Q\n"),
+              HasSubstr("1:29: found the column \"Q\", expected one of"));
+  EXPECT_EQ(refusal_of_table("name,kind,travel_up_to,unit,A,a\n"),
             "1:31: found the column \"a\" a second time, expected each once");
-  EXPECT_THAT(refusal("name,kind,unit,A\n"), HasSubstr("1:1: found no column travel_up_to"));
-  EXPECT_THAT(refusal("name,kind,travel_up_to,unit,rule\n"), HasSubstr("1:1: found no column of limits"));
+  EXPECT_THAT(refusal_of_table("name,kind,unit,A\n"), HasSubstr("1:1: found no column travel_up_to"));
+  EXPECT_THAT(refusal_of_table("name,kind,travel_up_to,unit,rule\n"), HasSubstr("1:1: found no column of limits"));
 }
 
 TEST(ToleranceTable, RefusesACellThatIsNotWhatItsColumnSays) {
   const auto row = [](std::string_view cells) {
-    return refusal("name,kind,travel_up_to,unit,rule,A,E\n" + std::string(cells) + "\n");
+    return refusal_of_table("name,kind,travel_up_to,unit,rule,A,E\n" + std::string(cells) + "\n");
   };
   EXPECT_EQ(row(",linear,500,um,,1,1"), "2:1: found an empty name, expected that of a tolerance table");
   EXPECT_EQ(row("M,straight,500,um,,1,1"), "2:3: found the kind \"straight\", expected linear or rotary");
@@ -131,10 +132,11 @@ TEST(ToleranceTable, RefusesACellThatIsNotWhatItsColumnSays) {
 }
 
 TEST(ToleranceTable, RefusesABandThatIsGivenTwice) {
-  EXPECT_EQ(
-      refusal("name,kind,travel_up_to,unit,A\nMill,linear,500,um,1\nMill,rotary,500,deg,1\nmill,linear,500.0,mm,1\n"),
-      "4:1: found a second row of \"mill\" for linear axes, up to 500 mm, expected only that on line 2");
-  EXPECT_THAT(refusal("name,kind,travel_up_to,unit,A\nM,linear,,um,1\nM,linear,,um,2\n"), HasSubstr("any travel"));
+  EXPECT_EQ(refusal_of_table(
+                "name,kind,travel_up_to,unit,A\nMill,linear,500,um,1\nMill,rotary,500,deg,1\nmill,linear,500.0,mm,1\n"),
+            "4:1: found a second row of \"mill\" for linear axes, up to 500 mm, expected only that on line 2");
+  EXPECT_THAT(refusal_of_table("name,kind,travel_up_to,unit,A\nM,linear,,um,1\nM,linear,,um,2\n"),
+              HasSubstr("any travel"));
 }
 
 TEST(ToleranceTableName, MayHoldColonsInTheNameAndInTheFile) {

@@ -14,7 +14,7 @@ double limit_of(std::string_view text, AxisKind kind) {
   return tolerances->front().limit.in_native();
 }
 
-std::string refusal(std::string_view text) {
+std::string refusal_of_text(std::string_view text) {
   const auto parsed = parse_tolerance(text);
   return parsed ? "" : parsed.error().message;
 }
@@ -29,26 +29,27 @@ TEST(ToleranceText, ConvertsEveryUnitToTheAxisUnit) {
 }
 
 TEST(ToleranceText, RefusesWhatItCannotRead) {
-  EXPECT_EQ(refusal("A"), "found the tolerance \"A\", expected PARAMETER=LIMIT such as A=10um");
+  EXPECT_EQ(refusal_of_text("A"), "found the tolerance \"A\", expected PARAMETER=LIMIT such as A=10um");
   EXPECT_EQ(
-      refusal("Q=1um"),
+      refusal_of_text("Q=1um"),
       "found the tolerance \"Q=1um\", expected one of the parameters A, A_up, A_down, E, E_up, E_down, M, R, R_up, "
       "R_down, B, B_mean");
-  EXPECT_EQ(refusal("A=10"), "found the tolerance \"A=10\", expected a limit with its unit um, mm, nm, arcsec or deg");
-  EXPECT_EQ(refusal("A=-1um"),
+  EXPECT_EQ(refusal_of_text("A=10"),
+            "found the tolerance \"A=10\", expected a limit with its unit um, mm, nm, arcsec or deg");
+  EXPECT_EQ(refusal_of_text("A=-1um"),
             "found the tolerance \"A=-1um\", expected a limit that is a number above 0, with a decimal point");
-  EXPECT_EQ(refusal("A=ten um"),
+  EXPECT_EQ(refusal_of_text("A=ten um"),
             "found the tolerance \"A=ten um\", expected a limit that is a number above 0, with a decimal point");
 }
 
 TEST(ToleranceText, RefusesALimitThatNothingCouldKeepOrNothingCouldExceed) {
-  EXPECT_EQ(refusal("A=0um"),
+  EXPECT_EQ(refusal_of_text("A=0um"),
             "found the tolerance \"A=0um\", expected a limit that is a number above 0, with a decimal point");
-  EXPECT_EQ(refusal("A=1e400um"),
+  EXPECT_EQ(refusal_of_text("A=1e400um"),
             "found the tolerance \"A=1e400um\", expected a limit that is a number above 0, with a decimal point");
-  EXPECT_EQ(refusal("A=nanum"),
+  EXPECT_EQ(refusal_of_text("A=nanum"),
             "found the tolerance \"A=nanum\", expected a limit that is a number above 0, with a decimal point");
-  EXPECT_EQ(refusal("A=1001mm"), "found the tolerance \"A=1001mm\", expected a limit of at most 1e+06 um");
+  EXPECT_EQ(refusal_of_text("A=1001mm"), "found the tolerance \"A=1001mm\", expected a limit of at most 1e+06 um");
 }
 
 TEST(ToleranceText, HasOneLimitPerParameterAndKindOfAxis) {

@@ -11,14 +11,14 @@ constexpr std::string_view both =
     "Position   \tForward Directional Avg Error\r\n0.0\t0.0001\r\n-100.0\t-.0007\r\n";
 constexpr std::string_view reverse = "Position   \tReverse Directional Avg Error\r\n0.0\t0.0009\r\n-100.0\t1.7E-3\r\n";
 
-Result<Test> read(const std::string& text) {
+Result<Test> read_api(const std::string& text) {
   const auto format = recognise(text);
   EXPECT_TRUE(format && (*format)->id == "api-pos");
   return find_format("api-pos")->read(text);
 }
 
 TEST(ApiPos, PutsTheAveragesOfEachDirectionInTheirPlace) {
-  const auto test = read(std::string(both) + std::string(reverse));
+  const auto test = read_api(std::string(both) + std::string(reverse));
   ASSERT_TRUE(test) << test.error().to_string();
   EXPECT_EQ(test->series.run_count(), 1u);
   EXPECT_EQ(test->series.targets()[0].in_native(), -100);
@@ -28,14 +28,14 @@ TEST(ApiPos, PutsTheAveragesOfEachDirectionInTheirPlace) {
 }
 
 TEST(ApiPos, KnowsNoReverseErrorsThatAreNotThere) {
-  const auto test = read(std::string(both));
+  const auto test = read_api(std::string(both));
   ASSERT_TRUE(test) << test.error().to_string();
   EXPECT_FALSE(test->series.has(Direction::down));
   EXPECT_NEAR(test->series.reading(1, Direction::up, 0)->in_native(), 0.1, 1e-12);
 }
 
 TEST(ApiPos, SaysThatABidirectionalCurveHasNoDirection) {
-  const auto test = read(std::string(both.substr(0, both.find("Position   \tForward"))));
+  const auto test = read_api(std::string(both.substr(0, both.find("Position   \tForward"))));
   ASSERT_TRUE(test) << test.error().to_string();
   EXPECT_NEAR(test->series.reading(0, Direction::up, 0)->in_native(), 1.2, 1e-12);
   ASSERT_EQ(test->provenance.remarks.size(), 3u);
@@ -45,7 +45,7 @@ TEST(ApiPos, SaysThatABidirectionalCurveHasNoDirection) {
 
 TEST(ApiPos, RefusesWhatIsBroken) {
   const auto message = [](const std::string& text) {
-    const auto test = read(text);
+    const auto test = read_api(text);
     return test ? "no error" : test.error().to_string();
   };
   EXPECT_EQ(message(std::string(both) + std::string(both)),

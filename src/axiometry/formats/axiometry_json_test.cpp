@@ -10,18 +10,12 @@
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/test_schema.h"
 #include "axiometry/model/fields.h"
+#include "tests/support/repository_file.h"
 
 namespace axiometry::formats {
 namespace {
 
 const Format& format() { return *find_format("json"); }
-
-std::string file(const std::string& path) {
-  std::ifstream stream(AXIOMETRY_SOURCE_DIR "/" + path, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 void expect_same(const axiometry::Test& a, const axiometry::Test& b) {
   for (const Field& field : metadata_fields()) EXPECT_EQ(field.get(a.metadata), field.get(b.metadata)) << field.key;
@@ -144,11 +138,9 @@ TEST(AxiometryJson, SaysWhereAConvertedTestComesFrom) {
   const auto again = format().read(format().write(test));
   ASSERT_TRUE(again) << again.error().to_string();
   ASSERT_EQ(again->provenance.remarks.size(), 1u);
-  EXPECT_EQ(again->provenance.remarks.front().message,
-            "taken from \"mill.txt\", read as \"generic\", SHA-256 ab12");
-  EXPECT_TRUE(find_format("csv-wide")
-                  ->write(test)
-                  .starts_with("# taken from \"mill.txt\", read as generic, SHA-256 ab12\n"));
+  EXPECT_EQ(again->provenance.remarks.front().message, "taken from \"mill.txt\", read as \"generic\", SHA-256 ab12");
+  EXPECT_TRUE(
+      find_format("csv-wide")->write(test).starts_with("# taken from \"mill.txt\", read as generic, SHA-256 ab12\n"));
 }
 
 TEST(AxiometryJson, KeepsWhyATestIsNoneOfTheStandard) {
@@ -174,8 +166,8 @@ TEST(AxiometryJson, KeepsARunWithoutAnyReading) {
 }
 
 TEST(AxiometryJson, ReadsTheExampleLikeItsCsv) {
-  const auto json = format().read(file("examples/iso230-2-table2.json"));
-  const auto csv = find_format("csv-long")->read(file("examples/iso230-2-table2.csv"));
+  const auto json = format().read(testing_support::repository_file("examples/iso230-2-table2.json"));
+  const auto csv = find_format("csv-long")->read(testing_support::repository_file("examples/iso230-2-table2.csv"));
   ASSERT_TRUE(json) << json.error().to_string();
   ASSERT_TRUE(csv) << csv.error().to_string();
   expect_same(*json, *csv);
@@ -194,7 +186,7 @@ TEST(AxiometryJson, SortsTargetsAndTakesThemFromMeasuredPositions) {
 }
 
 TEST(AxiometryJson, TheSchemaInTheRepositoryIsTheOneTheProgramPrints) {
-  EXPECT_EQ(file("schema/axiometry-test.schema.json"), test_schema());
+  EXPECT_EQ(testing_support::repository_file("schema/axiometry-test.schema.json"), test_schema());
 }
 
 }  // namespace

@@ -74,14 +74,14 @@ class Log {
   double seconds_ = 0.0;
 };
 
-Result<Test> read(const std::string& text) {
+Result<Test> read_camonitor(const std::string& text) {
   const auto format = recognise(std::string_view(text).substr(0, 65536));
   EXPECT_TRUE(format && (*format)->id == "camonitor");
   return find_format("camonitor")->read(text);
 }
 
-std::string message_of(const Recording& recording) {
-  const auto test = read(Log(recording).whole());
+std::string camonitor_error(const Recording& recording) {
+  const auto test = read_camonitor(Log(recording).whole());
   return test ? "no error" : test.error().to_string();
 }
 
@@ -99,7 +99,7 @@ void expect_known_deviations(const Result<Test>& test, const Recording& recordin
 
 TEST(Camonitor, ReadsTheLastReferenceBeforeEachTestNumber) {
   const Recording recording;
-  const auto test = read(Log(recording).whole());
+  const auto test = read_camonitor(Log(recording).whole());
   expect_known_deviations(test, recording);
   EXPECT_EQ(test->metadata.conditions.date, "2026-04-06");
   EXPECT_EQ(test->metadata.conditions.comment, "Reference IOC_TEST:ILD_DownSample; set-point TARGET_DU:X-PosCmd");
@@ -109,7 +109,7 @@ TEST(Camonitor, ReadsTheLastReferenceBeforeEachTestNumber) {
 }
 
 TEST(Camonitor, TellsHowTheLogWasTaken) {
-  const auto test = read(Log({}).whole());
+  const auto test = read_camonitor(Log({}).whole());
   ASSERT_TRUE(test);
   std::vector<std::string> messages;
   for (const SourceRemark& remark : test->provenance.remarks) {
@@ -132,7 +132,7 @@ TEST(Camonitor, TellsOfTimeThatRunsBackwards) {
   text.insert(text.find('\n', test_number) + 1,
               "IOC_TEST:ILD_DownSample        2026-04-06 12:00:00.000001 3\n"
               "TARGET_DU:X-PosAct             2026-04-06 12:00:00.000002 3\n");
-  const auto test = read(text);
+  const auto test = read_camonitor(text);
   expect_known_deviations(test, recording);
   ASSERT_EQ(test->provenance.remarks.size(), 5u);
   EXPECT_EQ(test->provenance.remarks[2].message,
@@ -142,7 +142,7 @@ TEST(Camonitor, TellsOfTimeThatRunsBackwards) {
 
 TEST(Camonitor, UnderstandsNumbersOfManyTargets) {
   // Ten and more targets make the scripts write two digits, so 1 1 0 09 and 1 1 0 10.
-  const auto test = read(
+  const auto test = read_camonitor(
       "A:Laser 2026-04-06 12:00:00.1 0\nA:PosSet 2026-04-06 12:00:00.2 0\nA:Laser 2026-04-06 12:00:01 9.001\n"
       "A:PosSet 2026-04-06 12:00:01 9\nA:TestNumber 2026-04-06 12:00:02 11009\nA:Laser 2026-04-06 12:00:03 10.002\n"
       "A:PosSet 2026-04-06 12:00:03 10\nA:TestNumber 2026-04-06 12:00:04 11010\n");
@@ -156,7 +156,7 @@ TEST(Camonitor, TakesUnitGainAndOffsetThatTheUserStates) {
   Recording recording;
   recording.head = "# UNIT=mm\n# REF_GAIN = -1\n# REF_OFFSET=50.25\n";
   recording.shown = [](double position) { return 50.25 - position; };
-  const auto test = read(Log(recording).whole());
+  const auto test = read_camonitor(Log(recording).whole());
   expect_known_deviations(test, recording);
   EXPECT_EQ(test->provenance.remarks[1].message,
             "found a stated reference; its values were multiplied by -1 and 50.25 was added");
@@ -166,7 +166,7 @@ TEST(Camonitor, RefusesAReferenceThatCountsOtherwise) {
   Recording recording;
   recording.shown = [](double position) { return 50 - position; };
   EXPECT_EQ(
-      message_of(recording),
+      camonitor_error(recording),
       "found a reference \"IOC_TEST:ILD_DownSample\" that changes by -1 when the set-point changes by 1, expected "
       "1; lines '# REF_GAIN=-1' and '# REF_OFFSET=…' state how it counts");
 }
@@ -174,7 +174,7 @@ TEST(Camonitor, RefusesAReferenceThatCountsOtherwise) {
 TEST(Camonitor, TellsOfAnotherZeroOfTheReference) {
   Recording recording;
   recording.shown = [](double position) { return position + 40; };
-  const auto test = read(Log(recording).whole());
+  const auto test = read_camonitor(Log(recording).whole());
   ASSERT_TRUE(test) << test.error().to_string();
   EXPECT_TRUE(test->provenance.remarks[2].message.contains("another zero"));
   EXPECT_NEAR(test->series.reading(1, Direction::up, 0)->in_native(), 40000.25, 1e-5);
@@ -183,13 +183,14 @@ TEST(Camonitor, TellsOfAnotherZeroOfTheReference) {
 TEST(Camonitor, AsksForTheReferenceWhenSeveralMayBeIt) {
   Recording recording;
   recording.reference = "IOC_TEST:Enc02-PosAct";
-  EXPECT_EQ(message_of(recording),
+  EXPECT_EQ(camonitor_error(recording),
             "found 2 variables that may be the reference: \"IOC_TEST:Enc02-PosAct\", \"TARGET_DU:X-PosAct\", expected "
             "one; a line '# REF_PV=NAME' names it");
   recording.head = "# REF_PV=IOC_TEST:Enc02-PosAct\n";
-  expect_known_deviations(read(Log(recording).whole()), recording);
+  expect_known_deviations(read_camonitor(Log(recording).whole()), recording);
   recording.head = "# REF_PV=IOC_TEST:Nothing\n";
-  EXPECT_EQ(message_of(recording), "line 1:1: found REF_PV = \"IOC_TEST:Nothing\", expected a variable of the log");
+  EXPECT_EQ(camonitor_error(recording),
+            "line 1:1: found REF_PV = \"IOC_TEST:Nothing\", expected a variable of the log");
 }
 
 TEST(Camonitor, RefusesANumberAgainstTheMove) {
@@ -199,7 +200,7 @@ TEST(Camonitor, RefusesANumberAgainstTheMove) {
   log.say("TARGET_DU:X-PosCmd", "-7.5");
   log.say("IOC_TEST:TestNumber", "1102");
   EXPECT_EQ(
-      read(log.text()).error().to_string(),
+      read_camonitor(log.text()).error().to_string(),
       "line 16:1: found test number 1102 after a move ↓ from 100 to -7.5, expected ↑ for a number that begins with "
       "1");
 }
@@ -209,27 +210,30 @@ TEST(Camonitor, RefusesWhatIsBroken) {
   twice.point(0, Direction::up, 0);
   twice.point(1, Direction::up, 0);
   twice.point(0, Direction::up, 0);
-  EXPECT_EQ(read(twice.text()).error().to_string(),
+  EXPECT_EQ(read_camonitor(twice.text()).error().to_string(),
             "line 26:1: found a second reading of target -20↑ run 1, expected only that on line 12");
   Log wanders({});
   wanders.point(0, Direction::up, 0);
   wanders.say("TARGET_DU:X-PosCmd", "30");
   wanders.say("IOC_TEST:TestNumber", "1201");
-  EXPECT_EQ(read(wanders.text()).error().to_string(), "line 15:1: found target 1 at 30, expected -20 as on line 12");
-  EXPECT_EQ(read("A:Laser 2026-04-06 12:00:00.1 0\nA:PosSet 2026-04-06 12:00:00.2 0\n").error().to_string(),
+  EXPECT_EQ(read_camonitor(wanders.text()).error().to_string(),
+            "line 15:1: found target 1 at 30, expected -20 as on line 12");
+  EXPECT_EQ(read_camonitor("A:Laser 2026-04-06 12:00:00.1 0\nA:PosSet 2026-04-06 12:00:00.2 0\n").error().to_string(),
             "found no variable with TestNumber in its name, expected the numbers of an ISO 230-2 test; a first line '# "
             "TEST_PV=NAME' names another");
-  EXPECT_EQ(read("A:TestNumber 2026-04-06 12:00:00.1 0\nB:TestNumber 2026-04-06 12:00:00.2 0\n").error().to_string(),
+  EXPECT_EQ(read_camonitor("A:TestNumber 2026-04-06 12:00:00.1 0\nB:TestNumber 2026-04-06 12:00:00.2 0\n")
+                .error()
+                .to_string(),
             "line 2:1: found the test numbers \"A:TestNumber\" and \"B:TestNumber\", expected one; a first line '# "
             "TEST_PV=NAME' names it");
-  EXPECT_EQ(read(Log({}).text()).error().to_string(),
+  EXPECT_EQ(read_camonitor(Log({}).text()).error().to_string(),
             "found no test number of an ISO 230-2 test in \"IOC_TEST:TestNumber\", expected 1101, 1102, …");
 }
 
 TEST(Camonitor, FindsTheWordOfAReferenceBehindAnotherThatHoldsIt) {
   Recording recording;
   recording.reference = "BUILD7:ILD_DownSample";  // beside X-PosAct, which moves too
-  const auto test = read(Log(recording).whole());
+  const auto test = read_camonitor(Log(recording).whole());
   expect_known_deviations(test, recording);
   EXPECT_TRUE(test->metadata.conditions.comment.starts_with("Reference BUILD7:ILD_DownSample;"));
 }

@@ -9,6 +9,7 @@
 
 #include "axiometry/formats/format.h"
 #include "axiometry/standards/iso230_2.h"
+#include "tests/support/repository_file.h"
 
 namespace axiometry::formats {
 namespace {
@@ -26,15 +27,8 @@ double at(const axiometry::Test& test, std::size_t target, Direction direction, 
   return test.series.reading(target, direction, run)->in_native();
 }
 
-std::string file(const std::string& path) {
-  std::ifstream stream(AXIOMETRY_SOURCE_DIR "/" + path, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 TEST(CsvLong, ReadsTheExampleOfTheStandard) {
-  const axiometry::Test test = read_as("csv-long", file("examples/iso230-2-table2.csv"));
+  const axiometry::Test test = read_as("csv-long", testing_support::repository_file("examples/iso230-2-table2.csv"));
   EXPECT_EQ(test.series.target_count(), 11u);
   EXPECT_EQ(test.series.run_count(), 5u);
   EXPECT_EQ(test.metadata.axis.name, "X");
@@ -226,7 +220,7 @@ TEST(CsvWide, NumbersColumnsWithoutANumber) {
 }
 
 TEST(CsvWide, ReadsTheRotaryExample) {
-  const axiometry::Test test = read_as("csv-wide", file("examples/rotary-table.csv"));
+  const axiometry::Test test = read_as("csv-wide", testing_support::repository_file("examples/rotary-table.csv"));
   EXPECT_EQ(test.metadata.axis.kind, AxisKind::rotary);
   EXPECT_EQ(test.series.target_count(), 9u);
   EXPECT_EQ(test.series.run_count(), 5u);

@@ -35,19 +35,19 @@ const std::string report = report_head +
                            "| 1 | forward | 248.32500 | 248.32140 | 0.0 | 9 | 9 | -0.00361 | 9.0 | 2026-03-07 23:30:46 "
                            "|\n\n## Later\n\n| a |\n";
 
-Result<Test> read(const std::string& text, std::string_view id) {
+Result<Test> read_ecmc(const std::string& text, std::string_view id) {
   const auto format = recognise(text);
   EXPECT_TRUE(format && (*format)->id == id) << (format ? (*format)->id : format.error().to_string());
   return find_format(id)->read(text);
 }
 
-std::string message_of(const std::string& text, std::string_view id) {
-  const auto test = read(text, id);
+std::string ecmc_error(const std::string& text, std::string_view id) {
+  const auto test = read_ecmc(text, id);
   return test ? "no error" : test.error().to_string();
 }
 
 TEST(EcmcCfgCsv, TakesTheErrorsOfTheReference) {
-  const auto test = read(csv_file, "ecmc-cfg-csv");
+  const auto test = read_ecmc(csv_file, "ecmc-cfg-csv");
   ASSERT_TRUE(test) << test.error().to_string();
   EXPECT_EQ(test->series.targets()[1].in_native(), 248.325);
   EXPECT_NEAR(test->series.reading(1, Direction::up, 0)->in_native(), -3.6, 1e-12);
@@ -60,7 +60,7 @@ TEST(EcmcCfgCsv, TakesTheErrorsOfTheReference) {
 }
 
 TEST(EcmcCfgCsv, TellsWhereTheErrorIsNotTheMeanMinusTheTarget) {
-  const auto test = read(csv_file + csv_row("2,forward,0.0", "0.5", "0.25", "23:31:00"), "ecmc-cfg-csv");
+  const auto test = read_ecmc(csv_file + csv_row("2,forward,0.0", "0.5", "0.25", "23:31:00"), "ecmc-cfg-csv");
   ASSERT_TRUE(test) << test.error().to_string();
   EXPECT_EQ(test->series.reading(0, Direction::up, 1)->in_native(), 250.0);
   ASSERT_EQ(test->provenance.remarks.size(), 2u);
@@ -68,18 +68,18 @@ TEST(EcmcCfgCsv, TellsWhereTheErrorIsNotTheMeanMinusTheTarget) {
 }
 
 TEST(EcmcCfgCsv, TakesWholeTargetsAsExactWhenItComparesErrorAndMean) {
-  const auto test = read(csv_header + csv_row("1,forward,0", "0.01", "0", "23:30:43") +
-                             csv_row("1,forward,248", "248.01", "0", "23:30:46"),
-                         "ecmc-cfg-csv");
+  const auto test = read_ecmc(csv_header + csv_row("1,forward,0", "0.01", "0", "23:30:43") +
+                                  csv_row("1,forward,248", "248.01", "0", "23:30:46"),
+                              "ecmc-cfg-csv");
   ASSERT_TRUE(test) << test.error().to_string();
   ASSERT_EQ(test->provenance.remarks.size(), 2u);
   EXPECT_TRUE(test->provenance.remarks[1].message.contains("differ from its mean minus the target by up to 0.0"));
 }
 
 TEST(EcmcCfgCsv, LeavesAnEmptyErrorMissing) {
-  const auto test = read(csv_file + csv_row("2,forward,0.0", "", "", "23:31:00") +
-                             csv_row("2,forward,248.325", "248.325", "0", "23:31:05"),
-                         "ecmc-cfg-csv");
+  const auto test = read_ecmc(csv_file + csv_row("2,forward,0.0", "", "", "23:31:00") +
+                                  csv_row("2,forward,248.325", "248.325", "0", "23:31:05"),
+                              "ecmc-cfg-csv");
   ASSERT_TRUE(test) << test.error().to_string();
   EXPECT_FALSE(test->series.reading(0, Direction::up, 1));
   EXPECT_EQ(test->series.count(1, Direction::up), 2u);
@@ -92,20 +92,20 @@ TEST(EcmcCfgCsv, LeavesOtherCsvFilesToTheGeneralReader) {
 }
 
 TEST(EcmcCfgCsv, RefusesWhatIsBroken) {
-  EXPECT_EQ(message_of(csv_header, "ecmc-cfg-csv"),
+  EXPECT_EQ(ecmc_error(csv_header, "ecmc-cfg-csv"),
             "found no readings below the header on line 1, expected one per row");
-  EXPECT_EQ(message_of(csv_file + "2,forward,0", "ecmc-cfg-csv"),
+  EXPECT_EQ(ecmc_error(csv_file + "2,forward,0", "ecmc-cfg-csv"),
             "line 6:11: found 3 fields, expected 17 as in the header on line 1; the file ends here, is it cut off?");
-  EXPECT_EQ(message_of(csv_file + csv_row("1,sideways,0", "0", "0", "23:30:43"), "ecmc-cfg-csv"),
+  EXPECT_EQ(ecmc_error(csv_file + csv_row("1,sideways,0", "0", "0", "23:30:43"), "ecmc-cfg-csv"),
             "line 6:3: found \"sideways\", expected the direction forward or reverse");
-  EXPECT_EQ(message_of(csv_file + csv_row("1,forward,0", "0", "0", "23:30:43"), "ecmc-cfg-csv"),
+  EXPECT_EQ(ecmc_error(csv_file + csv_row("1,forward,0", "0", "0", "23:30:43"), "ecmc-cfg-csv"),
             "line 6:40: found a second reading of target 0↑ run 1, expected only that on line 2");
-  EXPECT_EQ(message_of(csv_file + csv_row("1,forward,5", "0", "nan", "23:30:43"), "ecmc-cfg-csv"),
+  EXPECT_EQ(ecmc_error(csv_file + csv_row("1,forward,5", "0", "nan", "23:30:43"), "ecmc-cfg-csv"),
             "line 6:40: found \"nan\", expected a finite number");
 }
 
 TEST(EcmcCfgMd, ReadsTheTableOfMeasuredPointsAlone) {
-  const auto test = read(report, "ecmc-cfg-md");
+  const auto test = read_ecmc(report, "ecmc-cfg-md");
   ASSERT_TRUE(test) << test.error().to_string();
   EXPECT_EQ(test->series.target_count(), 2u);
   EXPECT_NEAR(test->series.reading(1, Direction::up, 0)->in_native(), -3.61, 1e-12);
@@ -119,15 +119,15 @@ TEST(EcmcCfgMd, ReadsTheTableOfMeasuredPointsAlone) {
 TEST(EcmcCfgMd, ReadsOlderReportsWhoseErrorsAreNotCalledRaw) {
   std::string older = report;
   for (std::size_t at; (at = older.find("Raw Ref")) != std::string::npos;) older.replace(at, 7, "Ref");
-  EXPECT_TRUE(read(older, "ecmc-cfg-md"));
+  EXPECT_TRUE(read_ecmc(older, "ecmc-cfg-md"));
 }
 
 TEST(EcmcCfgMd, RefusesWhatIsBroken) {
-  EXPECT_EQ(message_of(report_head + "| 1 | forward | 0.0 |", "ecmc-cfg-md"),
+  EXPECT_EQ(ecmc_error(report_head + "| 1 | forward | 0.0 |", "ecmc-cfg-md"),
             "line 17:1: found 3 cells, expected 10 as in the header on line 15; the file ends here, is it cut off?");
-  EXPECT_EQ(message_of("## Raw Measured Points\n", "ecmc-cfg-md"),
+  EXPECT_EQ(ecmc_error("## Raw Measured Points\n", "ecmc-cfg-md"),
             "found no table below '## Raw Measured Points', expected one");
-  EXPECT_EQ(message_of("## Raw Measured Points\n| Cycle | Target |\n| --- | --- |\n", "ecmc-cfg-md"),
+  EXPECT_EQ(ecmc_error("## Raw Measured Points\n| Cycle | Target |\n| --- | --- |\n", "ecmc-cfg-md"),
             "line 2:1: found a table without one of cycle, direction, target and ref_error, expected them all");
 }
 

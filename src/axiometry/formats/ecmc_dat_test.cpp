@@ -7,7 +7,7 @@
 namespace axiometry::formats {
 namespace {
 
-constexpr std::string_view file = R"(TEST_DATA=# Input data
+constexpr std::string_view recording = R"(TEST_DATA=# Input data
 # UNIT=deg in a comment means nothing
 REF_PV=IOC:Enc01-PosAct
 UNIT=mm
@@ -27,10 +27,10 @@ REF_DATA_BWD[2,2]=-4.8791
   )";
 
 TEST(EcmcDat, GivesDeviationsOfTheReferenceFromTheTargets) {
-  const auto format = recognise(file);
+  const auto format = recognise(recording);
   ASSERT_TRUE(format);
   EXPECT_EQ((*format)->id, "ecmc-dat");
-  const auto test = (*format)->read(file);
+  const auto test = (*format)->read(recording);
   ASSERT_TRUE(test) << test.error().to_string();
   EXPECT_EQ(test->series.targets()[0].in_native(), -4.88);
   EXPECT_NEAR(test->series.reading(0, Direction::up, 0)->in_native(), -0.1, 1e-9);

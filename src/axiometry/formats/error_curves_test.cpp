@@ -39,7 +39,7 @@ std::map<std::string, Series> all_of(const std::string& text) {
   return found;
 }
 
-std::string message_of(const std::string& text) {
+std::string curves_error(const std::string& text) {
   const auto test = format_of(text).read(text);
   return test ? "no error" : test.error().to_string();
 }
@@ -65,18 +65,18 @@ TEST(EtalonExchange, MakesATestOfEveryAxis) {
 }
 
 TEST(EtalonExchange, RefusesWhatIsBroken) {
-  EXPECT_EQ(message_of("[EXX]\nGridpoints = {\n 0 0\n 1 0\n"),
+  EXPECT_EQ(curves_error("[EXX]\nGridpoints = {\n 0 0\n 1 0\n"),
             "line 1:1: found no } behind the grid points of EXX, expected one; is the file cut off?");
-  EXPECT_EQ(message_of("[EXX]\nGridpoints = {\n 0 0\n 1\n}\n"),
+  EXPECT_EQ(curves_error("[EXX]\nGridpoints = {\n 0 0\n 1\n}\n"),
             "line 4:2: found \"1\", expected two numbers: position and error");
-  EXPECT_EQ(message_of("[EXX]\nGridpoints = {\n 0 0\n 1 nan\n}\n"),
+  EXPECT_EQ(curves_error("[EXX]\nGridpoints = {\n 0 0\n 1 nan\n}\n"),
             "line 4:4: found \"nan\", expected a finite number");
-  EXPECT_EQ(message_of("[EYX]\nGridpoints = {\n 0 0\n 1 1\n}\n"),
+  EXPECT_EQ(curves_error("[EYX]\nGridpoints = {\n 0 0\n 1 1\n}\n"),
             "found no positioning error of a linear axis, expected one of EXX, EYY and EZZ");
-  EXPECT_EQ(message_of("[EXX]\nGridpoints = {\n 0 0\n 0 1\n}\n"),
+  EXPECT_EQ(curves_error("[EXX]\nGridpoints = {\n 0 0\n 0 1\n}\n"),
             "line 4:4: found a second reading of target 0↑ run 1, expected only that on line 3");
-  EXPECT_EQ(message_of(etalon_x + etalon_x), "line 24:1: found a second block EXX, expected only that on line 9");
-  EXPECT_EQ(message_of(etalon_x + etalon_z), "line 16:1: found 2 positioning errors (EXX, EZZ), expected one test");
+  EXPECT_EQ(curves_error(etalon_x + etalon_x), "line 24:1: found a second block EXX, expected only that on line 9");
+  EXPECT_EQ(curves_error(etalon_x + etalon_z), "line 16:1: found 2 positioning errors (EXX, EZZ), expected one test");
 }
 
 TEST(IsgCsv, ReadsThePositioningErrorsAmongOthers) {
@@ -96,12 +96,12 @@ TEST(IsgCsv, MakesATestOfEveryValueOfAnotherArgument) {
 }
 
 TEST(IsgCsv, RefusesWhatIsBroken) {
-  EXPECT_EQ(message_of("X EXX\n0 0\n1\n"), "line 3:1: found 1 number, expected 2 as in the header on line 1");
-  EXPECT_EQ(message_of("X EXX\n0 0\n1 one\n"), "line 3:3: found \"one\", expected a finite number");
-  EXPECT_EQ(message_of("Y EXX\n0 0\n"), "line 1:1: found EXX without a column X, expected its positions");
-  EXPECT_EQ(message_of("X EXX\n0 0\n#\n0 0\n"),
+  EXPECT_EQ(curves_error("X EXX\n0 0\n1\n"), "line 3:1: found 1 number, expected 2 as in the header on line 1");
+  EXPECT_EQ(curves_error("X EXX\n0 0\n1 one\n"), "line 3:3: found \"one\", expected a finite number");
+  EXPECT_EQ(curves_error("Y EXX\n0 0\n"), "line 1:1: found EXX without a column X, expected its positions");
+  EXPECT_EQ(curves_error("X EXX\n0 0\n#\n0 0\n"),
             "line 4:1: found \"0 0\", expected a header of arguments and errors such as X EXX EYX");
-  EXPECT_EQ(message_of("X EYX\n0 0\n1 1\n"),
+  EXPECT_EQ(curves_error("X EYX\n0 0\n1 1\n"),
             "found no positioning error of a linear axis, expected one of EXX, EYY and EZZ");
 }
 

@@ -35,7 +35,7 @@ std::vector<Row> rows_of_a_test() {
 }
 
 template <typename Format>
-std::string file(const std::string& header, Format line) {
+std::string filed(const std::string& header, Format line) {
   std::string text = header;
   for (const Row& row : rows_of_a_test()) text += line(row);
   return text;
@@ -57,7 +57,7 @@ std::string answer_to(const std::string& bytes) {
   return test ? "read" : test.error().to_string();
 }
 
-bool has_remark(const std::string& bytes, std::string_view part) {
+bool remarks(const std::string& bytes, std::string_view part) {
   const auto test = read_guessed(bytes);
   return test &&
          std::ranges::any_of(test->provenance.remarks, [&](const SourceRemark& r) { return r.message.contains(part); });
@@ -77,16 +77,16 @@ TEST(GenericHazards, DecimalCommasBetweenCommasAreReadWhereTheHeaderCountsTheCol
     std::ranges::replace(s, '|', ',');
     return s;
   };
-  expect_test(file("Soll [mm],Ist [mm]\n", with_commas));
+  expect_test(filed("Soll [mm],Ist [mm]\n", with_commas));
   EXPECT_EQ(
-      answer_to(file("# unit: mm\n", with_commas)),
+      answer_to(filed("# unit: mm\n", with_commas)),
       "line 2: found an open question, expected \"delimiter\" of an import profile to answer it: found whole numbers "
       "between commas, some with leading zeros; commas may be decimal marks as well as delimiters: save the file with "
       "semicolons or tabs between the columns");
 }
 
 TEST(GenericHazards, DecimalCommasInQuotesAreNoDelimiters) {
-  expect_test(file("Soll [mm],Abweichung [µm]\n", [](const Row& r) {
+  expect_test(filed("Soll [mm],Abweichung [µm]\n", [](const Row& r) {
     return comma(fmt::format("\"{:.2f}\"|\"{:.1f}\"\n", r.target, r.deviation))
         .replace(comma(fmt::format("\"{:.2f}\"", r.target)).size(), 1, ",");
   }));
@@ -94,7 +94,7 @@ TEST(GenericHazards, DecimalCommasInQuotesAreNoDelimiters) {
 
 TEST(GenericHazards, DecimalCommasMayHaveReachedTimeStamps) {
   int n = 0;
-  const std::string bytes = file("Uhrzeit;Soll [mm];Abweichung [µm]\n", [&](const Row& r) {
+  const std::string bytes = filed("Uhrzeit;Soll [mm];Abweichung [µm]\n", [&](const Row& r) {
     return comma(fmt::format("10:30:{:02}.5;{:.2f};{:.1f}\n", n++, r.target, r.deviation));
   });
   expect_test(bytes);
@@ -103,22 +103,22 @@ TEST(GenericHazards, DecimalCommasMayHaveReachedTimeStamps) {
 
 TEST(GenericHazards, TimesMayRunBackwards) {
   int n = 0;
-  const std::string bytes = file("Uhrzeit;Soll [mm];Abweichung [µm]\n", [&](const Row& r) {
+  const std::string bytes = filed("Uhrzeit;Soll [mm];Abweichung [µm]\n", [&](const Row& r) {
     const int second = n++;
     return fmt::format("{}:30:{:02};{:.2f};{:.1f}\n", second < 8 ? 10 : 9, second, r.target, r.deviation);
   });
   expect_test(bytes);
   EXPECT_TRUE(read_guessed(bytes)->times_s.empty());
-  EXPECT_TRUE(has_remark(bytes, "found time running backwards"));
+  EXPECT_TRUE(remarks(bytes, "found time running backwards"));
 }
 
 TEST(GenericHazards, NumbersMayLackTheirZeroAndHaveExponents) {
-  expect_test(file("Target (mm)\tError (mm)\n", [](const Row& r) {
+  expect_test(filed("Target (mm)\tError (mm)\n", [](const Row& r) {
     return fmt::format("{}\t{}\n", r.target, fmt::format("{:.4f}", r.deviation / 1000.0).substr(1));
   }));
-  expect_test(file("Target (mm)\tError (mm)\n",
-                   [](const Row& r) { return fmt::format("{:.3E}\t{:.4e}\n", r.target, r.deviation / 1000.0); }));
-  expect_test(file("Soll [mm];Abweichung [mm]\n", [](const Row& r) {
+  expect_test(filed("Target (mm)\tError (mm)\n",
+                    [](const Row& r) { return fmt::format("{:.3E}\t{:.4e}\n", r.target, r.deviation / 1000.0); }));
+  expect_test(filed("Soll [mm];Abweichung [mm]\n", [](const Row& r) {
     return comma(fmt::format("{:.3E};{:+.4e}\n", r.target, r.deviation / 1000.0));
   }));
 }
@@ -148,8 +148,8 @@ TEST(GenericHazards, RowsInNoOrderOfSweepsTellNoDirection) {
 }
 
 TEST(GenericHazards, CountsAboveTheTableAreNotTrusted) {
-  expect_test(file("Positions: 11\nCycles: 5\n\nTarget (mm);Error (um)\n",
-                   [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); }));
+  expect_test(filed("Positions: 11\nCycles: 5\n\nTarget (mm);Error (um)\n",
+                    [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); }));
 }
 
 TEST(GenericHazards, MissingAndExtraRunsStayWhatTheyAre) {
@@ -170,35 +170,35 @@ TEST(GenericHazards, MissingAndExtraRunsStayWhatTheyAre) {
 }
 
 TEST(GenericHazards, PositionsAndDeviationsAreToldApartByTheirNumbers) {
-  expect_test(file("# unit: mm\n# target unit: mm\n",
-                   [](const Row& r) { return fmt::format("{}\t{}\n", r.target, r.target + r.deviation / 1000.0); }));
-  expect_test(file("# unit: um\n# target unit: mm\n",
-                   [](const Row& r) { return fmt::format("{}\t{}\n", r.target, r.deviation); }));
+  expect_test(filed("# unit: mm\n# target unit: mm\n",
+                    [](const Row& r) { return fmt::format("{}\t{}\n", r.target, r.target + r.deviation / 1000.0); }));
+  expect_test(filed("# unit: um\n# target unit: mm\n",
+                    [](const Row& r) { return fmt::format("{}\t{}\n", r.target, r.deviation); }));
   // "Messwert" in µm that are deviations.
   expect_test(
-      file("Soll [mm];Messwert [µm]\n", [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); }));
+      filed("Soll [mm];Messwert [µm]\n", [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); }));
 }
 
 TEST(GenericHazards, MicrometresAndMillimetresAreNeverGuessedFromTheSize) {
   const auto with_unit = [](std::string unit, double factor) {
-    return file(fmt::format("Soll [mm];Abweichung [{}]\n", unit),
-                [&](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation * factor); });
+    return filed(fmt::format("Soll [mm];Abweichung [{}]\n", unit),
+                 [&](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation * factor); });
   };
   expect_test(with_unit("mm", 1e-3));
   expect_test(with_unit("µm", 1.0));
   expect_test(with_unit("nm", 1e3));
-  EXPECT_TRUE(answer_to(file("Soll [mm];Abweichung\n", [](const Row& r) {
+  EXPECT_TRUE(answer_to(filed("Soll [mm];Abweichung\n", [](const Row& r) {
                 return fmt::format("{};{}\n", r.target, r.deviation);
               })).contains("\"reading_unit\""));
 }
 
 TEST(GenericHazards, LatinOneAndUtf16AreReadAndTold) {
-  const std::string latin = file("Messger\xE4t\nSoll [mm];Abweichung [\xB5m]\n",
-                                 [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); });
+  const std::string latin = filed("Messger\xE4t\nSoll [mm];Abweichung [\xB5m]\n",
+                                  [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); });
   expect_test(latin);
-  EXPECT_TRUE(has_remark(latin, "not UTF-8"));
+  EXPECT_TRUE(remarks(latin, "not UTF-8"));
   const std::string ascii =
-      file("Target (mm);Error (um)\n", [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); });
+      filed("Target (mm);Error (um)\n", [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); });
   std::string little = "\xFF\xFE";
   std::string big = "\xFE\xFF";
   for (const char c : ascii) {
@@ -212,8 +212,8 @@ TEST(GenericHazards, LatinOneAndUtf16AreReadAndTold) {
 
 TEST(GenericHazards, ChineseCodePagesAreFoundOutOrStated) {
   // "目标位置(mm)", "偏差(um)" in GBK.
-  const std::string gbk = file("\xC4\xBF\xB1\xEA\xCE\xBB\xD6\xC3(mm);\xC6\xAB\xB2\xEE(um)\n",
-                               [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); });
+  const std::string gbk = filed("\xC4\xBF\xB1\xEA\xCE\xBB\xD6\xC3(mm);\xC6\xAB\xB2\xEE(um)\n",
+                                [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); });
   expect_test(gbk);
   ImportProfile profile = guess(gbk)->profile;
   profile.encoding = TextEncoding::gbk;
@@ -226,15 +226,15 @@ TEST(GenericHazards, ChineseCodePagesAreFoundOutOrStated) {
 
 TEST(GenericHazards, LineEndsAndBlanksAtTheirEndsDoNoHarm) {
   for (const std::string end : {"\n", "\r\n", "\r", "   \r\n", "\n\n", ";\r\n"})
-    expect_test(file("Target (mm);Error (um)" + end,
-                     [&](const Row& r) { return fmt::format("{};{}", r.target, r.deviation) + end; }));
+    expect_test(filed("Target (mm);Error (um)" + end,
+                      [&](const Row& r) { return fmt::format("{};{}", r.target, r.deviation) + end; }));
 }
 
 TEST(GenericHazards, RowsOfMeansBelowAreToldAndRowsOfNumbersAreNotLost) {
   const auto row = [](const Row& r) { return fmt::format("{};{};{}\n", r.run, r.target, r.deviation); };
-  const std::string bytes = file("Lauf;Soll [mm];Abweichung [µm]\n", row);
+  const std::string bytes = filed("Lauf;Soll [mm];Abweichung [µm]\n", row);
   expect_test(bytes + "\nMittelwert;;0,65\nStreuung;;0,3\n");
-  EXPECT_TRUE(has_remark(bytes + "\nMittelwert;;0,65\n", "end \"Mittelwert\""));
+  EXPECT_TRUE(remarks(bytes + "\nMittelwert;;0,65\n", "end \"Mittelwert\""));
   EXPECT_EQ(answer_to(bytes + "1;2\n"), "line 14:1: found 2 fields, expected 3 as in the rest of the table");
 }
 
@@ -314,14 +314,14 @@ TEST(GenericHazards, AnEnormousFileIsRefusedBeforeItIsTakenApart) {
 TEST(GenericHazards, DamagedFilesNeverCrash) {
   std::mt19937 random(230);
   const std::string seeds[] = {
-      file("Lauf;Richtung;Soll [mm];Abweichung [µm]\n",
-           [](const Row& r) {
-             return fmt::format("{};{};{};{}\n", r.run, r.direction == up ? "hin" : "rück", r.target, r.deviation);
-           }),
+      filed("Lauf;Richtung;Soll [mm];Abweichung [µm]\n",
+            [](const Row& r) {
+              return fmt::format("{};{};{};{}\n", r.run, r.direction == up ? "hin" : "rück", r.target, r.deviation);
+            }),
       "Soll [mm]\t0\t100\t200\nLauf 1 ↑ [µm]\t1\t2\t3\nLauf 1 ↓ [µm]\t2\t3\t4\n",
-      file("Soll [mm],Ist [mm]\n", [](const Row& r) { return fmt::format("{},0{},5\n", r.target, r.target); }),
+      filed("Soll [mm],Ist [mm]\n", [](const Row& r) { return fmt::format("{},0{},5\n", r.target, r.target); }),
       "Run  Target (mm)  Error (um)\n" +
-          file("", [](const Row& r) { return fmt::format("{}  {}  {}\n", r.run, r.target, r.deviation); }),
+          filed("", [](const Row& r) { return fmt::format("{}  {}  {}\n", r.run, r.target, r.deviation); }),
   };
   const std::string bits = "0159;,.\t\n\r -+eE\"#↑µnaN[]()/:\xFF\xFE";
   std::size_t read = 0;

@@ -6,14 +6,14 @@
 namespace axiometry::formats {
 namespace {
 
-Result<Test> read(const std::string& text) {
+Result<Test> read_nd(const std::string& text) {
   const auto format = recognise(text);
   EXPECT_TRUE(format && (*format)->id == "heidenhain-nd");
   return find_format("heidenhain-nd")->read(text);
 }
 
 TEST(HeidenhainNd, ReadsPositionsAndValues) {
-  const auto test = read(
+  const auto test = read_nd(
       "#\r\nND-280             MM\r\nAXIS X1       =      0\r\nX1 FCT. X1    =      0\r\nDATUM         =  +     "
       "0.0000\r\n"
       "COMP. N0. 000 =  +     0.0000 =  +     0.0000\r\nCOMP. NO. 001 =  +    10.5000 =  -     0.0015\r\n"
@@ -34,21 +34,21 @@ TEST(HeidenhainNd, CountsPositionsFromDatumAndSpacing) {
       "DATUM X       =  +      5.000\nX     NR. 00  =  +      0.000\nX     NR. 01  =    ----------\n"
       "X     NR. 02  =  +      0.003\n*\n";
   const auto exponent =
-      read("*\nND-720       MM\nAXIS X        =      0\nX FCT. X      =      0\nSPACING X     =     16\n" + tail);
+      read_nd("*\nND-720       MM\nAXIS X        =      0\nX FCT. X      =      0\nSPACING X     =     16\n" + tail);
   ASSERT_TRUE(exponent) << exponent.error().to_string();
   EXPECT_DOUBLE_EQ(exponent->series.targets()[1].in_native(), 5 + 2 * 6.5536);
   EXPECT_NEAR(exponent->series.reading(1, Direction::up, 0)->in_native(), 3, 1e-12);
-  const auto length = read("*\nND-720       MM\nPKTABST.      =     20.0\n" + tail);
+  const auto length = read_nd("*\nND-720       MM\nPKTABST.      =     20.0\n" + tail);
   ASSERT_TRUE(length) << length.error().to_string();
   EXPECT_EQ(length->series.targets()[1].in_native(), 45);
 }
 
 TEST(HeidenhainNd, ReadsInchesAndAngles) {
-  const auto inch = read("#\nND-287 INCH\nCOMP. NO. 000 = 0 = 0\nCOMP. NO. 001 = 1 = .0001\n#\n");
+  const auto inch = read_nd("#\nND-287 INCH\nCOMP. NO. 000 = 0 = 0\nCOMP. NO. 001 = 1 = .0001\n#\n");
   ASSERT_TRUE(inch) << inch.error().to_string();
   EXPECT_DOUBLE_EQ(inch->series.targets()[1].in_native(), 25.4);
   EXPECT_NEAR(inch->series.reading(1, Direction::up, 0)->in_native(), 2.54, 1e-12);
-  const auto dms = read("*\nND-281 B DMS\nCMP. NR. 00 = + 0.00.00\nCMP. NR. 02 = - 0.01.03\n*\n");
+  const auto dms = read_nd("*\nND-281 B DMS\nCMP. NR. 00 = + 0.00.00\nCMP. NR. 02 = - 0.01.03\n*\n");
   ASSERT_TRUE(dms) << dms.error().to_string();
   EXPECT_EQ(dms->metadata.axis.kind, AxisKind::rotary);
   EXPECT_EQ(dms->series.targets()[1].in_native(), 10);
@@ -57,7 +57,7 @@ TEST(HeidenhainNd, ReadsInchesAndAngles) {
 
 TEST(HeidenhainNd, RefusesWhatIsBroken) {
   const auto message = [](const std::string& text) {
-    const auto test = read(text);
+    const auto test = read_nd(text);
     return test ? "no error" : test.error().to_string();
   };
   const std::string head = "*\nND-231 B MM\nSPACING = 14\n";

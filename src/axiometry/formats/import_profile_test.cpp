@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/formats/import_profile.h"
+#include "tests/support/repository_file.h"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +9,6 @@
 
 namespace axiometry::formats {
 namespace {
-
-std::string file(const std::string& path) {
-  std::ifstream stream(AXIOMETRY_SOURCE_DIR "/" + path, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 ImportProfile full_profile() {
   ImportProfile p;
@@ -41,7 +35,7 @@ ImportProfile full_profile() {
   return p;
 }
 
-std::string message_of(std::string bytes) {
+std::string profile_error(std::string bytes) {
   const auto profile = read_profile(bytes);
   return profile ? "no error" : profile.error().to_string();
 }
@@ -68,34 +62,35 @@ TEST(ImportProfile, GivesBackWhatWasWritten) {
 TEST(ImportProfile, RefusesFaultsWithTheirPlace) {
   const std::string begin = "{\"format\": \"axiometry-import-profile/1\",\n";
   const std::string columns = " \"columns\": [{\"role\": \"target\"}, {\"role\": \"deviation\"}]";
-  EXPECT_EQ(message_of("{}"),
+  EXPECT_EQ(profile_error("{}"),
             "line 1:1: found no \"format\": \"axiometry-import-profile/1\", expected an import profile");
-  EXPECT_EQ(message_of(begin + columns + "}"), "no error");
-  EXPECT_EQ(message_of(begin + columns + ", \"delimter\": \"tab\"}"),
+  EXPECT_EQ(profile_error(begin + columns + "}"), "no error");
+  EXPECT_EQ(profile_error(begin + columns + ", \"delimter\": \"tab\"}"),
             "line 2:70: found the unknown member \"delimter\" in the profile, expected perhaps \"delimiter\"");
-  EXPECT_EQ(message_of(begin + columns + ", \"delimiter\": \"|\"}"),
+  EXPECT_EQ(profile_error(begin + columns + ", \"delimiter\": \"|\"}"),
             "line 2:71: found \"|\", expected one of comma, semicolon, tab, blanks for delimiter");
-  EXPECT_EQ(message_of(begin + columns + ", \"first_run\": 2}"),
+  EXPECT_EQ(profile_error(begin + columns + ", \"first_run\": 2}"),
             "line 2:71: found 2, expected a whole number from 0 to 1 for first_run");
-  EXPECT_EQ(message_of(begin + columns + ", \"sign\": 0}"), "line 2:66: found 0, expected 1 or -1 for sign");
+  EXPECT_EQ(profile_error(begin + columns + ", \"sign\": 0}"), "line 2:66: found 0, expected 1 or -1 for sign");
   EXPECT_EQ(
-      message_of(begin + columns + ", \"target_unit\": \"furlong\"}"),
+      profile_error(begin + columns + ", \"target_unit\": \"furlong\"}"),
       "line 2:73: found \"furlong\", expected one of um, mm, nm, m, in, uin, arcsec, deg, mdeg, rad, mrad, urad for "
       "target_unit");
-  EXPECT_EQ(message_of(begin + " \"columns\": [{\"role\": \"target\"}]}"),
+  EXPECT_EQ(profile_error(begin + " \"columns\": [{\"role\": \"target\"}]}"),
             "line 2:13: found no column of deviations or positions, expected one");
-  EXPECT_EQ(message_of(begin + " \"columns\": [{\"role\": \"deviation\"}]}"),
+  EXPECT_EQ(profile_error(begin + " \"columns\": [{\"role\": \"deviation\"}]}"),
             "line 2:13: found no column of the role target, expected one");
+  EXPECT_EQ(profile_error(begin +
+                          " \"columns\": [{\"role\": \"target\"}, {\"role\": \"target\"}, {\"role\": \"position\"}]}"),
+            "line 2:13: found 2 columns of the role target, expected one");
   EXPECT_EQ(
-      message_of(begin + " \"columns\": [{\"role\": \"target\"}, {\"role\": \"target\"}, {\"role\": \"position\"}]}"),
-      "line 2:13: found 2 columns of the role target, expected one");
-  EXPECT_EQ(
-      message_of(begin + " \"layout\": \"transposed\", \"columns\": [{\"role\": \"deviation\"}, {\"role\": \"run\"}]}"),
+      profile_error(begin +
+                    " \"layout\": \"transposed\", \"columns\": [{\"role\": \"deviation\"}, {\"role\": \"run\"}]}"),
       "line 2:37: found a transposed table whose readings are not its last column, expected one that stands for all");
 }
 
 TEST(ImportProfile, TheSchemaInTheRepositoryIsTheOneTheProgramPrints) {
-  EXPECT_EQ(file("schema/axiometry-import-profile.schema.json"), profile_schema());
+  EXPECT_EQ(testing_support::repository_file("schema/axiometry-import-profile.schema.json"), profile_schema());
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace axiometry::formats {
 namespace {
 
-std::string error_of(std::string_view text) {
+std::string points_error(std::string_view text) {
   const auto file = read_location_points(text);
   return file ? "no error" : file.error().to_string();
 }
@@ -39,22 +39,22 @@ TEST(LocationPointsCsv, AnEmptyFirstCellMovesNothing) {
 
 TEST(LocationPointsCsv, WhatIsWrongIsNamedWithItsPlace) {
   const std::string head = "x_mm,y_mm,z_mm,length_difference_mm\n";
-  EXPECT_EQ(error_of(head + "1,2,3,4\n1,two,3,4\n"), "line 3:3: found \"two\", expected a finite number");
-  EXPECT_EQ(error_of(head + "1,2,,4\n"), "line 2:5: found \"\", expected a finite number");
-  EXPECT_EQ(error_of(head + "1,2,nan,4\n"), "line 2:5: found \"nan\", expected a finite number");
-  EXPECT_EQ(error_of(head + "1,2,3,4\n1,2,3"),
+  EXPECT_EQ(points_error(head + "1,2,3,4\n1,two,3,4\n"), "line 3:3: found \"two\", expected a finite number");
+  EXPECT_EQ(points_error(head + "1,2,,4\n"), "line 2:5: found \"\", expected a finite number");
+  EXPECT_EQ(points_error(head + "1,2,nan,4\n"), "line 2:5: found \"nan\", expected a finite number");
+  EXPECT_EQ(points_error(head + "1,2,3,4\n1,2,3"),
             "line 3:5: found 3 fields, expected 4 as in the header on line 1; the file ends here, is it cut off?");
-  EXPECT_EQ(error_of(head + "1,2,3,4e12\n"), "line 2:7: found \"4e12\", expected a length up to 1e9 mm");
-  EXPECT_EQ(error_of("x_mm,y_mm,length_difference_mm\n1,2,3\n"),
+  EXPECT_EQ(points_error(head + "1,2,3,4e12\n"), "line 2:7: found \"4e12\", expected a length up to 1e9 mm");
+  EXPECT_EQ(points_error("x_mm,y_mm,length_difference_mm\n1,2,3\n"),
             "line 1:1: found no column z_mm, expected a header with x_mm, y_mm, z_mm, length_difference_mm");
-  EXPECT_EQ(error_of("x_mm,y_mm,z,length_difference_mm\n"),
+  EXPECT_EQ(points_error("x_mm,y_mm,z,length_difference_mm\n"),
             "line 1:11: found the column \"z\" without a unit, expected one as in z_mm");
-  EXPECT_EQ(error_of("x_mm,y_mm,z_mm,x_mm,dl_mm\n"),
+  EXPECT_EQ(points_error("x_mm,y_mm,z_mm,x_mm,dl_mm\n"),
             "line 1:16: found \"x_mm\" a second time, expected one column of it");
-  EXPECT_NE(error_of("x_mm,y_mm,z_mm,dl_deg\n").find("line 1:16: found the unit \"deg\""), std::string::npos);
-  EXPECT_EQ(error_of("# nothing\n"),
+  EXPECT_NE(points_error("x_mm,y_mm,z_mm,dl_deg\n").find("line 1:16: found the unit \"deg\""), std::string::npos);
+  EXPECT_EQ(points_error("# nothing\n"),
             "line 1:1: found no header, expected one with x_mm, y_mm, z_mm, length_difference_mm");
-  EXPECT_NE(error_of(""), "no error");
+  EXPECT_NE(points_error(""), "no error");
 }
 
 }  // namespace

@@ -9,15 +9,10 @@
 #include <random>
 
 #include "axiometry/formats/format.h"
+#include "tests/support/manual_example.h"
 
 namespace axiometry::formats {
 namespace {
-
-std::string example_in(std::string_view manual) {
-  const std::size_t fence = manual.find("```");
-  const std::size_t begin = manual.find('\n', fence) + 1;
-  return std::string(manual.substr(begin, manual.find("```", begin) - begin));
-}
 
 void damage(std::string& text, std::mt19937& random) {
   const auto below = [&](std::size_t n) { return n == 0 ? 0 : random() % n; };
@@ -49,7 +44,7 @@ void expect_survives(const Test& test) {
 
 TEST(DamagedFiles, AreReadOrRefusedWithReasons) {
   for (const Format* format : format_table()) {
-    const std::string example = example_in(format->manual);
+    const std::string example = testing_support::manual_example(format->manual);
     std::mt19937 random(20140501);
     std::size_t accepted = 0;
     for (int round = 0; round < 3000; ++round) {

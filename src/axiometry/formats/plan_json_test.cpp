@@ -15,7 +15,7 @@
 namespace axiometry::formats {
 namespace {
 
-void expect_same(const Plan& a, const Plan& b) {
+void expect_same_plan(const Plan& a, const Plan& b) {
   EXPECT_EQ(a.standard, b.standard);
   EXPECT_EQ(a.clause, b.clause);
   EXPECT_EQ(a.title, b.title);
@@ -37,7 +37,7 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_EQ(a.way_in_mm, b.way_in_mm);
   EXPECT_EQ(a.way_out_mm, b.way_out_mm);
   ASSERT_EQ(a.further.size(), b.further.size());
-  for (std::size_t k = 0; k < a.further.size(); ++k) expect_same(a.further[k], b.further[k]);
+  for (std::size_t k = 0; k < a.further.size(); ++k) expect_same_plan(a.further[k], b.further[k]);
 }
 
 class AnyPlan {
@@ -102,7 +102,7 @@ TEST(PlanJson, ReadsBackExactlyWhatItWrote) {
     EXPECT_TRUE(text.ends_with("}\n"));
     const auto again = read_plan(text);
     ASSERT_TRUE(again) << again.error().to_string() << "\n" << text;
-    expect_same(plan, *again);
+    expect_same_plan(plan, *again);
     EXPECT_EQ(write_plan(*again), text);
   }
 }
@@ -151,7 +151,7 @@ TEST(PlanJson, SortsTargetsAndKeepsTheSequenceOnThePositionsItNames) {
   ASSERT_TRUE(plan) << plan.error().to_string();
   EXPECT_EQ(plan->targets, (std::vector{Position::native(-30), Position::native(45), Position::native(90)}));
   EXPECT_EQ(plan->sequence,
-            (std::vector<Approach>{{2, Direction::down, 0}, {0, Direction::up, 0}, {1, Direction::up, 0}}));
+            (std::vector<axiometry::Approach>{{2, Direction::down, 0}, {0, Direction::up, 0}, {1, Direction::up, 0}}));
 }
 
 TEST(PlanJson, RefusesWithTheRightPlace) {

@@ -10,7 +10,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string error_of(std::string_view text) {
+std::string ranges_error(std::string_view text) {
   const auto file = read_ranges(text);
   return file ? "no error" : file.error().to_string();
 }
@@ -53,17 +53,17 @@ TEST(RangesCsv, knows_the_hint_of_a_spreadsheet) {
 }
 
 TEST(RangesCsv, says_where_something_is_wrong) {
-  EXPECT_THAT(error_of("point,station\n"), HasSubstr("1:1: found no column length_mm"));
-  EXPECT_THAT(error_of("point,station,length\n"), HasSubstr("1:15: found the column \"length\" without a unit"));
-  EXPECT_THAT(error_of("point,station,length_mm,range_mm\n"), HasSubstr("1:25: found \"range_mm\" a second time"));
-  EXPECT_THAT(error_of("point,station,length_mm\n1,1,5\n1,,6\n"), HasSubstr("3:3: found no station"));
-  EXPECT_THAT(error_of("point,station,length_mm\n1,1,5.0\n1,1,nan\n"), HasSubstr("3:5: found \"nan\""));
-  EXPECT_THAT(error_of("point,station,length_mm\n1,1,1e12\n"), HasSubstr("2:5: found \"1e12\", expected a length"));
-  EXPECT_THAT(error_of("point,station,length_mm\n1,1\n"), HasSubstr("2:3: found 2 fields"));
-  EXPECT_THAT(error_of("point,station,length_mm\n"), HasSubstr("no lengths below"));
-  EXPECT_THAT(error_of("point,station,length_mm,x_mm\n"), HasSubstr("found 1 of the columns"));
-  EXPECT_THAT(error_of(""), HasSubstr("empty"));
-  EXPECT_THAT(error_of("point,station,length_mm,x_mm,y_mm,z_mm\nP,1,5,1,2,3\nP,2,5,1,2,4\n"),
+  EXPECT_THAT(ranges_error("point,station\n"), HasSubstr("1:1: found no column length_mm"));
+  EXPECT_THAT(ranges_error("point,station,length\n"), HasSubstr("1:15: found the column \"length\" without a unit"));
+  EXPECT_THAT(ranges_error("point,station,length_mm,range_mm\n"), HasSubstr("1:25: found \"range_mm\" a second time"));
+  EXPECT_THAT(ranges_error("point,station,length_mm\n1,1,5\n1,,6\n"), HasSubstr("3:3: found no station"));
+  EXPECT_THAT(ranges_error("point,station,length_mm\n1,1,5.0\n1,1,nan\n"), HasSubstr("3:5: found \"nan\""));
+  EXPECT_THAT(ranges_error("point,station,length_mm\n1,1,1e12\n"), HasSubstr("2:5: found \"1e12\", expected a length"));
+  EXPECT_THAT(ranges_error("point,station,length_mm\n1,1\n"), HasSubstr("2:3: found 2 fields"));
+  EXPECT_THAT(ranges_error("point,station,length_mm\n"), HasSubstr("no lengths below"));
+  EXPECT_THAT(ranges_error("point,station,length_mm,x_mm\n"), HasSubstr("found 1 of the columns"));
+  EXPECT_THAT(ranges_error(""), HasSubstr("empty"));
+  EXPECT_THAT(ranges_error("point,station,length_mm,x_mm,y_mm,z_mm\nP,1,5,1,2,3\nP,2,5,1,2,4\n"),
               HasSubstr("3:7: found point P at (1, 2, 4), expected (1, 2, 3) as on line 2"));
 }
 

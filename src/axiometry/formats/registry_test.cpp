@@ -5,16 +5,10 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
+#include "tests/support/manual_example.h"
 
 namespace axiometry::formats {
 namespace {
-
-/// The first fenced block of a manual.
-std::string example_in(std::string_view manual) {
-  const std::size_t fence = manual.find("```");
-  const std::size_t begin = manual.find('\n', fence) + 1;
-  return std::string(manual.substr(begin, manual.find("```", begin) - begin));
-}
 
 TEST(Registry, EveryFormatDescribesItself) {
   std::set<std::string_view> ids;
@@ -33,7 +27,7 @@ TEST(Registry, EveryFormatDescribesItself) {
 
 TEST(Registry, RecognisesTheExampleOfEveryManual) {
   for (const Format* format : format_table()) {
-    const auto found = recognise(example_in(format->manual));
+    const auto found = recognise(testing_support::manual_example(format->manual));
     ASSERT_TRUE(found) << format->id << ": " << found.error().to_string();
     EXPECT_EQ((*found)->id, format->id);
   }
@@ -41,7 +35,7 @@ TEST(Registry, RecognisesTheExampleOfEveryManual) {
 
 TEST(Registry, ReadsTheExampleOfEveryManualThatIsWhole) {
   for (const Format* format : format_table()) {
-    const std::string example = example_in(format->manual);
+    const std::string example = testing_support::manual_example(format->manual);
     if (example.find("…") != std::string::npos) continue;
     const auto test = format->read(example);
     EXPECT_TRUE(test) << format->id << ": " << test.error().to_string();

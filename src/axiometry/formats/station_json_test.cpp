@@ -6,7 +6,7 @@
 namespace axiometry::formats {
 namespace {
 
-std::string error_of(std::string_view json) {
+std::string station_error(std::string_view json) {
   const auto station = read_station(json);
   return station ? "no error" : station.error().to_string();
 }
@@ -31,7 +31,7 @@ TEST(StationJson, AHandWrittenStationNeedsNoCovariance) {
 }
 
 TEST(StationJson, AStationThatItsLocationSaysNotToUseIsRefused) {
-  const std::string message = error_of(
+  const std::string message = station_error(
       R"({"refined": {"station": [1, 2, 3]}, "findings": [{"severity": "note", "message": "n"},
           {"severity": "serious", "message": "the length at point 3 was misread"}]})");
   EXPECT_NE(message.find("line 2:11: found a station that should not be used as it is: the length at point 3"),
@@ -41,25 +41,25 @@ TEST(StationJson, AStationThatItsLocationSaysNotToUseIsRefused) {
 }
 
 TEST(StationJson, WhatIsWrongIsNamedWithItsPlace) {
-  EXPECT_EQ(error_of("[1]"), "line 1:1: found array at the top, expected an object with the station");
-  EXPECT_NE(error_of("{}").find("line 1:1: found no member \"station\""), std::string::npos);
-  EXPECT_NE(
-      error_of(R"({"station": [1, 2]})").find("line 1:13: found \"station\" with 2 values, expected three numbers"),
-      std::string::npos);
-  EXPECT_NE(error_of(R"({"station": [1, "2", 3]})").find("line 1:17: found \"station\" of the kind string"),
+  EXPECT_EQ(station_error("[1]"), "line 1:1: found array at the top, expected an object with the station");
+  EXPECT_NE(station_error("{}").find("line 1:1: found no member \"station\""), std::string::npos);
+  EXPECT_NE(station_error(R"({"station": [1, 2]})")
+                .find("line 1:13: found \"station\" with 2 values, expected three numbers"),
             std::string::npos);
-  EXPECT_NE(error_of(R"({"station": [1, 2e12, 3]})").find("found the coordinate 2e+12"), std::string::npos);
-  EXPECT_NE(error_of(R"({"station": [1, 2, 3], "covariance": [[1, 0, 0], [0, -1, 0], [0, 0, 1]]})")
+  EXPECT_NE(station_error(R"({"station": [1, "2", 3]})").find("line 1:17: found \"station\" of the kind string"),
+            std::string::npos);
+  EXPECT_NE(station_error(R"({"station": [1, 2e12, 3]})").find("found the coordinate 2e+12"), std::string::npos);
+  EXPECT_NE(station_error(R"({"station": [1, 2, 3], "covariance": [[1, 0, 0], [0, -1, 0], [0, 0, 1]]})")
                 .find("found the variance -1 of Y"),
             std::string::npos);
-  EXPECT_NE(error_of(R"({"station": [1, 2, 3], "covariance": [[1, 0, 0], [0.1, 1, 0], [0, 0, 1]]})")
+  EXPECT_NE(station_error(R"({"station": [1, 2, 3], "covariance": [[1, 0, 0], [0.1, 1, 0], [0, 0, 1]]})")
                 .find("expected a symmetric matrix"),
             std::string::npos);
-  EXPECT_NE(error_of(R"({"station": [1, 2, 3], "covariance": [[1, 2, 0], [2, 1, 0], [0, 0, 1]]})")
+  EXPECT_NE(station_error(R"({"station": [1, 2, 3], "covariance": [[1, 2, 0], [2, 1, 0], [0, 0, 1]]})")
                 .find("found the covariances 2 and 2 of Y and X"),
             std::string::npos);
   // Each pair may be so, all three may not: the variance of (1, 1, -1) would be -2.4.
-  EXPECT_NE(error_of(R"({"station": [1, 2, 3], "covariance": [[1, -0.9, 0.9], [-0.9, 1, 0.9], [0.9, 0.9, 1]]})")
+  EXPECT_NE(station_error(R"({"station": [1, 2, 3], "covariance": [[1, -0.9, 0.9], [-0.9, 1, 0.9], [0.9, 0.9, 1]]})")
                 .find("expected a positive semidefinite matrix"),
             std::string::npos);
 }

@@ -21,7 +21,7 @@ TrackingPlan plan() {
   return plan;
 }
 
-TrackingLengths read(std::string_view text) {
+TrackingLengths read_lengths(std::string_view text) {
   auto lengths = read_tracking_lengths(text, plan());
   if (!lengths) throw std::logic_error(lengths.error().to_string());
   return *std::move(lengths);
@@ -33,7 +33,7 @@ std::string error(std::string_view text) {
 }
 
 TEST(TrackingLengthsCsv, ReadsOneReadingInARow) {
-  const auto lengths = read(
+  const auto lengths = read_lengths(
       "# machine.name: Mill 5\n# a comment\nline,target,direction,run,length_difference_mm,segment,time_s,note\n"
       "x,1,up,1,-0.25,0,1.5,ok\nXYZ,3,-,2,99.5,4,2.5,\n");
   ASSERT_EQ(lengths.rows.size(), 2u);
@@ -42,7 +42,7 @@ TEST(TrackingLengthsCsv, ReadsOneReadingInARow) {
   EXPECT_EQ(lengths.rows[0].reading.line, "x");
   EXPECT_EQ(lengths.rows[0].reading.length_difference_mm, -0.25);
   EXPECT_EQ(lengths.rows[1].reading.line, "xyz");
-  EXPECT_EQ(lengths.rows[1].reading.approach, (Approach{2, Direction::down, 1}));
+  EXPECT_EQ(lengths.rows[1].reading.approach, (axiometry::Approach{2, Direction::down, 1}));
   EXPECT_EQ(lengths.rows[1].reading.segment, 4u);
   EXPECT_EQ(lengths.rows[1].time_s, 2.5);
   EXPECT_EQ(lengths.rows[1].at, (TextPosition{5, 11}));
@@ -51,14 +51,14 @@ TEST(TrackingLengthsCsv, ReadsOneReadingInARow) {
 }
 
 TEST(TrackingLengthsCsv, ReadsPositionsAndCountsRuns) {
-  const auto lengths = read("line;position_mm;direction;length [um]\nx;210,12;↑;1500\nx;210,12;↑;1501,5\n");
+  const auto lengths = read_lengths("line;position_mm;direction;length [um]\nx;210,12;↑;1500\nx;210,12;↑;1501,5\n");
   ASSERT_EQ(lengths.rows.size(), 2u);
-  EXPECT_EQ(lengths.rows[1].reading.approach, (Approach{0, Direction::up, 1}));
+  EXPECT_EQ(lengths.rows[1].reading.approach, (axiometry::Approach{0, Direction::up, 1}));
   EXPECT_NEAR(lengths.rows[1].reading.length_difference_mm, 1.5015, 1e-12);
 }
 
 TEST(TrackingLengthsCsv, ReadsLengthsInTheOrderOfTheProgram) {
-  const auto lengths = read("length_difference_mm\n1.5\n-\n2.5\n");
+  const auto lengths = read_lengths("length_difference_mm\n1.5\n-\n2.5\n");
   EXPECT_TRUE(lengths.in_program_order);
   ASSERT_EQ(lengths.rows.size(), 3u);
   EXPECT_TRUE(lengths.rows[1].missing);
@@ -66,7 +66,7 @@ TEST(TrackingLengthsCsv, ReadsLengthsInTheOrderOfTheProgram) {
 }
 
 TEST(TrackingLengthsCsv, ReadsAColumnAloneWithDecimalCommas) {
-  const auto lengths = read("length_difference_mm\n1,5\n-\n-1202,25\n7\n");
+  const auto lengths = read_lengths("length_difference_mm\n1,5\n-\n-1202,25\n7\n");
   ASSERT_EQ(lengths.rows.size(), 4u);
   EXPECT_EQ(lengths.rows[0].reading.length_difference_mm, 1.5);
   EXPECT_EQ(lengths.rows[2].reading.length_difference_mm, -1202.25);
@@ -75,7 +75,7 @@ TEST(TrackingLengthsCsv, ReadsAColumnAloneWithDecimalCommas) {
 TEST(TrackingLengthsCsv, ReadsWhatItWrites) {
   const std::vector<LengthReading> readings = {{"x", {2, Direction::down, 1}, 0.1 + 0.2, 0},
                                                {"xyz", {0, Direction::up, 0}, -1234.56789012345, 3}};
-  const auto again = read(write_tracking_lengths(readings));
+  const auto again = read_lengths(write_tracking_lengths(readings));
   ASSERT_EQ(again.rows.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(again.rows[k].reading.line, readings[k].line);

@@ -38,14 +38,14 @@ TrackingPlan whole() {
   return plan;
 }
 
-std::string replaced(std::string_view what, std::string_view with) {
+std::string whole_with(std::string_view what, std::string_view with) {
   std::string text = write_tracking_plan(whole());
   const auto at = text.find(what);
   EXPECT_NE(at, std::string::npos) << what;
   return text.replace(at, what.size(), with);
 }
 
-std::string message_of(const std::string& text) {
+std::string tracking_plan_error(const std::string& text) {
   const auto plan = read_tracking_plan(text);
   return plan ? "" : plan.error().to_string();
 }
@@ -74,36 +74,41 @@ TEST(TrackingPlanJson, IsToldFromAPlanOfOneAxis) {
 }
 
 TEST(TrackingPlanJson, RefusesWhatIsNoneWithItsPlace) {
-  EXPECT_NE(message_of(replaced("\"id\": \"xyz\"", "\"id\": \"x\"")).find("the line \"x\" a second time"),
+  EXPECT_NE(tracking_plan_error(whole_with("\"id\": \"xyz\"", "\"id\": \"x\"")).find("the line \"x\" a second time"),
             std::string::npos);
-  EXPECT_NE(message_of(replaced("\"station\"", "\"statoin\"")).find("no member \"station\""), std::string::npos);
-  EXPECT_NE(message_of(replaced("\"obstacles\"", "\"obstacle\"")).find("perhaps \"obstacles\""), std::string::npos);
-  EXPECT_NE(message_of(replaced("\"range_least_mm\": 150", "\"range_least_mm\": 99999")).find("a range of 99999"),
+  EXPECT_NE(tracking_plan_error(whole_with("\"station\"", "\"statoin\"")).find("no member \"station\""),
             std::string::npos);
-  EXPECT_NE(message_of(replaced("\"radius_mm\": 4", "\"radius_mm\": -4")).find("a radius of -4"), std::string::npos);
-  EXPECT_NE(message_of(replaced("\"constant_um\": 0.4", "\"constant_um\": -1")).find("-1 µm"), std::string::npos);
-  const std::string place = message_of(replaced("\"lost\": [", "\"lost\": [3, "));
+  EXPECT_NE(tracking_plan_error(whole_with("\"obstacles\"", "\"obstacle\"")).find("perhaps \"obstacles\""),
+            std::string::npos);
+  EXPECT_NE(
+      tracking_plan_error(whole_with("\"range_least_mm\": 150", "\"range_least_mm\": 99999")).find("a range of 99999"),
+      std::string::npos);
+  EXPECT_NE(tracking_plan_error(whole_with("\"radius_mm\": 4", "\"radius_mm\": -4")).find("a radius of -4"),
+            std::string::npos);
+  EXPECT_NE(tracking_plan_error(whole_with("\"constant_um\": 0.4", "\"constant_um\": -1")).find("-1 µm"),
+            std::string::npos);
+  const std::string place = tracking_plan_error(whole_with("\"lost\": [", "\"lost\": [3, "));
   EXPECT_NE(place.find("\"lost\" of the kind number"), std::string::npos) << place;
-  EXPECT_GT(read_tracking_plan(replaced("\"lost\": [", "\"lost\": [3, ")).error().at.line, 10u);
+  EXPECT_GT(read_tracking_plan(whole_with("\"lost\": [", "\"lost\": [3, ")).error().at.line, 10u);
 }
 
 TEST(TrackingPlanJson, RefusesACovarianceThatNothingHas) {
   TrackingPlan plan = whole();
   auto& m = *plan.setup.station.covariance_mm2;
   m[0][1] = 0.5;
-  EXPECT_NE(message_of(write_tracking_plan(plan)).find("symmetric"), std::string::npos);
+  EXPECT_NE(tracking_plan_error(write_tracking_plan(plan)).find("symmetric"), std::string::npos);
   m[1][0] = 0.5;
-  EXPECT_NE(message_of(write_tracking_plan(plan)).find("such variances"), std::string::npos);
+  EXPECT_NE(tracking_plan_error(write_tracking_plan(plan)).find("such variances"), std::string::npos);
   m[0][1] = m[1][0] = 0.0;
   m[2][2] = -1.0;
-  EXPECT_NE(message_of(write_tracking_plan(plan)).find("the variance -1 of Z"), std::string::npos);
+  EXPECT_NE(tracking_plan_error(write_tracking_plan(plan)).find("the variance -1 of Z"), std::string::npos);
 }
 
 TEST(TrackingPlanJson, NeedsALineInSpaceOfEachLine) {
   TrackingPlan plan = whole();
   plan.lines[0].plan.axis.line_origin_mm.clear();
   plan.lines[0].plan.axis.line_direction.clear();
-  EXPECT_NE(message_of(write_tracking_plan(plan)).find("without line_origin_mm"), std::string::npos);
+  EXPECT_NE(tracking_plan_error(write_tracking_plan(plan)).find("without line_origin_mm"), std::string::npos);
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(AirRefraction, AgreesWithTheTableOfMoistAirOfCiddor) {  // Table 3; 40 °C,
   EXPECT_NEAR(scaled(AirEquation::ciddor, air(50, 120, 100)), 28792.4, 0.051);
 }
 
-struct Measured {
+struct MeasuredAir {
   double celsius;
   double pascal;
   double vapour_pascal;
@@ -86,7 +86,7 @@ struct Measured {
 
 // Validation: what Birch and Downs measured with their refractometer (Table 2 of Ciddor), which both equations meet
 // within 1.2e-8.
-constexpr Measured measured[] = {
+constexpr MeasuredAir measured_air[] = {
     {19.526, 102094.8, 1065, 510, 27392.3}, {19.517, 102096.8, 1065, 510, 27394.0},
     {19.173, 102993.0, 641, 450, 27683.4},  {19.173, 103006.0, 642, 440, 27686.9},
     {19.188, 102918.8, 706, 450, 27659.1},  {19.189, 102927.8, 708, 440, 27661.4},
@@ -95,7 +95,7 @@ constexpr Measured measured[] = {
 };
 
 TEST(AirRefraction, AgreesWithMeasuredAirThatHoldsWaterAndCarbonDioxide) {
-  for (const Measured& row : measured) {
+  for (const MeasuredAir& row : measured_air) {
     Air state = air(row.celsius, row.pascal / 1000.0, 0, row.co2_ppm);
     state.water_vapour = Pressure::kPa(row.vapour_pascal / 1000.0);
     EXPECT_NEAR(scaled(AirEquation::ciddor, state), row.index, 1.2) << row.pascal;

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "tests/support/series.h"
 
@@ -13,7 +12,7 @@ namespace {
 
 using Measured = axiometry::Test;  // within a TEST, Test is the fixture
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+using testing_support::none;
 
 /// Readings that are errors of the machine plus 6 µm over the test.
 Measured drifting() {

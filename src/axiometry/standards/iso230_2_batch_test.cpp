@@ -7,18 +7,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "axiometry/numeric/random.h"
+#include "tests/support/series.h"
 
 namespace axiometry::iso230_2 {
 namespace {
 
 using numeric::Rows;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+using testing_support::none;
 
 struct Shape {
   std::size_t targets = 2;

@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "axiometry/standards/iso230_2_assessment.h"
 #include "tests/support/series.h"
 
@@ -17,7 +15,7 @@ using testing_support::make_series;
 using testing_support::RunDeviations;
 namespace table2 = testing_support::table2;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+using testing_support::none;
 
 Assessment assessed(const Series& series, const Metadata& metadata = {}) { return assess({metadata, series, {}}); }
 

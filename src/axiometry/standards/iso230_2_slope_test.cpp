@@ -3,15 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "tests/support/series.h"
 
 namespace axiometry::iso230_2 {
 namespace {
 
 using testing_support::make_series;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+using testing_support::none;
 
 std::optional<Slope> slope_of(const Series& series) { return slope_of_means(evaluate_positions(series)); }
 

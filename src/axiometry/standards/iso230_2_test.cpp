@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "tests/support/series.h"
 
@@ -13,7 +12,7 @@ namespace {
 
 using testing_support::make_series;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+using testing_support::none;
 
 TEST(Evaluate, AddsTheTermsOfBidirectionalRepeatabilityLinearly) {
   // s = 1 in both directions, B_i = −4: 2 + 2 + 4.

@@ -13,8 +13,8 @@ namespace {
 
 using testing::HasSubstr;
 using Measured = axiometry::Test;  // within a TEST, Test is the fixture
-
-constexpr double exact = 1e-9;  // µm
+using testing_support::exact_um;
+using testing_support::x;
 
 std::optional<Temperature> at(double celsius) { return Temperature::celsius(celsius); }
 
@@ -37,15 +37,11 @@ std::string refusal_of(Measured test) {
   return result ? "nothing" : result.error().message;
 }
 
-double x(const Series& series, std::size_t i, Direction d, std::size_t run) {
-  return series.reading(i, d, run)->in_native();
-}
-
 TEST(NdeCorrection, MakesAPerfectMachinePerfectAgain) {
   const Measured before = warm();
   const Measured after = correct_expansion(before).value();
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(x(after.series, i, Direction::up, 0), 0.0, exact);
+    EXPECT_NEAR(x(after.series, i, Direction::up, 0), 0.0, exact_um);
     EXPECT_EQ(x(*after.as_measured, i, Direction::up, 0), x(before.series, i, Direction::up, 0));
   }
   EXPECT_EQ(after.metadata.nde.applied, true);
@@ -57,7 +53,7 @@ TEST(NdeCorrection, TellsWhatItDid) {
   EXPECT_EQ(record.machine.sensors, 2u);
   EXPECT_NEAR(record.machine.start.in_celsius(), 22.0, 1e-12);
   EXPECT_NEAR(record.smallest.in_native(), -15.9996, 1e-3);
-  EXPECT_NEAR(record.largest.in_native(), 0.0, exact);
+  EXPECT_NEAR(record.largest.in_native(), 0.0, exact_um);
   ASSERT_TRUE(record.equipment);
   EXPECT_EQ(record.equipment->expansion.in_um_per_m_K(), 8.0);
   EXPECT_EQ(record.datum.in_native(), 0.0);
@@ -83,22 +79,22 @@ double time_of(const Measured& test, std::size_t i, Direction d, std::size_t run
 
 TEST(NdeCorrection, FollowsTheCourseOfTheStandardCycle) {
   const Measured test = correct_expansion(clocked(TestCycle::standard, true)).value();
-  EXPECT_NEAR(time_of(test, 0, Direction::up, 0), 0.0, exact);
-  EXPECT_NEAR(time_of(test, 2, Direction::up, 0), 2.0 / 11.0, exact);
-  EXPECT_NEAR(time_of(test, 2, Direction::down, 0), 3.0 / 11.0, exact);
-  EXPECT_NEAR(time_of(test, 0, Direction::down, 0), 5.0 / 11.0, exact);
-  EXPECT_NEAR(time_of(test, 2, Direction::up, 1), 8.0 / 11.0, exact) << "a missing reading keeps its time";
-  EXPECT_NEAR(time_of(test, 0, Direction::down, 1), 1.0, exact);
+  EXPECT_NEAR(time_of(test, 0, Direction::up, 0), 0.0, exact_um);
+  EXPECT_NEAR(time_of(test, 2, Direction::up, 0), 2.0 / 11.0, exact_um);
+  EXPECT_NEAR(time_of(test, 2, Direction::down, 0), 3.0 / 11.0, exact_um);
+  EXPECT_NEAR(time_of(test, 0, Direction::down, 0), 5.0 / 11.0, exact_um);
+  EXPECT_NEAR(time_of(test, 2, Direction::up, 1), 8.0 / 11.0, exact_um) << "a missing reading keeps its time";
+  EXPECT_NEAR(time_of(test, 0, Direction::down, 1), 1.0, exact_um);
   EXPECT_FALSE(test.series.reading(1, Direction::up, 1));
 }
 
 TEST(NdeCorrection, FollowsTheCourseOfOtherCycles) {
   const Measured step = correct_expansion(clocked(TestCycle::step, true)).value();
-  EXPECT_NEAR(time_of(step, 0, Direction::down, 0), 1.0 / 11.0, exact);
-  EXPECT_NEAR(time_of(step, 0, Direction::down, 1), 3.0 / 11.0, exact);
-  EXPECT_NEAR(time_of(step, 1, Direction::up, 0), 4.0 / 11.0, exact);
+  EXPECT_NEAR(time_of(step, 0, Direction::down, 0), 1.0 / 11.0, exact_um);
+  EXPECT_NEAR(time_of(step, 0, Direction::down, 1), 3.0 / 11.0, exact_um);
+  EXPECT_NEAR(time_of(step, 1, Direction::up, 0), 4.0 / 11.0, exact_um);
   const Measured one_way = correct_expansion(clocked(TestCycle::unidirectional, false)).value();
-  EXPECT_NEAR(time_of(one_way, 0, Direction::up, 1), 3.0 / 5.0, exact);
+  EXPECT_NEAR(time_of(one_way, 0, Direction::up, 1), 3.0 / 5.0, exact_um);
 }
 
 TEST(NdeCorrection, TakesTheFirstTargetForTheDatumAndASingleReadingForBoth) {
@@ -106,8 +102,8 @@ TEST(NdeCorrection, TakesTheFirstTargetForTheDatumAndASingleReadingForBoth) {
   test.metadata.nde.datum.reset();
   test.metadata.environment.sensors = {{"Machine", "", {}, at(21)}};
   test = correct_expansion(test).value();
-  EXPECT_NEAR(x(test.series, 0, Direction::up, 0), 0.0, exact);
-  EXPECT_NEAR(x(test.series, 1, Direction::up, 0), -10.0 / (1 + 10e-6), exact);
+  EXPECT_NEAR(x(test.series, 0, Direction::up, 0), 0.0, exact_um);
+  EXPECT_NEAR(x(test.series, 1, Direction::up, 0), -10.0 / (1 + 10e-6), exact_um);
 }
 
 TEST(NdeCorrection, IsRefusedWhereSomethingIsMissingOrItWasDone) {

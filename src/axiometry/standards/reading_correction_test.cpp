@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "axiometry/standards/drift.h"
 #include "axiometry/standards/iso230_2_assessment.h"
 #include "axiometry/standards/nde_correction.h"
@@ -18,12 +16,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using Measured = axiometry::Test;  // within a TEST, Test is the fixture
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double exact = 1e-9;  // µm
-
-double x(const Series& series, std::size_t i, Direction d, std::size_t run) {
-  return series.reading(i, d, run)->in_native();
-}
+using testing_support::exact_um;
+using testing_support::none;
+using testing_support::x;
 
 /// A laser that assumed n = 1.0002714, in air that becomes warmer, thinner and drier. Readings in the order of the
 /// standard cycle: shares 0, 1/3, 2/3 and 1 of the test.
@@ -103,9 +98,9 @@ TEST(SignCorrection, ReversesTheDisplayedPositionsOfASensorThatCountsTheOtherWay
   Measured test{{}, testing_support::make_series({100, 300}, {{0, -400'000 - 3}}, {{1, -400'000 - 2}}), {}};
   // Shown: 100 and 300 − 400.003 = −100.003 mm; the axis was at 300.003 mm.
   test = correct_readings(test, {.sign = true}).value();
-  EXPECT_NEAR(x(test.series, 0, Direction::up, 0), 0, exact);
-  EXPECT_NEAR(x(test.series, 1, Direction::up, 0), 3, exact);
-  EXPECT_NEAR(x(test.series, 0, Direction::down, 0), -1, exact);
+  EXPECT_NEAR(x(test.series, 0, Direction::up, 0), 0, exact_um);
+  EXPECT_NEAR(x(test.series, 1, Direction::up, 0), 3, exact_um);
+  EXPECT_NEAR(x(test.series, 0, Direction::down, 0), -1, exact_um);
   EXPECT_THAT(detail(test.provenance.corrections[0], "What was reversed"), HasSubstr("displayed positions"));
 }
 
@@ -135,8 +130,8 @@ TEST(GainCorrection, StretchesTheDisplayedLengthFromTheDatum) {
   Measured test{{}, testing_support::make_series({100, 300}, {{2, -8}}, {}), {}};
   test.metadata.instrument.gain = 1.00005;
   const Measured after = correct_readings(test, {.gain = true}).value();
-  EXPECT_NEAR(x(after.series, 0, Direction::up, 0), 2 * 1.00005, exact);
-  EXPECT_NEAR(x(after.series, 1, Direction::up, 0), (200'000 - 8) * 1.00005 - 200'000, exact);
+  EXPECT_NEAR(x(after.series, 0, Direction::up, 0), 2 * 1.00005, exact_um);
+  EXPECT_NEAR(x(after.series, 1, Direction::up, 0), (200'000 - 8) * 1.00005 - 200'000, exact_um);
 }
 
 TEST(GainCorrection, ByAGainAndItsInverseIsIdentity) {
@@ -157,15 +152,15 @@ TEST(GainCorrection, IsRefusedWithoutAGain) {
 // Golden: both equations and the formulas written once more in Python.
 TEST(AirCorrection, BringsEveryReadingToTheWavelengthOfItsTime) {
   const Series by_ciddor = correct_readings(in_air(), {.air = AirEquation::ciddor})->series;
-  EXPECT_NEAR(x(by_ciddor, 0, Direction::up, 0) - 0.5, 0.000000452, exact);
-  EXPECT_NEAR(x(by_ciddor, 1, Direction::up, 0) - 4, 2.356993828, exact);
-  EXPECT_NEAR(x(by_ciddor, 1, Direction::down, 0) - 5, 3.798472742, exact);
-  EXPECT_NEAR(x(by_ciddor, 0, Direction::down, 0) - -0.5, -0.000002614, exact);
+  EXPECT_NEAR(x(by_ciddor, 0, Direction::up, 0) - 0.5, 0.000000452, exact_um);
+  EXPECT_NEAR(x(by_ciddor, 1, Direction::up, 0) - 4, 2.356993828, exact_um);
+  EXPECT_NEAR(x(by_ciddor, 1, Direction::down, 0) - 5, 3.798472742, exact_um);
+  EXPECT_NEAR(x(by_ciddor, 0, Direction::down, 0) - -0.5, -0.000002614, exact_um);
   const Series by_edlen = correct_readings(in_air(), {.air = AirEquation::edlen})->series;
-  EXPECT_NEAR(x(by_edlen, 0, Direction::up, 0) - 0.5, 0.000000451, exact);
-  EXPECT_NEAR(x(by_edlen, 1, Direction::up, 0) - 4, 2.355374850, exact);
-  EXPECT_NEAR(x(by_edlen, 1, Direction::down, 0) - 5, 3.796870297, exact);
-  EXPECT_NEAR(x(by_edlen, 0, Direction::down, 0) - -0.5, -0.000002613, exact);
+  EXPECT_NEAR(x(by_edlen, 0, Direction::up, 0) - 0.5, 0.000000451, exact_um);
+  EXPECT_NEAR(x(by_edlen, 1, Direction::up, 0) - 4, 2.355374850, exact_um);
+  EXPECT_NEAR(x(by_edlen, 1, Direction::down, 0) - 5, 3.796870297, exact_um);
+  EXPECT_NEAR(x(by_edlen, 0, Direction::down, 0) - -0.5, -0.000002613, exact_um);
 }
 
 TEST(AirCorrection, IsNoneWhereTheInstrumentAssumedTheIndexThatWas) {
@@ -189,7 +184,7 @@ TEST(AirCorrection, TakesTheTimesOfTheReadings) {
   test.times_s = {0, 10, 100, 90};  // dense: ↑ at both targets, then ↓ at the first and at the second
   const Series timed = correct_readings(test, {.air = AirEquation::ciddor})->series;
   const Series even = correct_readings(in_air(), {.air = AirEquation::ciddor})->series;
-  EXPECT_NEAR(x(timed, 0, Direction::up, 0), x(even, 0, Direction::up, 0), exact);
+  EXPECT_NEAR(x(timed, 0, Direction::up, 0), x(even, 0, Direction::up, 0), exact_um);
   EXPECT_LT(x(timed, 1, Direction::up, 0), x(even, 1, Direction::up, 0)) << "less warm at 0.1 than at 1/3";
   EXPECT_GT(x(timed, 1, Direction::down, 0), x(even, 1, Direction::down, 0)) << "warmer at 0.9 than at 2/3";
 }
@@ -234,10 +229,10 @@ TEST(AirCorrection, IsRefusedWhereItMakesNoSense) {
 
 TEST(DeadPathCorrection, TakesOutWhatTheAirDidToThePathBeforeTheDatum) {
   const Series by_ciddor = correct_readings(in_air(), {.dead_path = true})->series;
-  EXPECT_NEAR(x(by_ciddor, 0, Direction::up, 0) - 0.5, 0.0, exact);
-  EXPECT_NEAR(x(by_ciddor, 1, Direction::up, 0) - 4, 0.363418435, exact);
-  EXPECT_NEAR(x(by_ciddor, 1, Direction::down, 0) - 5, 0.723785447, exact);
-  EXPECT_NEAR(x(by_ciddor, 0, Direction::down, 0) - -0.5, 1.081071099, exact);
+  EXPECT_NEAR(x(by_ciddor, 0, Direction::up, 0) - 0.5, 0.0, exact_um);
+  EXPECT_NEAR(x(by_ciddor, 1, Direction::up, 0) - 4, 0.363418435, exact_um);
+  EXPECT_NEAR(x(by_ciddor, 1, Direction::down, 0) - 5, 0.723785447, exact_um);
+  EXPECT_NEAR(x(by_ciddor, 0, Direction::down, 0) - -0.5, 1.081071099, exact_um);
 }
 
 TEST(DeadPathCorrection, ChangesSignWithTheSideOfTheInterferometer) {
@@ -245,8 +240,8 @@ TEST(DeadPathCorrection, ChangesSignWithTheSideOfTheInterferometer) {
   const Series beyond = correct_readings(test, {.dead_path = true})->series;
   test.metadata.instrument.dead_path = Length::mm(-250);
   const Series before = correct_readings(test, {.dead_path = true})->series;
-  EXPECT_NEAR(x(beyond, 1, Direction::down, 0) - 5, -(x(before, 1, Direction::down, 0) - 5), exact);
-  EXPECT_NEAR(x(beyond, 0, Direction::up, 0), 0.5, exact) << "nothing has changed at the start";
+  EXPECT_NEAR(x(beyond, 1, Direction::down, 0) - 5, -(x(before, 1, Direction::down, 0) - 5), exact_um);
+  EXPECT_NEAR(x(beyond, 0, Direction::up, 0), 0.5, exact_um) << "nothing has changed at the start";
 }
 
 // A perfect axis seen by an interferometer that shows N λ/(2 n₀) of N fringes: L_d in air n_s at zero, then n(t).
@@ -274,7 +269,7 @@ TEST(DriftCorrection, TakesOutTheLineThatWasFound) {
   const Measured after = correct_readings(table2(), {.drift = true}).value();
   EXPECT_NEAR(drift_of(after)->over_test.in_native(), 0.0, 1e-12);
   EXPECT_EQ(x(after.series, 0, Direction::up, 0), -1.2) << "nothing has drifted at the start";
-  EXPECT_NEAR(x(after.series, 0, Direction::down, 4), 2.2 - found.over_test.in_native(), exact);
+  EXPECT_NEAR(x(after.series, 0, Direction::down, 4), 2.2 - found.over_test.in_native(), exact_um);
   EXPECT_THAT(detail(after.provenance.corrections[0], "Drift over the test"), HasSubstr("-0.2815 µm"));
 }
 

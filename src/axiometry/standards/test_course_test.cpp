@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "tests/support/series.h"
 
 namespace axiometry {
@@ -14,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using Measured = axiometry::Test;  // within a TEST, Test is the fixture
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+using testing_support::none;
 const std::vector<testing_support::RunDeviations> two_runs = {{0, 0, 0}, {0, none, 0}};
 
 Measured made(TestCycle cycle, bool up, bool down) {

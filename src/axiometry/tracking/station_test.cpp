@@ -368,7 +368,7 @@ TEST(Station, FewPointsAreAFindingAndThreeAnError) {
   EXPECT_TRUE(four.is_serious());
   EXPECT_NE(error_of(measured(std::span(six).first(3))).find("found 3 different points, expected 6"),
             std::string::npos);
-  EXPECT_NE(error_of({}).find("found 0 different points"), std::string::npos);
+  EXPECT_NE(error_of(std::span<const LocationPoint>{}).find("found 0 different points"), std::string::npos);
   const std::vector<LocationPoint> one_place(6, LocationPoint{{1, 2, 3}, 4});
   EXPECT_NE(error_of(one_place).find("found 1 different point,"), std::string::npos);
 }
