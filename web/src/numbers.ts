@@ -28,6 +28,9 @@ export function parsed(text: string): number | null {
   return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : null;
 }
 
+/** Decimals of a number as it is written, with either mark. */
+export const decimals_of = (text: string): number => /[.,](\d+)$/.exec(text)?.[1]?.length ?? 0;
+
 export const unit_sign = (unit: 'um' | 'arcsec'): string => (unit === 'um' ? 'µm' : '″');
 export const position_unit = (kind: 'linear' | 'rotary'): string => (kind === 'linear' ? 'mm' : '°');
 

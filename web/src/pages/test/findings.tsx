@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Field, Finding, Vocabulary } from '../../api/types';
+import { Formula } from '../../components/formula';
 import { texts } from '../../i18n/texts';
 import { field_unit, stated_text } from './field_value';
 import type { TestState } from './state';
@@ -68,7 +69,7 @@ export function Findings({ state, vocabulary }: { state: TestState; vocabulary: 
 
 function Message({ finding }: { finding: Finding }) {
   const clause = finding.clause === 'source' ? t('source') : /^\d|^A\.\d/.test(finding.clause) ? t('clause', { clause: finding.clause }) : finding.clause;
-  return <p>{finding.message} <span class="quiet small">{clause}</span></p>;
+  return <p><Formula text={finding.message} /> <span class="quiet small">{clause}</span></p>;
 }
 
 function FillIn({ fields, state }: { fields: readonly Field[]; state: TestState }) {

@@ -65,17 +65,22 @@ function columns(): Column<TestRow>[] {
     { key: 'choose', head: <span class="visually-hidden">{t('compare')}</span>, class: 'tick', cell: (row) => {
       const on = chosen.value.includes(row.id);
       return (
-        <input
-          type="checkbox" checked={on} disabled={!on && full} aria-label={t('choose_test', { title: row.title })}
-          onChange={(event) => choose(row.id, event.currentTarget.checked)}
-        />
+        <label>
+          <input
+            type="checkbox" checked={on} disabled={!on && full} aria-label={t('choose_test', { title: row.title })}
+            onChange={(event) => choose(row.id, event.currentTarget.checked)}
+          />
+        </label>
       );
     } },
     { key: 'title', head: t('test'), order: 'title', row_head: true, class: 'title', cell: (row) => (
       <>
         <a href={`/tests/${row.id}`}>{row.title || row.file_name}</a>
         {row.withdrawn && <> <span class="tag">{t('withdrawn_tag')}</span></>}
-        <span class="only-narrow quiet small">{[row.machine?.name, row.axis?.name, row.measured_on].filter(Boolean).join(', ')} ({unit_sign(row.unit)})</span>
+        <span class="only-narrow quiet small">
+          {[row.machine?.name, row.axis?.name].filter(Boolean).join(', ')}
+          {' '}<span class="number-text">{row.measured_on} ({unit_sign(row.unit)})</span>
+        </span>
         {row.label !== '' && <> <span class="tag" title={row.label}>{row.label}</span></>}
       </>
     ) },

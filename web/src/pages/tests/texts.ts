@@ -4,7 +4,7 @@ import { texts } from '../../i18n/texts';
 export const t = texts({
   title: ['Tests', 'Prüfungen'],
   choose: ['Choose files…', 'Dateien wählen…'],
-  drop_here: ['or drop them anywhere on the page', 'oder irgendwo auf der Seite ablegen'],
+  drop_here: ['Drop files anywhere on the page, or', 'Dateien irgendwo auf der Seite ablegen, oder'],
   formats: ['Which formats?', 'Welche Formate?'],
   formats_title: ['Formats that can be read', 'Lesbare Formate'],
   formats_more: [
