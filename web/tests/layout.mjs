@@ -49,6 +49,20 @@ export const layout = {
       }
   },
 
+  async 'the fields of the editor and the figures of a test stay within their panels'(world) {
+    const id = await world.kept();
+    for (const locale of ['en-GB', 'de-DE'])
+      for (const width of [390, 820, 1440]) {
+        const page = await world.page({ width, height: 900, locale });
+        await page.goto(`/tests/${id}`);
+        await page.getByRole('button', { name: /^(Edit|Bearbeiten)$/ }).click();
+        await page.locator('.edit-field').first().waitFor();
+        const over = await page.evaluate(() => [...document.querySelectorAll('.edit-panel, .glance')]
+          .filter((one) => one.scrollWidth > one.clientWidth).map((one) => `${one.className} ${one.scrollWidth} > ${one.clientWidth}`));
+        assert.deepEqual(over, [], `${locale}, ${width} px`);
+      }
+  },
+
   async 'a capture that runs fits on a phone and a tablet, and a figure that cannot be given yet is a dash'(world) {
     const { id: plan } = await world.plan('Quick', { dwell_s: 1, runs: 9, targets: 5, feed: 10000, to: 4000 });
     const { id } = await world.api('POST', '/api/captures', { plan, source: 'simulator', layout: '', options: { speed: '10', preset: 'good', seed: '1' } });
