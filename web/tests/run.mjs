@@ -6,6 +6,7 @@ import { accessibility } from './accessibility.mjs';
 import { audit } from './audit.mjs';
 import { capture } from './capture.mjs';
 import { conflict } from './conflict.mjs';
+import { figures } from './figures.mjs';
 import { german } from './german.mjs';
 import { keyboard } from './keyboard.mjs';
 import { layout } from './layout.mjs';
@@ -22,7 +23,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...trend, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...figures, ...trend, ...offline, ...timing };
 const wanted = Object.entries(all).filter(([name]) => words.length === 0 || words.some((word) => name.toLowerCase().includes(word.toLowerCase())));
 
 // Chromium's sandbox does not work for root, as which containers of tests mostly run.

@@ -103,7 +103,7 @@ function Difference({ to, test, parameter, column }: { to: Test; test: Test; par
   // Rounded numbers are subtracted only on the screen: the difference is that of the exact values.
   const difference = b.value - a.value;
   const larger = Math.abs(b.value) - Math.abs(a.value);
-  const figure = `${difference > 0 ? '+' : ''}${fixed(difference, Math.max(decimals_of(a.text), decimals_of(b.text)))}`;
+  const figure = `${difference > 0 ? '+' : ''}${fixed(difference, Math.min(decimals_of(a.text), decimals_of(b.text)))}`;
   const text = <Aligned text={figure} decimals={column} />;
   if (a.U === null || b.U === null) return <span title={t('unknown')}>{text}<span class="sign quiet">?<span class="visually-hidden"> {t('unknown')}</span></span></span>;
   const beyond = Math.abs(difference) > Math.hypot(a.U, b.U);

@@ -8,9 +8,9 @@ import { FailureNotice } from '../../components/failure';
 import { ParameterSymbol } from '../../components/symbol';
 import { DataTable } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
-import { absent, fixed, shortest, unit_sign } from '../../numbers';
+import { absent, shortest, unit_sign } from '../../numbers';
 import { go } from '../../router';
-import { FigureCell, ParameterHead, shown_of } from '../../components/figure_cell';
+import { column_decimals, FigureCell, ParameterHead, shown_of } from '../../components/figure_cell';
 import { joint_verdict, look, parameters, plain_symbol } from './parameters';
 import { t } from './texts';
 
@@ -106,8 +106,8 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
     const point = points[place.index];
     const keys = place.series === null ? wanted : [parameters[place.series] as Parameter];
     const said = keys.map((key) => {
-      const figure = point?.figures.find((one) => one.parameter === key);
-      return `${plain_symbol(key)} ${figure ? fixed(figure.value, 1) : absent}${figure?.U ? ` ± ${fixed(figure.U, 1)}` : ''} ${unit}`;
+      const shown = point ? shown_of(point.figures, key) : null;
+      return `${plain_symbol(key)} ${shown?.value ?? absent}${shown && shown.U !== '' ? ` ± ${shown.U}` : ''} ${unit}`;
     });
     return `${point ? day_of(point) : ''}, ${point?.title}: ${said.join('; ')}`;
   };
@@ -137,7 +137,8 @@ function TrendTable({ trend, wanted }: { trend: Trend; wanted: readonly Paramete
             <><a href={`/tests/${point.test}`}>{point.title}</a><span class="only-narrow quiet small number-text"><Day point={point} /></span></>
           ) },
           ...wanted.map((key) => ({
-            key, head: <ParameterHead parameter={key} unit={unit_sign(trend.unit)} />, number: true, cell: (point: Point) => <FigureCell shown={shown_of(point.figures, key)} />,
+            key, head: <ParameterHead parameter={key} unit={unit_sign(trend.unit)} />, number: true,
+            cell: (point: Point) => <FigureCell shown={shown_of(point.figures, key)} decimals={column_decimals(points.map(({ figures }) => figures), key)} />,
           })),
           { key: 'verdict', head: t('verdict'), cell: (point) => <VerdictMark verdict={joint_verdict(point.figures)} short /> },
         ]}

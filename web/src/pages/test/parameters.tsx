@@ -23,7 +23,8 @@ const t = texts({
   of_limit: ['limit {limit}', 'Grenzwert {limit}'],
   no_uncertainty: ['no uncertainty stated', 'ohne Angabe der Unsicherheit'],
   interval: ['Monte Carlo interval', 'Monte-Carlo-Intervall'],
-  units: ['Values in {unit}. U: expanded uncertainty, about 95 %.', 'Werte in {unit}. U: erweiterte Unsicherheit, rund 95 %.'],
+  units: ['Values in {unit}.', 'Werte in {unit}.'],
+  units_U: ['Values in {unit}. U: expanded uncertainty, about 95 %.', 'Werte in {unit}. U: erweiterte Unsicherheit, rund 95 %.'],
 });
 
 const tone_of = (verdict: Verdict | null) =>
@@ -120,7 +121,7 @@ export function Parameters({ state, vocabulary }: { state: TestState; vocabulary
           </tbody>
         </table>
       </div>
-      <p class="small quiet foot">{t('units', { unit: evaluated.shown[0]?.unit ?? '' })}</p>
+      <p class="small quiet foot">{t(methods.annex_a || methods.gum ? 'units_U' : 'units', { unit: evaluated.shown[0]?.unit ?? '' })}</p>
     </section>
   );
 }

@@ -12,7 +12,9 @@ export const t = texts({
     'Das Format wird am Inhalt erkannt, nicht am Namen. Gespeichert wird erst mit „Speichern“.',
   ],
   files: ['Files', 'Dateien'],
-  files_hint: ['Looked at, not yet kept', 'Angesehen, noch nicht gespeichert'],
+  files_kept: ['{n} kept', '{n} gespeichert'],
+  files_waiting: ['{n} looked at, not yet kept', '{n} angesehen, noch nicht gespeichert'],
+  files_refused: ['{n} refused', '{n} abgelehnt'],
   keep: ['Keep', 'Speichern'],
   keep_again: ['Keep again', 'Erneut speichern'],
   keep_all: ['Keep all {n}', 'Alle {n} speichern'],
@@ -86,7 +88,7 @@ export const t = texts({
   welcome_plan: ['Plan a test', 'Prüfung planen'],
   welcome_capture: ['Capture with the simulator', 'Mit dem Simulator erfassen'],
   welcome_example: [
-    'To see a finished evaluation at once: the file examples/iso230-2-table2.json of the source folder holds the example of the standard.',
-    'Für eine fertige Auswertung sofort: die Datei examples/iso230-2-table2.json im Quellordner enthält das Beispiel der Norm.',
+    'To look around first: a store that is begun with axiometry serve --examples holds a few instructive tests.',
+    'Zum Umsehen: ein Archiv, das mit axiometry serve --examples begonnen wird, enthält einige lehrreiche Prüfungen.',
   ],
 });
