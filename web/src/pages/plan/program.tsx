@@ -17,6 +17,10 @@ const usual: Options = {
   inch: false, unrolled: false, block_numbers: true, stop_at_start: false, trigger: '', number: '', decimals: '4',
 };
 
+/** For controls whose file names know only letters of English: "Fräse X" becomes "Fraese-X". */
+const plain_name = (name: string): string =>
+  name.replace(/[äöüÄÖÜ]/g, '$&e').replaceAll('ß', 'ss').normalize('NFD').replace(/\p{Mn}/gu, '').replace(/[^\w.-]+/g, '-').replace(/^-+|-+$/g, '');
+
 /** What the API takes: members that are left as they are usual are not sent. */
 function sent(options: Options): Record<string, unknown> {
   const whole = (text: string) => (/^\d+$/.test(text.trim()) ? Number(text) : text.trim());
@@ -37,7 +41,7 @@ export function ProgramPanel({ request, plan, part, name, vocabulary }:
   const chosen = vocabulary.dialects.find(({ id }) => id === dialect);
   const body = request === null && plan === null ? null : { ...(request ? { request } : { plan }), dialect, options: { ...sent(options), part } };
   const program = use_posted('/api/plans/draft/program', body, as_text);
-  const file = `${`${name}${part > 1 ? `-${part}` : ''}`.replace(/[^\w.-]+/g, '-').replace(/^-+|-+$/g, '') || 'plan'}${chosen?.extension ?? '.nc'}`;
+  const file = `${plain_name(`${name}${part > 1 ? `-${part}` : ''}`) || 'plan'}${chosen?.extension ?? '.nc'}`;
   const choose = (id: string) => {
     set_dialect(id);
     keep_dialect(id);
