@@ -72,6 +72,14 @@ export const plan = {
     await page.dispatchEvent('main', 'drop', { dataTransfer: dropped });
     await page.waitForURL(/\/plans\/\d+$/);
     assert.equal((await world.api('GET', '/api/plans')).plans.length, 4);
+
+    // Taken for a test, it is told what it is.
+    await page.goto('/');
+    await choose(['plan.json', buffer]);
+    await page.getByRole('button', { name: 'Keep it as a plan' }).click();
+    await page.waitForURL(/\/plans\/\d+$/);
+    assert.equal((await world.api('GET', '/api/plans')).plans.length, 5);
+    assert.equal((await world.api('GET', '/api/tests')).total, 0);
   },
 
   async 'the controls that most machines have come first, and the one chosen last is chosen'(world) {

@@ -11,7 +11,7 @@ export interface Refused { name: string; error: ApiError }
 
 const largest_plan = 4_000_000;   // bytes; what is longer is no plan, and need not be read
 
-async function kept(file: File): Promise<Plan> {
+export async function keep_plan(file: File): Promise<Plan> {
   if (file.size > largest_plan) throw new ApiError('refused', t('no_plan_file', { n: Math.round(file.size / 1e6) }), 0);
   return send<Plan>('POST', '/api/plans', { title: '', axis: null, plan: await file.text() });
 }
@@ -27,7 +27,7 @@ export function ImportPlans({ refused, done }: { refused: (files: Refused[]) => 
     let last: Plan | null = null;
     for (const file of files) {
       try {
-        last = await kept(file);
+        last = await keep_plan(file);
       } catch (failure) {
         wrong.push({ name: file.name, error: failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0) });
       }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+import { useState } from 'preact/hooks';
+import { ApiError } from '../../api/client';
 import { why_read_only } from '../../api/session';
 import type { Preview } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { VerdictMark } from '../../components/verdict';
 import { absent, bytes, marked, position_unit, shortest } from '../../numbers';
 import { go } from '../../router';
+import { keep_plan } from '../plan/import';
 import { FigureCell, ParameterHead } from '../../components/figure_cell';
 import { can_be_kept, incoming, is_new, keep, keep_all, may_retry, remove, remove_all, retry, type Incoming } from './incoming';
 import { t } from './texts';
@@ -68,7 +71,7 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
         </div>
       </div>
       {one.error && <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />}
-      {preview?.refused && <Refusal refused={preview.refused} on_formats={on_formats} />}
+      {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : <Refusal refused={preview.refused} on_formats={on_formats} />)}
       {one.received
         ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: {one.received.tests.map((test, i) => (
             <span key={test.id}>{i > 0 && ', '}<a href={`/tests/${test.id}`}>{test.title || t('test_number', { id: test.id })}</a></span>
@@ -93,6 +96,23 @@ function State({ one }: { one: Incoming }) {
       {one.file.size > 500_000 && <progress max={1} value={one.part} aria-label={word} />}
       {word}
     </span>
+  );
+}
+
+const is_plan = (message: string): boolean => message.includes('"axiometry-plan/');
+
+/** No test, but a plan: it has a place of its own. */
+function PlanFound({ one, why }: { one: Incoming; why: string | null }) {
+  const [error, set_error] = useState<ApiError | null>(null);
+  const keep_it = () => void keep_plan(one.file).then(
+    (plan) => { remove(one.key); go(`/plans/${plan.id}`); },
+    (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)),
+  );
+  return (
+    <>
+      <p class="notice">{t('is_plan')} <button type="button" class="link" disabled={why !== null} onClick={keep_it}>{t('keep_plan')}</button></p>
+      {error && <FailureNotice error={error} retry={keep_it} />}
+    </>
   );
 }
 

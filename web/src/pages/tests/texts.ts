@@ -14,6 +14,8 @@ export const t = texts({
   files: ['Files', 'Dateien'],
   files_kept: ['{n} kept', '{n} gespeichert'],
   files_waiting: ['{n} looked at, not yet kept', '{n} angesehen, noch nicht gespeichert'],
+  is_plan: ['This is a test plan, not a test.', 'Das ist ein Prüfplan, keine Prüfung.'],
+  keep_plan: ['Keep it as a plan', 'Als Prüfplan speichern'],
   files_refused: ['{n} refused', '{n} abgelehnt'],
   keep: ['Keep', 'Speichern'],
   keep_again: ['Keep again', 'Erneut speichern'],
