@@ -28,6 +28,18 @@ export function parsed(text: string): number | null {
   return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : null;
 }
 
+/**
+ * Decimals of a parameter among others: one, and more where it would lose its two leading digits, as 0.012 µm of a stage;
+ * but none beyond those of its uncertainty.
+ */
+export function figure_decimals(value: number, U: number | null): number {
+  const needed = (x: number) => (x === 0 ? 1 : Math.min(4, Math.max(1, 1 - Math.floor(Math.log10(Math.abs(x))))));
+  return U === null ? needed(value) : Math.min(needed(value), needed(U));
+}
+
+/** Decimals of a number as it is written, with either mark. */
+export const decimals_of = (text: string): number => /[.,](\d+)$/.exec(text)?.[1]?.length ?? 0;
+
 export const unit_sign = (unit: 'um' | 'arcsec'): string => (unit === 'um' ? 'µm' : '″');
 export const position_unit = (kind: 'linear' | 'rotary'): string => (kind === 'linear' ? 'mm' : '°');
 

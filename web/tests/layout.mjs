@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
 import { settle } from './pages.mjs';
+import { shows } from './world.mjs';
 
 const bare = fileURLToPath(new URL('../../examples/simulated-backlash.json', import.meta.url));
 
@@ -32,6 +33,54 @@ export const layout = {
       const pages = found.tops.slice(0, -1);
       assert.ok(pages.every((top) => top === pages[0] && top > found.tops.at(-1)), `${locale}: the links stand at ${found.tops.join(', ')}`);
     }
+  },
+
+  async 'on a tablet held upright and on a phone every verdict of the list is in sight, with U'(world) {
+    await world.kept();
+    for (const locale of ['en-GB', 'de-DE'])
+      for (const width of [390, 641, 820, 1016]) {
+        const page = await world.page({ width, height: 844, locale });
+        await page.goto('/');
+        await settle(page);
+        const frame = page.locator('.test-list .table-frame');
+        assert.equal(await frame.evaluate((box) => box.scrollWidth - box.clientWidth), 0, `${locale}, ${width} px`);
+        for (const seen of ['tbody .mark svg', 'tbody .plus-minus', 'tbody input'])
+          assert.ok(await frame.locator(seen).first().evaluate((one) => one.getBoundingClientRect().width >= 10), `${locale}, ${width} px: ${seen}`);
+      }
+  },
+
+  async 'the fields of the editor and the figures of a test stay within their panels'(world) {
+    const id = await world.kept();
+    for (const locale of ['en-GB', 'de-DE'])
+      for (const width of [390, 820, 1440]) {
+        const page = await world.page({ width, height: 900, locale });
+        await page.goto(`/tests/${id}`);
+        await page.getByRole('button', { name: /^(Edit|Bearbeiten)$/ }).click();
+        await page.locator('.edit-field').first().waitFor();
+        const over = await page.evaluate(() => [...document.querySelectorAll('.edit-panel, .glance')]
+          .filter((one) => one.scrollWidth > one.clientWidth).map((one) => `${one.className} ${one.scrollWidth} > ${one.clientWidth}`));
+        assert.deepEqual(over, [], `${locale}, ${width} px`);
+      }
+  },
+
+  async 'a capture that runs fits on a phone and a tablet, and a figure that cannot be given yet is a dash'(world) {
+    const { id: plan } = await world.plan('Quick', { dwell_s: 1, runs: 9, targets: 5, feed: 10000, to: 4000 });
+    const { id } = await world.api('POST', '/api/captures', { plan, source: 'simulator', layout: '', options: { speed: '10', preset: 'good', seed: '1' } });
+    const pages = [];
+    for (const locale of ['en-GB', 'de-DE'])
+      for (const width of [390, 820, 1024]) pages.push([`${locale}, ${width} px`, await world.page({ width, height: 844, locale })]);
+    for (const [, page] of pages) await page.goto(`/captures/${id}`);
+    for (const done of [/\b[1-9] (of|von) 90/, /\b1\d (of|von) 90/])
+      for (const [name, page] of pages) {
+        await shows(page.locator('.readout'), done, 60_000);
+        const outside = await page.evaluate(() => [...document.querySelectorAll('.readout *, .so-far *, h1')]
+          .filter((one) => one.getBoundingClientRect().right > one.closest('.panel, main').getBoundingClientRect().right + 1)
+          .map((one) => one.className || one.tagName));
+        assert.deepEqual(outside, [], name);
+        assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), name);
+        const figures = await page.locator('.so-far dd').evaluateAll((all) => all.map((one) => one.firstChild.textContent.trim()));
+        assert.ok(figures.every((text) => /^(–|[\d.,\u2212]+)$/.test(text)), `${name}: ${figures}`);
+      }
   },
 
   async 'on paper a chart is whole and drawn for white, and the figure of the report is there'(world) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// node web/tests/pictures.mjs PROGRAM FOLDER [WORD…]: every page at three widths in both themes, and in German once, to be
+// node web/tests/pictures.mjs PROGRAM FOLDER [WORD…]: every page at three widths, in both themes and both languages, to be
 // looked at by people.
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -13,9 +13,8 @@ if (!program || !folder) {
   process.exit(2);
 }
 const views = [
-  { width: 390, height: 844 }, { width: 1024, height: 768 }, { width: 1600, height: 1000 },
-].flatMap((size) => [{ ...size, theme: 'light' }, { ...size, theme: 'dark' }]);
-views.push({ width: 1024, height: 768, theme: 'light', locale: 'de-DE' }, { width: 390, height: 844, theme: 'dark', locale: 'de-DE' });
+  { width: 390, height: 844 }, { width: 820, height: 1180 }, { width: 1440, height: 900 },
+].flatMap((size) => ['en-GB', 'de-DE'].flatMap((locale) => ['light', 'dark'].map((theme) => ({ ...size, theme, locale }))));
 
 await mkdir(folder, { recursive: true });
 const browser = await chromium.launch({ executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium', args: process.getuid() === 0 ? ['--no-sandbox'] : [] });
@@ -32,7 +31,7 @@ try {
         if (words.length > 0 && !words.some((word) => name.includes(word))) continue;
         await page.goto(path);
         await settle(page);
-        await page.screenshot({ path: join(folder, `${name}-${view.width}-${view.theme}${view.locale ? '-de' : ''}.png`), fullPage: true });
+        await page.screenshot({ path: join(folder, `${name}-${view.width}-${view.theme}-${view.locale.slice(0, 2)}.png`), fullPage: true });
         count += 1;
       }
       await page.context().close();

@@ -43,6 +43,61 @@ export const plan = {
     assert.equal(kept.request.dwell_s, 4);
   },
 
+  async 'plan files are imported as they are, chosen or dropped, and one that is none says where'(world) {
+    const { id } = await world.plan('To be imported');
+    const kept = await world.api('GET', `/api/plans/${id}/plan.json`);
+    const buffer = Buffer.from(JSON.stringify(kept));
+    const page = await world.page();
+    await page.goto('/plans');
+    const choose = (...files) => page.setInputFiles('input[type=file]', files.map(([name, bytes]) => ({ name, mimeType: 'application/json', buffer: bytes })));
+    await choose(['plan.json', buffer]);
+    await page.waitForURL(/\/plans\/\d+$/);
+    await shows(page.locator('.figures'), /Targets\s*5/);
+    await shows(page.locator('.listing'), /G1 X/);
+    const file = await downloaded(page, () => page.getByRole('link', { name: 'Plan file' }).click());
+    assert.deepEqual(JSON.parse(file.bytes.toString()), kept);
+
+    await page.goto('/plans');
+    await choose(['broken.json', Buffer.from('{"format": "axiometry-plan/1",\n "targets": [1, 2,, 3]}')], ['good.json', buffer]);
+    await shows(page.getByRole('alert'), /expected/);
+    await shows(page.getByRole('alert'), 'line 2:');
+    await shows(page.locator('main'), 'broken.json');
+    await page.waitForFunction(() => document.querySelectorAll('main tbody tr').length === 3);
+
+    const dropped = await page.evaluateHandle((text) => {
+      const files = new DataTransfer();
+      files.items.add(new File([text], 'dropped.json', { type: 'application/json' }));
+      return files;
+    }, buffer.toString());
+    await page.dispatchEvent('main', 'drop', { dataTransfer: dropped });
+    await page.waitForURL(/\/plans\/\d+$/);
+    assert.equal((await world.api('GET', '/api/plans')).plans.length, 4);
+
+    // Taken for a test, it is told what it is.
+    await page.goto('/');
+    await choose(['plan.json', buffer]);
+    await page.getByRole('button', { name: 'Keep it as a plan' }).click();
+    await page.waitForURL(/\/plans\/\d+$/);
+    assert.equal((await world.api('GET', '/api/plans')).plans.length, 5);
+    assert.equal((await world.api('GET', '/api/tests')).total, 0);
+  },
+
+  async 'the controls that most machines have come first, and the one chosen last is chosen'(world) {
+    const page = await world.page();
+    await page.goto('/plans/new');
+    const control = page.getByLabel('Control', { exact: true });
+    await shows(page.locator('.listing'), /G1 X/);
+    assert.equal(await control.inputValue(), 'siemens-840d');
+    const all = await control.locator('option').evaluateAll((options) => options.map((one) => one.value));
+    assert.deepEqual(all.slice(0, 4), ['siemens-840d', 'heidenhain', 'fanuc', 'linuxcnc']);
+    const { dialects } = await world.api('GET', '/api/vocabulary');
+    assert.deepEqual([...all].sort(), dialects.map(({ id }) => id).sort());
+    await control.selectOption('okuma');
+    await page.reload();
+    await shows(page.locator('.listing'), /G1 X/);
+    assert.equal(await control.inputValue(), 'okuma');
+  },
+
   async 'a plan that two people edit loses nothing of either'(world) {
     const { id } = await world.plan();
     const [mine, theirs] = [await world.page(), await world.page()];

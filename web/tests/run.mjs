@@ -3,8 +3,10 @@
 // whose name has one of them. Each test has an empty store of its own.
 import { chromium } from 'playwright-core';
 import { accessibility } from './accessibility.mjs';
+import { audit } from './audit.mjs';
 import { capture } from './capture.mjs';
 import { conflict } from './conflict.mjs';
+import { figures } from './figures.mjs';
 import { german } from './german.mjs';
 import { keyboard } from './keyboard.mjs';
 import { layout } from './layout.mjs';
@@ -12,6 +14,7 @@ import { offline } from './offline.mjs';
 import { plan } from './plan.mjs';
 import { story } from './story.mjs';
 import { timing } from './timing.mjs';
+import { trend } from './trend.mjs';
 import { World, strangers } from './world.mjs';
 import { wrong_files } from './wrong_files.mjs';
 
@@ -20,7 +23,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...conflict, ...plan, ...capture, ...german, ...layout, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...figures, ...trend, ...offline, ...timing };
 const wanted = Object.entries(all).filter(([name]) => words.length === 0 || words.some((word) => name.toLowerCase().includes(word.toLowerCase())));
 
 // Chromium's sandbox does not work for root, as which containers of tests mostly run.

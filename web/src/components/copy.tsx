@@ -12,7 +12,7 @@ const t = texts({
 export function CopyButton({ text, label }: { text: () => string; label?: string }) {
   const [said, set_said] = useState<'copied' | 'failed' | null>(null);
   const copy = () => {
-    written(text()).then(
+    to_clipboard(text()).then(
       () => set_said('copied'),
       () => set_said('failed'),
     );
@@ -27,7 +27,7 @@ export function CopyButton({ text, label }: { text: () => string; label?: string
 }
 
 /** Pages that come over plain HTTP from another computer have no clipboard: there the old way does. */
-async function written(text: string): Promise<void> {
+export async function to_clipboard(text: string): Promise<void> {
   if (navigator.clipboard) return navigator.clipboard.writeText(text);
   const area = document.createElement('textarea');
   area.value = text;

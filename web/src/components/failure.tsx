@@ -8,6 +8,7 @@ const t = texts({
   read_only: ['This store can be read, not written', 'Dieses Archiv kann nur gelesen werden'],
   full: ['No room: nothing of this was kept', 'Kein Platz: nichts davon wurde gespeichert'],
   not_found: ['Not found', 'Nicht gefunden'],
+  line: ['line {place}', 'Zeile {place}'],
   again: ['Try again', 'Noch einmal'],
 });
 
@@ -20,7 +21,7 @@ export function FailureNotice({ error, retry }: { error: ApiError; retry?: () =>
       {heading && <p class="heading">{heading}</p>}
       <p>
         {error.kind === 'offline' ? t('offline') : error.message}
-        {error.place !== '' && <span class="quiet"> ({error.place})</span>}
+        {error.place !== '' && <span class="quiet"> ({t('line', { place: error.place })})</span>}
       </p>
       {retry && <button type="button" onClick={retry}>{t('again')}</button>}
     </div>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Finding } from '../api/types';
 import { texts } from '../i18n/texts';
+import { Formula } from './formula';
 
 const t = texts({
   departure: ['Departure', 'Abweichung'],
@@ -17,7 +18,7 @@ export function FindingList({ findings }: { findings: Finding[] }) {
         <li key={i} class={finding.severity}>
           <span class="weight">{t(finding.severity)}</span>
           <span>
-            {finding.message}
+            <Formula text={finding.message} />
             {finding.clause !== '' && <span class="quiet"> ({t('clause', { clause: finding.clause })})</span>}
           </span>
         </li>

@@ -8,9 +8,9 @@ export function ParameterSymbol({ parameter }: { parameter: Parameter }) {
   const [letter, suffix] = parameter.split('_') as [string, string | undefined];
   if (suffix === 'mean') return <span class="symbol">{letter}&#x304;</span>;
   return (
-    <>
+    <span class="parameter">
       <span class="symbol">{letter}</span>
       {suffix ? arrows[suffix] : ''}
-    </>
+    </span>
   );
 }

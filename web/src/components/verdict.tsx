@@ -21,7 +21,7 @@ export function VerdictMark({ verdict, short = false }: { verdict: Verdict | nul
   const tone = verdict === 'conforms' ? 'good' : verdict === 'does not conform' ? 'bad' : verdict === 'undecided' ? 'caution' : 'none';
   const word = t(verdict === 'conforms' ? 'conforms' : verdict === 'does not conform' ? 'does_not' : verdict === 'undecided' ? 'undecided' : 'none');
   return (
-    <span class={`mark ${tone}`} title={short ? word : undefined}>
+    <span class={`mark ${tone} ${short ? 'short' : ''}`} title={short ? word : undefined}>
       <svg width="14" height="14" viewBox="0 0 14 14" aria-hidden="true">
         <path d={shapes[tone]} fill="none" stroke="currentColor" stroke-width="2" stroke-linecap="round" />
       </svg>

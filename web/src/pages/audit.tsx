@@ -4,6 +4,7 @@ import { ApiError, get, query } from '../api/client';
 import type { AuditEntry } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
+import { Hash } from '../components/hash';
 import { DataTable } from '../components/table';
 import { when } from '../numbers';
 import { place } from '../router';
@@ -59,25 +60,24 @@ function Entries({ entries, subject }: { entries: AuditEntry[]; subject: string 
     <DataTable<AuditEntry>
       caption={t('audit')} rows={entries} row_key={(row) => row.id}
       columns={[
-        { key: 'id', head: '№', number: true, cell: (row) => row.id },
-        { key: 'at', head: t('at'), class: 'number-text', cell: (row) => <time dateTime={row.change.at} title={row.change.at}>{when(row.change.at)}</time> },
-        { key: 'actor', head: t('actor_head'), cell: (row) => row.change.actor },
-        { key: 'action', head: t('action'), class: 'number-text', cell: (row) => action_text(row.action) },
-        ...(subject === '' ? [{ key: 'subject', head: t('subject'), class: 'number-text', cell: (row: AuditEntry) => <Subject subject={row.subject} /> }] : []),
+        { key: 'id', head: '№', number: true, class: 'quiet', cell: (row) => row.id },
+        { key: 'at', head: t('at'), class: 'number-text at', cell: (row) => <time dateTime={row.change.at} title={row.change.at}>{when(row.change.at)}</time> },
+        { key: 'actor', head: t('actor_head'), class: 'actor', cell: (row) => row.change.actor },
+        { key: 'action', head: t('action'), class: 'action', cell: (row) => action_text(row.action) },
+        ...(subject === '' ? [{ key: 'subject', head: t('subject'), class: 'subject', cell: (row: AuditEntry) => <Subject subject={row.subject} /> }] : []),
         { key: 'reason', head: t('reason'), class: 'reason', cell: (row) => row.change.reason },
         { key: 'detail', head: t('detail'), class: 'detail small', cell: (row) => (
           Object.entries(row.detail).map(([key, value]) => <span key={key}><span class="quiet">{key}</span> <Value value={value} /></span>)
         ) },
-        { key: 'hash', head: t('hash'), class: 'mono quiet', cell: (row) => <span title={row.sha256}>{row.sha256.slice(0, 12)}</span> },
+        { key: 'hash', head: t('hash'), class: 'chained', cell: (row) => <Hash hash={row.sha256} /> },
       ]}
     />
   );
 }
 
-/** A hash is known by its beginning; the whole of it is in its tip. */
 function Value({ value }: { value: unknown }) {
   const text = typeof value === 'string' ? value : JSON.stringify(value);
-  return /^[0-9a-f]{64}$/.test(text) ? <span class="mono" title={text}>{text.slice(0, 12)}</span> : <>{text}</>;
+  return /^[0-9a-f]{64}$/.test(text) ? <Hash hash={text} /> : <>{text}</>;
 }
 
 function Subject({ subject }: { subject: string }) {

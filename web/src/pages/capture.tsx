@@ -6,7 +6,7 @@ import type { Capture, Evaluated, Plan } from '../api/types';
 import { Dialog } from '../components/dialog';
 import { FailureNotice } from '../components/failure';
 import { ParameterSymbol } from '../components/symbol';
-import { fixed, marked, position_unit, unit_sign, when } from '../numbers';
+import { absent, fixed, marked, position_unit, unit_sign, when } from '../numbers';
 import { settled } from './plan/form';
 import { LiveChart, LiveTable } from './capture/filling';
 import { is_over, use_live, use_screen_on, type Reading } from './capture/live';
@@ -29,10 +29,10 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
   };
   return (
     <>
-      <header class="row spread">
+      <header class="page-head">
         <div>
           <h1 tabIndex={-1}>{plan.data?.title ?? t('capture')}</h1>
-          {capture && <p class="quiet small">{capture.source.title} · {t('started')} {when(capture.started)} · {t(capture.state)}</p>}
+          {capture && <p class="crumb">{capture.source.title} · {t('started')} {when(capture.started)} · {t(capture.state)}</p>}
         </div>
         {capture && running && <StopButton capture={capture} done={readings.length} stopped={live.set} />}
       </header>
@@ -129,13 +129,18 @@ function SoFar({ evaluated }: { evaluated: Evaluated | null }) {
           {evaluated.shown.filter(({ parameter }) => first_looked_at.includes(parameter)).map((one) => (
             <div key={one.parameter}>
               <dt><ParameterSymbol parameter={one.parameter} /></dt>
-              <dd class="number">{marked(one.value)} <span class="unit">{one.unit}</span></dd>
+              <dd class="number">{/\d/.test(one.value) ? <>{marked(one.value)} <span class="unit">{one.unit}</span></> : <Missing why={one.value} />}</dd>
             </div>
           ))}
         </dl>
       )}
     </section>
   );
+}
+
+/** A parameter that needs more runs than there are: no figure, and the reason where there is room for words. */
+function Missing({ why }: { why: string }) {
+  return <>{absent} <span class="unit">{why}</span></>;
 }
 
 function Events({ capture }: { capture: Capture }) {

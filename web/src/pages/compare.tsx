@@ -105,7 +105,7 @@ function Chosen({ test, n, shown, toggle, remove, refer }: {
 }) {
   const { title } = test;
   const conditions = test.result.metadata['test'] as Record<string, unknown> | undefined;
-  const facts = [test.machine?.name, test.axis?.name, conditions?.['date']].filter((part) => typeof part === 'string' && part !== '').join(' · ');
+  const facts = [test.machine?.name, test.axis?.name, conditions?.['date']].filter((part): part is string => typeof part === 'string' && part !== '');
   return (
     <li>
       <label class="show" title={t('show', { title })}>
@@ -113,13 +113,11 @@ function Chosen({ test, n, shown, toggle, remove, refer }: {
       </label>
       <div>
         <a href={`/tests/${test.id}`}>{title}</a> {test.verdict !== null && <VerdictMark verdict={test.verdict} short />}
-        <div class="small quiet">{facts}</div>
+        <div class="small quiet">{facts.map((fact, i) => <span key={i}>{i > 0 && ' · '}<span class="fact">{fact}</span></span>)}</div>
+        {n === 0 ? <span class="small is-reference">{t('is_reference')}</span>
+          : <button type="button" class="link small no-print" aria-label={t('reference_of', { title })} onClick={refer}>{t('reference')}</button>}
       </div>
-      <div class="row no-print">
-        {n === 0 ? <span class="small quiet">{t('is_reference')}</span>
-          : <button type="button" class="small" aria-label={t('reference_of', { title })} onClick={refer}>{t('reference')}</button>}
-        <button type="button" class="plain small" aria-label={t('remove', { title })} onClick={remove}>×</button>
-      </div>
+      <button type="button" class="plain small no-print" aria-label={t('remove', { title })} onClick={remove}>×</button>
     </li>
   );
 }

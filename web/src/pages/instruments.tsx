@@ -39,17 +39,22 @@ export function InstrumentsPage() {
       {instruments.error && <FailureNotice error={instruments.error} retry={instruments.reload} />}
       {instruments.data && all.length === 0 && <p class="panel">{t('none')}</p>}
       {all.length > 0 && (
-        <section class="panel flush">
+        <section class="panel flush instruments">
           <DataTable<Instrument>
             caption={t('title')} rows={rows} row_key={(row) => row.id} order={order} on_order={set_order}
             columns={[
-              { key: 'role', head: t('role'), order: 'role', row_head: true, cell: (row) => <a href={`/instruments/${row.id}`}>{row.role || make(row) || absent}</a> },
-              { key: 'make', head: t('make'), order: 'make', cell: (row) => make(row) || absent },
-              { key: 'serial', head: t('serial_number'), order: 'serial', class: 'number-text', cell: (row) => row.serial_number || absent },
-              { key: 'certificate', head: t('certificate'), cell: (row) => row.certificate || absent },
-              { key: 'calibrated', head: t('calibrated_on'), class: 'number-text', cell: (row) => row.calibrated_on || absent },
+              { key: 'role', head: t('role'), order: 'role', row_head: true, cell: (row) => (
+                <>
+                  <a href={`/instruments/${row.id}`}>{row.role || make(row) || absent}</a>
+                  <span class="only-narrow quiet small">{[make(row), row.serial_number].filter((part) => part !== '').join(', ')}</span>
+                </>
+              ) },
+              { key: 'make', head: t('make'), order: 'make', class: 'wide-only', cell: (row) => make(row) || absent },
+              { key: 'serial', head: t('serial_number'), order: 'serial', class: 'number-text wide-only', cell: (row) => row.serial_number || absent },
+              { key: 'certificate', head: t('certificate'), class: 'wide-only', cell: (row) => row.certificate || absent },
+              { key: 'calibrated', head: t('calibrated_on'), class: 'number-text wide-only', cell: (row) => row.calibrated_on || absent },
               { key: 'due', head: t('calibration_due'), order: 'due', cell: (row) => <Due due={row.calibration_due} /> },
-              { key: 'tests', head: t('tests'), cell: (row) => <a class="quiet-link" href={`/?instrument=${row.id}`}>{t('tests')}</a> },
+              { key: 'tests', head: t('tests'), class: 'tests', cell: (row) => <a class="quiet-link" href={`/?instrument=${row.id}`}>{t('tests')}</a> },
             ]}
           />
         </section>

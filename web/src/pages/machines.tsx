@@ -78,14 +78,14 @@ function MachineTable({ rows, order, on_order }: { rows: Machine[]; order: Order
             <span class="only-narrow"><AttentionTags machine={row} /></span>
           </>
         ) },
-        { key: 'location', head: t('location'), order: 'location', class: 'wide-only', cell: (row) => row.location || absent },
+        { key: 'location', head: t('location'), order: 'location', class: 'wide-only location', cell: (row) => row.location || absent },
         { key: 'attention', head: t('attention'), order: 'attention', falling: true, class: 'wide-only', cell: (row) => <AttentionTags machine={row} /> },
         { key: 'latest', head: t('latest'), order: 'latest', falling: true, class: 'number-text wide-only', cell: (row) => (
           row.latest_test
             ? <a class="quiet-link" href={`/tests/${row.latest_test.id}`}>{row.latest_test.measured_on || absent}</a>
             : absent
         ) },
-        { key: 'tests', head: t('tests'), number: true, class: 'wide-only', cell: (row) => <a class="quiet-link" href={`/?machine=${row.id}`}>{row.tests}</a> },
+        { key: 'tests', head: t('tests'), number: true, class: 'wide-only tests', cell: (row) => <a class="quiet-link" href={`/?machine=${row.id}`}>{row.tests}</a> },
         { key: 'axes', head: t('axes_course'), class: 'axes', cell: (row) => (
           <div class="axis-sparks">{row.axes.map((axis) => <AxisSpark key={axis.id} axis={axis} />)}</div>
         ) },

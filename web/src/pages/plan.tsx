@@ -8,10 +8,10 @@ import type { Machine, Plan, PlanDraft, PlanRequest, Vocabulary } from '../api/t
 import { FailureNotice } from '../components/failure';
 import { position_unit } from '../numbers';
 import { place } from '../router';
-import { decimal, shown_theme } from '../settings';
+import { decimal, language, shown_theme } from '../settings';
 import { PlanFields } from './plan/fields';
 import { form_of, new_form, request_of, settled, type PlanForm } from './plan/form';
-import { Keep } from './plan/keep';
+import { Keep, PlanFile } from './plan/keep';
 import { Outcome, TargetTable } from './plan/outcome';
 import { ProgramPanel } from './plan/program';
 import { t } from './plan/texts';
@@ -106,9 +106,18 @@ function WholePlan({ plan, vocabulary }: { plan: Plan; vocabulary: Vocabulary | 
   const kind = (plan.plan as { axis?: { kind?: 'linear' | 'rotary' } } | null)?.axis?.kind ?? 'linear';
   return (
     <>
-      <header class="row spread">
+      <header class="page-head">
         <h1 tabIndex={-1}>{plan.title}</h1>
-        <a class="button" href={`/captures/new?plan=${plan.id}`}>{t('capture_with')}</a>
+        <div class="row no-print">
+          {['pdf', 'html'].map((extension) => (
+            <a key={extension} class="button" download={`${plan.title}.${extension}`}
+              href={`/api/plans/${plan.id}/sheet.${extension}${query({ language: language.value, decimal: decimal.value, download: 1 })}`}>
+              {t('sheet')} {extension.toUpperCase()}
+            </a>
+          ))}
+          <PlanFile id={plan.id} />
+          <a class="button primary" href={`/captures/new?plan=${plan.id}`}>{t('capture_with')}</a>
+        </div>
       </header>
       <p class="notice">{t('whole_plan')}</p>
       <div class="planner whole">

@@ -12,6 +12,10 @@ import { decimal, language, type Decimal, type Language } from '../settings';
 import { t, units } from './report/texts';
 import './report.css';
 
+/** What is mostly wanted comes first. */
+const usual = ['pdf', 'html', 'csv', 'svg', 'png'];
+const rank = (extension: string): number => (usual.includes(extension) ? usual.indexOf(extension) : usual.length);
+
 interface Choice { language: Language; decimal: Decimal; unit: string }
 
 /** The report of one version of a test: as it will look, in every format, and what has been issued. */
@@ -26,13 +30,13 @@ export function ReportPage({ parts }: { parts: Record<string, string> }) {
   const asked = { version: shown.version, language: choice.language, decimal: choice.decimal, unit: choice.unit };
   const path = (extension: string, download: boolean) =>
     `/api/tests/${id}/report.${extension}${query({ ...asked, download: download ? 1 : null })}`;
-  const writers = vocabulary.data?.writers ?? [];
+  const writers = [...(vocabulary.data?.writers ?? [])].sort((a, b) => rank(a.extension) - rank(b.extension));
   return (
     <>
-      <header class="row spread">
+      <header class="page-head">
         <div>
           <h1 tabIndex={-1}>{t('report')}: {shown.title}</h1>
-          <p class="quiet small">
+          <p class="crumb">
             <a href={`/tests/${id}`}>{t('to_test')}</a> · {t('version')} {shown.version}
             {shown.version !== shown.latest && ` (${t('not_latest', { n: shown.latest })})`}
           </p>

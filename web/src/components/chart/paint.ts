@@ -56,33 +56,44 @@ export function paint_line(plot: uPlot, pen: CanvasRenderingContext2D, line: Cha
   pen.setLineDash([]);
 }
 
-/** Points and whiskers of one series. */
-export function paint_points(plot: uPlot, pen: CanvasRenderingContext2D, x: readonly number[], series: ChartSeries, ratio: number): void {
-  const colour = token(series.colour);
-  pen.strokeStyle = colour;
-  pen.fillStyle = colour;
-  pen.globalAlpha = series.opacity ?? 1;
-  pen.setLineDash([]);
+/** What of a series lies within the plot: the index of each value, and where it is. */
+function* within(plot: uPlot, x: readonly number[], series: ChartSeries): Generator<[index: number, value: number, left: number, top: number]> {
   const first = plot.scales['x']?.min ?? -Infinity;
   const last = plot.scales['x']?.max ?? Infinity;
-  const radius = ((series.size ?? 6) / 2) * ratio;
   for (let i = 0; i < x.length; i += 1) {
     const value = series.values[i];
-    if (typeof value !== 'number' || (x[i] as number) < first || (x[i] as number) > last) continue;
-    const [left, top] = at(plot, x, series.values, i);
-    const reach = series.whisker?.[i];
-    if (typeof reach === 'number' && reach > 0) {
-      const [above, below] = [plot.valToPos(value + reach, 'y', true), plot.valToPos(value - reach, 'y', true)];
-      const cap = 4 * ratio;
-      pen.lineWidth = 1.25 * ratio;
-      pen.beginPath();
-      pen.moveTo(left, above); pen.lineTo(left, below);
-      pen.moveTo(left - cap, above); pen.lineTo(left + cap, above);
-      pen.moveTo(left - cap, below); pen.lineTo(left + cap, below);
-      pen.stroke();
-    }
-    if (series.shape) paint_shape(pen, series.shape, left, top, radius, ratio);
+    if (typeof value === 'number' && (x[i] as number) >= first && (x[i] as number) <= last) yield [i, value, ...at(plot, x, series.values, i)];
   }
+}
+
+/** Beneath all lines and points, and quieter, with caps of different width where those of several series stand over each other. */
+export function paint_whiskers(plot: uPlot, pen: CanvasRenderingContext2D, x: readonly number[], series: ChartSeries, cap_px: number, ratio: number): void {
+  if (!series.whisker) return;
+  pen.strokeStyle = token(series.colour);
+  pen.globalAlpha = 0.6 * (series.opacity ?? 1);
+  pen.lineWidth = 1.25 * ratio;
+  pen.setLineDash([]);
+  const cap = cap_px * ratio;
+  for (const [i, value, left] of within(plot, x, series)) {
+    const reach = series.whisker[i];
+    if (typeof reach !== 'number' || reach <= 0) continue;
+    const [above, below] = [plot.valToPos(value + reach, 'y', true), plot.valToPos(value - reach, 'y', true)];
+    pen.beginPath();
+    pen.moveTo(left, above); pen.lineTo(left, below);
+    pen.moveTo(left - cap, above); pen.lineTo(left + cap, above);
+    pen.moveTo(left - cap, below); pen.lineTo(left + cap, below);
+    pen.stroke();
+  }
+  pen.globalAlpha = 1;
+}
+
+export function paint_points(plot: uPlot, pen: CanvasRenderingContext2D, x: readonly number[], series: ChartSeries, ratio: number): void {
+  if (!series.shape) return;
+  pen.strokeStyle = pen.fillStyle = token(series.colour);
+  pen.globalAlpha = series.opacity ?? 1;
+  pen.setLineDash([]);
+  const radius = ((series.size ?? 6) / 2) * ratio;
+  for (const [, , left, top] of within(plot, x, series)) paint_shape(pen, series.shape, left, top, radius, ratio);
 }
 
 export function paint_shape(pen: CanvasRenderingContext2D, shape: Shape, x: number, y: number, r: number, ratio: number): void {

@@ -5,7 +5,7 @@ import 'uplot/dist/uPlot.min.css';
 import { marked } from '../../numbers';
 import { paint_line_labels } from './labels';
 import { y_range, type ChartModel } from './model';
-import { inside, paint_band, paint_line, paint_points, token } from './paint';
+import { inside, paint_band, paint_line, paint_points, paint_whiskers, token } from './paint';
 
 export interface PlotEvents {
   pointed: (plot: uPlot) => void;   // the pointer moved over the plot, or left it
@@ -119,6 +119,8 @@ export function make_plot(model: () => ChartModel, events: PlotEvents, size: { w
           for (const band of model().bands ?? []) if (!band.hidden) paint_band(plot, pen, model().x, band);
           pen.globalAlpha = 1;
           for (const line of model().lines ?? []) if (!line.hidden) paint_line(plot, pen, line, pixels());
+          const shown = model().series.filter((series) => series.whisker && !series.hidden);
+          shown.forEach((series, n) => paint_whiskers(plot, pen, model().x, series, 3 + 2 * (shown.length - 1 - n), pixels()));
         }),
       ],
       drawSeries: [

@@ -23,15 +23,15 @@ export function Readout({ capture, readings, targets, runs, unit, deviation_unit
         <p class="name">{t(due ? 'next' : 'last')}</p>
         {due && target !== undefined && (
           <>
-            <p class="large number">{due.target} {arrow(due.direction)} <span class="unit">{fixed(target, 3)} {unit}</span></p>
+            <p class="large number"><span>{due.target} {arrow(due.direction)}</span> <span class="unit">{fixed(target, 3)} {unit}</span></p>
             <p class="number quiet">
-              {t('run_of', { run: due.run, runs })}
-              {now && ` · ${t('to_go')} ${fixed(target - now.position, 3)} ${unit}`}
+              <span>{t('run_of', { run: due.run, runs })}</span>
+              {now && <> · <span>{t('to_go')} {fixed(target - now.position, 3)} {unit}</span></>}
             </p>
           </>
         )}
         {!due && last && (
-          <p class="large number">{last.target} {arrow(last.direction)} <span class="unit">{fixed(last.deviation, 2)} {deviation_unit}</span></p>
+          <p class="large number"><span>{last.target} {arrow(last.direction)}</span> <span class="unit">{fixed(last.deviation, 2)} {deviation_unit}</span></p>
         )}
       </div>
       <Progress capture={capture} done={readings.length} />

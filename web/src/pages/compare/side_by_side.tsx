@@ -2,11 +2,12 @@
 import { Fragment } from 'preact';
 import type { Parameter, Test, Vocabulary } from '../../api/types';
 import { Swatch } from '../../components/chart';
+import { Aligned, most_decimals } from '../../components/aligned';
 import { ParameterSymbol } from '../../components/symbol';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
-import { absent, fixed, parsed } from '../../numbers';
-import { all_parameters, decimals_of, main_parameters } from '../test/figures_text';
+import { absent, decimals_of, fixed, parsed } from '../../numbers';
+import { all_parameters, main_parameters } from '../test/figures_text';
 import { look_of } from './curves';
 
 const t = texts({
@@ -38,6 +39,7 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
   const present = all_parameters.filter((parameter) => tests.some((test) => cell_of(test, parameter) !== null));
   const reference = tests[0];
   if (!reference) return null;
+  const decimals = most_decimals(tests.flatMap((test) => test.shown.map((row) => row.value)));
   const main = main_parameters(reference.result);
   return (
     <section class="panel flush">
@@ -68,8 +70,8 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
                 <th scope="row" title={vocabulary?.parameters.find((one) => one.key === parameter)?.title}><ParameterSymbol parameter={parameter} /></th>
                 {tests.map((test, n) => (
                   <Fragment key={test.id}>
-                    <td class="number"><Value test={test} parameter={parameter} /></td>
-                    {n > 0 && <td class="number"><Difference to={reference} test={test} parameter={parameter} /></td>}
+                    <td class="number"><Value test={test} parameter={parameter} decimals={decimals} /></td>
+                    {n > 0 && <td class="number"><Difference to={reference} test={test} parameter={parameter} column={decimals} /></td>}
                   </Fragment>
                 ))}
               </tr>
@@ -82,31 +84,33 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
   );
 }
 
-function Value({ test, parameter }: { test: Test; parameter: Parameter }) {
+function Value({ test, parameter, decimals }: { test: Test; parameter: Parameter; decimals: number }) {
   const cell = cell_of(test, parameter);
   const shown = test.shown.find((row) => row.parameter === parameter);
   if (cell === null) return <>{absent}</>;
   return (
     <>
-      {cell.text}{cell.U_text !== '' && <span class="quiet"> ± {cell.U_text}</span>}
+      <Aligned text={cell.text} decimals={decimals} />
+      {cell.U_text !== '' && <span class="quiet"> ± <Aligned text={cell.U_text} decimals={decimals} /></span>}
       <span class="slot">{shown && shown.limit !== null && <VerdictMark verdict={shown.verdict} short />}</span>
     </>
   );
 }
 
-function Difference({ to, test, parameter }: { to: Test; test: Test; parameter: Parameter }) {
+function Difference({ to, test, parameter, column }: { to: Test; test: Test; parameter: Parameter; column: number }) {
   const [a, b] = [cell_of(to, parameter), cell_of(test, parameter)];
   if (a === null || b === null || to.result.unit !== test.result.unit) return <>{absent}</>;
   // Rounded numbers are subtracted only on the screen: the difference is that of the exact values.
   const difference = b.value - a.value;
   const larger = Math.abs(b.value) - Math.abs(a.value);
-  const text = `${difference > 0 ? '+' : ''}${fixed(difference, Math.max(decimals_of(a.text), decimals_of(b.text)))}`;
-  if (a.U === null || b.U === null) return <span title={t('unknown')}>{text} <span class="quiet">?<span class="visually-hidden"> {t('unknown')}</span></span></span>;
+  const figure = `${difference > 0 ? '+' : ''}${fixed(difference, Math.min(decimals_of(a.text), decimals_of(b.text)))}`;
+  const text = <Aligned text={figure} decimals={column} />;
+  if (a.U === null || b.U === null) return <span title={t('unknown')}>{text}<span class="sign quiet">?<span class="visually-hidden"> {t('unknown')}</span></span></span>;
   const beyond = Math.abs(difference) > Math.hypot(a.U, b.U);
-  if (!beyond) return <span class="quiet" title={t('within')}>{text}<span class="visually-hidden"> {t('within')}</span></span>;
+  if (!beyond) return <span class="quiet" title={t('within')}>{text}<span class="sign" /><span class="visually-hidden"> {t('within')}</span></span>;
   return (
     <strong title={`${t(larger < 0 ? 'better' : 'worse')}; ${t('beyond')}`}>
-      {text} <span aria-hidden="true">{larger < 0 ? '▼' : '▲'}</span><span class="visually-hidden"> {t('beyond')}</span>
+      {text}<span class="sign" aria-hidden="true">{larger < 0 ? '▼' : '▲'}</span><span class="visually-hidden"> {t('beyond')}</span>
     </strong>
   );
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Axis } from '../../api/types';
 import { Spark } from '../../components/spark';
-import { absent, fixed, shortest, unit_sign } from '../../numbers';
+import { absent, figure_decimals, fixed, shortest, unit_sign } from '../../numbers';
 import { courses } from './axis_courses';
 import { t } from './texts';
 
@@ -13,13 +13,13 @@ export function AxisSpark({ axis }: { axis: Axis }) {
   const limit = axis.limits.find((one) => one.parameter === 'A')?.value ?? last?.limit ?? null;
   const unit = trend ? unit_sign(trend.unit) : '';
   const label = last
-    ? t('spark', { axis: axis.name, value: fixed(last.value, 1), unit, n: figures.length }) + (limit === null ? '' : t('spark_limit', { limit: shortest(limit) }))
+    ? t('spark', { axis: axis.name, value: fixed(last.value, figure_decimals(last.value, last.U)), unit, n: figures.length }) + (limit === null ? '' : t('spark_limit', { limit: shortest(limit) }))
     : axis.name;
   return (
     <a class="axis-spark" href={`/axes/${axis.id}`} title={label}>
       <span class="axis-name">{axis.name}</span>
       {last ? <Spark values={figures.map((figure) => figure.value)} limit={limit} label={label} /> : <span class="blank" />}
-      <span class={`number value ${last && limit !== null && last.value > limit ? 'over' : ''}`}>{last ? fixed(last.value, 1) : absent}{last && <span class="quiet small unit">{unit}</span>}</span>
+      <span class={`number value ${last && limit !== null && last.value > limit ? 'over' : ''}`}>{last ? fixed(last.value, figure_decimals(last.value, last.U)) : absent}{last && <span class="quiet small unit">{unit}</span>}</span>
     </a>
   );
 }

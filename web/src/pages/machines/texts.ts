@@ -55,6 +55,7 @@ export const t = texts({
   parameters: ['Parameters', 'Kennwerte'],
   no_tests: ['No test of this axis is kept.', 'Von dieser Achse ist keine Prüfung gespeichert.'],
   measured: ['Measured', 'Gemessen'],
+  received: ['received', 'eingegangen'],
   test: ['Test', 'Prüfung'],
   verdict: ['Verdict', 'Urteil'],
   value_in: ['Value, {unit}', 'Wert, {unit}'],

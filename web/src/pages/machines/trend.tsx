@@ -8,26 +8,30 @@ import { FailureNotice } from '../../components/failure';
 import { ParameterSymbol } from '../../components/symbol';
 import { DataTable } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
-import { absent, fixed, shortest, unit_sign } from '../../numbers';
+import { absent, shortest, unit_sign } from '../../numbers';
 import { go } from '../../router';
-import { FigureCell, ParameterHead, shown_of } from '../../components/figure_cell';
+import { column_decimals, FigureCell, ParameterHead, shown_of } from '../../components/figure_cell';
 import { joint_verdict, look, parameters, plain_symbol } from './parameters';
 import { t } from './texts';
 
 type Point = Trend['points'][number];
 
+/** A test that does not say when it was measured stands where it was received. */
+const day_of = (point: Point): string => point.measured_on || point.received_at.slice(0, 10);
+
+const seconds_of = (point: Point): number => day_seconds(point.measured_on) ?? day_seconds(point.received_at) ?? 0;
+
 /** Tests of one day keep their order, a few hours apart. */
 function times(points: readonly Point[]): number[] {
   let last = -Infinity;
   return points.map((point) => {
-    const day = day_seconds(point.measured_on) ?? day_seconds(point.received_at) ?? 0;
-    last = Math.max(day, last + 3 * 3600);
+    last = Math.max(seconds_of(point), last + 3 * 3600);
     return last;
   });
 }
 
 const by_day = (a: Point, b: Point): number =>
-  (day_seconds(a.measured_on) ?? day_seconds(a.received_at) ?? 0) - (day_seconds(b.measured_on) ?? day_seconds(b.received_at) ?? 0) || a.test - b.test;
+  seconds_of(a) - seconds_of(b) || a.test - b.test;
 
 /** The history of an axis: chosen parameters over time with U as bars and limits as lines, and the same as numbers. */
 export function AxisTrend({ axis, version, height }: { axis: number; version: number; height: number }) {
@@ -83,7 +87,7 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
     if (!point) return null;
     return (
       <>
-        <div class="head">{point.measured_on}</div>
+        <div class="head"><Day point={point} /></div>
         <div class="title">{point.title}</div>
         <table>
           <tbody>
@@ -102,10 +106,10 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
     const point = points[place.index];
     const keys = place.series === null ? wanted : [parameters[place.series] as Parameter];
     const said = keys.map((key) => {
-      const figure = point?.figures.find((one) => one.parameter === key);
-      return `${plain_symbol(key)} ${figure ? fixed(figure.value, 1) : absent}${figure?.U ? ` ± ${fixed(figure.U, 1)}` : ''} ${unit}`;
+      const shown = point ? shown_of(point.figures, key) : null;
+      return `${plain_symbol(key)} ${shown?.value ?? absent}${shown && shown.U !== '' ? ` ± ${shown.U}` : ''} ${unit}`;
     });
-    return `${point?.measured_on}, ${point?.title}: ${said.join('; ')}`;
+    return `${point ? day_of(point) : ''}, ${point?.title}: ${said.join('; ')}`;
   };
   return (
     <Chart
@@ -116,6 +120,10 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
   );
 }
 
+function Day({ point }: { point: Point }) {
+  return <>{day_of(point)}{point.measured_on === '' && <span class="quiet"> ({t('received')})</span>}</>;
+}
+
 function TrendTable({ trend, wanted }: { trend: Trend; wanted: readonly Parameter[] }) {
   const points = [...trend.points].sort((a, b) => by_day(b, a));
   return (
@@ -124,10 +132,13 @@ function TrendTable({ trend, wanted }: { trend: Trend; wanted: readonly Paramete
       <DataTable<Point>
         caption={t('trend_of', { axis: trend.axis.name })} rows={points} row_key={(point) => point.test}
         columns={[
-          { key: 'measured', head: t('measured'), class: 'number-text', cell: (point) => point.measured_on || point.received_at.slice(0, 10) },
-          { key: 'test', head: t('test'), row_head: true, cell: (point) => <a href={`/tests/${point.test}`}>{point.title}</a> },
+          { key: 'measured', head: t('measured'), class: 'number-text wide-only', cell: (point) => <Day point={point} /> },
+          { key: 'test', head: t('test'), row_head: true, cell: (point) => (
+            <><a href={`/tests/${point.test}`}>{point.title}</a><span class="only-narrow quiet small number-text"><Day point={point} /></span></>
+          ) },
           ...wanted.map((key) => ({
-            key, head: <ParameterHead parameter={key} unit={unit_sign(trend.unit)} />, number: true, cell: (point: Point) => <FigureCell shown={shown_of(point.figures, key)} />,
+            key, head: <ParameterHead parameter={key} unit={unit_sign(trend.unit)} />, number: true,
+            cell: (point: Point) => <FigureCell shown={shown_of(point.figures, key)} decimals={column_decimals(points.map(({ figures }) => figures), key)} />,
           })),
           { key: 'verdict', head: t('verdict'), cell: (point) => <VerdictMark verdict={joint_verdict(point.figures)} short /> },
         ]}

@@ -19,6 +19,8 @@ type TextKey = Key | 'title';
 export function PlanFields(props: Props) {
   const { form, change, vocabulary, chosen } = props;
   const unit = position_unit(form.kind);
+  const cycles = (vocabulary?.cycles ?? [{ id: form.cycle, title: form.cycle }]).map(({ id, title }) => ({ id, ...name_of(title) }));
+  const cycle = cycles.find(({ id }) => id === form.cycle);
   const whole = (value: number | undefined) => (value === undefined ? t('automatic') : shortest(value));
   return (
     <form class="plan-form" onSubmit={(event) => event.preventDefault()}>
@@ -28,12 +30,10 @@ export function PlanFields(props: Props) {
         <TextField {...props} key_="to" label={t('to')} unit={unit} />
       </div>
       <TargetFields {...props} />
-      <Field label={t('cycle')}>
+      <Field label={t('cycle')} hint={cycle?.what}>
         {(ids) => (
           <select {...ids} value={form.cycle} onChange={(event) => change({ cycle: event.currentTarget.value as PlanRequest['cycle'] })}>
-            {(vocabulary?.cycles ?? [{ id: form.cycle, title: form.cycle }]).map((cycle) => (
-              <option key={cycle.id} value={cycle.id}>{cycle.title}</option>
-            ))}
+            {cycles.map(({ id, name }) => <option key={id} value={id}>{name}</option>)}
           </select>
         )}
       </Field>
@@ -52,6 +52,12 @@ export function PlanFields(props: Props) {
       <MoreFields {...props} />
     </form>
   );
+}
+
+/** "Step cycle: all runs at one target" is a name, and what it means: the name fits into a list. */
+function name_of(title: string): { name: string; what: string | undefined } {
+  const [name = title, ...rest] = title.split(': ');
+  return { name, what: rest.length === 0 ? undefined : rest.join(': ') };
 }
 
 function AxisFields(props: Props) {

@@ -78,6 +78,7 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
               {t('sheet')} {extension.toUpperCase()}
             </button>
           ))}
+          {kept && <PlanFile id={kept.id} />}
           {kept && <a class="button" href={`/captures/new${query({ plan: kept.id })}`}>{t('capture_with')}</a>}
         </div>
       </header>
@@ -97,4 +98,9 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
       )}
     </>
   );
+}
+
+/** The plan as it is kept, for `axiometry plan`, `capture` and other archives. */
+export function PlanFile({ id }: { id: number }) {
+  return <a class="button" href={`/api/plans/${id}/plan.json`} download>{t('plan_file')}</a>;
 }

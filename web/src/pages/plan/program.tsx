@@ -17,6 +17,10 @@ const usual: Options = {
   inch: false, unrolled: false, block_numbers: true, stop_at_start: false, trigger: '', number: '', decimals: '4',
 };
 
+/** For controls whose file names know only letters of English: "Fräse X" becomes "Fraese-X". */
+const plain_name = (name: string): string =>
+  name.replace(/[äöüÄÖÜ]/g, '$&e').replaceAll('ß', 'ss').normalize('NFD').replace(/\p{Mn}/gu, '').replace(/[^\w.-]+/g, '-').replace(/^-+|-+$/g, '');
+
 /** What the API takes: members that are left as they are usual are not sent. */
 function sent(options: Options): Record<string, unknown> {
   const whole = (text: string) => (/^\d+$/.test(text.trim()) ? Number(text) : text.trim());
@@ -31,12 +35,13 @@ function sent(options: Options): Record<string, unknown> {
 /** The part program of the plan as it stands in the form, saved or not. `plan`: the whole one instead of a request. */
 export function ProgramPanel({ request, plan, part, name, vocabulary }:
   { request: PlanRequest | null; plan: unknown; part: number; name: string; vocabulary: Vocabulary }) {
-  const [dialect, set_dialect] = useState(kept_dialect(vocabulary));
+  const dialects = useMemo(() => most_used_first(vocabulary.dialects), [vocabulary]);
+  const [dialect, set_dialect] = useState(() => kept_dialect(dialects));
   const [options, set_options] = useState(usual);
   const chosen = vocabulary.dialects.find(({ id }) => id === dialect);
   const body = request === null && plan === null ? null : { ...(request ? { request } : { plan }), dialect, options: { ...sent(options), part } };
   const program = use_posted('/api/plans/draft/program', body, as_text);
-  const file = `${`${name}${part > 1 ? `-${part}` : ''}`.replace(/[^\w.-]+/g, '-').replace(/^-+|-+$/g, '') || 'plan'}${chosen?.extension ?? '.nc'}`;
+  const file = `${plain_name(`${name}${part > 1 ? `-${part}` : ''}`) || 'plan'}${chosen?.extension ?? '.nc'}`;
   const choose = (id: string) => {
     set_dialect(id);
     keep_dialect(id);
@@ -57,7 +62,7 @@ export function ProgramPanel({ request, plan, part, name, vocabulary }:
         <Field label={t('control')}>
           {(ids) => (
             <select {...ids} value={dialect} onChange={(event) => choose(event.currentTarget.value)}>
-              {vocabulary.dialects.map(({ id, title }) => <option key={id} value={id}>{title}</option>)}
+              {dialects.map(({ id, title }) => <option key={id} value={id}>{title}</option>)}
             </select>
           )}
         </Field>
@@ -119,16 +124,23 @@ function ProgramText({ text, stale }: { text: string; stale: boolean }) {
   );
 }
 
+/** The controls that most machines have, then the others by their names. */
+function most_used_first(dialects: Vocabulary['dialects']): Vocabulary['dialects'] {
+  const most_used = ['siemens-840d', 'heidenhain', 'fanuc', 'linuxcnc'];
+  const rank = (id: string) => (most_used.includes(id) ? most_used.indexOf(id) : most_used.length);
+  return [...dialects].sort((a, b) => rank(a.id) - rank(b.id) || a.title.localeCompare(b.title));
+}
+
 // A workshop has mostly one control: the one chosen last is the first next time.
 const key = 'axiometry.dialect';
-function kept_dialect(vocabulary: Vocabulary): string {
+function kept_dialect(dialects: Vocabulary['dialects']): string {
   let kept: string | null = null;
   try {
     kept = localStorage.getItem(key);
   } catch {
     // a browser may forbid it
   }
-  return vocabulary.dialects.find(({ id }) => id === kept)?.id ?? vocabulary.dialects[0]?.id ?? '';
+  return dialects.find(({ id }) => id === kept)?.id ?? dialects[0]?.id ?? '';
 }
 function keep_dialect(id: string): void {
   try {

@@ -5,7 +5,14 @@ export const t = texts({
   plans: ['Test plans', 'Prüfpläne'],
   plan: ['Test plan', 'Prüfplan'],
   new_plan: ['New plan', 'Neuer Plan'],
-  none_yet: ['No plan has been saved yet.', 'Noch ist kein Plan gespeichert.'],
+  none_yet: [
+    'No plan has been saved yet. Make a new one, or drop plan files of axiometry plan here.',
+    'Noch ist kein Plan gespeichert. Ein neuer wird hier angelegt; Plandateien von axiometry plan lassen sich hierher ziehen.',
+  ],
+  import: ['Import files…', 'Dateien übernehmen…'],
+  no_plan_file: ['found a file of {n} MB, expected a plan of at most 4 MB', 'eine Datei von {n} MB gefunden, einen Plan von höchstens 4 MB erwartet'],
+  capture: ['Capture', 'Erfassen'],
+  plan_file: ['Plan file', 'Plandatei'],
   title: ['Title', 'Titel'],
   axis: ['Axis', 'Achse'],
   changed: ['Changed', 'Geändert'],
@@ -87,8 +94,8 @@ export const t = texts({
   sheet: ['Plan sheet', 'Prüfblatt'],
   leave: ['This plan has changes that are not saved. Leave it?', 'Dieser Plan hat ungespeicherte Änderungen. Trotzdem verlassen?'],
   whole_plan: [
-    'This plan was given as a whole and cannot be edited by request.',
-    'Dieser Plan wurde als Ganzes übernommen und ist nicht als Anfrage bearbeitbar.',
+    'This plan came as a file and is kept as it came. To change it, edit the file and import it again.',
+    'Dieser Plan kam als Datei und bleibt, wie er kam. Zum Ändern die Datei bearbeiten und wieder übernehmen.',
   ],
 });
 

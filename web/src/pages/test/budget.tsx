@@ -2,6 +2,7 @@
 import { useState } from 'preact/hooks';
 import type { Evaluated, Parameter } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
+import { Formula } from '../../components/formula';
 import { texts } from '../../i18n/texts';
 import { fixed, marked, shortest } from '../../numbers';
 import { Bars, type Bar } from './bars';
@@ -114,7 +115,7 @@ function AnnexA({ evaluated }: { evaluated: Evaluated }) {
   if (!budget) return null;
   const bars = budget.contributors.map((one): Bar => ({
     key: one.key, title: one.title, size: one.U, value: fixed(one.U, 2), share: null,
-    detail: `${one.symbol} (${one.formula}): ${one.inputs.map((input) => `${input.symbol} = ${shortest(input.value, 6)} ${input.unit}`.trim()).join(', ')}`,
+    detail: <Formula text={`${one.symbol} (${one.formula}): ${one.inputs.map((input) => `${input.symbol} = ${shortest(input.value, 6)} ${input.unit}`.trim()).join(', ')}`} />,
   })).sort(by_size);
   const first = bars[0];
   return (

@@ -49,7 +49,7 @@ export function EditField({ state, field, vocabulary }: { state: TestState; fiel
   const origin = origin_of(state, field, stated, changed, vocabulary);
   const unit = field_unit(field, state.evaluated.value.result.axis.kind);
   return (
-    <div ref={frame} class={`edit-field ${changed ? 'changed' : ''} ${field.type}`}>
+    <div ref={frame} class={`edit-field ${changed ? 'changed' : ''}`}>
       <Field label={<>{field.title}{unit !== '' && <span class="unit">, {unit}</span>}</>} fault={state.faults.value[field.key] ?? null}
              hint={<>{origin !== null && <span class="file-says">{origin}</span>} {field.description}{field.clause !== '' && <span class="clause"> {field.clause}</span>}</>}>
         {(ids) => <Control ids={ids} state={state} field={field} vocabulary={vocabulary} stated={stated} />}

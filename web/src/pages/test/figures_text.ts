@@ -19,8 +19,5 @@ export function main_parameters(result: Result): Parameter[] {
   return (['A', 'E', 'R', 'B', 'M'] as const).flatMap(one);
 }
 
-/** Decimals of a number that the server wrote, with either decimal mark. */
-export const decimals_of = (text: string): number => /[.,](\d+)$/.exec(text)?.[1]?.length ?? 0;
-
 export const plain_symbol = (parameter: Parameter): string =>
   parameter === 'B_mean' ? 'B\u0304' : parameter.replace('_up', '↑').replace('_down', '↓');

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Field, Finding, Vocabulary } from '../../api/types';
+import { Formula } from '../../components/formula';
 import { texts } from '../../i18n/texts';
 import { field_unit, stated_text } from './field_value';
 import type { TestState } from './state';
@@ -10,6 +11,7 @@ const t = texts({
   departure: ['Departures from the standard', 'Abweichungen von der Norm'],
   missing: ['Missing', 'Fehlende Angaben'],
   note: ['Notes', 'Hinweise'],
+  entries: ['{n} entries', '{n} Angaben'],
   fill_in: ['Fill in:', 'Ergänzen:'],
   clause: ['clause {clause}', 'Abschnitt {clause}'],
   source: ['from the file', 'aus der Datei'],
@@ -50,15 +52,16 @@ export function Findings({ state, vocabulary }: { state: TestState; vocabulary: 
       <div class="stack tight">
         {severities.filter((severity) => findings.some((finding) => finding.severity === severity)).map((severity) => (
           <div key={severity} class={`notice ${tones[severity]}`}>
-            <h3>{t(severity)}</h3>
-            <ul class="findings">
-              {findings.filter((finding) => finding.severity === severity).map((finding, i) => (
-                <li key={i}>
-                  <Message finding={finding} />
-                  {severity === 'missing' && vocabulary && <FillIn fields={missing_fields(finding, vocabulary, state)} state={state} />}
-                </li>
-              ))}
-            </ul>
+            {severity === 'missing'
+              ? <Missing findings={findings.filter((finding) => finding.severity === severity)} state={state} vocabulary={vocabulary} />
+              : (
+                <>
+                  <h3>{t(severity)}</h3>
+                  <ul class="findings">
+                    {findings.filter((finding) => finding.severity === severity).map((finding, i) => <li key={i}><Message finding={finding} /></li>)}
+                  </ul>
+                </>
+              )}
           </div>
         ))}
       </div>
@@ -66,9 +69,34 @@ export function Findings({ state, vocabulary }: { state: TestState; vocabulary: 
   );
 }
 
+const few_fields = 8;
+
+/** What the standard asks to be stated. Of a file that says nothing of its test that is a page: its length is told, and it is unfolded when asked. */
+function Missing({ findings, state, vocabulary }: { findings: readonly Finding[]; state: TestState; vocabulary: Vocabulary | null }) {
+  const fields = findings.map((finding) => (vocabulary ? missing_fields(finding, vocabulary, state) : []));
+  const count = new Set(fields.flat()).size;
+  const list = (
+    <ul class="findings">
+      {findings.map((finding, i) => (
+        <li key={i}>
+          <Message finding={finding} />
+          <FillIn fields={fields[i] ?? []} state={state} />
+        </li>
+      ))}
+    </ul>
+  );
+  if (count <= few_fields) return <><h3>{t('missing')}</h3>{list}</>;
+  return (
+    <details>
+      <summary><strong>{t('missing')}</strong> <span class="number">{t('entries', { n: count })}</span></summary>
+      {list}
+    </details>
+  );
+}
+
 function Message({ finding }: { finding: Finding }) {
   const clause = finding.clause === 'source' ? t('source') : /^\d|^A\.\d/.test(finding.clause) ? t('clause', { clause: finding.clause }) : finding.clause;
-  return <p>{finding.message} <span class="quiet small">{clause}</span></p>;
+  return <p><Formula text={finding.message} /> <span class="quiet small">{clause}</span></p>;
 }
 
 function FillIn({ fields, state }: { fields: readonly Field[]; state: TestState }) {

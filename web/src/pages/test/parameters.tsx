@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Evaluated, MonteCarloOutput, Parameter, Verdict, Vocabulary } from '../../api/types';
+import { Aligned, most_decimals } from '../../components/aligned';
 import { ParameterSymbol } from '../../components/symbol';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
-import { absent, fixed, parsed, shortest } from '../../numbers';
-import { decimals_of, main_parameters, type Shown } from './figures_text';
+import { absent, decimals_of, fixed, parsed, shortest } from '../../numbers';
+import { main_parameters, type Shown } from './figures_text';
 import { LimitBar } from './limit_bar';
 import type { TestState } from './state';
 
@@ -22,7 +23,8 @@ const t = texts({
   of_limit: ['limit {limit}', 'Grenzwert {limit}'],
   no_uncertainty: ['no uncertainty stated', 'ohne Angabe der Unsicherheit'],
   interval: ['Monte Carlo interval', 'Monte-Carlo-Intervall'],
-  units: ['Values in {unit}. U: expanded uncertainty, about 95 %.', 'Werte in {unit}. U: erweiterte Unsicherheit, rund 95 %.'],
+  units: ['Values in {unit}.', 'Werte in {unit}.'],
+  units_U: ['Values in {unit}. U: expanded uncertainty, about 95 %.', 'Werte in {unit}. U: erweiterte Unsicherheit, rund 95 %.'],
 });
 
 const tone_of = (verdict: Verdict | null) =>
@@ -90,6 +92,8 @@ export function Parameters({ state, vocabulary }: { state: TestState; vocabulary
   const evaluated = state.evaluated.value;
   const kept = state.test.value;
   const methods = methods_of(evaluated);
+  const decimals = most_decimals(evaluated.shown.map((row) => row.value));
+  const limit_decimals = most_decimals(evaluated.shown.map((row) => shortest(row.limit)));
   const any_limit = evaluated.shown.some((row) => row.limit !== null);
   return (
     <section class="panel flush parameters-panel">
@@ -112,18 +116,19 @@ export function Parameters({ state, vocabulary }: { state: TestState; vocabulary
           <tbody>
             {evaluated.shown.map((row) => (
               <Row key={row.parameter} row={row} kept={shown_of(kept, row.parameter)} evaluated={evaluated} methods={methods}
-                   any_limit={any_limit} title={vocabulary?.parameters.find((p) => p.key === row.parameter)?.title ?? ''} />
+                   column={decimals} limit_column={limit_decimals} any_limit={any_limit} title={vocabulary?.parameters.find((p) => p.key === row.parameter)?.title ?? ''} />
             ))}
           </tbody>
         </table>
       </div>
-      <p class="small quiet foot">{t('units', { unit: evaluated.shown[0]?.unit ?? '' })}</p>
+      <p class="small quiet foot">{t(methods.annex_a || methods.gum ? 'units_U' : 'units', { unit: evaluated.shown[0]?.unit ?? '' })}</p>
     </section>
   );
 }
 
-function Row({ row, kept, evaluated, methods, any_limit, title }: {
+function Row({ row, kept, evaluated, methods, column, limit_column, any_limit, title }: {
   row: Shown; kept: Shown | undefined; evaluated: Evaluated; methods: Methods; any_limit: boolean; title: string;
+  column: number; limit_column: number;   // decimals of what stands above and below
 }) {
   const uncertainty = evaluated.result.uncertainty;
   const decimals = decimals_of(row.value);
@@ -132,11 +137,11 @@ function Row({ row, kept, evaluated, methods, any_limit, title }: {
     <tr class={main_parameters(evaluated.result).includes(row.parameter) ? 'main' : ''}>
       <th scope="row" title={title}><ParameterSymbol parameter={row.parameter} /></th>
       <td class="name">{title}</td>
-      <td class="number">{value === null ? absent : row.value} <Stored now={row} kept={kept} /></td>
-      {methods.annex_a && <td class="number">{fixed(uncertainty?.annex_a?.[row.parameter], decimals)}</td>}
-      {methods.gum && <td class="number">{fixed(uncertainty?.gum?.[row.parameter]?.U, decimals)}</td>}
+      <td class="number"><Stored now={row} kept={kept} /> {value === null ? absent : <Aligned text={row.value} decimals={column} />}</td>
+      {methods.annex_a && <td class="number"><Aligned text={fixed(uncertainty?.annex_a?.[row.parameter], decimals)} decimals={column} /></td>}
+      {methods.gum && <td class="number"><Aligned text={fixed(uncertainty?.gum?.[row.parameter]?.U, decimals)} decimals={column} /></td>}
       {methods.monte_carlo && <td class="number">{interval_text(uncertainty?.monte_carlo?.[row.parameter], decimals)}</td>}
-      {any_limit && <td class="number">{shortest(row.limit)}</td>}
+      {any_limit && <td class="number">{row.limit !== null && <Aligned text={shortest(row.limit)} decimals={limit_column} />}</td>}
       {any_limit && <td class="verdict-cell">{row.limit !== null && <VerdictMark verdict={row.verdict} short />}</td>}
       {any_limit && (
         <td class="bar-cell">

@@ -2,6 +2,7 @@
 import { Fragment } from 'preact';
 import { useMemo, useState } from 'preact/hooks';
 import type { Evaluated, PositionResult, Readings } from '../../api/types';
+import { most_decimals } from '../../components/aligned';
 import { texts } from '../../i18n/texts';
 import { fixed, position_unit, shortest, unit_sign } from '../../numbers';
 import { decimal, language } from '../../settings';
@@ -58,7 +59,9 @@ export function Positions({ state }: { state: TestState }) {
   const present = columns.filter(([quantity]) => positions.some((position) => position[quantity] !== null));
   const all_open = open.size === positions.length;
   const strong = deciding(positions);
-  const number = (value: number | null) => (digits ? shortest(value, 9) : fixed(value, 2));
+  // As many as the parameters have, which are made of these.
+  const shown_decimals = Math.max(2, most_decimals(state.evaluated.value.shown.map((row) => row.value)));
+  const number = (value: number | null) => (digits ? shortest(value, 9) : fixed(value, shown_decimals));
   const toggle = (i: number) => {
     const next = new Set(open);
     if (!next.delete(i)) next.add(i);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
-import { useEffect, useId, useRef, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import type { ApiError } from '../../api/client';
+import { Dialog } from '../../components/dialog';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { texts } from '../../i18n/texts';
@@ -12,21 +13,6 @@ const t = texts({
   hint: ['Stands in the audit trail with name and time.', 'Steht mit Name und Zeit im Prüfpfad.'],
   cancel: ['Cancel', 'Abbrechen'],
 });
-
-/** A native modal: focus stays inside, Escape closes, focus returns. */
-export function Modal({ title, close, children }: { title: string; close: () => void; children: ComponentChildren }) {
-  const dialog = useRef<HTMLDialogElement>(null);
-  const heading = useId();
-  useEffect(() => {
-    if (dialog.current && !dialog.current.open) dialog.current.showModal();
-  }, []);
-  return (
-    <dialog ref={dialog} aria-labelledby={heading} onClose={close} class="stack">
-      <h2 id={heading}>{title}</h2>
-      {children}
-    </dialog>
-  );
-}
 
 interface Props {
   title: string;
@@ -45,8 +31,9 @@ export function ReasonDialog({ title, action, required = true, disabled = false,
   const [reason, set_reason] = useState('');
   const [failure, set_failure] = useState<ApiError | null>(null);
   const [busy, set_busy] = useState(false);
-  const submit = async (event: Event) => {
-    event.preventDefault();
+  const ready = !busy && !disabled && (!required || reason.trim() !== '');
+  const submit = async () => {
+    if (!ready) return;
     set_busy(true);
     try {
       await act(reason.trim());
@@ -58,18 +45,22 @@ export function ReasonDialog({ title, action, required = true, disabled = false,
     }
   };
   return (
-    <Modal title={title} close={close}>
-      <form class="stack" onSubmit={submit}>
+    <Dialog
+      title={title} on_close={close} on_submit={() => void submit()}
+      actions={
+        <>
+          <button type="button" onClick={close}>{t('cancel')}</button>
+          <button type="submit" class="primary" disabled={!ready}>{action}</button>
+        </>
+      }
+    >
+      <div class="stack">
         {children}
         <Field label={t('reason')} hint={t('hint')}>
-          {(ids) => <textarea {...ids} rows={3} cols={60} required={required} value={reason} onInput={(event) => set_reason(event.currentTarget.value)} />}
+          {(ids) => <textarea {...ids} data-first rows={3} required={required} value={reason} onInput={(event) => set_reason(event.currentTarget.value)} />}
         </Field>
         {failure && <FailureNotice error={failure} />}
-        <div class="row">
-          <button type="submit" class="primary" disabled={busy || disabled || (required && reason.trim() === '')}>{action}</button>
-          <button type="button" onClick={close}>{t('cancel')}</button>
-        </div>
-      </form>
-    </Modal>
+      </div>
+    </Dialog>
   );
 }

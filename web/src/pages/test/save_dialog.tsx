@@ -2,11 +2,12 @@
 import { useState } from 'preact/hooks';
 import { get, send } from '../../api/client';
 import type { Changes, Revision, Test, Vocabulary } from '../../api/types';
+import { Dialog } from '../../components/dialog';
 import { Field } from '../../components/field';
 import { texts } from '../../i18n/texts';
 import { when } from '../../numbers';
 import { Differences, different_keys } from './differences';
-import { Modal, ReasonDialog } from './reason_dialog';
+import { ReasonDialog } from './reason_dialog';
 import { test_path, type TestState } from './state';
 
 const t = texts({
@@ -79,7 +80,16 @@ function Conflict({ state, newer, vocabulary, close, adopt }: Props & { newer: T
     close();
   };
   return (
-    <Modal title={t('conflict')} close={close}>
+    <Dialog
+      wide title={t('conflict')} on_close={close}
+      actions={
+        <>
+          <button type="button" onClick={() => { state.discard(); adopt(newer); close(); }}>{t('drop')}</button>
+          <button type="button" onClick={close}>{t('later')}</button>
+          <button type="button" class="primary" onClick={reapply}>{t('reapply', { version: newer.version })}</button>
+        </>
+      }
+    >
       {newer.versions.filter((version) => version.version > test.version).map((version) => (
         <p key={version.version}>
           {t('who', { version: version.version, actor: version.actor || t('unnamed'), at: when(version.at) })}
@@ -92,11 +102,6 @@ function Conflict({ state, newer, vocabulary, close, adopt }: Props & { newer: T
         { title: t('mine'), state: mine },
       ]} />
       {both.length > 0 && <p class="notice caution">{t('both', { count: both.length })}</p>}
-      <div class="row">
-        <button type="button" class="primary" onClick={reapply}>{t('reapply', { version: newer.version })}</button>
-        <button type="button" onClick={close}>{t('later')}</button>
-        <button type="button" onClick={() => { state.discard(); adopt(newer); close(); }}>{t('drop')}</button>
-      </div>
-    </Modal>
+    </Dialog>
   );
 }

@@ -21,7 +21,7 @@ export function Filters() {
   const machines = use_get<{ machines: Machine[] }>('/api/machines');
   const chosen = machines.data?.machines.find((machine) => String(machine.id) === query.get('machine'));
   return (
-    <form class={`filters ${open ? 'open' : ''}`} role="search" onSubmit={(event) => event.preventDefault()}>
+    <form class={`filters no-print ${open ? 'open' : ''}`} role="search" onSubmit={(event) => event.preventDefault()}>
       <SearchBox />
       <button type="button" class="more" aria-expanded={open} onClick={() => set_open(!open)}>{t('more_filters')}{narrowed() ? ' •' : ''}</button>
       <Field label={t('machine')}>

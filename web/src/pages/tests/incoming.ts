@@ -76,6 +76,9 @@ async function read(one: Incoming): Promise<void> {
   read_next();
 }
 
+/** Not yet in the archive under another name. */
+export const is_new = (one: Incoming): boolean => one.preview === null || one.preview.same_content.length === 0;
+
 /** Whether trying again may help: the same bytes are refused again. */
 export const may_retry = (one: Incoming): boolean =>
   one.state === 'waiting' && one.error !== null && ['offline', 'unavailable', 'unauthorised', 'full'].includes(one.error.kind);
@@ -102,9 +105,9 @@ export async function keep(key: number): Promise<Received | null> {
   return answer;
 }
 
-/** One after the other, so that their order in the list is that of the files. */
+/** All that is new, one after the other, so that their order in the list is that of the files. */
 export async function keep_all(): Promise<void> {
-  for (const one of incoming.value.filter(can_be_kept)) await keep(one.key);
+  for (const one of incoming.value.filter((file) => can_be_kept(file) && is_new(file))) await keep(one.key);
 }
 
 export const can_be_kept = (one: Incoming): boolean => one.state === 'ready' && one.preview !== null && one.preview.refused === null;

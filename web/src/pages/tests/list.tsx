@@ -10,9 +10,9 @@ import { DataTable, type Column, type Order } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
 import { absent, count, unit_sign } from '../../numbers';
 import { place, set_query } from '../../router';
-import { FigureCell, ParameterHead, shown_of } from '../../components/figure_cell';
+import { column_decimals, FigureCell, ParameterHead, shown_of } from '../../components/figure_cell';
 import { filter_keys, Filters } from './filters';
-import { kept_count } from './incoming';
+import { incoming, kept_count } from './incoming';
 import { t } from './texts';
 import { Welcome } from './welcome';
 
@@ -37,7 +37,7 @@ export function TestList({ on_choose }: { on_choose: () => void }) {
   const kept = kept_count.value;
   useEffect(() => { if (kept > 0) page.reload(); }, [kept]);
   const filtered = filter_keys.some((key) => place.value.query.has(key));
-  if (page.data?.total === 0 && !filtered && offset === 0 && (health.value?.store.counts.tests ?? 0) === 0) return <Welcome on_choose={on_choose} />;
+  if (page.data?.total === 0 && !filtered && offset === 0 && (health.value?.store.counts.tests ?? 0) === 0) return incoming.value.length > 0 ? null : <Welcome on_choose={on_choose} />;
   return (
     <section class="panel flush test-list" aria-busy={page.loading}>
       <header><h2>{t('list')}</h2><Comparison /></header>
@@ -45,7 +45,7 @@ export function TestList({ on_choose }: { on_choose: () => void }) {
       {page.error && <FailureNotice error={page.error} retry={page.reload} />}
       {page.data && page.data.tests.length > 0 && (
         <DataTable<TestRow>
-          caption={t('list')} columns={columns()} rows={page.data.tests} row_key={(row) => row.id} order={order}
+          caption={t('list')} columns={columns(page.data.tests)} rows={page.data.tests} row_key={(row) => row.id} order={order}
           on_order={(to) => set_query({ order: to.by, descending: to.descending ? '1' : '0', offset: null })}
           row_class={(row) => (row.withdrawn ? 'withdrawn' : '')}
         />
@@ -55,27 +55,32 @@ export function TestList({ on_choose }: { on_choose: () => void }) {
   );
 }
 
-function columns(): Column<TestRow>[] {
+function columns(rows: readonly TestRow[]): Column<TestRow>[] {
   const full = chosen.value.length >= most_compared;
-  const figure = (parameter: Parameter): Column<TestRow> => ({
+  const figure = (parameter: Parameter, decimals = column_decimals(rows.map((row) => row.figures), parameter)): Column<TestRow> => ({
     key: parameter, head: <ParameterHead parameter={parameter} />, number: true, order: parameter, falling: true,
-    cell: (row) => <FigureCell shown={shown_of(row.figures, parameter)} />,
+    cell: (row) => <FigureCell shown={shown_of(row.figures, parameter)} decimals={decimals} />,
   });
   return [
     { key: 'choose', head: <span class="visually-hidden">{t('compare')}</span>, class: 'tick', cell: (row) => {
       const on = chosen.value.includes(row.id);
       return (
-        <input
-          type="checkbox" checked={on} disabled={!on && full} aria-label={t('choose_test', { title: row.title })}
-          onChange={(event) => choose(row.id, event.currentTarget.checked)}
-        />
+        <label>
+          <input
+            type="checkbox" checked={on} disabled={!on && full} aria-label={t('choose_test', { title: row.title })}
+            onChange={(event) => choose(row.id, event.currentTarget.checked)}
+          />
+        </label>
       );
     } },
     { key: 'title', head: t('test'), order: 'title', row_head: true, class: 'title', cell: (row) => (
       <>
         <a href={`/tests/${row.id}`}>{row.title || row.file_name}</a>
         {row.withdrawn && <> <span class="tag">{t('withdrawn_tag')}</span></>}
-        <span class="only-narrow quiet small">{[row.machine?.name, row.axis?.name, row.measured_on].filter(Boolean).join(', ')} ({unit_sign(row.unit)})</span>
+        <span class="only-narrow quiet small">
+          {[row.machine?.name, row.axis?.name].filter(Boolean).join(', ')}
+          {' '}<span class="number-text">{row.measured_on} ({unit_sign(row.unit)})</span>
+        </span>
         {row.label !== '' && <> <span class="tag" title={row.label}>{row.label}</span></>}
       </>
     ) },

@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
+import { useState } from 'preact/hooks';
+import { ApiError } from '../../api/client';
 import { why_read_only } from '../../api/session';
 import type { Preview } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { VerdictMark } from '../../components/verdict';
-import { bytes, marked, position_unit, shortest } from '../../numbers';
+import { absent, bytes, marked, position_unit, shortest } from '../../numbers';
 import { go } from '../../router';
+import { keep_plan } from '../plan/import';
 import { FigureCell, ParameterHead } from '../../components/figure_cell';
-import { can_be_kept, incoming, keep, keep_all, may_retry, remove, remove_all, retry, type Incoming } from './incoming';
+import { can_be_kept, incoming, is_new, keep, keep_all, may_retry, remove, remove_all, retry, type Incoming } from './incoming';
 import { t } from './texts';
 
 /** The chosen files, each with what is in it or why it is refused. */
 export function Previews({ on_formats }: { on_formats: () => void }) {
   const files = incoming.value;
   if (files.length === 0) return null;
-  const ready = files.filter(can_be_kept).length;
+  const ready = files.filter((one) => can_be_kept(one) && is_new(one)).length;
   const why = why_read_only();
   return (
     <section class="panel flush previews" aria-label={t('files')}>
       <header>
-        <h2>{t('files')} <span class="quiet small">{t('files_hint')}</span></h2>
+        <h2>{t('files')} <span class="quiet small">{hint(files)}</span></h2>
         <div class="row">
           {ready > 1 && <button type="button" class="primary" disabled={why !== null} onClick={() => void keep_all()}>{t('keep_all', { n: ready })}</button>}
           <button type="button" onClick={remove_all}>{t('clear')}</button>
@@ -29,6 +32,16 @@ export function Previews({ on_formats }: { on_formats: () => void }) {
       </ul>
     </section>
   );
+}
+
+/** How many of the files are where. */
+function hint(files: readonly Incoming[]): string {
+  const kept = files.filter((one) => one.received !== null).length;
+  const refused = files.filter((one) => one.preview?.refused || (one.error && !may_retry(one))).length;
+  const waiting = files.length - kept - refused;
+  return [
+    kept > 0 && t('files_kept', { n: kept }), waiting > 0 && t('files_waiting', { n: waiting }), refused > 0 && t('files_refused', { n: refused }),
+  ].filter(Boolean).join(', ');
 }
 
 function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string | null; alone: boolean; on_formats: () => void }) {
@@ -48,8 +61,8 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
         <div class="row">
           <State one={one} />
           {can_be_kept(one) && (
-            <button type="button" class="primary" disabled={why !== null} title={why === null ? undefined : t('cannot_keep')} onClick={() => void keep_this()}>
-              {t(preview && preview.same_content.length > 0 ? 'keep_again' : 'keep')}
+            <button type="button" class={is_new(one) ? 'primary' : ''} disabled={why !== null} title={why === null ? undefined : t('cannot_keep')} onClick={() => void keep_this()}>
+              {t(is_new(one) ? 'keep' : 'keep_again')}
             </button>
           )}
           <button type="button" class="plain" aria-label={t('take_away', { name: one.file.name })} onClick={() => remove(one.key)}>
@@ -58,7 +71,7 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
         </div>
       </div>
       {one.error && <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />}
-      {preview?.refused && <Refusal refused={preview.refused} on_formats={on_formats} />}
+      {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : <Refusal refused={preview.refused} on_formats={on_formats} />)}
       {one.received
         ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: {one.received.tests.map((test, i) => (
             <span key={test.id}>{i > 0 && ', '}<a href={`/tests/${test.id}`}>{test.title || t('test_number', { id: test.id })}</a></span>
@@ -86,6 +99,23 @@ function State({ one }: { one: Incoming }) {
   );
 }
 
+const is_plan = (message: string): boolean => message.includes('"axiometry-plan/');
+
+/** No test, but a plan: it has a place of its own. */
+function PlanFound({ one, why }: { one: Incoming; why: string | null }) {
+  const [error, set_error] = useState<ApiError | null>(null);
+  const keep_it = () => void keep_plan(one.file).then(
+    (plan) => { remove(one.key); go(`/plans/${plan.id}`); },
+    (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)),
+  );
+  return (
+    <>
+      <p class="notice">{t('is_plan')} <button type="button" class="link" disabled={why !== null} onClick={keep_it}>{t('keep_plan')}</button></p>
+      {error && <FailureNotice error={error} retry={keep_it} />}
+    </>
+  );
+}
+
 function Refusal({ refused, on_formats }: { refused: NonNullable<Preview['refused']>; on_formats: () => void }) {
   const place = refused.line ? `${refused.line}${refused.column ? `:${refused.column}` : ''}` : '';
   return (
@@ -98,6 +128,9 @@ function Refusal({ refused, on_formats }: { refused: NonNullable<Preview['refuse
   );
 }
 
+const extent = (test: Preview['tests'][number]): string =>
+  `${t('targets_runs', { targets: test.targets, runs: test.runs })}, ${t('stretch', { first: shortest(test.first), last: shortest(test.last) })} ${position_unit(test.kind)}`;
+
 const glance = ['A', 'E', 'R', 'B'] as const;
 
 /** The tests of a file: what they are of and what comes out. */
@@ -109,24 +142,24 @@ function Contents({ preview }: { preview: Preview }) {
       <table>
         <thead>
           <tr>
-            <th scope="col">{t('test')}</th><th scope="col">{t('measured')}</th><th scope="col">{t('extent')}</th>
+            <th scope="col">{t('test')}</th><th scope="col" class="wide-only">{t('measured')}</th><th scope="col" class="wide-only">{t('extent')}</th>
             {glance.map((key) => <th key={key} scope="col" class="number"><ParameterHead parameter={key} /></th>)}
-            <th scope="col">{t('unit')}</th><th scope="col">{t('verdict')}</th>
+            <th scope="col" class="wide-only">{t('unit')}</th><th scope="col">{t('verdict')}</th>
           </tr>
         </thead>
         <tbody>
           {shown.map((test, i) => (
             <tr key={i}>
-              <th scope="row">{[test.name, test.machine, test.axis && t('axis_of', { axis: test.axis })].filter((part) => part !== '').join(', ') || t('no_name')}</th>
-              <td class="number">{test.measured_on || '–'}</td>
-              <td class="quiet small number">
-                {t('targets_runs', { targets: test.targets, runs: test.runs })}, {t('stretch', { first: shortest(test.first), last: shortest(test.last) })} {position_unit(test.kind)}
-              </td>
+              <th scope="row">{[test.name, test.machine, test.axis && t('axis_of', { axis: test.axis })].filter((part) => part !== '').join(', ') || t('no_name')}
+                <span class="only-narrow quiet small">{test.measured_on} <span class="extent">{extent(test)}</span> ({test.evaluated?.shown[0]?.unit})</span>
+              </th>
+              <td class="number-text wide-only">{test.measured_on || absent}</td>
+              <td class="quiet small wide-only">{extent(test)}</td>
               {glance.map((key) => {
                 const found = test.evaluated?.shown.find((one) => one.parameter === key);
                 return <td key={key} class="number"><FigureCell shown={found && /\d/.test(found.value) ? { value: marked(found.value), U: marked(found.U), verdict: found.verdict } : null} /></td>;
               })}
-              <td class="quiet">{test.evaluated?.shown[0]?.unit}</td>
+              <td class="quiet wide-only">{test.evaluated?.shown[0]?.unit}</td>
               <td>{test.evaluated && <VerdictMark verdict={test.evaluated.verdict} />}</td>
             </tr>
           ))}

@@ -4,7 +4,7 @@ import { texts } from '../../i18n/texts';
 export const t = texts({
   title: ['Tests', 'Prüfungen'],
   choose: ['Choose files…', 'Dateien wählen…'],
-  drop_here: ['or drop them anywhere on the page', 'oder irgendwo auf der Seite ablegen'],
+  drop_here: ['Drop files anywhere on the page, or', 'Dateien irgendwo auf der Seite ablegen, oder'],
   formats: ['Which formats?', 'Welche Formate?'],
   formats_title: ['Formats that can be read', 'Lesbare Formate'],
   formats_more: [
@@ -12,7 +12,11 @@ export const t = texts({
     'Das Format wird am Inhalt erkannt, nicht am Namen. Gespeichert wird erst mit „Speichern“.',
   ],
   files: ['Files', 'Dateien'],
-  files_hint: ['Looked at, not yet kept', 'Angesehen, noch nicht gespeichert'],
+  files_kept: ['{n} kept', '{n} gespeichert'],
+  files_waiting: ['{n} looked at, not yet kept', '{n} angesehen, noch nicht gespeichert'],
+  is_plan: ['This is a test plan, not a test.', 'Das ist ein Prüfplan, keine Prüfung.'],
+  keep_plan: ['Keep it as a plan', 'Als Prüfplan speichern'],
+  files_refused: ['{n} refused', '{n} abgelehnt'],
   keep: ['Keep', 'Speichern'],
   keep_again: ['Keep again', 'Erneut speichern'],
   keep_all: ['Keep all {n}', 'Alle {n} speichern'],
@@ -86,7 +90,7 @@ export const t = texts({
   welcome_plan: ['Plan a test', 'Prüfung planen'],
   welcome_capture: ['Capture with the simulator', 'Mit dem Simulator erfassen'],
   welcome_example: [
-    'To see a finished evaluation at once: the file examples/iso230-2-table2.json of the source folder holds the example of the standard.',
-    'Für eine fertige Auswertung sofort: die Datei examples/iso230-2-table2.json im Quellordner enthält das Beispiel der Norm.',
+    'To look around first: a store that is begun with axiometry serve --examples holds a few instructive tests.',
+    'Zum Umsehen: ein Archiv, das mit axiometry serve --examples begonnen wird, enthält einige lehrreiche Prüfungen.',
   ],
 });
