@@ -164,7 +164,8 @@ void add_flags(CLI::App& verb, const std::shared_ptr<Arguments>& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group("Outputs");
-  add_decimal(verb, a.report.numbers.decimal_mark)->group("Outputs");
+  CLI::Option* decimal = add_decimal(verb, a.report.numbers.decimal_mark)->group("Outputs");
+  add_language(verb, a.report, decimal)->group("Outputs");
   verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group("Outputs");
 }
 

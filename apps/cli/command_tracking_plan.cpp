@@ -209,8 +209,10 @@ void add_outputs(CLI::App& verb, Arguments& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group(group);
-  add_decimal(verb, arguments.report.numbers.decimal_mark, "Decimal mark in summary and sheet: point or comma")
-      ->group(group);
+  CLI::Option* decimal =
+      add_decimal(verb, arguments.report.numbers.decimal_mark, "Decimal mark in summary and sheet: point or comma")
+          ->group(group);
+  add_language(verb, arguments.report, decimal)->group(group);
   verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
 }
 

@@ -23,7 +23,8 @@ void add_experiment_flags(CLI::App& verb, ExperimentArguments& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group(group);
-  add_decimal(verb, arguments.report.numbers.decimal_mark)->group(group);
+  CLI::Option* decimal = add_decimal(verb, arguments.report.numbers.decimal_mark)->group(group);
+  add_language(verb, arguments.report, decimal)->group(group);
   verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
 }
 
