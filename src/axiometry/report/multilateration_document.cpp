@@ -41,9 +41,7 @@ class Composition {
     document.generator = fmt::format("Axiometry {}", version);
     document.identity = {file_fact("Measured lengths")};
     document.status = {status()};
-    document.sections = {result_section(), station_section(), point_section()};
-    if (Section figures = figure_section(); !figures.blocks.empty()) document.sections.push_back(std::move(figures));
-    document.sections.push_back(findings_section());
+    document.sections = {result_section(), findings_section(), station_section(), point_section(), figure_section()};
     document.sections.push_back(method());
     document.sections.push_back(source());
     return document;
@@ -231,9 +229,10 @@ class Composition {
     }
     for (std::size_t j = 0; j < fit_.stations_mm.size(); ++j)
       layout.station_names.push_back(name_of(s_.options.station_names, j));
-    section.blocks.emplace_back(layout_figure(layout, options_));
-    if (auto figure = residual_figure(fit_.normalised_residuals, options_))
+    if (auto figure =
+            residual_figure(fit_.normalised_residuals, options_))  // fits below the points, the layout does not
       section.blocks.emplace_back(*std::move(figure));
+    section.blocks.emplace_back(layout_figure(layout, options_));
     return section;
   }
 
