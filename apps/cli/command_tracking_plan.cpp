@@ -234,7 +234,7 @@ int run_location(const Arguments& arguments) {
   if (auto written = app::write_outputs(presented, arguments.outputs, arguments.report); !written)
     return failed(written.error());
   if (!arguments.quiet && arguments.outputs.json != "-" && arguments.points != "-")
-    fmt::print("{}", document_text(presented.document, Terminal(ColourChoice::automatic)));
+    fmt::print("{}", document_text(presented.document, arguments.report, Terminal(ColourChoice::automatic)));
   return exit_done;
 }
 

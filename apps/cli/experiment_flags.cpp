@@ -35,7 +35,7 @@ void check_experiment_outputs(const ExperimentArguments& arguments) {
 
 int finish_experiment(const app::Experiment& experiment, const ExperimentArguments& arguments) {
   if (!arguments.quiet && arguments.outputs.json != "-")
-    fmt::print("{}", document_text(experiment.document, Terminal(ColourChoice::automatic)));
+    fmt::print("{}", document_text(experiment.document, arguments.report, Terminal(ColourChoice::automatic)));
   if (const auto written = app::write_outputs(experiment, arguments.outputs, arguments.report); !written)
     return failed(written.error());
   return exit_done;

@@ -28,7 +28,10 @@ const std::span<const Phrase> tables[] = {german_terms,
                                           german_tracking,
                                           german_tracking_findings,
                                           german_station,
-                                          german_periodic};
+                                          german_periodic,
+                                          german_files,
+                                          german_requests,
+                                          german_terminal};
 
 std::multiset<char> places(std::string_view text) {
   std::multiset<char> all;

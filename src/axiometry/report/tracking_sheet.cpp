@@ -247,9 +247,16 @@ Notice status(const TrackingPlan& plan) {
   return notice;
 }
 
+/// As a sentence; what is said of one line, "xy: …", keeps the name of the line as it is.
+RichText remark_text(const TrackingPlan& plan, const std::string& remark) {
+  for (const TrackingLine& line : plan.lines)
+    if (remark.starts_with(line.id + ": ")) return {TextRun{.text = remark + "."}};
+  return sentence(remark);
+}
+
 Section remark_section(const TrackingPlan& plan) {
   Section section{"remarks", "Remarks", false, {}};
-  for (const std::string& remark : plan.remarks) section.blocks.emplace_back(Paragraph{plain(remark + ".")});
+  for (const std::string& remark : plan.remarks) section.blocks.emplace_back(Paragraph{remark_text(plan, remark)});
   return section;
 }
 

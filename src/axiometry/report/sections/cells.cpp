@@ -31,9 +31,15 @@ std::string number_list(const std::vector<double>& numbers, const Options& optio
   return all;
 }
 
-/// What the program itself puts into a field of words: where it corrected the expansion, along planned lines.
+/// "X 0 to 800 mm, Y 0 to 600 mm, Z -500 to 0 mm"
+bool is_travels(std::string_view text) {
+  return text.starts_with("X ") && text.contains(" mm, Y ") && text.contains(" mm, Z ") && text.ends_with(" mm") &&
+         text.contains(" to ");
+}
+
+/// What the program itself puts into a field of words: travels, where it corrected the expansion, along planned lines.
 bool is_of_this_program(std::string_view text) {
-  return text.starts_with("by this program from start and end temperatures") ||
+  return is_travels(text) || text.starts_with("by this program from start and end temperatures") ||
          text.starts_with("away from a tracking interferometer at (") ||
          text.contains(" there and back over the measurement travel at ");
 }
