@@ -19,8 +19,9 @@ import german_refusals
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = [
-    "standards/iso230_2_artefact.cpp", "standards/iso230_2_assessment.cpp", "standards/iso230_2_findings.cpp",
-    "standards/iso230_2_gum.cpp", "standards/iso230_2_inputs_items.cpp", "standards/iso230_2_periodic_findings.cpp",
+    "capture/capture_result.cpp", "capture/target_matcher.cpp", "standards/iso230_2_artefact.cpp",
+    "standards/iso230_2_assessment.cpp", "standards/iso230_2_findings.cpp", "standards/iso230_2_gum.cpp",
+    "standards/iso230_2_inputs_items.cpp", "standards/iso230_2_periodic_findings.cpp",
     "standards/iso230_2_plan_rules.cpp", "standards/iso230_2_programme.cpp",
     "standards/iso230_2_rules_conditions.cpp", "standards/iso230_2_rules_lines.cpp",
     "standards/iso230_2_rules_programme.cpp", "standards/iso230_2_rules_report.cpp",

@@ -32,6 +32,7 @@ COMMANDS = [
     ("label", "evaluate step.csv --report {out}"),
     ("verdict", "evaluate one-run.csv --tolerance E=5um --report {out}"),
     ("capture", "evaluate run.csv --plan x.plan.json --report {out}"),
+    ("capture", "evaluate missed.csv --plan x.plan.json --report {out}"),
     ("convert", "evaluate messung.txt --report {out}"),
     ("", "plan --axis X --machine Mill --travel 0:500 --period 10 --compensation-points 0:500:50 --seed 7 "
          "--out plan.json --sheet {out}"),

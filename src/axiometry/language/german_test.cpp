@@ -31,7 +31,8 @@ const std::span<const Phrase> tables[] = {german_terms,
                                           german_periodic,
                                           german_files,
                                           german_requests,
-                                          german_terminal};
+                                          german_terminal,
+                                          german_capture};
 
 std::multiset<char> places(std::string_view text) {
   std::multiset<char> all;
