@@ -1,24 +1,37 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the German phrase book covers what the rules of the standard may find.
+"""Whether the German phrase book covers what the program may say.
 
-Reads the string literals of the sources that compose findings and notes, cuts them at their places, and reports every
-longer piece that stands in no English phrase of src/axiometry/language/german_*.cpp. Exits with 1 if there is one.
+Reads the string literals of the sources that compose findings, notes and reports, cuts them at their places, and reports
+every longer piece that stands in no English phrase of src/axiometry/language/german_*.cpp. With PROGRAM it also makes
+every document in both languages (german_documents.py) and asks the workbench for things it refuses
+(german_refusals.py), and reports the English words that are left. Exits with 1 if there is one.
 
-    python3 tests/german_coverage.py
+    python3 tests/german_coverage.py [PROGRAM]
 """
+import os
 import pathlib
 import re
 import sys
 
+import german_documents
+import german_refusals
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = [
-    "standards/iso230_2_artefact.cpp", "standards/iso230_2_assessment.cpp", "standards/iso230_2_findings.cpp",
-    "standards/iso230_2_gum.cpp", "standards/iso230_2_inputs_items.cpp", "standards/iso230_2_periodic_findings.cpp",
-    "standards/iso230_2_plan_rules.cpp", "standards/iso230_2_programme.cpp", "standards/iso230_2_rules_conditions.cpp",
-    "standards/iso230_2_rules_lines.cpp", "standards/iso230_2_rules_programme.cpp",
-    "standards/iso230_2_rules_report.cpp", "standards/iso230_2_uncertainty.cpp", "standards/reading_correction.cpp",
-    "standards/station_offset.cpp", "standards/station_offset.h", "standards/test_air.cpp",
+    "capture/capture_result.cpp", "capture/target_matcher.cpp", "standards/iso230_2_artefact.cpp",
+    "standards/iso230_2_assessment.cpp", "standards/iso230_2_findings.cpp", "standards/iso230_2_gum.cpp",
+    "standards/iso230_2_inputs_items.cpp", "standards/iso230_2_periodic_findings.cpp",
+    "standards/iso230_2_plan_rules.cpp", "standards/iso230_2_programme.cpp",
+    "standards/iso230_2_rules_conditions.cpp", "standards/iso230_2_rules_lines.cpp",
+    "standards/iso230_2_rules_programme.cpp", "standards/iso230_2_rules_report.cpp",
+    "standards/iso230_2_uncertainty.cpp", "standards/reading_correction.cpp", "standards/station_offset.cpp",
+    "standards/station_offset.h", "standards/test_air.cpp", "tracking/line_attempt.cpp", "tracking/line_metadata.cpp",
+    "tracking/station_misreading.cpp", "tracking/station_surface.cpp", "tracking/visibility.cpp",
+    "report/lines_document.cpp", "report/lines_sections.cpp", "report/multilateration_document.cpp",
+    "report/tracking_sheet.cpp", "report/periodic_document.cpp", "report/periodic_values.cpp",
+    "report/figures/layout.cpp", "report/figures/layout_of.cpp", "report/figures/residuals.cpp",
+    "report/figures/lines_overview.cpp", "report/figures/length_difference.cpp", "report/figures/periodic.cpp",
     "report/method_values.cpp", "report/conformity_text.cpp", "report/correction_text.cpp", "report/plan_sheet.cpp",
 ]
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)+\'', re.S)
@@ -59,12 +72,12 @@ def english_phrases():
     return phrases
 
 
-def main():
+def main(program=None):
     lower = "\n".join(PLACE.sub("\0", phrase) for phrase in english_phrases()).lower()
     missing = []
     for name in SOURCES:
         for literal in literals(ROOT / "src/axiometry" / name):
-            for piece in PLACE.sub("\0", blanks(literal)).split("\0"):
+            for piece in re.split("\0|(?<=[.)]) (?=[A-Z])", PLACE.sub("\0", blanks(literal))):
                 piece = piece.strip(" ,;:.()")
                 if len(piece) < SHORTEST or NOT_FOR_READERS.match(piece):
                     continue
@@ -72,9 +85,16 @@ def main():
                     missing.append(f"{name}: {piece}")
     for line in missing:
         print(line)
-    print(f"german: {len(missing)} pieces are in no phrase" if missing else "german: ok")
-    return 1 if missing else 0
+    if missing:
+        print(f"german: {len(missing)} pieces are in no phrase")
+    left = german_documents.english_words(program) + german_refusals.english_refusals(program) if program else []
+    for line in left:
+        print(line)
+    if left:
+        print(f"german: {len(left)} texts hold English words")
+    print("german: ok" if not missing and not left else "german: not ok")
+    return 1 if missing or left else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(*map(os.path.abspath, sys.argv[1:2])))

@@ -12,16 +12,18 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/periodic.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/report/utf8.h"
 #include "commands.h"
+#include "findings_text.h"
 #include "option_text.h"
 #include "terminal.h"
+#include "title_text.h"
 
 namespace axiometry::cli {
 namespace {
 
 using iso230_2::PeriodicDirection;
-using iso230_2::Severity;
 
 struct Arguments {
   std::string file;
@@ -35,27 +37,33 @@ struct Arguments {
 
 void complain(const Error& error) { fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string())); }
 
-std::string heading(const app::EvaluatedPeriodic& e, const Terminal& terminal) {
+std::string heading(const app::EvaluatedPeriodic& e, const report::Options& options, const Terminal& terminal) {
   const Metadata& m = e.test.metadata;
-  std::string title = m.axis.name.empty() ? "Axis (not named)" : "Axis " + m.axis.name;
-  if (!m.machine.name.empty()) title += " of " + m.machine.name;
+  const std::string title = title_text(m.axis, m.machine.name, options);
   const Provenance& p = e.test.provenance;
   return fmt::format(
-      "{}  periodic positioning error, {}, Annex C\n{}\n", terminal.bold(report::printable(title)), iso230_2::edition,
-      terminal.faint(fmt::format("{} ({})", p.file == "-" ? "standard input" : report::printable(p.file), p.format)));
+      "{}  {}, {}, {}\n{}\n", terminal.bold(report::printable(title)),
+      report::translated("periodic positioning error", options), iso230_2::edition,
+      report::translated("Annex C", options),
+      terminal.faint(fmt::format(
+          "{} ({})", p.file == "-" ? report::translated("standard input", options) : report::printable(p.file),
+          p.format)));
 }
 
 std::string result_rows(const PeriodicDirection& d, const Arguments& arguments, AxisKind kind,
                         const Terminal& terminal) {
-  const auto rows = report::periodic_rows(d, kind, arguments.report);
+  auto rows = report::periodic_rows(d, kind, arguments.report);
+  const auto said = [&](std::string_view english) { return report::translated(english, arguments.report); };
+  for (report::PeriodicRow& row : rows) row.title = said(row.title);
   std::size_t title_width = 0, value_width = 0, U_width = 0;
   for (const report::PeriodicRow& row : rows) {
     title_width = std::max(title_width, display_width(row.title));
     value_width = std::max(value_width, display_width(row.value));
     U_width = std::max(U_width, display_width(row.U));
   }
-  std::string text = fmt::format("\n{} {} targets, {} run{}\n", terminal.bold(std::string(arrow(d.direction))),
-                                 d.points.size(), d.runs, d.runs == 1 ? "" : "s");
+  std::string text =
+      fmt::format("\n{} {}\n", terminal.bold(std::string(arrow(d.direction))),
+                  said(fmt::format("{} targets, {} run{}", d.points.size(), d.runs, d.runs == 1 ? "" : "s")));
   for (const report::PeriodicRow& row : rows)
     text += fmt::format("{}  {}{} {}\n", left(row.title, title_width), right(row.value, value_width),
                         row.U.empty() ? std::string(U_width > 0 ? U_width + 3 : 0, ' ') : " ± " + right(row.U, U_width),
@@ -67,29 +75,25 @@ std::string result_rows(const PeriodicDirection& d, const Arguments& arguments, 
           "{}{} {}{}", harmonics.empty() ? "" : ", ", h.order,
           format_fixed(h.amplitude.value.in_native(), decimals_for(d.coverage_factor * h.amplitude.u.in_native(), 2),
                        arguments.report.numbers),
-          h.significant ? "" : " (not significant)");
+          h.significant ? "" : fmt::format(" ({})", said("not significant")));
   if (!harmonics.empty())
-    text +=
-        terminal.faint(wrapped(fmt::format("Amplitudes of the harmonics in {}: {}", deviation_unit(kind), harmonics),
-                               terminal.width(), 0)) +
-        "\n";
+    text += terminal.faint(wrapped(
+                fmt::format("{} {}: {}", said("Amplitudes of the harmonics in"), deviation_unit(kind), harmonics),
+                terminal.width(), 0)) +
+            "\n";
   return text;
 }
 
 std::string summary(const app::EvaluatedPeriodic& e, const Arguments& arguments, const Terminal& terminal) {
   const AxisKind kind = e.test.metadata.axis.kind;
-  std::string text = heading(e, terminal);
+  const auto said = [&](std::string_view english) { return report::translated(english, arguments.report); };
+  std::string text = heading(e, arguments.report, terminal);
   for (const auto& d : e.result.directions) text += result_rows(d, arguments, kind, terminal);
-  text += terminal.faint("± U for about 95 %, from the residuals alone") + "\n\n";
-  for (const auto& finding : e.result.findings) {
-    const std::string name = left(iso230_2::severity_name(finding.severity), 10);
-    text += (finding.severity == Severity::departure ? terminal.red(name) : terminal.faint(name)) +
-            left(finding.clause, 8) + wrapped(report::printable(finding.message), terminal.width(), 18) + "\n";
-  }
-  if (!e.result.findings.empty()) text += "\n";
-  text += e.result.conforming() ? terminal.green("Test of Annex C; no result for acceptance.")
-                                : terminal.red("Departs from Annex C; no result for acceptance.");
-  if (!e.result.label.empty()) text += " " + terminal.bold(e.result.label + ".");
+  text += terminal.faint(said("± U for about 95 %, from the residuals alone")) + "\n\n";
+  text += findings_text(e.result.findings, arguments.report, terminal);
+  text += e.result.conforming() ? terminal.green(said("Test of Annex C; no result for acceptance."))
+                                : terminal.red(said("Departs from Annex C; no result for acceptance."));
+  if (!e.result.label.empty()) text += " " + terminal.bold(said(e.result.label + "."));
   return text + "\n";
 }
 
@@ -164,7 +168,8 @@ void add_flags(CLI::App& verb, const std::shared_ptr<Arguments>& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group("Outputs");
-  add_decimal(verb, a.report.numbers.decimal_mark)->group("Outputs");
+  CLI::Option* decimal = add_decimal(verb, a.report.numbers.decimal_mark)->group("Outputs");
+  add_language(verb, a.report, decimal)->group("Outputs");
   verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group("Outputs");
 }
 

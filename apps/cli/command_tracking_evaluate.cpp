@@ -180,7 +180,8 @@ void add_output_flags(CLI::App& verb, Arguments& a) {
       ->check(named)
       ->type_name("FILE")
       ->group(group);
-  add_decimal(verb, a.report.numbers.decimal_mark)->group(group);
+  CLI::Option* decimal = add_decimal(verb, a.report.numbers.decimal_mark)->group(group);
+  add_language(verb, a.report, decimal)->group(group);
   verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group(group);
 }
 

@@ -10,6 +10,7 @@
 #include "axiometry/app/number_list.h"
 #include "axiometry/app/tracking_locate.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/report/utf8.h"
 #include "command_tracking.h"
 #include "commands.h"
@@ -76,10 +77,12 @@ std::string u_um(double variance_mm2, const report::Options& options) {
 std::string summary(const app::Located& located, const report::Options& options, const Terminal& terminal) {
   const tracking::StationLocation& location = located.location;
   const auto& refined = location.refined;
-  std::string text = fmt::format("{}  from {} points\n{}\n\n", terminal.bold("Station of the tracking interferometer"),
-                                 located.points.size(), terminal.faint(report::printable(located.request.file)));
-  text += terminal.faint(fmt::format("    {}{}{}{}\n", right("refined mm", 13), right("u µm", 10),
-                                     right("linear mm", 13), right("difference µm", 16)));
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
+  std::string text = fmt::format("{}  {}\n{}\n\n", terminal.bold(said("Station of the tracking interferometer")),
+                                 said(fmt::format("from {} points", located.points.size())),
+                                 terminal.faint(report::printable(located.request.file)));
+  text += terminal.faint(fmt::format("    {}{}{}{}\n", right(said("refined") + " mm", 13), right("u µm", 10),
+                                     right("linear mm", 13), right(said("difference") + " µm", 16)));
   for (std::size_t k = 0; k < 3; ++k) {
     text += fmt::format("{}   {}{}", "XYZ"[k], mm(refined.station_mm[k], options),
                         u_um(refined.covariance_mm2[k][k], options));
@@ -96,23 +99,25 @@ std::string summary(const app::Located& located, const report::Options& options,
     return power;
   };
   const auto condition = [&](double x) {
-    return x < 1e15 ? x < 1e5 ? format_fixed(x, 1, options.numbers) : exponential(x) : std::string("infinite");
+    return x < 1e15 ? x < 1e5 ? format_fixed(x, 1, options.numbers) : exponential(x) : said("infinite");
   };
   if (location.linear)
-    text += fmt::format(
-        "Linear:  rank {} of 5, condition {}{}\n", location.linear->rank, condition(location.linear->condition),
-        location.has_linear()
-            ? fmt::format(", misclosure {} mm²", format_fixed(location.linear->misclosure_mm2, 4, options.numbers))
-            : std::string(", no station"));
-  text +=
-      fmt::format("Refined: condition {}, chi-squared {} with {} degree{} of freedom\n", condition(refined.condition),
-                  refined.chi_squared < 1e5 ? format_fixed(refined.chi_squared, 2, options.numbers)
-                                            : exponential(refined.chi_squared),
-                  refined.degrees_of_freedom, refined.degrees_of_freedom == 1 ? "" : "s");
+    text += said(fmt::format(
+                "Linear:  rank {} of 5, condition {}{}", location.linear->rank, condition(location.linear->condition),
+                location.has_linear() ? fmt::format(", misclosure {} mm²",
+                                                    format_fixed(location.linear->misclosure_mm2, 4, options.numbers))
+                                      : std::string(", no station"))) +
+            "\n";
+  text += said(fmt::format("Refined: condition {}, chi-squared {} with {} degree{} of freedom",
+                           condition(refined.condition),
+                           refined.chi_squared < 1e5 ? format_fixed(refined.chi_squared, 2, options.numbers)
+                                                     : exponential(refined.chi_squared),
+                           refined.degrees_of_freedom, refined.degrees_of_freedom == 1 ? "" : "s")) +
+          "\n";
   if (!location.findings.empty()) text += "\n";
   for (const tracking::Finding& f : location.findings)
-    text += (f.serious ? terminal.red(left("serious", 9)) : terminal.faint(left("note", 9))) +
-            wrapped(report::printable(f.message), terminal.width(), 9) + "\n";
+    text += (f.serious ? terminal.red(left(said("serious"), 9)) : terminal.faint(left(said("note"), 9))) +
+            wrapped(report::printable(said(f.message)), terminal.width(), 9) + "\n";
   return text;
 }
 

@@ -98,7 +98,7 @@ int run(Arguments& arguments) {
   if (!result) return failed(result.error());
   const report::Document document = app::compose(**result, arguments.outputs.report);
   if (!arguments.outputs.quiet && arguments.outputs.outputs.json != "-")
-    fmt::print("{}", document_text(summary_of(document), Terminal(ColourChoice::automatic)));
+    fmt::print("{}", document_text(summary_of(document), arguments.outputs.report, Terminal(ColourChoice::automatic)));
   const auto written = app::write_outputs(**result, document, arguments.names, arguments.outputs.report);
   if (!written) return failed(written.error());
   return std::ranges::any_of((*result)->fit.findings, [](const tracking::Finding& f) { return f.serious; })

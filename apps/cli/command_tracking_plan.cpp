@@ -209,8 +209,10 @@ void add_outputs(CLI::App& verb, Arguments& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group(group);
-  add_decimal(verb, arguments.report.numbers.decimal_mark, "Decimal mark in summary and sheet: point or comma")
-      ->group(group);
+  CLI::Option* decimal =
+      add_decimal(verb, arguments.report.numbers.decimal_mark, "Decimal mark in summary and sheet: point or comma")
+          ->group(group);
+  add_language(verb, arguments.report, decimal)->group(group);
   verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
 }
 
@@ -232,7 +234,7 @@ int run_location(const Arguments& arguments) {
   if (auto written = app::write_outputs(presented, arguments.outputs, arguments.report); !written)
     return failed(written.error());
   if (!arguments.quiet && arguments.outputs.json != "-" && arguments.points != "-")
-    fmt::print("{}", document_text(presented.document, Terminal(ColourChoice::automatic)));
+    fmt::print("{}", document_text(presented.document, arguments.report, Terminal(ColourChoice::automatic)));
   return exit_done;
 }
 

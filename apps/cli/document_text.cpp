@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "axiometry/report/translated.h"
 #include "axiometry/report/utf8.h"
 
 namespace axiometry::cli {
@@ -128,7 +129,8 @@ struct BlockText {
 
 }  // namespace
 
-std::string document_text(const report::Document& document, const Terminal& terminal) {
+std::string document_text(const report::Document& composed, const report::Options& options, const Terminal& terminal) {
+  const report::Document document = report::translated(composed, options);
   const BlockText blocks{terminal};
   std::string s = terminal.bold(report::printable(document.title)) + "\n";
   if (!document.edition.empty())

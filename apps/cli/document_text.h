@@ -4,11 +4,13 @@
 #include <string>
 
 #include "axiometry/report/document.h"
+#include "axiometry/report/report.h"
 #include "terminal.h"
 
 namespace axiometry::cli {
 
-/// A document as text: title, facts, tables and paragraphs; its figures are left to the other outputs.
-std::string document_text(const report::Document& document, const Terminal& terminal);
+/// A document as text in the reader's language: title, facts, tables and paragraphs; its figures are left to the other
+/// outputs.
+std::string document_text(const report::Document& document, const report::Options& options, const Terminal& terminal);
 
 }  // namespace axiometry::cli

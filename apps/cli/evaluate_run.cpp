@@ -121,7 +121,7 @@ class Run {
       return {};
     }
     AXIOMETRY_TRY_VOID(prepare_outputs());
-    if (stdout_is_free_ && count_ == 0) fmt::print("{}", line_header(terminal_));
+    if (stdout_is_free_ && count_ == 0) fmt::print("{}", line_header(arguments_.report, terminal_));
     if (stdout_is_free_) fmt::print("{}", line(evaluated, arguments_.report, terminal_));
     ++count_;
     auto added = outputs_->add(evaluated);

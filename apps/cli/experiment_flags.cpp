@@ -23,7 +23,8 @@ void add_experiment_flags(CLI::App& verb, ExperimentArguments& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group(group);
-  add_decimal(verb, arguments.report.numbers.decimal_mark)->group(group);
+  CLI::Option* decimal = add_decimal(verb, arguments.report.numbers.decimal_mark)->group(group);
+  add_language(verb, arguments.report, decimal)->group(group);
   verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
 }
 
@@ -34,7 +35,7 @@ void check_experiment_outputs(const ExperimentArguments& arguments) {
 
 int finish_experiment(const app::Experiment& experiment, const ExperimentArguments& arguments) {
   if (!arguments.quiet && arguments.outputs.json != "-")
-    fmt::print("{}", document_text(experiment.document, Terminal(ColourChoice::automatic)));
+    fmt::print("{}", document_text(experiment.document, arguments.report, Terminal(ColourChoice::automatic)));
   if (const auto written = app::write_outputs(experiment, arguments.outputs, arguments.report); !written)
     return failed(written.error());
   return exit_done;

@@ -15,7 +15,7 @@ struct ExperimentArguments {
   bool quiet = false;
 };
 
-/// --json, --report, --decimal, --quiet.
+/// --json, --report, --decimal, --language, --quiet.
 void add_experiment_flags(CLI::App& verb, ExperimentArguments& arguments);
 
 /// Checks the names of the outputs; throws a CLI::ValidationError. Before anything is computed.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "findings_text.h"
 
+#include <algorithm>
+
+#include "axiometry/report/translated.h"
 #include "axiometry/report/utf8.h"
 
 namespace axiometry::cli {
@@ -8,8 +11,15 @@ namespace {
 
 using iso230_2::Severity;
 
-std::string severity_text(Severity severity, const Terminal& terminal) {
-  const std::string name = left(iso230_2::severity_name(severity), 10);
+std::string severity_word(Severity severity, const report::Options& options) {
+  return options.language == language::Language::german && severity == Severity::departure
+             ? "Abweichung"  // the book's word is too long for a column
+             : report::translated(iso230_2::severity_name(severity), options);
+}
+
+std::string severity_text(Severity severity, std::size_t width, const report::Options& options,
+                          const Terminal& terminal) {
+  const std::string name = left(severity_word(severity, options), width);
   return severity == Severity::departure ? terminal.red(name)
          : severity == Severity::missing ? terminal.yellow(name)
                                          : terminal.faint(name);
@@ -17,11 +27,17 @@ std::string severity_text(Severity severity, const Terminal& terminal) {
 
 }  // namespace
 
-std::string findings_text(std::span<const iso230_2::Finding> findings, const Terminal& terminal) {
+std::string findings_text(std::span<const iso230_2::Finding> findings, const report::Options& options,
+                          const Terminal& terminal) {
   std::string text;
+  std::size_t width = 9;
+  for (const auto& finding : findings) width = std::max(width, display_width(severity_word(finding.severity, options)));
+  ++width;
   for (const auto& finding : findings)
-    text += severity_text(finding.severity, terminal) + left(finding.clause, 8) +
-            wrapped(report::printable(finding.message), terminal.width(), 18) + "\n";
+    text += severity_text(finding.severity, width, options, terminal) +
+            left(report::translated(finding.clause, options), 8) +
+            wrapped(report::printable(report::translated(finding.message, options)), terminal.width(), width + 8) +
+            "\n";
   return text.empty() ? text : text + "\n";
 }
 

@@ -4,12 +4,14 @@
 #include <span>
 #include <string>
 
+#include "axiometry/report/report.h"
 #include "axiometry/standards/iso230_2_assessment.h"
 #include "terminal.h"
 
 namespace axiometry::cli {
 
 /// One paragraph for each finding, and an empty line below; nothing when there is none.
-std::string findings_text(std::span<const iso230_2::Finding> findings, const Terminal& terminal);
+std::string findings_text(std::span<const iso230_2::Finding> findings, const report::Options& options,
+                          const Terminal& terminal);
 
 }  // namespace axiometry::cli

@@ -7,6 +7,7 @@
 
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/report/utf8.h"
 
 namespace axiometry::cli {
@@ -81,58 +82,63 @@ std::string cut(const std::string& words, std::size_t width) {
 
 std::string side_by_side(const app::Evaluated& e, const std::vector<MethodRow>& rows, const report::Options& options,
                          const Terminal& terminal) {
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
   const auto& assessment = e.assessment;
   const report::ParameterScale scale = report::parameter_scale(e.test.metadata.axis.kind, options.unit);
   TextTable table(rows.size());
   table.add("", fmt::format("/{}", scale.unit), symbols(rows), true);
-  table.add("", "value", cells(rows, [](const MethodRow& row) { return row.value; }));
-  if (assessment.annex_a) table.add("Annex A", "± U", cells(rows, [](const MethodRow& row) { return row.annex_a_U; }));
+  table.add("", said("value"), cells(rows, [](const MethodRow& row) { return row.value; }));
+  if (assessment.annex_a)
+    table.add(said("Annex A"), "± U", cells(rows, [](const MethodRow& row) { return row.annex_a_U; }));
   if (assessment.gum) table.add("GUM", "± U", cells(rows, [](const MethodRow& row) { return row.gum_U; }));
   if (assessment.monte_carlo) {
     table.add("MC", "u", numbers(rows, &ShownDistribution::u));
-    table.add("", "bias", numbers(rows, &ShownDistribution::bias));
+    table.add("", said("bias"), numbers(rows, &ShownDistribution::bias));
     const std::string coverage = report::shown_percent(assessment.monte_carlo->coverage, options);
-    table.add(coverage, "from", numbers(rows, &ShownDistribution::lower));
-    table.add("", "to", numbers(rows, &ShownDistribution::upper));
+    table.add(coverage, said("from"), numbers(rows, &ShownDistribution::lower));
+    table.add("", said("to"), numbers(rows, &ShownDistribution::upper));
   }
   const std::string_view against = assessment.monte_carlo ? "than MC" : "than GUM";
   if (assessment.annex_a)
-    table.add("Annex A", against, cells(rows, [](const MethodRow& row) { return row.annex_a_width; }), true);
+    table.add(said("Annex A"), said(against),
+              cells(rows, [&](const MethodRow& row) { return said(row.annex_a_width); }), true);
   if (assessment.gum && assessment.monte_carlo && !assessment.annex_a)
-    table.add("GUM", against, cells(rows, [](const MethodRow& row) { return row.gum_width; }), true);
+    table.add("GUM", said(against), cells(rows, [&](const MethodRow& row) { return said(row.gum_width); }), true);
   return table.text(terminal);
 }
 
 std::string intervals(const app::Evaluated& e, const std::vector<MethodRow>& rows, const report::Options& options,
                       const Terminal& terminal) {
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
   if (!e.assessment.monte_carlo) return "";
   const report::ParameterScale scale = report::parameter_scale(e.test.metadata.axis.kind, options.unit);
   TextTable table(rows.size());
   table.add("", fmt::format("/{}", scale.unit), symbols(rows), true);
-  table.add("", "mean", numbers(rows, &ShownDistribution::mean));
-  table.add("symmetric", "from", numbers(rows, &ShownDistribution::lower));
-  table.add("", "to", numbers(rows, &ShownDistribution::upper));
-  table.add("shortest", "from", numbers(rows, &ShownDistribution::shortest_lower));
-  table.add("", "to", numbers(rows, &ShownDistribution::shortest_upper));
-  table.add("tolerance", "of u", numbers(rows, &ShownDistribution::tolerance));
-  table.add("", "stable",
-            cells(rows,
-                  [](const MethodRow& row) {
-                    return std::string(row.monte_carlo && row.monte_carlo->stable ? "yes" : "no");
-                  }),
-            true);
+  table.add("", said("mean"), numbers(rows, &ShownDistribution::mean));
+  table.add(said("symmetric"), said("from"), numbers(rows, &ShownDistribution::lower));
+  table.add("", said("to"), numbers(rows, &ShownDistribution::upper));
+  table.add(said("shortest"), said("from"), numbers(rows, &ShownDistribution::shortest_lower));
+  table.add("", said("to"), numbers(rows, &ShownDistribution::shortest_upper));
+  table.add(options.language == language::Language::english ? "tolerance" : "Toleranz", said("of u"),
+            numbers(rows, &ShownDistribution::tolerance));
+  table.add(
+      "", said("stable"),
+      cells(rows,
+            [&](const MethodRow& row) { return said(row.monte_carlo && row.monte_carlo->stable ? "yes" : "no"); }),
+      true);
   return table.text(terminal) + "\n";
 }
 
 /// u of every input for the main parameters, with its part of the variance.
 std::string contribution_table(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
   const auto all = report::contributions(e.assessment);
   const report::ParameterScale scale = report::parameter_scale(e.test.metadata.axis.kind, options.unit);
   constexpr std::size_t title_width = 24;
   TextTable table(all.size());
   std::vector<std::string> titles;
-  for (const auto& c : all) titles.push_back(cut(report::printable(c.title), title_width));
-  table.add("contribution", fmt::format("u/{}", scale.unit), titles, true);
+  for (const auto& c : all) titles.push_back(cut(report::printable(said(c.title)), title_width));
+  table.add(said("contribution"), fmt::format("u/{}", scale.unit), titles, true);
   for (std::size_t p : report::main_parameters(e.assessment.evaluation.parameters)) {
     std::vector<std::string> column;
     for (std::size_t k = 0; k < all.size(); ++k)
@@ -147,11 +153,12 @@ std::string contribution_table(const app::Evaluated& e, const report::Options& o
 }
 
 std::string input_list(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
   std::string text;
   const auto add = [&](const std::string& symbol, const std::string& title, const std::string& distribution,
                        const std::string& unit, const std::string& note) {
-    const std::string words = fmt::format("{}: {} {}{}", title, distribution.empty() ? "–" : distribution, unit,
-                                          note.empty() ? "" : fmt::format(" ({})", note));
+    const std::string words = fmt::format("{}: {} {}{}", said(title), distribution.empty() ? "–" : said(distribution),
+                                          unit, note.empty() ? "" : fmt::format(" ({})", said(note)));
     text += terminal.bold(left(symbol, 7)) + " " + wrapped(report::printable(words), terminal.width(), 8) + "\n";
   };
   if (e.assessment.monte_carlo) {
@@ -161,11 +168,11 @@ std::string input_list(const app::Evaluated& e, const report::Options& options, 
     for (const auto& s : e.assessment.gum->sources)
       add(s.symbol, s.title, report::shown_distribution(s.distribution, options), s.unit, s.note);
   }
-  return text.empty() ? text : terminal.faint("inputs") + "\n" + text + "\n";
+  return text.empty() ? text : terminal.faint(report::translated("inputs", options)) + "\n" + text + "\n";
 }
 
-std::string paragraph(const std::string& words, const Terminal& terminal) {
-  return terminal.faint(wrapped(words, terminal.width(), 0)) + "\n";
+std::string paragraph(const std::string& words, const report::Options& options, const Terminal& terminal) {
+  return terminal.faint(wrapped(report::translated(words, options), terminal.width(), 0)) + "\n";
 }
 
 /// How the Monte Carlo method was run.
@@ -174,9 +181,9 @@ std::string run_lines(const app::Evaluated& e, const report::Options& options, c
   const auto& run = *e.assessment.monte_carlo;
   std::string text = paragraph(fmt::format("Monte Carlo (MC): {}; seed {}; {} coverage.", report::trials_statement(run),
                                            run.seed, report::shown_percent(run.coverage, options)),
-                               terminal);
+                               options, terminal);
   if (const std::string type_a = report::type_a_statement(run); !type_a.empty())
-    text += paragraph("Sampling of the approaches: " + type_a + ".", terminal);
+    text += paragraph("Sampling of the approaches: " + type_a + ".", options, terminal);
   return text;
 }
 
@@ -189,16 +196,17 @@ std::string leading_lines(const app::Evaluated& e, const report::Options& option
     const auto& parameter = iso230_2::parameters[p];
     if (detail == Detail::summary && !parameter.key.starts_with('A') && !parameter.key.starts_with('R')) continue;
     if (const auto first = report::leading(all, p, e.assessment))
-      text +=
-          wrapped(fmt::format("Largest contribution to {}: {}.", parameter.symbol,
-                              report::printable(report::leading_statement(*first, e.test.metadata.axis.kind, options))),
-                  terminal.width(), 0) +
-          "\n";
+      text += wrapped(report::printable(report::translated(
+                          fmt::format("Largest contribution to {}: {}.", parameter.symbol,
+                                      report::leading_statement(*first, e.test.metadata.axis.kind, options)),
+                          options)),
+                      terminal.width(), 0) +
+              "\n";
   }
   return text;
 }
 
-std::string notes(const app::Evaluated& e, const Terminal& terminal) {
+std::string notes(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
   std::vector<std::string> all;
   const auto add = [&](const std::vector<std::string>& list) {
     for (const std::string& note : list)
@@ -208,7 +216,8 @@ std::string notes(const app::Evaluated& e, const Terminal& terminal) {
   if (e.assessment.gum) add(e.assessment.gum->notes);
   std::string text;
   for (const std::string& note : all)
-    text += terminal.faint(left("note", 8)) + wrapped(report::printable(note), terminal.width(), 8) + "\n";
+    text += terminal.faint(left(report::translated("note", options), 8)) +
+            wrapped(report::printable(report::translated(note, options)), terminal.width(), 8) + "\n";
   return text.empty() ? text : text + "\n";
 }
 
@@ -223,16 +232,18 @@ std::string method_tables(const app::Evaluated& e, const report::Options& asked,
   const auto measurand = assessment.monte_carlo ? assessment.monte_carlo->measurand : assessment.gum->measurand;
   std::string text;
   if (detail == Detail::full && !assessment.label.empty())
-    text += terminal.bold(report::printable(assessment.label)) + "\n";
-  text += wrapped(report::measurand_statement(measurand, e.test.series.run_count()), terminal.width(), 0) + "\n\n";
+    text += terminal.bold(report::printable(report::translated(assessment.label, options))) + "\n";
+  text += wrapped(report::translated(report::measurand_statement(measurand, e.test.series.run_count()), options),
+                  terminal.width(), 0) +
+          "\n\n";
   text += side_by_side(e, rows, options, terminal);
   if (const std::string outside = report::outside_statement(rows); !outside.empty())
-    text += paragraph(outside + ".", terminal);
+    text += paragraph(outside + ".", options, terminal);
   text += run_lines(e, options, terminal) + "\n";
   if (const std::string lines = leading_lines(e, options, terminal, detail); !lines.empty()) text += lines + "\n";
   if (detail == Detail::summary) return text;
   return text + contribution_table(e, options, terminal) + intervals(e, rows, options, terminal) +
-         input_list(e, options, terminal) + notes(e, terminal);
+         input_list(e, options, terminal) + notes(e, options, terminal);
 }
 
 }  // namespace axiometry::cli

@@ -8,9 +8,11 @@
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/report/utf8.h"
 #include "axiometry/standards/test_standard.h"
 #include "findings_text.h"
+#include "title_text.h"
 
 namespace axiometry::cli {
 namespace {
@@ -39,17 +41,20 @@ std::string heading(const app::Evaluated& e, const report::Options& options, con
   const Metadata& m = e.test.metadata;
   const Series& series = e.test.series;
   const auto target = [&](Position p) { return format_fixed(p.in_native(), 3, options.numbers); };
-  std::string title = m.axis.name.empty() ? title_of(m.axis) + " (not named)" : title_of(m.axis);
-  if (!m.machine.name.empty()) title += " of " + m.machine.name;
-  std::string text = fmt::format("{}  {}\n", terminal.bold(report::printable(title)), axis_kind_name(m.axis.kind));
-  text +=
-      fmt::format("{} from {} to {}{}, {}\n", plural(series.target_count(), "target"), target(series.targets().front()),
-                  target(series.targets().back()), m.axis.kind == AxisKind::linear ? " mm" : "°", approaches(series));
+  std::string text =
+      fmt::format("{}  {}\n", terminal.bold(report::printable(title_text(m.axis, m.machine.name, options))),
+                  report::translated(axis_kind_name(m.axis.kind), options));
+  text += report::translated(fmt::format("{} from {} to {}{}, {}", plural(series.target_count(), "target"),
+                                         target(series.targets().front()), target(series.targets().back()),
+                                         m.axis.kind == AxisKind::linear ? " mm" : "°", approaches(series)),
+                             options) +
+          "\n";
   const Provenance& p = e.test.provenance;
-  text += terminal.faint(fmt::format("{} ({}{})", p.file == "-" ? "standard input" : report::printable(p.file),
-                                     p.format, p.sha256.empty() ? "" : ", SHA-256 " + p.sha256.substr(0, 12) + "…"));
+  text += terminal.faint(fmt::format(
+      "{} ({}{})", p.file == "-" ? report::translated("standard input", options) : report::printable(p.file), p.format,
+      p.sha256.empty() ? "" : ", SHA-256 " + p.sha256.substr(0, 12) + "…"));
   if (const std::string corrected = report::correction_statement(p.corrections); !corrected.empty())
-    text += "\n" + wrapped(corrected, terminal.width(), 0);
+    text += "\n" + wrapped(report::translated(corrected, options), terminal.width(), 0);
   return text + "\n\n";
 }
 
@@ -74,28 +79,32 @@ std::string parameter_table(const app::Evaluated& e, const report::Options& opti
     if (exists(e, parameter)) value_width = std::max(value_width, display_width(shown.value));
     uncertainty_width = std::max(uncertainty_width, display_width(shown.U));
   }
+  std::size_t titles = title_width;
+  for (const auto& parameter : iso230_2::parameters)
+    titles = std::max(titles, display_width(report::translated(parameter.title, options)) + 2);
   std::string text;
   for (const auto& parameter : iso230_2::parameters) {
     const auto shown = report::show(parameter, e.assessment, kind, options);
     const std::string uncertainty = (shown.U.empty() ? "   " : " ± ") + right(shown.U, uncertainty_width);
-    text += terminal.bold(left(parameter.symbol, symbol_width)) + left(parameter.title, title_width);
+    text += terminal.bold(left(parameter.symbol, symbol_width)) +
+            left(report::translated(parameter.title, options), titles);
     text += exists(e, parameter)
                 ? right(shown.value, value_width) + (uncertainty_width > 0 ? uncertainty : "") + " " + shown.unit
-                : terminal.faint("not applicable");
+                : terminal.faint(report::translated("not applicable", options));
     text += '\n';
   }
   if (const auto footnote = uncertainty_footnote(e.assessment); !footnote.empty())
-    text += terminal.faint(footnote) + "\n";
+    text += terminal.faint(report::translated(footnote, options)) + "\n";
   return text + "\n";
 }
 
-std::string verdict_text(Verdict verdict, const Terminal& terminal) {
-  const std::string_view name = uncertainty::verdict_name(verdict);
+std::string verdict_text(Verdict verdict, const report::Options& options, const Terminal& terminal) {
+  const std::string name = report::translated(uncertainty::verdict_name(verdict), options);
   switch (verdict) {
     case Verdict::conforms: return terminal.green(name);
     case Verdict::does_not_conform: return terminal.red(name);
     case Verdict::undecided: return terminal.yellow(name);
-    case Verdict::not_applicable: return terminal.faint("no verdict: does not exist here");
+    case Verdict::not_applicable: return terminal.faint(report::translated("no verdict: does not exist here", options));
   }
   return {};
 }
@@ -125,7 +134,7 @@ std::string tolerance_row(const iso230_2::Judgement& judgement, const app::Evalu
     text += right(
         decision.probability_conforming ? report::shown_probability(*decision.probability_conforming, options) : "–",
         widths.probability);
-  return text + "  " + verdict_text(decision.verdict, terminal) + "\n";
+  return text + "  " + verdict_text(decision.verdict, options, terminal) + "\n";
 }
 
 std::string tolerance_table(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
@@ -136,18 +145,27 @@ std::string tolerance_table(const app::Evaluated& e, const report::Options& opti
   if (rule.kind != uncertainty::DecisionRule::Kind::simple) widths.guarded = 11;
   if (std::ranges::any_of(e.judgements, [](const auto& j) { return j.decision.probability_conforming.has_value(); }))
     widths.probability = 10;
-  std::string text = left("", symbol_width) + right(fmt::format("limit/{}", scale.unit), widths.number);
-  if (widths.guarded > 0) text += right("accept ≤", widths.guarded) + right("reject >", widths.guarded);
+  const std::string limit = fmt::format("{}/{}", report::translated("limit", options), scale.unit);
+  const std::string accept = report::translated("accept", options) + " ≤",
+                    reject = report::translated("reject", options) + " >";
+  widths.number = std::max(widths.number, display_width(limit) + 1);
+  if (widths.guarded > 0)
+    widths.guarded = std::max({widths.guarded, display_width(accept) + 2, display_width(reject) + 2});
+  std::string text = left("", symbol_width) + right(limit, widths.number);
+  if (widths.guarded > 0) text += right(accept, widths.guarded) + right(reject, widths.guarded);
   if (widths.probability > 0) text += right("p_c", widths.probability);
-  text = terminal.faint(text + "  verdict") + "\n";
+  text = terminal.faint(text + "  " + report::translated("verdict", options)) + "\n";
   for (const auto& judgement : e.judgements) text += tolerance_row(judgement, e, options, widths, terminal);
-  text += terminal.faint(
-              wrapped(report::rule_statement(e.judgements, e.test.metadata.axis.kind, options), terminal.width(), 0)) +
+  text += terminal.faint(wrapped(
+              report::translated(report::rule_statement(e.judgements, e.test.metadata.axis.kind, options), options),
+              terminal.width(), 0)) +
           "\n";
   if (e.tolerance_band)
     text += terminal.faint(
-                wrapped(fmt::format("Tolerance table: {}, {}, from {}", report::printable(e.tolerance_band->name),
-                                    e.tolerance_band->travel, report::printable(e.tolerance_band->file)),
+                wrapped(fmt::format("{}: {}, {}, {} {}", report::translated("Tolerance table", options),
+                                    report::printable(e.tolerance_band->name),
+                                    report::translated(e.tolerance_band->travel, options),
+                                    report::translated("from", options), report::printable(e.tolerance_band->file)),
                         terminal.width(), 0)) +
             "\n";
   return text + "\n";
@@ -162,19 +180,20 @@ std::string symbols_with(const app::Evaluated& e, Verdict verdict) {
   return symbols;
 }
 
-std::string conclusion(const app::Evaluated& e, const Terminal& terminal) {
+std::string conclusion(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+  const auto said = [&](const std::string& english) { return report::translated(english, options); };
   const auto departures = std::ranges::count(e.assessment.findings, Severity::departure, &iso230_2::Finding::severity);
   std::string text = e.assessment.conforming()
-                         ? terminal.green(fmt::format("Result after {}.", edition_of(e.test.metadata.axis)))
-                         : terminal.red(fmt::format("Not an {} result: {}.", edition_of(e.test.metadata.axis),
-                                                    plural(static_cast<std::size_t>(departures), "departure")));
-  if (!e.assessment.label.empty()) text += " " + terminal.bold(e.assessment.label + ".");
+                         ? terminal.green(said(fmt::format("Result after {}.", edition_of(e.test.metadata.axis))))
+                         : terminal.red(said(fmt::format("Not an {} result: {}.", edition_of(e.test.metadata.axis),
+                                                         plural(static_cast<std::size_t>(departures), "departure"))));
+  if (!e.assessment.label.empty()) text += " " + terminal.bold(said(e.assessment.label + "."));
   if (const std::string worst = symbols_with(e, Verdict::does_not_conform); !worst.empty())
-    text += " " + terminal.red(fmt::format("Does not conform: {}.", worst));
+    text += " " + terminal.red(said(fmt::format("Does not conform: {}.", worst)));
   if (const std::string open = symbols_with(e, Verdict::undecided); !open.empty())
-    text += " " + terminal.yellow(fmt::format("Undecided: {}.", open));
+    text += " " + terminal.yellow(said(fmt::format("Undecided: {}.", open)));
   if (const std::string good = symbols_with(e, Verdict::conforms); !good.empty())
-    text += " " + terminal.green(fmt::format("Conforms: {}.", good));
+    text += " " + terminal.green(said(fmt::format("Conforms: {}.", good)));
   return text + "\n";
 }
 
@@ -183,11 +202,13 @@ std::string uncertainty_text(const app::Evaluated& e, const report::Options& opt
                              Detail detail) {
   std::string text = method_tables(e, options, terminal, detail);
   if (!text.empty() || detail != Detail::full) return text;
-  return wrapped(
-             "No input of the uncertainty was given, so that nothing is known about it. Give what is known in the file "
-             "or by flags such as --environmental-variation (all: 'axiometry uncertainty --help'); --measurand "
-             "this-machine needs none.",
-             terminal.width(), 0) +
+  return wrapped(report::translated(
+                     "No input of the uncertainty was given, so that nothing is known about it. Give what is known in "
+                     "the file "
+                     "or by flags such as --environmental-variation (all: 'axiometry uncertainty --help'); --measurand "
+                     "this-machine needs none.",
+                     options),
+                 terminal.width(), 0) +
          "\n\n";
 }
 
@@ -195,15 +216,17 @@ std::string uncertainty_text(const app::Evaluated& e, const report::Options& opt
 
 std::string summary(const app::Evaluated& e, const report::Options& options, const Terminal& terminal, Detail detail) {
   return heading(e, options, terminal) + parameter_table(e, options, terminal) + tolerance_table(e, options, terminal) +
-         uncertainty_text(e, options, terminal, detail) + findings_text(e.assessment.findings, terminal) +
-         conclusion(e, terminal);
+         uncertainty_text(e, options, terminal, detail) + findings_text(e.assessment.findings, options, terminal) +
+         conclusion(e, options, terminal);
 }
 
 namespace {
 
 /// "does not conform: A, R↑", what the verdict rests on.
-std::string line_verdict(const app::Evaluated& e, Verdict verdict, const Terminal& terminal) {
-  const std::string text = fmt::format("{}: {}", uncertainty::verdict_name(verdict), symbols_with(e, verdict));
+std::string line_verdict(const app::Evaluated& e, Verdict verdict, const report::Options& options,
+                         const Terminal& terminal) {
+  const std::string text =
+      fmt::format("{}: {}", report::translated(uncertainty::verdict_name(verdict), options), symbols_with(e, verdict));
   if (verdict == Verdict::conforms) return terminal.green(text);
   return verdict == Verdict::does_not_conform ? terminal.red(text) : terminal.yellow(text);
 }
@@ -212,10 +235,12 @@ constexpr std::string_view line_parameters[] = {"A", "E", "M", "R", "B"};
 
 }  // namespace
 
-std::string line_header(const Terminal& terminal) {
+std::string line_header(const report::Options& options, const Terminal& terminal) {
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
   std::string text;
   for (std::string_view key : line_parameters) text += right(key, line_value_width);
-  return terminal.bold(text + "  unit  " + left("axis", 6) + left("ISO", 5) + "test") + "\n";
+  return terminal.bold(text + "  " + left(said("unit"), 6) + left(said("axis"), 6) + left("ISO", 5) + said("test")) +
+         "\n";
 }
 
 std::string line(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
@@ -230,10 +255,12 @@ std::string line(const app::Evaluated& e, const report::Options& options, const 
   }
   const std::string axis = report::printable(e.test.metadata.axis.name);
   text += "  " + left(unit, 6) + left(axis.empty() ? "–" : axis, 6);
-  text += e.assessment.conforming() ? terminal.green(left("yes", 5)) : terminal.red(left("no", 5));
+  text += e.assessment.conforming() ? terminal.green(left(report::translated("yes", options), 5))
+                                    : terminal.red(left(report::translated("no", options), 5));
   text += report::printable(e.test.provenance.file + (e.name.empty() ? "" : ":" + e.name));
-  if (!e.assessment.label.empty()) text += "  (" + e.assessment.label + ")";
-  if (const auto verdict = iso230_2::overall_verdict(e.judgements)) text += "  " + line_verdict(e, *verdict, terminal);
+  if (!e.assessment.label.empty()) text += "  (" + report::translated(e.assessment.label, options) + ")";
+  if (const auto verdict = iso230_2::overall_verdict(e.judgements))
+    text += "  " + line_verdict(e, *verdict, options, terminal);
   return text + "\n";
 }
 

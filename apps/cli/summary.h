@@ -16,7 +16,7 @@ std::string summary(const app::Evaluated& evaluated, const report::Options& opti
                     Detail detail);
 
 /// The same for many tests, one line each.
-std::string line_header(const Terminal& terminal);
+std::string line_header(const report::Options& options, const Terminal& terminal);
 std::string line(const app::Evaluated& evaluated, const report::Options& options, const Terminal& terminal);
 
 }  // namespace axiometry::cli

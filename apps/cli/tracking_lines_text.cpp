@@ -8,6 +8,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/report/utf8.h"
 
 namespace axiometry::cli {
@@ -24,13 +25,15 @@ constexpr std::string_view shown_parameters[] = {"E", "R", "B", "A"};
 std::string heading(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
   const Vector3 s = e.plan.setup.station.position_mm;
   const auto number = [&](double x) { return format_fixed(x, 3, options.numbers); };
-  std::string title = "Lines from a tracking interferometer";
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
+  std::string title = said("Lines from a tracking interferometer");
   if (!e.plan.machine.empty()) title += ", " + e.plan.machine;
   const std::string& file = e.lengths.file;
   return fmt::format(
-      "{}\nStation at {}, {}, {} mm{}\n{}\n\n", terminal.bold(report::printable(title)), number(s.x), number(s.y),
-      number(s.z), e.station_file ? ", located" : ", as planned",
-      terminal.faint(fmt::format("{} (SHA-256 {}…)", file == "-" ? "standard input" : report::printable(file),
+      "{}\n{}\n{}\n\n", terminal.bold(report::printable(title)),
+      said(fmt::format("Station at {}, {}, {} mm, {}", number(s.x), number(s.y), number(s.z),
+                       e.station_file ? "located" : "as planned")),
+      terminal.faint(fmt::format("{} (SHA-256 {}…)", file == "-" ? said("standard input") : report::printable(file),
                                  e.lengths.sha256.substr(0, 12))));
 }
 
@@ -46,9 +49,10 @@ std::string row(const tracking::EvaluatedLine& line, const app::Evaluated& test,
   const auto& parameters = test.assessment.evaluation.parameters;
   std::string text = terminal.bold(left(report::printable(line.id), id_width));
   const auto [nearest, farthest] = std::ranges::minmax(line.distances_mm);
-  text += right(
-      fmt::format("{} to {}", format_fixed(nearest, 0, options.numbers), format_fixed(farthest, 0, options.numbers)),
-      range_width);
+  text += right(report::translated(fmt::format("{} to {}", format_fixed(nearest, 0, options.numbers),
+                                               format_fixed(farthest, 0, options.numbers)),
+                                   options),
+                range_width);
   for (const std::string_view key : shown_parameters) {
     const auto& value = parameters.*iso230_2::find_parameter(key)->member;
     text += right(value ? format_fixed(value->in_native(), 1, options.numbers) : "–", cell_width);
@@ -62,7 +66,7 @@ std::string row(const tracking::EvaluatedLine& line, const app::Evaluated& test,
   text += right(shown, cell_width);
   text += "  " + std::string(is_diagonal(test.test.metadata.axis) ? "230-6" : "230-2");
   if (const auto verdict = iso230_2::overall_verdict(test.judgements)) {
-    const std::string name = "  " + std::string(uncertainty::verdict_name(*verdict));
+    const std::string name = "  " + report::translated(uncertainty::verdict_name(*verdict), options);
     text += *verdict == Verdict::conforms           ? terminal.green(name)
             : *verdict == Verdict::does_not_conform ? terminal.red(name)
                                                     : terminal.yellow(name);
@@ -71,14 +75,15 @@ std::string row(const tracking::EvaluatedLine& line, const app::Evaluated& test,
 }
 
 std::string table(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
-  std::string head = left("line", id_width) + right("distances/mm", range_width);
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
+  std::string head = left(said("line"), id_width) + right(said("distances") + "/mm", range_width);
   for (const std::string_view key : shown_parameters) head += right(fmt::format("{}/µm", key), cell_width);
-  head += right("slope/(µm/m)", slope_width) + right("Δd/µm", cell_width) + "  ISO";
+  head += right(said("slope") + "/(µm/m)", slope_width) + right("Δd/µm", cell_width) + "  ISO";
   std::string text = terminal.faint(head) + "\n";
   for (std::size_t k = 0; k < e.tests.size(); ++k) text += row(e.evaluation.lines[k], e.tests[k], options, terminal);
   return text +
-         terminal.faint(wrapped("Slopes with U (k = 2) of their scatter, kept in E and A; Δd: 95 % bound of the "
-                                "length difference that the uncertainty of the station causes",
+         terminal.faint(wrapped(said("Slopes with U (k = 2) of their scatter, kept in E and A; Δd: 95 % bound of the "
+                                     "length difference that the uncertainty of the station causes"),
                                 terminal.width(), 0)) +
          "\n\n";
 }
@@ -95,9 +100,11 @@ std::string diagonals(const app::EvaluatedLines& e, const report::Options& optio
   add("E", d.E);
   add("R", d.R);
   add("B", d.B);
-  return fmt::format("{} largest of the diagonals: {}\n", terminal.bold(std::string(iso230_6::edition)), text) +
+  return fmt::format("{} {}: {}\n", terminal.bold(std::string(iso230_6::edition)),
+                     report::translated("largest of the diagonals", options), text) +
          terminal.faint(
-             wrapped("Errors can cancel along a diagonal: a small E proves little alone.", terminal.width(), 0)) +
+             wrapped(report::translated("Errors can cancel along a diagonal: a small E proves little alone.", options),
+                     terminal.width(), 0)) +
          "\n\n";
 }
 
@@ -114,19 +121,22 @@ std::string squareness(const app::EvaluatedLines& e, const report::Options& opti
                                       : format_fixed(*term.value_um_per_m, 2, options.numbers);
     text += term.id.starts_with("e_") ? " µm/m\n" : " µrad\n";
   }
-  if (!text.empty()) text = terminal.bold("Scales and squareness from the slopes") + "\n" + text;
-  if (!untold.empty()) text += terminal.faint(fmt::format("Not told by these lines: {}", untold)) + "\n";
+  if (!text.empty())
+    text = terminal.bold(report::translated("Scales and squareness from the slopes", options)) + "\n" + text;
+  if (!untold.empty())
+    text +=
+        terminal.faint(fmt::format("{}: {}", report::translated("Not told by these lines", options), untold)) + "\n";
   for (const std::string& note : e.evaluation.squareness->notes)
-    text += terminal.faint(wrapped(report::printable(note), terminal.width(), 0)) + "\n";
+    text += terminal.faint(wrapped(report::printable(report::translated(note, options)), terminal.width(), 0)) + "\n";
   return text.empty() ? "" : text + "\n";
 }
 
-std::string findings(const app::EvaluatedLines& e, const Terminal& terminal) {
+std::string findings(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
   std::string text;
   for (const tracking::Finding& finding : e.evaluation.findings) {
-    const std::string name = left(finding.serious ? "serious" : "note", 10);
+    const std::string name = left(report::translated(finding.serious ? "serious" : "note", options), 10);
     text += (finding.serious ? terminal.red(name) : terminal.faint(name)) +
-            wrapped(report::printable(finding.message), terminal.width(), 10) + "\n";
+            wrapped(report::printable(report::translated(finding.message, options)), terminal.width(), 10) + "\n";
   }
   return text;
 }
@@ -135,7 +145,7 @@ std::string findings(const app::EvaluatedLines& e, const Terminal& terminal) {
 
 std::string lines_summary(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
   return heading(e, options, terminal) + table(e, options, terminal) + diagonals(e, options, terminal) +
-         squareness(e, options, terminal) + findings(e, terminal);
+         squareness(e, options, terminal) + findings(e, options, terminal);
 }
 
 }  // namespace axiometry::cli

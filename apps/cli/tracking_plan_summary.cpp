@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axiometry/report/plan_sheet.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/report/utf8.h"
 
 namespace axiometry::cli {
@@ -25,30 +26,38 @@ std::size_t id_width(const TrackingPlan& plan) {
 }
 
 std::string line_table(const TrackingPlan& plan, const report::Options& options, const Terminal& terminal) {
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
   const std::size_t width = id_width(plan);
-  std::string text = terminal.faint(left("line", width) + left("octant", 8) + right("from/mm", 10) +
-                                    right("to/mm", 10) + right("targets", 9) + right("runs", 6) + "  ends at") +
-                     "\n";
+  const std::size_t targets = std::max<std::size_t>(9, display_width(said("targets")) + 2);
+  const std::size_t runs = std::max<std::size_t>(6, display_width(said("runs")) + 2);
+  std::string text =
+      terminal.faint(left(said("line"), width) + left(said("octant"), 8) + right(said("from") + "/mm", 10) +
+                     right(said("to") + "/mm", 10) + right(said("targets"), targets) + right(said("runs"), runs) +
+                     "  " + said("ends at")) +
+      "\n";
   for (const TrackingLine& line : plan.lines) {
     const auto interval = tracking::interval_of(plan.setup, line);
     const auto number = [&](double x) { return right(format_fixed(x, 1, options.numbers), 10); };
     text += left(line.id, width) + left(interval ? interval->octant : "–", 8) +
             (interval ? number(interval->begin_mm) + number(interval->end_mm) : right("–", 10) + right("–", 10)) +
-            right(fmt::format("{}", line.plan.targets.size()), 9) + right(fmt::format("{}", line.plan.runs), 6) +
-            (interval ? fmt::format("  {}; {}", interval->limited_by_begin, interval->limited_by_end)
-                      : "  both ends of the travels") +
+            right(fmt::format("{}", line.plan.targets.size()), targets) +
+            right(fmt::format("{}", line.plan.runs), runs) +
+            (interval ? "  " + said(fmt::format("{}; {}", interval->limited_by_begin, interval->limited_by_end))
+                      : "  " + said("both ends of the travels")) +
             "\n";
   }
   return text + "\n";
 }
 
 std::string entry(std::string_view head, const std::string& text, const Terminal& terminal) {
-  constexpr std::size_t indent = 6;
-  return wrapped(left(head, indent) + report::printable(text), terminal.width(), indent) + "\n";
+  return wrapped(std::string(head) + report::printable(text), terminal.width(), display_width(head)) + "\n";
 }
 
 /// Lost lines with one reason stand together.
-std::string notes(const TrackingPlan& plan, const Terminal& terminal) {
+std::string notes(const TrackingPlan& plan, const report::Options& options, const Terminal& terminal) {
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
+  const std::string lost_word = said("lost"), note_word = said("note");
+  const std::size_t indent = std::max(display_width(lost_word), display_width(note_word)) + 2;
   std::vector<LostLine> lost;
   for (const LostLine& one : plan.lost) {
     const auto same = std::ranges::find(lost, one.reason, &LostLine::reason);
@@ -58,8 +67,8 @@ std::string notes(const TrackingPlan& plan, const Terminal& terminal) {
       same->id += ", " + one.id;
   }
   std::string text;
-  for (const LostLine& one : lost) text += entry("lost", one.id + ": " + one.reason, terminal);
-  for (const std::string& remark : plan.remarks) text += entry("note", remark, terminal);
+  for (const LostLine& one : lost) text += entry(left(lost_word, indent), one.id + ": " + said(one.reason), terminal);
+  for (const std::string& remark : plan.remarks) text += entry(left(note_word, indent), said(remark), terminal);
   return text.empty() ? text : text + "\n";
 }
 
@@ -68,13 +77,15 @@ std::string notes(const TrackingPlan& plan, const Terminal& terminal) {
 std::string tracking_plan_summary(const app::PlannedLines& planned, const report::Options& options,
                                   const Terminal& terminal) {
   const TrackingPlan& plan = planned.plan;
-  std::string title = plan.title.empty() ? "Lines from a tracking interferometer" : plan.title;
-  if (!plan.machine.empty()) title += " on " + plan.machine;
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
+  std::string title = plan.title.empty() ? said("Lines from a tracking interferometer") : plan.title;
+  if (!plan.machine.empty()) title += (options.language == language::Language::english ? " on " : ", ") + plan.machine;
   std::string text = terminal.bold(report::printable(title)) + "\n" +
-                     fmt::format("Station at {}\n\n", place(plan.setup.station.position_mm, options));
-  text += line_table(plan, options, terminal) + notes(plan, terminal);
-  const std::string kept = fmt::format("{} of {} lines.", plan.lines.size(), plan.lines.size() + plan.lost.size());
-  return text + fmt::format("Takes about {}. ", report::duration_text(planned.duration)) +
+                     said(fmt::format("Station at {}", place(plan.setup.station.position_mm, options))) + "\n\n";
+  text += line_table(plan, options, terminal) + notes(plan, options, terminal);
+  const std::string kept =
+      said(fmt::format("{} of {} lines.", plan.lines.size(), plan.lines.size() + plan.lost.size()));
+  return text + said(fmt::format("Takes about {}.", report::duration_text(planned.duration))) + " " +
          (plan.lost.empty() ? terminal.green(kept) : terminal.yellow(kept)) + "\n";
 }
 

@@ -22,7 +22,7 @@ report::Document experiment_document(std::string_view title, std::string_view so
   document.edition = std::string(source);
   document.running_head = document.title;
   document.running_status = "Simulation, no measurement";
-  document.generator = fmt::format("axiometry {}", version);
+  document.generator = fmt::format("Axiometry {}", version);
   return document;
 }
 

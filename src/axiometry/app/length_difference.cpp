@@ -10,6 +10,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/json_members.h"
 #include "axiometry/report/figures/length_difference.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::app {
 namespace {
@@ -123,7 +124,8 @@ report::Figure difference_figure(const LengthDifferences& r, std::span<const std
                                  std::string_view title, const report::Options& options) {
   report::DistanceSubject subject{.distances_mm = r.request.distances_mm, .curves = {}};
   for (const auto& line : r.lines)
-    if (std::ranges::find(names, line.name) != names.end()) subject.curves.push_back({line.name, differences_um(line)});
+    if (std::ranges::find(names, line.name) != names.end())
+      subject.curves.push_back({report::translated(line.name, options), differences_um(line)});
   subject.title = std::string(title);
   subject.description = fmt::format("How much longer lengths seem on {} line{}, over the distance from the station.",
                                     fmt::join(names, ", "), names.size() > 1 ? "s" : "");
@@ -133,7 +135,7 @@ report::Figure difference_figure(const LengthDifferences& r, std::span<const std
 report::Section figure_section(const LengthDifferences& r, const report::Options& options) {
   report::Section section{"figures", "Figures", true, {}};
   report::DistanceSubject angles{.distances_mm = r.request.distances_mm, .curves = {}};
-  for (const auto& line : r.lines) angles.curves.push_back({line.name, degrees(line)});
+  for (const auto& line : r.lines) angles.curves.push_back({report::translated(line.name, options), degrees(line)});
   angles.title = "Angle between the beam and the line (as Fig. 11 of the paper)";
   angles.description = "The angle falls with one over the distance.";
   section.blocks.emplace_back(report::station_angle_figure(angles, options));
@@ -195,6 +197,7 @@ Result<LengthDifferences> compare_lengths(const LengthDifferenceRequest& request
 Experiment present(const LengthDifferences& result, const report::Options& options) {
   Experiment experiment{experiment_document("Length difference", source), to_json(result)};
   report::Document& document = experiment.document;
+  document.running_head = report::translated(document.running_head, options);
   const Vector3 error = result.request.station_error_mm;
   const auto mm = [&](double x) { return format_fixed(x, 4, options.numbers); };
   document.identity = {{plain("Error of the station, determined − actual"),

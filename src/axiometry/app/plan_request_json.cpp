@@ -248,7 +248,7 @@ Value part_value(const Plan& plan, std::size_t part, double acceleration, const 
   report::Figure figure = report::with_words_translated(report::programme_figure(plan, acceleration, options), options);
   Value value = Value::object();
   value.add("part", part);
-  value.add("title", plan.title);
+  value.add("title", language::translated(plan.title, reader.language, reader.numbers));
   value.add("cycle", cycle_name(plan.cycle));
   value.add("runs", plan.runs);
   value.add("readings", approaches(plan).size());

@@ -211,7 +211,7 @@ constexpr Phrase rows[] = {
     {"{0=}; Amendment 1:2016 has not been taken into account", "{0}; Änderung 1:2016 ist nicht berücksichtigt"},
     {"{0} (least-squares line in time with a constant per target and direction; {1}). Information only: nothing was "
      "removed.",
-     "{0} (Ausgleichsgerade über der Zeit mit einer Konstanten je Zielposition und Richtung; {1}). Nur zur "
+     "{0} (Ausgleichsgerade über der Zeit mit einer Konstanten je Zielposition und Richtung; aus {1}). Nur zur "
      "Information: Nichts wurde abgezogen."},
     {"{0} at the start, {1} at the end", "{0} am Anfang, {1} am Ende"},
     {"{0} at the start, {1} at the end{2}", "{0} am Anfang, {1} am Ende{2}"},

@@ -14,9 +14,25 @@
 namespace axiometry::language {
 namespace {
 
-const std::span<const Phrase> tables[] = {german_terms,    german_report,      german_figures,   german_uncertainty,
-                                          german_findings, german_corrections, german_plan,      german_fields,
-                                          german_errors,   german_service,     german_simulation};
+const std::span<const Phrase> tables[] = {german_terms,
+                                          german_report,
+                                          german_figures,
+                                          german_uncertainty,
+                                          german_findings,
+                                          german_corrections,
+                                          german_plan,
+                                          german_fields,
+                                          german_errors,
+                                          german_service,
+                                          german_simulation,
+                                          german_tracking,
+                                          german_tracking_findings,
+                                          german_station,
+                                          german_periodic,
+                                          german_files,
+                                          german_requests,
+                                          german_terminal,
+                                          german_capture};
 
 std::multiset<char> places(std::string_view text) {
   std::multiset<char> all;

@@ -15,6 +15,7 @@
 #include "axiometry/report/lines_sections.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
@@ -70,7 +71,7 @@ Notice conformance_notice(const LinesSubject& subject) {
       const bool told = std::ranges::find(named, finding.message) != named.end();
       if (finding.severity != Severity::departure || told || named.size() >= departures_named) continue;
       named.push_back(finding.message);
-      notice.lines.push_back(sentence(fmt::format("{}: {} ({})", line.line.id, finding.message, finding.clause)));
+      notice.lines.push_back(joined({strong_verbatim(line.line.id), plain(": "), finding_line(finding)}));
     }
   return notice;
 }
@@ -109,7 +110,7 @@ std::optional<Notice> tolerances_notice(const LinesSubject& subject) {
       if (!notice)
         notice = Notice{tone_of(verdict), plain(fmt::format("Tolerances: line {} {}", line.line.id, word)), {}};
       notice->lines.push_back(
-          joined({plain("Line "), strong(line.line.id), plain(fmt::format(" {}: ", word)), symbols}));
+          joined({plain("Line "), strong_verbatim(line.line.id), plain(fmt::format(" {}: ", word)), symbols}));
     }
   if (notice && notice->lines.size() > 1) notice->heading = plain(fmt::format("Tolerances: {}", heading_of(subject)));
   return notice;
@@ -124,7 +125,7 @@ std::vector<Notice> status(const LinesSubject& subject) {
   if (!subject.plan.lost.empty()) {
     Notice lost{Tone::caution, plain("Not all lines could be measured from this station"), {}};
     for (const LostLine& line : subject.plan.lost)
-      lost.lines.push_back(joined({strong(line.id), plain(": "), prose(line.reason)}));
+      lost.lines.push_back(joined({strong_verbatim(line.id), plain(": "), prose(line.reason)}));
     all.push_back(std::move(lost));
   }
   if (auto notice = tolerances_notice(subject)) all.push_back(*std::move(notice));
@@ -137,18 +138,18 @@ std::string line_names(const LinesSubject& subject) {
   return names;
 }
 
-Document front_page(const LinesSubject& subject) {
+Document front_page(const LinesSubject& subject, const Options& options) {
   Document document;
   const bool good = all_conform(subject);
   document.kind = "Test report";
   document.title = has_diagonal(subject) ? "Axes and diagonals of a machine tool, by a tracking interferometer"
                                          : "Axes of a machine tool, by a tracking interferometer";
   document.edition = good ? editions(subject) : fmt::format("Formulas of {}", editions(subject));
-  document.identity = {{plain("Lines"), text_cell(line_names(subject))}};
+  document.identity = {{plain("Lines"), verbatim_cell(line_names(subject))}};
   const Metadata none;
   const Metadata& metadata = subject.lines.empty() ? none : subject.lines.front().line.test.metadata;
   const std::string& machine = metadata.machine.name.empty() ? subject.plan.machine : metadata.machine.name;
-  document.identity.push_back({plain("Machine"), machine.empty() ? quiet_cell("not stated") : text_cell(machine)});
+  document.identity.push_back({plain("Machine"), machine.empty() ? quiet_cell("not stated") : verbatim_cell(machine)});
   document.identity.push_back({plain("Serial number"), stated("machine.serial_number", metadata)});
   document.identity.push_back({plain("Date of test"), stated("test.date", metadata)});
   document.identity.push_back({plain("Report number"), stated("test.report_number", metadata)});
@@ -156,14 +157,20 @@ Document front_page(const LinesSubject& subject) {
   for (const AssessedLine& line : subject.lines)
     if (document.label.empty()) document.label = line.assessment.label;
   if (!document.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + document.label), {}});
-  document.running_head = "Lines " + line_names(subject);
+  document.running_head = translated("Lines", options) + " " + line_names(subject);
   if (!machine.empty()) document.running_head += " · " + machine;
   if (!metadata.conditions.report_number.empty())
-    document.running_number = "Report " + metadata.conditions.report_number;
+    document.running_number = translated("Report " + metadata.conditions.report_number, options);
   document.running_status = document.edition + (document.label.empty() ? "" : " · " + document.label);
   document.date = metadata.conditions.date;
   document.generator = fmt::format("Axiometry {}", version);
   return document;
+}
+
+/// What the program writes where all axes move is no word of the user.
+TableCell resting_axes_cell(const Metadata& metadata) {
+  const std::string& text = metadata.conditions.axes_not_under_test;
+  return text.empty() ? quiet_cell("not stated") : text == "none" ? text_cell(text) : verbatim_cell(text);
 }
 
 Facts line_facts(const AssessedLine& line, const Options& options) {
@@ -176,7 +183,7 @@ Facts line_facts(const AssessedLine& line, const Options& options) {
   add("Line", description_of(axis));
   add("Moves with growing position", octant_of(axis));
   add("Edition", edition_of(axis));
-  add("Axes not under test", test.metadata.conditions.axes_not_under_test);
+  facts.facts.push_back({plain("Axes not under test"), resting_axes_cell(test.metadata)});
   const auto& targets = test.series.targets();
   const int decimals = position_decimals(targets);
   add("Targets", fmt::format("{} from {} to {}, up to {} approaches from a direction", targets.size(),
@@ -267,8 +274,8 @@ Section common_identification(const LinesSubject& subject, const Options& option
 }
 
 /// The folders of this machine are nobody's business.
-std::string file_name(const std::string& path) {
-  return path == "-" ? "standard input" : path.substr(path.find_last_of("/\\") + 1);
+TableCell file_cell(const std::string& path) {
+  return path == "-" ? text_cell("standard input") : verbatim_cell(path.substr(path.find_last_of("/\\") + 1));
 }
 
 Section lines_provenance(const LinesSubject& subject) {
@@ -276,9 +283,12 @@ Section lines_provenance(const LinesSubject& subject) {
   const auto add = [&](std::string_view name, const std::string& value) {
     facts.facts.push_back({plain(name), value.empty() ? quiet_cell("not recorded") : text_cell(value)});
   };
-  add("Measured lengths", file_name(subject.file));
-  add("SHA-256 of the file", subject.sha256);
-  add("Plan", subject.plan.title);
+  const auto add_verbatim = [&](std::string_view name, const std::string& value) {
+    facts.facts.push_back({plain(name), value.empty() ? quiet_cell("not recorded") : verbatim_cell(value)});
+  };
+  facts.facts.push_back({plain("Measured lengths"), file_cell(subject.file)});
+  add_verbatim("SHA-256 of the file", subject.sha256);
+  add_verbatim("Plan", subject.plan.title);
   add("Program", fmt::format("Axiometry {}", version));
   for (const bool diagonal : {false, true})
     for (const AssessedLine& line : subject.lines) {
@@ -294,7 +304,7 @@ Section lines_provenance(const LinesSubject& subject) {
 }  // namespace
 
 Document compose(const LinesSubject& subject, const Options& options) {
-  Document document = front_page(subject);
+  Document document = front_page(subject, options);
   auto& sections = document.sections;
   sections.push_back(overview_section(subject, options));
   if (has_diagonal(subject)) sections.push_back(diagonal_section(subject, options));

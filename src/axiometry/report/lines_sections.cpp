@@ -47,7 +47,7 @@ std::vector<TableCell> overview_row(const AssessedLine& line, bool with_U, const
   const Options options = fitted(asked, line.assessment.evaluation.parameters);
   const Axis& axis = line.line.test.metadata.axis;
   const std::string octant = octant_of(axis);
-  std::vector<TableCell> row = {TableCell{strong(line.line.id)}, text_cell(standard_of(axis)),
+  std::vector<TableCell> row = {TableCell{strong_verbatim(line.line.id)}, text_cell(standard_of(axis)),
                                 octant.empty() ? quiet_cell("–") : text_cell(octant),
                                 number_cell(line.line.test.series.travel_native(), 1, options)};
   for (std::string_view key : overview_parameters) append_parameter(row, key, line, with_U && wants_U(key), options);
@@ -105,7 +105,7 @@ Table squareness_table(const tracking::Squareness& squareness, const Options& op
     const bool is_scale = term.id.starts_with("e_");
     const auto& u = term.uncertainty_um_per_m;
     table.rows.push_back(
-        {text_cell(term_title(term.id)), TableCell{is_scale ? symbol(term.id) : plain(term.id)},
+        {text_cell(term_title(term.id)), TableCell{is_scale ? symbol(term.id) : verbatim(term.id)},
          term.value_um_per_m ? number_cell(*term.value_um_per_m, 2, options) : quiet_cell("cannot be told"),
          term.value_um_per_m && u ? number_cell(2.0 * *u, 2, options) : quiet_cell("–"),
          text_cell(is_scale ? "µm/m" : "µrad")});
@@ -125,7 +125,7 @@ Table residual_table(const LinesSubject& subject, const Options& options) {
                    {plain("Remainder / µm/m"), Align::decimal}};
   for (std::size_t k = 0; k < squareness.residuals_um_per_m.size(); ++k) {
     const tracking::EvaluatedLine& line = subject.evaluation.lines[k];
-    table.rows.push_back({text_cell(line.id), number_cell(line.slope_um_per_m, 2, options),
+    table.rows.push_back({verbatim_cell(line.id), number_cell(line.slope_um_per_m, 2, options),
                           number_cell(squareness.residuals_um_per_m[k], 2, options)});
   }
   table.notes = {plain(fmt::format("χ² = {} with {} degree{} of freedom.",
@@ -143,7 +143,8 @@ std::optional<std::size_t> nearest(const tracking::EvaluatedLine& line) {
 
 std::vector<TableCell> length_difference_row(const tracking::EvaluatedLine& line, const RangingUncertainty& ranging,
                                              const Options& options) {
-  std::vector<TableCell> row = {TableCell{strong(line.id)}, number_cell(1000.0 * line.offset.larger_mm, 1, options),
+  std::vector<TableCell> row = {TableCell{strong_verbatim(line.id)},
+                                number_cell(1000.0 * line.offset.larger_mm, 1, options),
                                 number_cell(1000.0 * line.offset.smaller_mm, 1, options)};
   const auto at = nearest(line);
   if (!at) {
@@ -191,7 +192,7 @@ Facts setup_facts(const TrackingPlan& plan, const Options& options) {
   add("Instrument", fmt::format("U = {}\u00a0µm + {}\u00a0µm/m\u00a0·\u00a0L (k = 2)",
                                 shown_short(setup.ranging.constant.in_um(), options),
                                 shown_short(setup.ranging.per_length.in_um_per_m(), options)));
-  add("Planned on", plan.date);
+  facts.facts.push_back({plain("Planned on"), plan.date.empty() ? quiet_cell("not stated") : verbatim_cell(plan.date)});
   return facts;
 }
 
@@ -200,7 +201,7 @@ Table lost_table(const TrackingPlan& plan) {
   table.caption = plain("Lines that cannot be measured from this station");
   table.columns = {{plain("Line"), Align::start, true}, {plain("Reason"), Align::start, false, true}};
   for (const LostLine& line : plan.lost)
-    table.rows.push_back({TableCell{strong(line.id)}, TableCell{sentence(line.reason)}});
+    table.rows.push_back({TableCell{strong_verbatim(line.id)}, TableCell{sentence(line.reason)}});
   return table;
 }
 

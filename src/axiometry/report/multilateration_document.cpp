@@ -9,6 +9,7 @@
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/tracking.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report {
 namespace {
@@ -35,14 +36,12 @@ class Composition {
     document.kind = "Multilateration";
     document.title = "Points and stations from lengths";
     document.edition = "Lee et al., Sensors 16 (2016) 482, eq. 2";
-    document.running_head = document.title;
+    document.running_head = translated(document.title, options_);
     document.running_status = document.edition;
     document.generator = fmt::format("Axiometry {}", version);
-    document.identity = {fact("Measured lengths", s_.file == "-" ? "standard input" : s_.file)};
+    document.identity = {file_fact("Measured lengths")};
     document.status = {status()};
-    document.sections = {result_section(), station_section(), point_section()};
-    if (Section figures = figure_section(); !figures.blocks.empty()) document.sections.push_back(std::move(figures));
-    document.sections.push_back(findings_section());
+    document.sections = {result_section(), findings_section(), station_section(), point_section(), figure_section()};
     document.sections.push_back(method());
     document.sections.push_back(source());
     return document;
@@ -52,6 +51,10 @@ class Composition {
   std::string number(double x, int decimals) const { return format_fixed(x, decimals, options_.numbers); }
   TableCell cell(double x, int decimals) const { return text_cell(number(x, decimals)); }
   std::string um(double mm) const { return shown_short(1000.0 * mm, options_, 3) + "\u00a0µm"; }
+
+  Fact file_fact(std::string_view name) const {
+    return {plain(name), s_.file == "-" ? text_cell("standard input") : verbatim_cell(s_.file)};
+  }
 
   Notice status() const {
     const bool serious = std::ranges::any_of(fit_.findings, &tracking::Finding::serious);
@@ -117,7 +120,7 @@ class Composition {
     table.columns.push_back({plain("rms / µm"), Align::decimal});
     for (std::size_t j = 0; j < fit_.stations_mm.size(); ++j) {
       auto& row = table.rows.emplace_back();
-      row.push_back(text_cell(name_of(s_.options.station_names, j)));
+      row.push_back(verbatim_cell(name_of(s_.options.station_names, j)));
       for (std::size_t c = 0; c < 3; ++c) row.push_back(cell(fit_.stations_mm[j][c], 4));
       for (std::size_t c = 0; c < 3; ++c)
         row.push_back(cell(1000.0 * std::sqrt(fit_.station_covariances_mm2[j][c][c]), 2));
@@ -145,7 +148,7 @@ class Composition {
     for (std::size_t j = 0; j < fit_.dead_paths_mm.size(); ++j)
       for (std::size_t k = 0; k < fit_.dead_paths_mm[j].size(); ++k) {
         auto& row = table.rows.emplace_back();
-        row = {text_cell(name_of(s_.options.station_names, j)), text_cell(fmt::format("{}", k + 1)),
+        row = {verbatim_cell(name_of(s_.options.station_names, j)), text_cell(fmt::format("{}", k + 1)),
                cell(fit_.dead_paths_mm[j][k], 4), cell(1000.0 * fit_.dead_path_sigmas_mm[j][k], 2)};
         if (!scales) continue;
         row.push_back(cell(1e6 * (fit_.scales[j] - 1.0), 3));
@@ -202,7 +205,7 @@ class Composition {
       for (const char* axis : {"X", "Y", "Z"}) table.columns.push_back({plain(axis), Align::decimal});
     for (const std::size_t i : order) {
       auto& row = table.rows.emplace_back();
-      row.push_back(text_cell(name_of(s_.options.point_names, i)));
+      row.push_back(verbatim_cell(name_of(s_.options.point_names, i)));
       const Vector3 d = 1000.0 * (fit_.points_mm[i] - s_.nominal_mm[i]);
       for (std::size_t c = 0; c < 3; ++c) row.push_back(cell(fit_.points_mm[i][c], 4));
       for (std::size_t c = 0; c < 3; ++c) row.push_back(cell(d[c], 2));
@@ -226,9 +229,10 @@ class Composition {
     }
     for (std::size_t j = 0; j < fit_.stations_mm.size(); ++j)
       layout.station_names.push_back(name_of(s_.options.station_names, j));
-    section.blocks.emplace_back(layout_figure(layout, options_));
-    if (auto figure = residual_figure(fit_.normalised_residuals, options_))
+    if (auto figure =
+            residual_figure(fit_.normalised_residuals, options_))  // fits below the points, the layout does not
       section.blocks.emplace_back(*std::move(figure));
+    section.blocks.emplace_back(layout_figure(layout, options_));
     return section;
   }
 
@@ -263,7 +267,7 @@ class Composition {
   }
 
   Section source() const {
-    Facts facts{"", {fact("File", s_.file == "-" ? "standard input" : s_.file), fact("SHA-256", s_.sha256)}};
+    Facts facts{"", {file_fact("File"), Fact{plain("SHA-256"), verbatim_cell(s_.sha256)}}};
     return {"source", "Source", false, {std::move(facts)}};
   }
 

@@ -8,6 +8,7 @@
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/tracking.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report {
 namespace {
@@ -228,12 +229,12 @@ Facts planned_setup(const TrackingSetup& setup, const Options& options) {
             text_cell(shown_short(setup.limits.safe_radius_mm, options) + "\u00a0mm")}}};
 }
 
-Document title_page(std::string_view kind, std::string_view title) {
+Document title_page(std::string_view kind, std::string_view title, const Options& options) {
   Document document;
   document.kind = std::string(kind);
   document.title = std::string(title);
   document.edition = "Lee et al. 2016, eqs 11 to 15";
-  document.running_head = document.title;
+  document.running_head = translated(title, options);
   document.generator = fmt::format("Axiometry {}", version);
   return document;
 }
@@ -242,10 +243,10 @@ Document title_page(std::string_view kind, std::string_view title) {
 
 Document compose(const StationSubject& subject, const Options& options) {
   const StationLocation& location = subject.location;
-  Document document = title_page("Station location", "Station of a tracking interferometer");
+  Document document = title_page("Station location", "Station of a tracking interferometer", options);
   document.running_status = location.is_serious() ? "Not to be used as it is" : "Station found";
   document.identity = {{plain("Points"), text_cell(fmt::format("{}", subject.points.size()))},
-                       {plain("File"), text_cell(subject.file)}};
+                       {plain("File"), verbatim_cell(subject.file)}};
   document.status = {status(location)};
   Section results{"station", "Station", true, {}};
   results.blocks.emplace_back(estimator_table(location, options));
@@ -260,14 +261,14 @@ Document compose(const StationSubject& subject, const Options& options) {
   residuals.blocks.emplace_back(covariance_table(location.refined.covariance_mm2, options));
   document.sections.push_back(std::move(residuals));
   document.sections.push_back(method_section(subject, options));
-  Facts source{"", {{plain("File"), text_cell(subject.file)}, {plain("SHA-256"), text_cell(subject.sha256)}}};
+  Facts source{"", {{plain("File"), verbatim_cell(subject.file)}, {plain("SHA-256"), verbatim_cell(subject.sha256)}}};
   document.sections.push_back({"provenance", "Provenance", false, {std::move(source)}});
   return document;
 }
 
 Document compose(const LocationPlanSubject& subject, const Options& options) {
   const tracking::LocationQuality& quality = subject.plan.quality;
-  Document document = title_page("Test plan", "Points for the station location");
+  Document document = title_page("Test plan", "Points for the station location", options);
   document.running_status = "Plan, no measurement";
   document.identity = {{plain("Points"), text_cell(fmt::format("{}", subject.plan.points_mm.size()))}};
   Table points;

@@ -9,6 +9,7 @@
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/tracking.h"
+#include "axiometry/report/translated.h"
 #include "axiometry/tracking/seven_lines.h"
 
 namespace axiometry::report {
@@ -151,7 +152,7 @@ Table line_table(const Sheet& sheet) {
     const auto interval = tracking::interval_of(sheet.plan.setup, line);
     const auto dash = quiet_cell("–");
     table.rows.push_back(
-        {text_cell(line.id), text_cell(line.plan.standard), interval ? text_cell(interval->octant) : dash,
+        {verbatim_cell(line.id), text_cell(line.plan.standard), interval ? text_cell(interval->octant) : dash,
          interval ? text_cell(sheet.number(interval->begin_mm, 1)) : dash,
          interval ? text_cell(sheet.number(interval->end_mm, 1)) : dash,
          interval ? text_cell(fmt::format("{}; {}", interval->limited_by_begin, interval->limited_by_end)) : dash,
@@ -166,7 +167,7 @@ Table line_table(const Sheet& sheet) {
 Table lost_table(const Sheet& sheet) {
   Table table;
   table.columns = {{plain("Line"), Align::start, true}, {plain("Reason"), Align::start, false, true}};
-  for (const LostLine& lost : sheet.plan.lost) table.rows.push_back({text_cell(lost.id), text_cell(lost.reason)});
+  for (const LostLine& lost : sheet.plan.lost) table.rows.push_back({verbatim_cell(lost.id), text_cell(lost.reason)});
   return table;
 }
 
@@ -181,11 +182,11 @@ Table way_table(const Sheet& sheet) {
                           text_cell(sheet.number(at.y, place_decimals)),
                           text_cell(sheet.number(at.z, place_decimals))});
   };
-  std::string from = "from above";
+  std::string from = "above";
   for (const TrackingLine& line : sheet.plan.lines) {
-    for (const Vector3& over : line.plan.way_in_mm) row(fmt::format("{} to {}", from, line.id), over);
+    for (const Vector3& over : line.plan.way_in_mm) row(fmt::format("{} → {}", from, line.id), over);
     row(fmt::format("beginning and end of {}", line.id), spatial_line(line.plan.axis)->at(reach(line.plan).lowest));
-    for (const Vector3& over : line.plan.way_out_mm) row(fmt::format("{} to above", line.id), over);
+    for (const Vector3& over : line.plan.way_out_mm) row(fmt::format("{} → above", line.id), over);
     from = line.id;
   }
   table.notes.push_back(plain("Where the axes stand. Drive Z to its upper end before the program is started."));
@@ -217,7 +218,7 @@ Table target_table(const Sheet& sheet, const TrackingLine& line) {
 
 RichText programme_text(const Sheet& sheet, const TrackingLine& line) {
   const Plan& plan = line.plan;
-  return joined({strong(line.id),
+  return joined({strong_verbatim(line.id),
                  plain(fmt::format(": {} in each direction, feed {}/min, dwell {} s, overrun {}{}",
                                    plan.runs == 1 ? "once" : fmt::format("{} times", plan.runs), sheet.mm(plan.feed),
                                    shown_short(plan.dwell.in_s(), sheet.options), sheet.mm(plan.overrun.in_native()),
@@ -246,22 +247,30 @@ Notice status(const TrackingPlan& plan) {
   return notice;
 }
 
+/// As a sentence; what is said of one line, "xy: …", keeps the name of the line as it is.
+RichText remark_text(const TrackingPlan& plan, const std::string& remark) {
+  for (const TrackingLine& line : plan.lines)
+    if (remark.starts_with(line.id + ": ")) return {TextRun{.text = remark + "."}};
+  return sentence(remark);
+}
+
 Section remark_section(const TrackingPlan& plan) {
   Section section{"remarks", "Remarks", false, {}};
-  for (const std::string& remark : plan.remarks) section.blocks.emplace_back(Paragraph{plain(remark + ".")});
+  for (const std::string& remark : plan.remarks) section.blocks.emplace_back(Paragraph{remark_text(plan, remark)});
   return section;
 }
 
-Document title_page(const TrackingPlan& plan, Duration duration) {
+Document title_page(const TrackingPlan& plan, Duration duration, const Options& options) {
   Document document;
   document.kind = "Test plan";
   document.title = plan.title.empty() ? "Lines from a tracking interferometer" : plan.title;
   document.edition = "ISO 230-2:2014, ISO 230-6:2002";
-  document.identity = {{plain("Machine"), plan.machine.empty() ? quiet_cell("not stated") : text_cell(plan.machine)},
-                       {plain("Date of plan"), plan.date.empty() ? quiet_cell("not stated") : text_cell(plan.date)},
-                       {plain("Duration, about"), text_cell(duration_text(duration))}};
+  document.identity = {
+      {plain("Machine"), plan.machine.empty() ? quiet_cell("not stated") : verbatim_cell(plan.machine)},
+      {plain("Date of plan"), plan.date.empty() ? quiet_cell("not stated") : verbatim_cell(plan.date)},
+      {plain("Duration, about"), text_cell(duration_text(duration))}};
   document.status.push_back(status(plan));
-  document.running_head = plan.machine.empty() ? document.title : plan.machine + " · " + document.title;
+  document.running_head = (plan.machine.empty() ? "" : plan.machine + " · ") + translated(document.title, options);
   document.running_status = "Test plan · " + document.edition;
   document.date = plan.date;
   document.generator = fmt::format("Axiometry {}", version);
@@ -272,7 +281,7 @@ Document title_page(const TrackingPlan& plan, Duration duration) {
 
 Document tracking_sheet(const TrackingPlan& plan, Duration duration, const Options& options) {
   const Sheet sheet{plan, options};
-  Document document = title_page(plan, duration);
+  Document document = title_page(plan, duration, options);
   document.sections.push_back({"lines", "Lines", false, {line_table(sheet)}});
   if (!plan.lost.empty())
     document.sections.push_back({"lost", "Lines that cannot be measured", false, {lost_table(sheet)}});

@@ -152,14 +152,13 @@ void draw_value(Operations& operations, const Bar& bar, const plot::Scale& x, do
       .centre = {x(bar.value), y}, .radius = disc_radius, .fill = ink::black, .stroke = ink::solid(ink::white, 0.5)});
 }
 
-/// "9.6 ± 4.3 of 10 µm"
+/// "9.6 ± 4.3 of 10 µm", in English
 std::string value_text(const Judgement& judgement, const Subject& subject, const Options& options) {
   const AxisKind kind = subject.test.metadata.axis.kind;
   const ShownParameter shown = show_judged(judgement, subject.assessment, kind, options);
   const double limit = judgement.tolerance.limit.in_native() * parameter_scale(kind, options.unit).per_native;
-  return translated(fmt::format("{}{} of {}\u00a0{}", shown.value, shown.U.empty() ? "" : " ± " + shown.U,
-                                shown_short(limit, options), shown.unit),
-                    options);
+  return fmt::format("{}{} of {}\u00a0{}", shown.value, shown.U.empty() ? "" : " ± " + shown.U,
+                     shown_short(limit, options), shown.unit);
 }
 
 void draw_row(Operations& operations, const Bar& bar, const plot::Scale& x, double y, const Subject& subject,
@@ -169,9 +168,9 @@ void draw_row(Operations& operations, const Bar& bar, const plot::Scale& x, doub
   plot::Runs symbol = plot::symbol(*judgement.tolerance.parameter);
   operations.push_back(label(std::move(symbol), {bar_left - 6.0, y + 2.6}, Anchor::end));
   constexpr double room = plot::plate_width - text_left;
-  operations.push_back(
-      label({plot::plain(plot::shortened(value_text(judgement, subject, options), room, ink::text_size))},
-            {text_left, y - 1.2}));
+  operations.push_back(label({plot::plain(plot::shortened(translated(value_text(judgement, subject, options), options),
+                                                          room, ink::text_size))},
+                             {text_left, y - 1.2}));
   TextRun verdict = plot::plain(translated(uncertainty::verdict_name(judgement.decision.verdict), options));
   verdict.bold = true;
   operations.push_back(label({std::move(verdict)}, {text_left, y + 8.3}));

@@ -11,6 +11,7 @@
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/scale.h"
 #include "axiometry/report/tracking.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report {
 namespace {
@@ -116,7 +117,7 @@ class Drawing {
     const Box frame{edge, top + edge, plot::plate_width - edge, top + height - edge};
     plot::LabelPlaces labels(frame);
     draw_triad(labels, sight, {32.0, top + height - 28.0});
-    plot::draw_scene(operations_, labels, layout_, view, {.stands = true});
+    plot::draw_scene(operations_, labels, layout_, view, {.stands = true, .station = translated("station", options_)});
     return top + height;
   }
 
@@ -172,7 +173,7 @@ class Drawing {
     const auto write = [&](double x, std::string text, Anchor anchor) {
       operations_.push_back(level_text(std::move(text), {x, at.y}, name_size, ink::black, anchor));
     };
-    operations_.push_back(level_text("Station", at, name_size, ink::grey, Anchor::start));
+    operations_.push_back(level_text(translated("Station", options_), at, name_size, ink::grey, Anchor::start));
     constexpr std::string_view names[] = {"X", "Y", "Z"};
     for (std::size_t k = 0; k < 3; ++k) {
       at.y += row;
@@ -187,8 +188,8 @@ class Drawing {
     const double width = view.window.width() * view.points_per_mm, height = view.window.height() * view.points_per_mm;
     const Box frame{view.corner.x - plan_margin, view.corner.y - plan_margin, view.corner.x + width + plan_margin,
                     view.corner.y + height + plan_margin};
-    numbers.take(operations_,
-                 level_text(std::string(name), {frame.left, frame.top - 4.0}, name_size, ink::grey, Anchor::start));
+    numbers.take(operations_, level_text(translated(name, options_), {frame.left, frame.top - 4.0}, name_size,
+                                         ink::grey, Anchor::start));
     operations_.push_back(Path{.points = {{frame.left, frame.top},
                                           {frame.right, frame.top},
                                           {frame.right, frame.bottom},
@@ -197,7 +198,9 @@ class Drawing {
                                .stroke = ink::solid(ink::grid_grey, 0.4),
                                .fill = ink::none});
     plot::LabelPlaces labels(frame);
-    plot::draw_scene(operations_, labels, layout_, view, {.ball = 2.8, .pen = 0.9, .text = 6.5, .labels_most = 14.0});
+    plot::draw_scene(
+        operations_, labels, layout_, view,
+        {.ball = 2.8, .pen = 0.9, .text = 6.5, .labels_most = 14.0, .station = translated("station", options_)});
     if (upright) draw_upright(view, frame, *upright, numbers);
     if (level) draw_level(view, frame, *level, numbers);
   }
@@ -271,7 +274,8 @@ class Drawing {
   std::vector<plot::LegendEntry> legend() const {
     std::vector<plot::LegendEntry> entries;
     const auto add = [&](bool present, std::optional<Stroke> stroke, std::optional<Disc> mark, std::string_view text) {
-      if (present) entries.push_back({std::move(stroke), std::nullopt, mark, {plot::plain(text)}});
+      if (present)
+        entries.push_back({std::move(stroke), std::nullopt, mark, {plot::plain(translated(text, options_))}});
     };
     const auto has = [&](auto predicate) { return std::ranges::any_of(layout_.lines, predicate); };
     const auto beam = [](const Layout::Item& item) { return !item.lost && item.beam; };
@@ -290,7 +294,7 @@ class Drawing {
     add(points > 0, std::nullopt, Disc{.centre = {}, .radius = 1.6, .fill = ink::black, .stroke = {.width = 0.0}},
         points > plot::most_points_drawn ? fmt::format("some of {} points", points) : "point");
     add(layout_.way_mm.size() > 1, ink::solid(ink::extension_grey, 0.5), std::nullopt, "way of the reflector");
-    entries.push_back({std::nullopt, std::nullopt, std::nullopt, {plot::plain("lengths in mm")}});
+    entries.push_back({std::nullopt, std::nullopt, std::nullopt, {plot::plain(translated("lengths in mm", options_))}});
     return entries;
   }
 

@@ -199,7 +199,7 @@ class Scene {
     const bool several = layout_.stations_mm.size() > 1;
     if (layout_.stations_mm.size() > most_points_numbered) return;
     for (std::size_t k = 0; k < layout_.stations_mm.size(); ++k)
-      name(several ? named(layout_.station_names, layout_.stations_mm.size(), k, "S") : std::string("station"),
+      name(several ? named(layout_.station_names, layout_.stations_mm.size(), k, "S") : style_.station,
            view_(layout_.stations_mm[k]), {-1.0, 0.6}, ink::black, style_.ball + 1.5, style_.text - 0.5);
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "axiometry/report/figures/label_places.h"
 #include "axiometry/report/figures/projection.h"
 #include "axiometry/report/tracking.h"
@@ -22,7 +24,8 @@ struct SceneStyle {
   double pen = 1.3;   ///< width of lines
   double text = 7.5;  ///< size of labels
   bool stands = false;
-  double labels_most = 40.0;  ///< how far off a label may stand
+  double labels_most = 40.0;        ///< how far off a label may stand
+  std::string station = "station";  ///< what the only one is called
 };
 
 /// Lines, solids, points and their labels. Labels that find no room are left out.

@@ -8,6 +8,7 @@
 #include "axiometry/report/figures/chart.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/series_pens.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report {
 namespace {
@@ -59,14 +60,14 @@ ChartRange decades(ChartRange range) {
   return {range.low / room, range.high * room};
 }
 
-ChartAxis distance_axis(const DistanceSubject& subject) {
+ChartAxis distance_axis(const DistanceSubject& subject, const Options& options) {
   Seen seen;
   for_each_value(subject, [&](double distance, double) { seen.add(distance); });
   const ChartRange range = seen.any() ? decades(seen.range()) : ChartRange{10.0, 1000.0};
   return {.low = range.low,
           .high = range.high,
           .unit = plot::position_axis_unit(AxisKind::linear, range.high),
-          .title = "Distance from the station",
+          .title = translated("Distance from the station", options),
           .logarithmic = true};
 }
 
@@ -156,11 +157,11 @@ Figure station_angle_figure(const DistanceSubject& subject, const Options& optio
   Figure figure = begun(subject);
   double top =
       plot::draw_legend(figure.operations, legend(subject), {left_of_legend, 0.0}, plot::plate_width - left_of_legend);
-  ChartAxis angle = magnitude_axis(subject, "Angle α");
+  ChartAxis angle = magnitude_axis(subject, translated("Angle α", options));
   angle.unit = {1.0, {plot::plain("°")}};
   figure.height = top + between + chart_height + 30.0;
-  const Chart chart =
-      plot::draw_chart(figure.operations, distance_axis(subject), angle, top + between, figure.height, options.numbers);
+  const Chart chart = plot::draw_chart(figure.operations, distance_axis(subject, options), angle, top + between,
+                                       figure.height, options.numbers);
   for (std::size_t k = 0; k < subject.curves.size(); ++k) draw_curve(figure.operations, chart, subject, k, magnitude);
   return figure;
 }
@@ -173,7 +174,7 @@ Figure length_difference_figure(const DistanceSubject& subject, const std::optio
     entries.push_back({.line = instrument_line,
                        .band = std::nullopt,
                        .mark = std::nullopt,
-                       .text = {plot::italic("U"), plot::plain(" of the instrument")}});
+                       .text = translated({plot::italic("U"), plot::plain(" of the instrument")}, options)});
   double top = plot::draw_legend(figure.operations, entries, {left_of_legend, 0.0}, plot::plate_width - left_of_legend);
   top += between;
 
@@ -185,16 +186,17 @@ Figure length_difference_figure(const DistanceSubject& subject, const std::optio
   const ChartAxis linear{.low = range.low,
                          .high = range.high,
                          .unit = plot::deviation_axis_unit(AxisKind::linear, options.unit, most),
-                         .title = "Length difference Δd"};
-  const ChartAxis distance = distance_axis(subject);
+                         .title = translated("Length difference Δd", options)};
+  const ChartAxis distance = distance_axis(subject, options);
   const Chart upper = plot::draw_chart(figure.operations, distance, linear, top, top + chart_height, options.numbers);
   for (std::size_t k = 0; k < subject.curves.size(); ++k)
     draw_curve(figure.operations, upper, subject, k, [](double value) { return value; });
   top += chart_height + between;
 
   figure.height = top + chart_height + 30.0;
-  const Chart lower = plot::draw_chart(figure.operations, distance, magnitude_axis(subject, "Magnitude |Δd|"), top,
-                                       figure.height, options.numbers);
+  const Chart lower =
+      plot::draw_chart(figure.operations, distance, magnitude_axis(subject, translated("Magnitude |Δd|", options)), top,
+                       figure.height, options.numbers);
   if (ranging) draw_instrument(figure.operations, lower, *ranging);
   for (std::size_t k = 0; k < subject.curves.size(); ++k) draw_curve(figure.operations, lower, subject, k, magnitude);
   return figure;

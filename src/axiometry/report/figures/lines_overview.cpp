@@ -10,6 +10,7 @@
 #include "axiometry/report/figures/chart.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/series_pens.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report {
 namespace {
@@ -118,12 +119,12 @@ Figure lines_overview_figure(const LinesSubject& subject, const Options& options
       .low = x.low,
       .high = x.high,
       .unit = plot::position_axis_unit(AxisKind::linear, std::max(std::abs(x.low), std::abs(x.high))),
-      .title = "Distance from the station"};
+      .title = translated("Distance from the station", options)};
   const ChartAxis deviation{
       .low = y.low,
       .high = y.high,
       .unit = plot::deviation_axis_unit(AxisKind::linear, options.unit, std::max(std::abs(y.low), std::abs(y.high))),
-      .title = "Mean deviation"};
+      .title = translated("Mean deviation", options)};
   const Chart chart = plot::draw_chart(figure.operations, distance, deviation, top, figure.height, options.numbers);
   for (std::size_t k = 0; k < all.size(); ++k)
     draw_slope(figure.operations, chart, all[k], subject.lines[k].line.slope_um_per_m, plot::series_pen(k));

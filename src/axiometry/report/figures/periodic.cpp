@@ -9,6 +9,7 @@
 #include "axiometry/report/figures/ink.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/periodic.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report {
 namespace {
@@ -98,7 +99,7 @@ class Drawing {
     ChartAxis x{.low = 0.0,
                 .high = period,
                 .unit = plot::position_axis_unit(kind_, period),
-                .title = "Position within the period, from the first target"};
+                .title = word("Position within the period, from the first target")};
     const Chart chart = begin(figure, {means_entry(false), curve_entry()}, x, deviation_axis(y, "Deviation less line"));
     std::vector<Point> moved = curve;
     for (Point& p : moved) p.x -= first;
@@ -126,7 +127,7 @@ class Drawing {
     ChartAxis across{.low = shortest,
                      .high = longest,
                      .unit = plot::position_axis_unit(kind_, longest),
-                     .title = "Period",
+                     .title = word("Period"),
                      .logarithmic = true};
     ChartAxis up = deviation_axis(y, "Amplitude");
     up.low = 0.0;
@@ -142,6 +143,8 @@ class Drawing {
   }
 
  private:
+  std::string word(std::string_view english) const { return translated(english, options_); }
+
   double without_line(const PeriodicPoint& p) const { return p.deviation.in_native() - p.line.in_native(); }
 
   Figure sheet() const {
@@ -150,7 +153,7 @@ class Drawing {
 
   Chart begin(Figure& figure, const std::vector<LegendEntry>& legend, const ChartAxis& x, const ChartAxis& y) const {
     double top =
-        plot::draw_label(figure.operations, subject_.result.label, header_left, plot::plate_width - header_left);
+        plot::draw_label(figure.operations, word(subject_.result.label), header_left, plot::plate_width - header_left);
     top += plot::draw_legend(figure.operations, legend, {header_left, top}, plot::plate_width - header_left);
     return plot::draw_chart(figure.operations, x, y, top + legend_gap, figure_height, options_.numbers);
   }
@@ -161,16 +164,17 @@ class Drawing {
     return {.low = range.low,
             .high = range.high,
             .unit = plot::position_axis_unit(kind_, x.magnitude()),
-            .title = name.empty() ? "Position" : "Position " + plot::shortened(name, 220.0, ink::text_size),
+            .title =
+                name.empty() ? word("Position") : word("Position") + " " + plot::shortened(name, 220.0, ink::text_size),
             .division = kind_ == AxisKind::rotary ? plot::Division::angular : plot::Division::decimal};
   }
 
-  ChartAxis deviation_axis(const Seen& y, std::string title) const {
+  ChartAxis deviation_axis(const Seen& y, std::string_view title) const {
     const ChartRange range = y.range();
     return {.low = range.low,
             .high = range.high,
             .unit = plot::deviation_axis_unit(kind_, options_.unit, y.magnitude()),
-            .title = std::move(title)};
+            .title = word(title)};
   }
 
   Point on_line(const Chart& chart, double position) const {
@@ -261,35 +265,37 @@ class Drawing {
   }
 
   LegendEntry means_entry(bool joined_up) const {
-    const std::string what = d_.runs > 1 ? fmt::format(" mean of {} runs", d_.runs) : " reading";
+    const std::string what = word(d_.runs > 1 ? fmt::format("mean of {} runs", d_.runs) : "reading");
     return {.line = joined_up ? std::optional(ink::solid(ink::faint(ink::of(d_.direction), 0.5), 0.5)) : std::nullopt,
             .band = std::nullopt,
             .mark = dot(1.6),
-            .text = {plot::italic("x"), plot::index_letter("i"), plot::plain(std::string(arrow(d_.direction)) + what)}};
+            .text = {plot::italic("x"), plot::index_letter("i"),
+                     plot::plain(fmt::format("{} {}", arrow(d_.direction), what))}};
   }
-  static LegendEntry line_entry() {
-    return {.line = removed_line, .band = std::nullopt, .mark = std::nullopt, .text = {plot::plain("straight line")}};
+  LegendEntry line_entry() const {
+    return {
+        .line = removed_line, .band = std::nullopt, .mark = std::nullopt, .text = {plot::plain(word("straight line"))}};
   }
   LegendEntry curve_entry() const {
     std::string orders;
     for (const auto& h : d_.harmonics)
       if (h.order > 1 && h.significant) orders += fmt::format(" + {}", h.order);
     const std::string text = orders.empty() ? "sinusoid" : fmt::format("curve, harmonics 1{}", orders);
-    return {.line = curve_line, .band = std::nullopt, .mark = std::nullopt, .text = {plot::plain(text)}};
+    return {.line = curve_line, .band = std::nullopt, .mark = std::nullopt, .text = {plot::plain(word(text))}};
   }
   std::vector<LegendEntry> spectrum_legend() const {
     return {{.line = ink::solid(ink::of(d_.direction), 0.8),
              .band = std::nullopt,
              .mark = std::nullopt,
-             .text = {plot::plain(fmt::format("amplitude {}", arrow(d_.direction)))}},
+             .text = {plot::plain(fmt::format("{} {}", word("amplitude"), arrow(d_.direction)))}},
             {.line = marked_line,
              .band = std::nullopt,
              .mark = Disc{.centre = {}, .radius = 2.0, .fill = ink::black},
-             .text = {plot::plain(d_.period_known ? "period as given" : "period found")}},
+             .text = {plot::plain(word(d_.period_known ? "period as given" : "period found"))}},
             {.line = level_line,
              .band = std::nullopt,
              .mark = std::nullopt,
-             .text = {plot::plain("exceeded somewhere by noise alone in 1 % of tests")}}};
+             .text = {plot::plain(word("exceeded somewhere by noise alone in 1 % of tests"))}}};
   }
 
   Figure named(Figure figure, std::string_view title, std::string_view description) const {

@@ -123,7 +123,8 @@ class Drawing {
   }
 
   std::string description() const {
-    return fmt::format("{} targets, {} runs, {} readings.", plan_.targets.size(), plan_.runs, approaches(plan_).size());
+    return fmt::format("{} targets, {} run{}, {} readings.", plan_.targets.size(), plan_.runs,
+                       plan_.runs == 1 ? "" : "s", approaches(plan_).size());
   }
 
   void draw_overruns() {

@@ -9,6 +9,7 @@
 #include "axiometry/report/figures/chart.h"
 #include "axiometry/report/figures/ink.h"
 #include "axiometry/report/figures/plate.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::report {
 namespace {
@@ -64,20 +65,24 @@ std::optional<Figure> residual_figure(std::span<const double> normalised, const 
                     "A histogram of all residuals that other readings check, and the normal distribution "
                     "that they follow when the stated uncertainty is right.",
                 .operations = {}};
-  const std::vector<plot::LegendEntry> legend = {
-      {.line = ink::solid(ink::blue, 0.6),
-       .band = ink::faint(ink::blue, 0.3),
-       .mark = std::nullopt,
-       .text = {plot::plain("readings")}},
-      {.line = bell_line, .band = std::nullopt, .mark = std::nullopt, .text = {plot::plain("as stated")}}};
+  const std::vector<plot::LegendEntry> legend = {{.line = ink::solid(ink::blue, 0.6),
+                                                  .band = ink::faint(ink::blue, 0.3),
+                                                  .mark = std::nullopt,
+                                                  .text = {plot::plain(translated("readings", options))}},
+                                                 {.line = bell_line,
+                                                  .band = std::nullopt,
+                                                  .mark = std::nullopt,
+                                                  .text = {plot::plain(translated("as stated", options))}}};
   const double top = plot::draw_legend(figure.operations, legend, {30.0, 0.0}, plot::plate_width - 30.0) + 8.0;
   figure.height = top + chart_height + below_chart;
-  const ChartAxis x{
-      .low = -bars.half, .high = bars.half, .unit = {1.0, {plot::plain("standard uncertainty")}}, .title = "Residual"};
+  const ChartAxis x{.low = -bars.half,
+                    .high = bars.half,
+                    .unit = {1.0, {plot::plain(translated("standard uncertainty", options))}},
+                    .title = translated("Residual", options)};
   const ChartAxis y{.low = 0.0,
                     .high = 1.06 * std::max(bell, *std::ranges::max_element(bars.shares)),
                     .unit = {1.0, {plot::plain("%")}},
-                    .title = "Readings"};
+                    .title = translated("Readings", options)};
   const Chart chart = plot::draw_chart(figure.operations, x, y, top, figure.height, options.numbers);
   for (std::size_t k = 0; k < bars.shares.size(); ++k) {
     if (bars.shares[k] == 0.0) continue;

@@ -11,6 +11,10 @@ TableCell text_cell(std::string_view text) { return {plain(text)}; }
 
 TableCell verbatim_cell(std::string_view text) { return {verbatim(text)}; }
 
+RichText strong_verbatim(std::string_view text) {
+  return {TextRun{.text = std::string(text), .bold = true, .verbatim = true}};
+}
+
 TableCell deviation_cell(const std::optional<Deviation>& deviation, const Options& options) {
   return deviation ? text_cell(shown_deviation(*deviation, options)) : quiet_cell("–");
 }
@@ -27,12 +31,26 @@ std::string number_list(const std::vector<double>& numbers, const Options& optio
   return all;
 }
 
+/// "X 0 to 800 mm, Y 0 to 600 mm, Z -500 to 0 mm"
+bool is_travels(std::string_view text) {
+  return text.starts_with("X ") && text.contains(" mm, Y ") && text.contains(" mm, Z ") && text.ends_with(" mm") &&
+         text.contains(" to ");
+}
+
+/// What the program itself puts into a field of words: travels, where it corrected the expansion, along planned lines.
+bool is_of_this_program(std::string_view text) {
+  return is_travels(text) || text.starts_with("by this program from start and end temperatures") ||
+         text.starts_with("away from a tracking interferometer at (") ||
+         text.contains(" there and back over the measurement travel at ");
+}
+
 }  // namespace
 
 TableCell stated(const Field& field, const Metadata& metadata, const Options& options) {
   const FieldValue value = field.get(metadata);
   if (std::holds_alternative<std::monostate>(value)) return quiet_cell("not stated");
   std::string shown = field_text(field, value);
+  if (field.type == FieldType::text && is_of_this_program(shown)) return text_cell(shown);
   if (field.type == FieldType::text || field.type == FieldType::records) return verbatim_cell(shown);
   if (const auto* x = std::get_if<double>(&value)) shown = shown_exact(*x, options);
   if (const auto* numbers = std::get_if<std::vector<double>>(&value)) shown = number_list(*numbers, options);

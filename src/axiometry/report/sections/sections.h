@@ -77,6 +77,7 @@ TableCell deviation_cell(const std::optional<Deviation>& deviation, const Option
 TableCell quiet_cell(std::string_view text);
 TableCell text_cell(std::string_view text);
 TableCell verbatim_cell(std::string_view text);  ///< words of the user
+RichText strong_verbatim(std::string_view text);
 
 /// A field's value with its unit, quietly "not stated" where it was not given.
 TableCell stated(const Field& field, const Metadata& metadata, const Options& options);

@@ -101,6 +101,16 @@ std::vector<TableCell> decision_row(const Judgement& judgement, const Subject& s
 }
 
 /// "Limits: A, E from the tolerance table Grinder, …; B from the command line."
+/// "Grinder, up to 500 mm, in limits.csv, …": the names are the user's, what stands between is not.
+RichText origin_text(std::string_view origin) {
+  const std::size_t in = origin.rfind(", in ");
+  const std::size_t travel = in == std::string_view::npos || in == 0 ? in : origin.rfind(", ", in - 1);
+  if (in == std::string_view::npos || travel == std::string_view::npos) return verbatim(origin);
+  const std::size_t file = in + std::string_view(", in ").size();
+  return joined(
+      {verbatim(origin.substr(0, travel)), plain(origin.substr(travel, file - travel)), verbatim(origin.substr(file))});
+}
+
 RichText origins_of_limits(std::span<const Judgement> judgements) {
   using enum iso230_2::ToleranceSource;
   RichText text;
@@ -115,7 +125,7 @@ RichText origins_of_limits(std::span<const Judgement> judgements) {
     if (symbols.empty()) continue;
     text = joined({text, plain(text.empty() ? "Limits: " : "; "), symbols,
                    plain(fmt::format(" from the {}{}", source_title(source), origin.empty() ? "" : " ")),
-                   verbatim(origin)});
+                   origin_text(origin)});
   }
   return joined({text, plain(".")});
 }

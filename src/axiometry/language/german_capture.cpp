@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a capture tells while readings come in, and of a recording.
+#include "axiometry/language/german.h"
+
+namespace axiometry::language {
+namespace {
+
+constexpr Phrase rows[] = {
+    {"arrived {0#} at {1#}, expected {2}; not used", "Ankunft {0} bei {1}; erwartet: {2}; nicht verwendet"},
+    {"at rest again, at {0#}; {1} keeps its first reading",
+     "erneut Stillstand, bei {0}; {1} behält den ersten Messwert"},
+    {"at rest at target {0#} ({1#}), expected {2}; not used",
+     "Stillstand an Zielposition {0} ({1}); erwartet: {2}; nicht verwendet"},
+    {"at rest at {0#} (target {1#}), but the way there was not recorded; not used",
+     "Stillstand bei {0} (Zielposition {1}), aber der Weg dorthin wurde nicht aufgezeichnet; nicht verwendet"},
+    {"at rest at {0#}, farther than {1#} from every target",
+     "Stillstand bei {0}, weiter als {1} von jeder Zielposition"},
+    {"at rest for {0#} s at target {1#}, expected at least {2#}",
+     "{0}\u00a0s Stillstand an Zielposition {1}; erwartet: mindestens {2}"},
+    {"cut off by missing samples or the end of the recording",
+     "abgeschnitten durch fehlende Abtastwerte oder das Ende der Aufzeichnung"},
+    {"drifts by {0#} while at rest", "driftet im Stillstand um {0}"},
+    {"found a window of ±{0#} around the targets, expected one above 0 and below {1#}, half way to the next target and "
+     "to the overrun",
+     "Fenster von ±{0} um die Zielpositionen; erwartet: eines über 0 und unter {1}, dem halben Weg zur nächsten "
+     "Zielposition und zum Überlauf"},
+    {"found capture {0=} running elsewhere, expected one that was interrupted",
+     "Messung {0} läuft anderswo; erwartet: eine unterbrochene"},
+    {"found deviations from {0#} to {1#} from the targets, expected a range of {2#} at most: the recording belongs to "
+     "another plan, or the window around the targets is too narrow for this axis (--target-window)",
+     "Abweichungen von {0} bis {1} von den Zielpositionen; erwartet: eine Spannweite von höchstens {2}: Die "
+     "Aufzeichnung gehört zu einem anderen Plan, oder das Fenster um die Zielpositionen ist für diese Achse zu eng "
+     "(--target-window)"},
+    {"found more beside resume, expected it alone", "mehr als resume; erwartet: nur dieses"},
+    {"found no interrupted capture {0=}", "keine unterbrochene Messung {0}"},
+    {"found no reading at target {0#} of the plan, expected one from every approach: left out of the test",
+     "kein Messwert an Zielposition {0} des Plans; erwartet: einer aus jeder Anfahrt: in der Prüfung weggelassen"},
+    {"found no {0#} standstills in {1#} that fit the first approaches of the plan, expected them to set the zero",
+     "keine {0} Stillstände unter {1}, die zu den ersten Anfahrten des Plans passen; erwartet: solche, um Null zu "
+     "setzen"},
+    {"found part {0#} asked for, expected 1 to {1#}: the plan and those that belong to it",
+     "Teil {0} verlangt; erwartet: 1 bis {1}: der Plan und die zu ihm gehörenden"},
+    {"found readings at {0#} of {1#} targets in {2#} standstills, expected at least two",
+     "Messwerte an {0} von {1} Zielpositionen in {2} Stillständen; erwartet: mindestens zwei"},
+    {"found the source {0=}, expected serial:///dev/ttyACM0?baud=2000000",
+     "Quelle {0}; erwartet: serial:///dev/ttyACM0?baud=2000000"},
+    {"found the source {0=}, expected tcp://host:port", "Quelle {0}; erwartet: tcp://host:port"},
+    {"found {0#} of {1#} standstills at the approaches of the plan, expected most of them ({2#} approaches, targets "
+     "{3#} to {4#}): the recording belongs to another plan, or the zero or sign of the instrument differ (--zero, "
+     "--datum, --reverse)",
+     "{0} von {1} Stillständen an den Anfahrten des Plans; erwartet: die meisten ({2} Anfahrten, Zielpositionen {3} "
+     "bis {4}): Die Aufzeichnung gehört zu einem anderen Plan, oder Nullpunkt oder Vorzeichen des Messgeräts sind "
+     "andere (--zero, --datum, --reverse)"},
+    {"found {0#} of {1#} standstills at the approaches of the plan, expected most of them ({2#} approaches, targets "
+     "{3#} to {4#}): the recording belongs to another plan, or the zero or sign of the instrument differ (--zero, "
+     "--datum, --reverse); {5}",
+     "{0} von {1} Stillständen an den Anfahrten des Plans; erwartet: die meisten ({2} Anfahrten, Zielpositionen {3} "
+     "bis {4}): Die Aufzeichnung gehört zu einem anderen Plan, oder Nullpunkt oder Vorzeichen des Messgeräts sind "
+     "andere (--zero, --datum, --reverse); {5}"},
+    {"found {0=}, expected it with the simulator only", "{0}; erwartet: nur beim Simulator"},
+    {"half of all readings lie beyond {0#}: the zero of the instrument may be another than the plan's",
+     "die Hälfte aller Messwerte liegt jenseits von {0}: Der Nullpunkt des Messgeräts ist vielleicht ein anderer als "
+     "der des Plans"},
+    {"incomplete: {0}", "unvollständig: {0}"},
+    {"missed: {0}", "ausgelassen: {0}"},
+    {"no standstill for {0}", "kein Stillstand für {0}"},
+    {"no standstill for {0} and others", "kein Stillstand für {0} und weitere"},
+    {"not seen: {0}", "nicht gesehen: {0}"},
+    {"repeated: {0}", "wiederholt: {0}"},
+    {"restarted: {0}", "neu begonnen: {0}"},
+    {"samples at rest scatter by {0#}, which leaves {1#} in a reading of a scatter between runs of {2#}: R and A hold "
+     "the noise of the recording",
+     "Abtastwerte im Stillstand streuen um {0}, was {1} in einem Messwert lässt, bei einer Streuung zwischen den "
+     "Durchläufen von {2}: R und A enthalten das Rauschen der Aufzeichnung"},
+    {"target {0#} run {1#}: {2}", "Zielposition {0}, Durchlauf {1}: {2}"},
+    {"the first standstill at target {0#} showed {1#}: zero lies at {2#}",
+     "der erste Stillstand an Zielposition {0} zeigte {1}: Null liegt bei {2}"},
+    {"the recording ended before {0} and the {1#} behind it", "die Aufzeichnung endete vor {0} und den {1} danach"},
+    {"the recording gave {0#} of the {1#} readings of the plan",
+     "die Aufzeichnung ergab {0} der {1} Messwerte des Plans"},
+    {"too short: {0}", "zu kurz: {0}"},
+    {"unexpected: {0}", "unerwartet: {0}"},
+    {"wrong direction: {0}", "falsche Richtung: {0}"},
+    {"zero: {0}", "Nullpunkt: {0}"},
+    {"{0#} of {1#} samples left out as outliers", "{0} von {1} Abtastwerten als Ausreißer weggelassen"},
+    {"{0} came again after {1#} readings, which were dropped",
+     "{0} kam nach {1} Messwerten noch einmal; diese wurden verworfen"},
+};
+
+}  // namespace
+
+const std::span<const Phrase> german_capture{rows};
+
+}  // namespace axiometry::language
