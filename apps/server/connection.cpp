@@ -2,6 +2,7 @@
 #include "connection.h"
 
 #include <fmt/format.h>
+#include <poll.h>
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
@@ -38,6 +39,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t piece_bytes = std::size_t{64} << 10;
 constexpr auto lingering = std::chrono::seconds(3);
+constexpr auto watching = std::chrono::milliseconds(500);
 constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
 
 /// Nothing of ours holds line ends; what came from elsewhere must not begin a header of its own.
@@ -54,7 +56,11 @@ template <typename Stream>
 class Connection final : public Hangable, public std::enable_shared_from_this<Connection<Stream>> {
  public:
   Connection(Stream stream, std::string peer, ConnectionShare& share)
-      : stream_(std::move(stream)), peer_(std::move(peer)), share_(share), timer_(stream_.get_executor()) {
+      : stream_(std::move(stream)),
+        peer_(std::move(peer)),
+        share_(share),
+        timer_(stream_.get_executor()),
+        watch_(stream_.get_executor()) {
     share_.connections.insert(this);
   }
 
@@ -211,9 +217,9 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
                    request_.language);
   }
 
-  Response busy(std::string_view message) const {
+  Response busy(std::string_view message, std::chrono::seconds retry_after = std::chrono::seconds(2)) const {
     Response response = refusal(503, message, request_.language);
-    response.headers.emplace_back("Retry-After", "2");
+    response.headers.emplace_back("Retry-After", fmt::format("{}", retry_after.count()));
     return response;
   }
 
@@ -235,20 +241,49 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
 
   void answer() {
     take_your_time();
-    const bool taken = share_.pool.submit([self = this->shared_from_this()]() mutable {
+    const bool is_heavy = share_.service.is_heavy && share_.service.is_heavy(request_);
+    WorkerPool& pool = is_heavy ? share_.heavy : share_.light;
+    waiting_ = pool.submit(peer_ + ' ' + request_.actor, [self = this->shared_from_this()]() mutable {
       Connection& connection = *self;
       std::string body = std::exchange(connection.request_.body, {});
       Request request = connection.request_;
       request.body = std::move(body);
       Response response = connection.share_.service.answer(std::move(request));
       asio::post(connection.timer_.get_executor(), [self = std::move(self), response = std::move(response)]() mutable {
+        self->waiting_.reset();
+        self->watch_.cancel();
         self->release_body();
         self->respond(std::move(response));
       });
     });
-    if (taken) return;
+    if (waiting_) {
+      if (is_heavy) watch_for_leaving();
+      return;
+    }
     release_body();
-    respond(busy("found more requests at once than the server can answer, expected fewer"));
+    if (is_heavy)
+      respond(
+          busy("found more reports and evaluations in line than the server takes, expected fewer; try again in "
+               "a moment",
+               std::chrono::seconds(10)));
+    else
+      respond(busy("found more requests at once than the server can answer, expected fewer"));
+  }
+
+  /// Who leaves while the request is still in line gives up its place. A closed end shows behind what was sent ahead
+  /// and through TLS alike only to poll().
+  void watch_for_leaving() {
+    watch_.expires_after(watching);
+    watch_.async_wait([self = this->shared_from_this()](error_code code) {
+      if (code || !self->waiting_) return;
+      if (!self->has_left()) return self->watch_for_leaving();
+      if (self->share_.heavy.withdraw(*self->waiting_)) self->close();
+    });
+  }
+
+  bool has_left() {
+    pollfd descriptor{.fd = socket().native_handle(), .events = POLLRDHUP, .revents = 0};
+    return ::poll(&descriptor, 1, 0) > 0 && (descriptor.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
   }
 
   void respond(Response response) {
@@ -338,7 +373,9 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
   std::string peer_;
   ConnectionShare& share_;
   asio::steady_timer timer_;
-  std::uint64_t deadline_ = 0;  // counts deadlines, so that one that has passed meanwhile is known
+  asio::steady_timer watch_;
+  std::optional<WorkerPool::Ticket> waiting_;  // in the line of either pool, or being answered
+  std::uint64_t deadline_ = 0;                 // counts deadlines, so that one that has passed meanwhile is known
   bool timed_out_ = false;
   bool is_idle_ = false;
   bool keeps_alive_ = false;

@@ -48,6 +48,7 @@ Service service_of(const Router& router, const Site& site, TokenGate& token, con
     return token.refused(request);
   };
   service.answer = [&router](Request request) { return router.answer(std::move(request)); };
+  service.is_heavy = [&router](const Request& request) { return router.is_heavy(request); };
   service.finish = [tls = !options.certificate.empty()](Response& response) { add_security_headers(response, tls); };
   if (options.log) service.answered = log_answer;
   return service;

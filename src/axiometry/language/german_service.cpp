@@ -77,6 +77,8 @@ constexpr Phrase rows[] = {
      "Bytes mit SHA-256 {0}; erwartet: {1}: sie wurden nach dem Aufbewahren geändert"},
     {"found capture {0=} running, expected one that was interrupted",
      "Messung {0} läuft; erwartet: eine unterbrochene"},
+    {"found more reports and evaluations in line than the server takes, expected fewer; try again in a moment",
+     "mehr wartende Berichte und Auswertungen, als der Server annimmt; in Kürze erneut versuchen"},
     {"found more requests at once than the server can answer, expected fewer",
      "mehr gleichzeitige Anfragen, als der Server beantworten kann; später erneut versuchen"},
     {"found more uploads at once than the server has memory for, expected fewer",
