@@ -2,7 +2,6 @@
 #include "connection.h"
 
 #include <fmt/format.h>
-#include <poll.h>
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
@@ -25,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "departure.h"
 #include "request_head.h"
 
 namespace axiometry::server {
@@ -40,6 +40,9 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t piece_bytes = std::size_t{64} << 10;
 constexpr auto lingering = std::chrono::seconds(3);
 constexpr auto watching = std::chrono::milliseconds(500);
+constexpr auto soon = std::chrono::seconds(2);
+constexpr std::string_view line_is_full =
+    "found more reports and evaluations in line than the server takes, expected fewer; try again in a moment";
 constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
 
 /// Nothing of ours holds line ends; what came from elsewhere must not begin a header of its own.
@@ -198,7 +201,8 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
     const std::size_t count = piece_.size() - parser_->get().body().size;
     if (request_.body.size() + count > share_.limits.upload_bytes) return give_up(too_large());
     if (share_.bodies_bytes + count > share_.limits.bodies_bytes)
-      return give_up(busy("found more uploads at once than the server has memory for, expected fewer"));
+      return give_up(
+          busy("found more uploads at once than the server has memory for, expected fewer", soon, request_.language));
     share_.bodies_bytes += count;
     counted_bytes_ += count;
     request_.body.append(piece_.data(), count);
@@ -215,12 +219,6 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
   Response too_large() const {
     return refusal(413, fmt::format("found a body of more than {} bytes, expected less", share_.limits.upload_bytes),
                    request_.language);
-  }
-
-  Response busy(std::string_view message, std::chrono::seconds retry_after = std::chrono::seconds(2)) const {
-    Response response = refusal(503, message, request_.language);
-    response.headers.emplace_back("Retry-After", fmt::format("{}", retry_after.count()));
-    return response;
   }
 
   /// An answer although the rest of the request is still to come.
@@ -261,29 +259,18 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
       return;
     }
     release_body();
-    if (is_heavy)
-      respond(
-          busy("found more reports and evaluations in line than the server takes, expected fewer; try again in "
-               "a moment",
-               std::chrono::seconds(10)));
-    else
-      respond(busy("found more requests at once than the server can answer, expected fewer"));
+    if (is_heavy) return respond(busy(line_is_full, std::chrono::seconds(10), request_.language));
+    respond(busy("found more requests at once than the server can answer, expected fewer", soon, request_.language));
   }
 
-  /// Who leaves while the request is still in line gives up its place. A closed end shows behind what was sent ahead
-  /// and through TLS alike only to poll().
+  /// Who leaves while the request is still in line gives up its place.
   void watch_for_leaving() {
     watch_.expires_after(watching);
     watch_.async_wait([self = this->shared_from_this()](error_code code) {
       if (code || !self->waiting_) return;
-      if (!self->has_left()) return self->watch_for_leaving();
+      if (!has_left(self->socket().native_handle())) return self->watch_for_leaving();
       if (self->share_.heavy.withdraw(*self->waiting_)) self->close();
     });
-  }
-
-  bool has_left() {
-    pollfd descriptor{.fd = socket().native_handle(), .events = POLLRDHUP, .revents = 0};
-    return ::poll(&descriptor, 1, 0) > 0 && (descriptor.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
   }
 
   void respond(Response response) {
