@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -70,6 +71,15 @@ void add_api_routes(Router& router, const Context& context) {
   add_capture_routes(router, context);
 }
 
+Result<std::vector<PublicAddress>> public_addresses(const ServeOptions& options) {
+  std::vector<PublicAddress> addresses;
+  for (const std::string& text : options.public_addresses) {
+    AXIOMETRY_TRY(auto address, parse_public_address(text));
+    addresses.push_back(std::move(address));
+  }
+  return addresses;
+}
+
 }  // namespace
 
 Result<void> check_exposure(const ServeOptions& options) {
@@ -80,6 +90,13 @@ Result<void> check_exposure(const ServeOptions& options) {
   if (!options.token.empty() && options.token.size() < token_length_min)
     return fail(
         fmt::format("found a token of {} characters, expected at least {}", options.token.size(), token_length_min));
+  AXIOMETRY_TRY(const auto addresses, public_addresses(options));
+  const auto reached = std::ranges::find(addresses, false, &PublicAddress::is_local);
+  if (reached != addresses.end() && options.token.empty())
+    return fail(
+        fmt::format("found the public address {}, which others can reach, without a token, expected --token-file or "
+                    "the environment's AXIOMETRY_TOKEN; a token: openssl rand -hex 24 > token.txt",
+                    reached->origin));
   if (is_loopback) return {};
   if (options.certificate.empty())
     return fail(
@@ -109,7 +126,12 @@ Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observe
     observer.notice(fmt::format("{}: can be read, not written: {}", info.location, info.why_not));
 
   const unsigned port = transport->port();
-  const Site site = make_site({.tls = tls, .listen = options.listen, .port = port, .names = options.host_names});
+  AXIOMETRY_TRY(auto addresses, public_addresses(options));
+  const Site site = make_site({.tls = tls,
+                               .listen = options.listen,
+                               .port = port,
+                               .names = options.host_names,
+                               .public_addresses = std::move(addresses)});
   TokenGate token({.token = options.token, .tls = tls, .port = port});
   app::Workbench workbench(*store);
   if (options.examples) AXIOMETRY_TRY_VOID(app::add_examples(workbench));

@@ -114,11 +114,14 @@ constexpr Phrase rows[] = {
     {"found test {0#} in the lists already, expected it not to be", "Prüfung {0} steht schon in den Listen"},
     {"found test {0#} withdrawn already, expected it not to be", "Prüfung {0} ist schon zurückgezogen"},
     {"found the decimal mark {0=}, expected point or comma", "Dezimalzeichen {0}; erwartet: point oder comma"},
-    {"found the host {0=}, expected {1=}; other names of this machine are given to 'axiometry serve' by --host-name",
-     "Host {0}; erwartet: {1}; weitere Namen dieses Rechners erhält „axiometry serve“ mit --host-name"},
+    {"found the host {0=}, expected {1=}; other names of this machine are given to 'axiometry serve' by --host-name, "
+     "the address of a proxy by --public-address",
+     "Host {0}; erwartet: {1}; weitere Namen dieses Rechners erhält „axiometry serve“ mit --host-name, die Adresse "
+     "eines Proxys mit --public-address"},
     {"found the language {0=}, expected en or de", "Sprache {0}; erwartet: en oder de"},
     {"found the limit {0=} of {1=}, expected a number above 0", "Grenzwert {0} von {1}; erwartet: eine Zahl über 0"},
-    {"found the origin {0=}, expected {1=}", "Ursprung {0}; erwartet: {1}"},
+    {"found the origin {0=}, expected {1=}; the address of a proxy is given to 'axiometry serve' by --public-address",
+     "Ursprung {0}; erwartet: {1}; die Adresse eines Proxys erhält „axiometry serve“ mit --public-address"},
     {"found the store locked by another program for ten seconds, expected it to be free",
      "Archiv seit zehn Sekunden von einem anderen Programm gesperrt; erwartet: frei"},
     {"found too many wrong tokens from this address, expected a pause",
