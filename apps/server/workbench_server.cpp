@@ -14,6 +14,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/report/utf8.h"
 #include "guard.h"
+#include "memory.h"
 #include "routes.h"
 #include "security.h"
 #include "transport.h"
@@ -22,6 +23,7 @@ namespace axiometry::server {
 namespace {
 
 constexpr std::size_t token_length_min = 16;
+constexpr std::size_t large_answer = std::size_t{4} << 20;  // bytes
 
 constexpr std::string_view how_to_get_them =
     "; a certificate for a try: openssl req -x509 -newkey rsa:2048 -nodes -days 365 -subj /CN=NAME -addext "
@@ -48,7 +50,11 @@ Service service_of(const Router& router, const Site& site, TokenGate& token, con
     if (auto refused = refused_by_guard(request, site)) return refused;
     return token.refused(request);
   };
-  service.answer = [&router](Request request) { return router.answer(std::move(request)); };
+  service.answer = [&router](Request request) {
+    Response response = router.answer(std::move(request));
+    if (response.body.size() > large_answer) give_back_memory();
+    return response;
+  };
   service.is_heavy = [&router](const Request& request) { return router.is_heavy(request); };
   service.finish = [tls = !options.certificate.empty()](Response& response) { add_security_headers(response, tls); };
   if (options.log) service.answered = log_answer;
