@@ -2,7 +2,6 @@
 #include "axiometry/report/pdf_text.h"
 #include "axiometry/report/utf8.h"
 
-#include <fmt/format.h>
 #include <pango/pangocairo.h>
 
 #include <algorithm>
@@ -122,12 +121,19 @@ struct Bar {
   double thickness = 0.0;
 };
 
-/// All that the layout of a text depends on.
+/// All that the layout of a text depends on, in bytes.
 std::string key_of(const RichText& text, const TextStyle& style, std::optional<double> width) {
-  std::string key = fmt::format("{}|{}|{}", style.size, style.bold, width.value_or(-1.0));
-  for (const TextRun& run : text)
-    key += fmt::format("|{}{}{}{}{}:{}", run.italic ? 'i' : ' ', run.bold ? 'b' : ' ', run.bar ? 'r' : ' ',
-                       static_cast<int>(run.script), run.text.size(), run.text);
+  std::string key;
+  const auto add = [&key](const auto& value) { key.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  add(style.size);
+  add(style.bold);
+  add(width.value_or(-1.0));
+  for (const TextRun& run : text) {
+    for (const bool is : {run.italic, run.bold, run.bar}) add(is);
+    add(run.script);
+    add(run.text.size());
+    key += run.text;
+  }
   return key;
 }
 
