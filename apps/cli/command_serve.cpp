@@ -97,6 +97,10 @@ void add_reach(CLI::App& verb, ServeArguments& arguments) {
   verb.add_option("--host-name", options.host_names,
                   "A further name by which browsers reach this machine; may be repeated")
       ->type_name("NAME");
+  verb.add_option("--public-address", options.public_addresses,
+                  "Where a proxy that ends TLS offers this server to browsers: https://calibration.example; needs a "
+                  "token. Nothing that a proxy says in headers is trusted; may be repeated")
+      ->type_name("URL");
 }
 
 }  // namespace
@@ -142,6 +146,8 @@ void add_serve(CLI::App& program, int& exit_code) {
   axiometry serve --store postgresql://archive@db.example/axiometry
   axiometry serve --listen 0.0.0.0 --host-name bench.example --certificate cert.pem --key key.pem \
     --token-file token.txt
+
+  axiometry serve --public-address https://calibration.example --token-file token.txt
 
 Prints one line with the address when it answers. Ctrl-C and SIGTERM finish the requests in flight, then end it.)");
 }

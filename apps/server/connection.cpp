@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "departure.h"
 #include "request_head.h"
 
 namespace axiometry::server {
@@ -38,6 +39,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t piece_bytes = std::size_t{64} << 10;
 constexpr auto lingering = std::chrono::seconds(3);
+constexpr auto watching = std::chrono::milliseconds(500);
+constexpr auto soon = std::chrono::seconds(2);
+constexpr std::string_view line_is_full =
+    "found more reports and evaluations in line than the server takes, expected fewer; try again in a moment";
 constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
 
 /// Nothing of ours holds line ends; what came from elsewhere must not begin a header of its own.
@@ -54,7 +59,11 @@ template <typename Stream>
 class Connection final : public Hangable, public std::enable_shared_from_this<Connection<Stream>> {
  public:
   Connection(Stream stream, std::string peer, ConnectionShare& share)
-      : stream_(std::move(stream)), peer_(std::move(peer)), share_(share), timer_(stream_.get_executor()) {
+      : stream_(std::move(stream)),
+        peer_(std::move(peer)),
+        share_(share),
+        timer_(stream_.get_executor()),
+        watch_(stream_.get_executor()) {
     share_.connections.insert(this);
   }
 
@@ -192,7 +201,8 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
     const std::size_t count = piece_.size() - parser_->get().body().size;
     if (request_.body.size() + count > share_.limits.upload_bytes) return give_up(too_large());
     if (share_.bodies_bytes + count > share_.limits.bodies_bytes)
-      return give_up(busy("found more uploads at once than the server has memory for, expected fewer"));
+      return give_up(
+          busy("found more uploads at once than the server has memory for, expected fewer", soon, request_.language));
     share_.bodies_bytes += count;
     counted_bytes_ += count;
     request_.body.append(piece_.data(), count);
@@ -209,12 +219,6 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
   Response too_large() const {
     return refusal(413, fmt::format("found a body of more than {} bytes, expected less", share_.limits.upload_bytes),
                    request_.language);
-  }
-
-  Response busy(std::string_view message) const {
-    Response response = refusal(503, message, request_.language);
-    response.headers.emplace_back("Retry-After", "2");
-    return response;
   }
 
   /// An answer although the rest of the request is still to come.
@@ -235,20 +239,38 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
 
   void answer() {
     take_your_time();
-    const bool taken = share_.pool.submit([self = this->shared_from_this()]() mutable {
+    const bool is_heavy = share_.service.is_heavy && share_.service.is_heavy(request_);
+    WorkerPool& pool = is_heavy ? share_.heavy : share_.light;
+    waiting_ = pool.submit(peer_ + ' ' + request_.actor, [self = this->shared_from_this()]() mutable {
       Connection& connection = *self;
       std::string body = std::exchange(connection.request_.body, {});
       Request request = connection.request_;
       request.body = std::move(body);
       Response response = connection.share_.service.answer(std::move(request));
       asio::post(connection.timer_.get_executor(), [self = std::move(self), response = std::move(response)]() mutable {
+        self->waiting_.reset();
+        self->watch_.cancel();
         self->release_body();
         self->respond(std::move(response));
       });
     });
-    if (taken) return;
+    if (waiting_) {
+      if (is_heavy) watch_for_leaving();
+      return;
+    }
     release_body();
-    respond(busy("found more requests at once than the server can answer, expected fewer"));
+    if (is_heavy) return respond(busy(line_is_full, std::chrono::seconds(10), request_.language));
+    respond(busy("found more requests at once than the server can answer, expected fewer", soon, request_.language));
+  }
+
+  /// Who leaves while the request is still in line gives up its place.
+  void watch_for_leaving() {
+    watch_.expires_after(watching);
+    watch_.async_wait([self = this->shared_from_this()](error_code code) {
+      if (code || !self->waiting_) return;
+      if (!has_left(self->socket().native_handle())) return self->watch_for_leaving();
+      if (self->share_.heavy.withdraw(*self->waiting_)) self->close();
+    });
   }
 
   void respond(Response response) {
@@ -338,7 +360,9 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
   std::string peer_;
   ConnectionShare& share_;
   asio::steady_timer timer_;
-  std::uint64_t deadline_ = 0;  // counts deadlines, so that one that has passed meanwhile is known
+  asio::steady_timer watch_;
+  std::optional<WorkerPool::Ticket> waiting_;  // in the line of either pool, or being answered
+  std::uint64_t deadline_ = 0;                 // counts deadlines, so that one that has passed meanwhile is known
   bool timed_out_ = false;
   bool is_idle_ = false;
   bool keeps_alive_ = false;

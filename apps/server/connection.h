@@ -24,12 +24,13 @@ class Hangable {
 
 /// What all connections share; used on the I/O thread alone.
 struct ConnectionShare {
-  ConnectionShare(const Limits& all, const Service& answers, WorkerPool& workers)
-      : limits(all), service(answers), pool(workers) {}
+  ConnectionShare(const Limits& all, const Service& answers, WorkerPool& for_light, WorkerPool& for_heavy)
+      : limits(all), service(answers), light(for_light), heavy(for_heavy) {}
 
   const Limits& limits;
   const Service& service;
-  WorkerPool& pool;
+  WorkerPool& light;
+  WorkerPool& heavy;
   std::size_t bodies_bytes = 0;  ///< of all requests that are read or answered now
   bool ending = false;
   std::unordered_set<Hangable*> connections;

@@ -62,6 +62,58 @@ TEST(Guard, lets_only_its_own_page_change_anything) {
   }
 }
 
+Site behind_proxy() {
+  return make_site({.tls = false,
+                    .listen = "127.0.0.1",
+                    .port = 8230,
+                    .public_addresses = {*parse_public_address("https://Calibration.example"),
+                                         *parse_public_address("https://door.example:8443/")}});
+}
+
+TEST(Guard, knows_a_public_address_by_its_origin_and_host) {
+  const Site proxied = behind_proxy();
+  const auto status_of = [&](const std::string& host, const std::string& origin) {
+    Request asked = request("POST", {{"host", host}, {"origin", origin}, {"sec-fetch-site", "same-origin"}});
+    const auto refused = refused_by_guard(asked, proxied);
+    return refused ? refused->status : 0;
+  };
+  for (const std::string host : {"calibration.example", "calibration.example:443", "127.0.0.1:8230"})
+    EXPECT_EQ(status_of(host, "https://calibration.example"), 0) << host;
+  EXPECT_EQ(status_of("door.example:8443", "https://door.example:8443"), 0);
+  EXPECT_EQ(status_of("127.0.0.1:8230", "http://127.0.0.1:8230"), 0);
+  for (const std::string host : {"evil.example", "calibration.example:8230", "calibration.example:80", "door.example",
+                                 "door.example:443", "calibration.example.evil.example", "x.calibration.example"})
+    EXPECT_EQ(status_of(host, "https://calibration.example"), 421) << host;
+  for (const std::string host : {"calibration.example", "127.0.0.1:8230"})
+    for (const std::string origin :
+         {"http://calibration.example", "https://calibration.example:8443", "https://evil.example", "null",
+          "https://calibration.example.evil.example", "https://calibration.example/", "https://127.0.0.1:8230", ""})
+      EXPECT_EQ(status_of(host, origin), 403) << host << " " << origin;
+}
+
+TEST(Guard, trusts_nothing_that_a_proxy_says) {
+  for (const std::string header : {"forwarded", "x-forwarded-host", "x-forwarded-proto", "x-forwarded-for",
+                                   "x-original-host", "x-forwarded-scheme"}) {
+    Request asked = request("POST", {{"host", "evil.example"}, {header, "calibration.example"}});
+    EXPECT_EQ(refused_by_guard(asked, behind_proxy())->status, 421) << header;
+    asked = request("POST", {{"origin", "https://127.0.0.1:8230"}, {header, "https"}});
+    EXPECT_EQ(refused_by_guard(asked, behind_proxy())->status, 403) << header;
+  }
+}
+
+TEST(PublicAddress, is_a_scheme_and_a_host_and_no_more) {
+  for (const std::string text :
+       {"", "calibration.example", "https://", "https:///", "https://calibration.example/axes",
+        "https://user@calibration.example", "https://*.example", "https://*", "null", "https://calibration.example:0",
+        "https://calibration.example:65536", "https://calibration.example:", "https://a b", "ftp://calibration.example",
+        "http://calibration.example", "https://calibration.example//", "https://a?b"})
+    EXPECT_FALSE(parse_public_address(text).has_value()) << text;
+  EXPECT_EQ(parse_public_address("HTTPS://Calibration.Example:443/")->origin, "https://calibration.example");
+  EXPECT_EQ(parse_public_address("https://[2001:db8::1]:8443")->origin, "https://[2001:db8::1]:8443");
+  EXPECT_TRUE(parse_public_address("http://localhost:9000")->is_local);
+  EXPECT_FALSE(parse_public_address("https://calibration.example")->is_local);
+}
+
 TEST(Guard, lets_others_lead_here_but_embed_nothing_of_the_API) {
   EXPECT_EQ(status(request("GET", {{"sec-fetch-site", "cross-site"}, {"sec-fetch-mode", "navigate"}})), 0);
   EXPECT_EQ(status(request("GET", {{"sec-fetch-site", "cross-site"}, {"sec-fetch-mode", "no-cors"}})), 403);

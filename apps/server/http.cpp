@@ -85,6 +85,12 @@ Response refusal(int status, std::string_view message, language::Language langua
   return json_response(value, status);
 }
 
+Response busy(std::string_view message, std::chrono::seconds retry_after, language::Language language) {
+  Response response = refusal(503, message, language);
+  response.headers.emplace_back("Retry-After", fmt::format("{}", retry_after.count()));
+  return response;
+}
+
 Response download(std::string body, std::string_view content_type, std::string_view file_name) {
   std::string safe(file_name);
   std::ranges::replace_if(

@@ -58,6 +58,9 @@ Response error_response(const Error& error, language::Language language);
 /// The same for what is wrong with the request itself: 400, 405, 413, 415, …
 Response refusal(int status, std::string_view message, language::Language language = language::Language::english);
 
+/// 503 with Retry-After: whoever asks again then may be lucky.
+Response busy(std::string_view message, std::chrono::seconds retry_after, language::Language language);
+
 /// As a file to keep: Content-Disposition with a name that is safe everywhere (RFC 6266, RFC 8187).
 Response download(std::string body, std::string_view content_type, std::string_view file_name);
 

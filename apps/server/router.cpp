@@ -11,6 +11,10 @@
 namespace axiometry::server {
 namespace {
 
+constexpr std::size_t light_body_max = std::size_t{256} << 10;
+
+std::string method_of(const Request& request) { return request.method == "HEAD" ? "GET" : request.method; }
+
 std::vector<std::string> segments_of(std::string_view path) {
   std::vector<std::string> segments;
   std::size_t from = 1;
@@ -56,12 +60,21 @@ Response answer_with(const Handler& handler, const Request& request) {
 
 }  // namespace
 
-void Router::add(std::string_view method, std::string_view pattern, Handler handler) {
-  entries_.push_back({std::string(method), std::string(pattern), segments_of(pattern), std::move(handler)});
+void Router::add(std::string_view method, std::string_view pattern, Handler handler, Weight weight) {
+  entries_.push_back({std::string(method), std::string(pattern), segments_of(pattern), std::move(handler), weight});
+}
+
+bool Router::is_heavy(const Request& request) const {
+  const std::string wanted = method_of(request);
+  const auto segments = segments_of(request.path);
+  const auto entry = std::ranges::find_if(
+      entries_, [&](const Entry& e) { return e.method == wanted && captured_by(e.segments, segments).has_value(); });
+  if (entry == entries_.end()) return false;
+  return entry->weight == Weight::heavy || (entry->weight == Weight::by_body && request.body.size() > light_body_max);
 }
 
 Response Router::answer(Request request) const {
-  const std::string wanted = request.method == "HEAD" ? "GET" : request.method;
+  const std::string wanted = method_of(request);
   const auto segments = segments_of(request.path);
   std::string allowed;
   for (const Entry& entry : entries_) {

@@ -14,11 +14,18 @@ namespace axiometry::server {
 /// May be called from many threads at once, and may take its time.
 using Handler = std::function<Result<Response>(const Request&)>;
 
+/// Whether a request may compute for seconds: a report, an evaluation.
+enum class Weight {
+  light,
+  heavy,
+  by_body,  ///< heavy with a body of more than 256 kB
+};
+
 /// Which handler answers which request. Patterns are literal but for whole segments in braces: "/api/tests/{id}", and
 /// "/api/tests/{id}/report.{extension}", where the brace takes the rest of a segment.
 class Router {
  public:
-  void add(std::string_view method, std::string_view pattern, Handler handler);
+  void add(std::string_view method, std::string_view pattern, Handler handler, Weight weight = Weight::light);
 
   /// What answers GET and HEAD of a path that no pattern fits and that is not below "/api".
   void add_otherwise(Handler handler) { otherwise_ = std::move(handler); }
@@ -26,6 +33,9 @@ class Router {
   /// The handler's response, or its error as a response; 404 for an unknown path, 405 with Allow for a known path with
   /// another method. HEAD is answered as GET without its body. Exceptions do not pass: 500, logged.
   Response answer(Request request) const;
+
+  /// By its route, of a request with its body; false where there is none.
+  bool is_heavy(const Request& request) const;
 
   struct Route {
     std::string method;
@@ -39,6 +49,7 @@ class Router {
     std::string pattern;
     std::vector<std::string> segments;
     Handler handler;
+    Weight weight = Weight::light;
   };
   std::vector<Entry> entries_;
   Handler otherwise_;

@@ -51,6 +51,28 @@ TEST(Router, finds_nothing_where_a_segment_is_missing_empty_or_too_many) {
     EXPECT_EQ(answer("GET", path).status, 404) << path;
 }
 
+TEST(Router, tells_what_computes_for_long) {
+  Router router;
+  const Handler none = [](const Request&) -> Result<Response> { return Response{}; };
+  router.add("GET", "/api/tests", none);
+  router.add("POST", "/api/tests", none, Weight::by_body);
+  router.add("GET", "/api/tests/{id}/report.{extension}", none, Weight::heavy);
+  const auto is_heavy = [&](std::string method, std::string path, std::size_t bytes = 0) {
+    Request request{};
+    request.method = std::move(method);
+    request.path = std::move(path);
+    request.body.assign(bytes, 'x');
+    return router.is_heavy(request);
+  };
+  EXPECT_FALSE(is_heavy("GET", "/api/tests"));
+  EXPECT_FALSE(is_heavy("POST", "/api/tests", 1000));
+  EXPECT_TRUE(is_heavy("POST", "/api/tests", 1'000'000));
+  EXPECT_TRUE(is_heavy("GET", "/api/tests/1/report.pdf"));
+  EXPECT_TRUE(is_heavy("HEAD", "/api/tests/1/report.pdf"));
+  EXPECT_FALSE(is_heavy("POST", "/api/tests/1/report.pdf"));
+  EXPECT_FALSE(is_heavy("GET", "/nothing"));
+}
+
 TEST(Router, says_which_methods_a_path_has) {
   const Response response = answer("DELETE", "/api/tests");
   EXPECT_EQ(response.status, 405);

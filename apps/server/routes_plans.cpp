@@ -181,11 +181,14 @@ void add_draft_routes(Router& router) {
     AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
     return program_response(plan.planned.plan, texts, to_keep);
   });
-  router.add("POST", "/api/plans/draft/sheet.{extension}", [](const Request& request) -> Result<Response> {
-    AXIOMETRY_TRY(const Value body, json_body(request));
-    AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
-    return sheet_response(plan, request);
-  });
+  router.add(
+      "POST", "/api/plans/draft/sheet.{extension}",
+      [](const Request& request) -> Result<Response> {
+        AXIOMETRY_TRY(const Value body, json_body(request));
+        AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
+        return sheet_response(plan, request);
+      },
+      Weight::heavy);
 }
 
 void add_writing_routes(Router& router, store::Store& store) {
@@ -233,10 +236,13 @@ void add_reading_routes(Router& router, const store::Store& store) {
     return download(json::dump(app::plan_to_json(kept.plan.planned)) + "\n", "application/json",
                     app::file_name_part(kept.record.value.title) + ".plan.json");
   });
-  router.add("GET", "/api/plans/{id}/sheet.{extension}", [&store](const Request& request) -> Result<Response> {
-    AXIOMETRY_TRY(const Kept kept, kept_plan(store, request));
-    return sheet_response(kept.plan, request);
-  });
+  router.add(
+      "GET", "/api/plans/{id}/sheet.{extension}",
+      [&store](const Request& request) -> Result<Response> {
+        AXIOMETRY_TRY(const Kept kept, kept_plan(store, request));
+        return sheet_response(kept.plan, request);
+      },
+      Weight::heavy);
   router.add("GET", "/api/plans/{id}/program", [&store](const Request& request) -> Result<Response> {
     AXIOMETRY_TRY(const Kept kept, kept_plan(store, request));
     AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));

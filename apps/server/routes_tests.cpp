@@ -243,23 +243,24 @@ Result<Response> document(const Workbench& workbench, const Request& request) {
 
 void add_test_routes(Router& router, const Context& context) {
   Workbench& workbench = context.workbench;
-  const auto add = [&](std::string_view method, std::string_view pattern, auto handler) {
-    router.add(method, pattern, [&workbench, handler](const Request& request) { return handler(workbench, request); });
+  const auto add = [&](std::string_view method, std::string_view pattern, auto handler, Weight weight = Weight::light) {
+    router.add(
+        method, pattern, [&workbench, handler](const Request& request) { return handler(workbench, request); }, weight);
   };
-  add("POST", "/api/preview", preview);
-  add("POST", "/api/evaluations", evaluate);
+  add("POST", "/api/preview", preview, Weight::by_body);
+  add("POST", "/api/evaluations", evaluate, Weight::heavy);
   add("GET", "/api/tests", list);
-  add("POST", "/api/tests", receive);
+  add("POST", "/api/tests", receive, Weight::by_body);
   add("GET", "/api/tests/{id}", one);
   add("GET", "/api/tests/{id}/raw", raw);
-  add("POST", "/api/tests/{id}/evaluate", draft);
-  add("POST", "/api/tests/{id}/versions", revise);
+  add("POST", "/api/tests/{id}/evaluate", draft, Weight::heavy);
+  add("POST", "/api/tests/{id}/versions", revise, Weight::heavy);
   add("POST", "/api/tests/{id}/withdraw", [](Workbench& w, const Request& r) { return withdraw(w, r, true); });
   add("POST", "/api/tests/{id}/reinstate", [](Workbench& w, const Request& r) { return withdraw(w, r, false); });
-  add("GET", "/api/tests/{id}/report.{extension}", report);
-  add("GET", "/api/tests/{id}/figures", figures);
-  add("GET", "/api/tests/{id}/figures/{n}.svg", figure);
-  add("POST", "/api/tests/{id}/reports", issue);
+  add("GET", "/api/tests/{id}/report.{extension}", report, Weight::heavy);
+  add("GET", "/api/tests/{id}/figures", figures, Weight::heavy);
+  add("GET", "/api/tests/{id}/figures/{n}.svg", figure, Weight::heavy);
+  add("POST", "/api/tests/{id}/reports", issue, Weight::heavy);
   add("POST", "/api/tests/{id}/attachments", attach);
   add("GET", "/api/documents/{id}", document);
 }

@@ -89,14 +89,16 @@ Result<Response> TokenGate::login(const Request& request, Clock::time_point now)
   if (!wanted()) return Response{.status = 204};
   if (is_busy(request, now)) return too_many(request);
   if (!same_secret(token->text(), options_.token)) return failed(request, now);
-  return Response{.status = 204, .headers = {{"Set-Cookie", cookie(session_, "; Max-Age=2592000")}}};
+  const bool tls = options_.tls || request.header("origin").value_or("").starts_with("https://");
+  return Response{.status = 204, .headers = {{"Set-Cookie", cookie(session_, tls, "; Max-Age=2592000")}}};
 }
 
-Response TokenGate::logout() const { return {.status = 204, .headers = {{"Set-Cookie", cookie("", "; Max-Age=0")}}}; }
+Response TokenGate::logout() const {
+  return {.status = 204, .headers = {{"Set-Cookie", cookie("", options_.tls, "; Max-Age=0")}}};
+}
 
-std::string TokenGate::cookie(std::string_view value, std::string_view more) const {
-  return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict{}{}", cookie_name_, value,
-                     options_.tls ? "; Secure" : "", more);
+std::string TokenGate::cookie(std::string_view value, bool tls, std::string_view more) const {
+  return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict{}{}", cookie_name_, value, tls ? "; Secure" : "", more);
 }
 
 bool TokenGate::is_busy(const Request& request, Clock::time_point now) {

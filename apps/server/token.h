@@ -14,7 +14,7 @@ namespace axiometry::server {
 
 struct TokenOptions {
   std::string token;  ///< at least 16 characters; empty: none is asked for
-  bool tls = false;   ///< then the cookie goes over TLS only
+  bool tls = false;   ///< then the cookie goes over TLS only; so does one for a page that came over TLS from a proxy
   unsigned port = 0;  ///< part of the cookie's name, since cookies do not know ports
 };
 
@@ -47,7 +47,7 @@ class TokenGate {
   };
   Response failed(const Request& request, Clock::time_point now);
   bool is_busy(const Request& request, Clock::time_point now);
-  std::string cookie(std::string_view value, std::string_view more) const;
+  std::string cookie(std::string_view value, bool tls, std::string_view more) const;
 
   TokenOptions options_;
   std::string session_;  ///< what the cookie holds: says that its owner knew the token, without saying the token

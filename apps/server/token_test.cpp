@@ -104,5 +104,13 @@ TEST(Token, is_a_text_in_the_body) {
     EXPECT_FALSE(gate.login(request({}, "/api/login", body), noon).has_value()) << body;
 }
 
+TEST(Token, gives_a_page_that_came_over_TLS_from_a_proxy_a_cookie_for_TLS_alone) {
+  TokenGate gate({.token = token, .tls = false, .port = 8230});
+  Request asked = signing_in(token);
+  EXPECT_THAT(cookie_of(*gate.login(asked, noon)), Not(HasSubstr("Secure")));
+  asked.headers = {{"origin", "https://calibration.example"}};
+  EXPECT_THAT(cookie_of(*gate.login(asked, noon)), HasSubstr("; Secure"));
+}
+
 }  // namespace
 }  // namespace axiometry::server

@@ -31,7 +31,9 @@ namespace ssl = boost::asio::ssl;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr std::size_t workers_min = 4;  // so that a long evaluation or two do not keep lists waiting
+constexpr std::size_t workers_min = 4;  // so that a slow disk does not keep lists waiting
+constexpr std::size_t heavy_min = 2;    // so that a book of a report does not keep a small one waiting
+constexpr int heavy_niceness = 10;
 
 Result<asio::ip::address> parse_address(const std::string& text) {
   error_code code;
@@ -84,7 +86,8 @@ struct Transport::State {
   asio::steady_timer farewell{io};
   asio::signal_set signals{io};
   End end;
-  std::unique_ptr<WorkerPool> pool;  // ends before what its tasks answer to
+  std::unique_ptr<WorkerPool> light;  // both end before what their tasks answer to
+  std::unique_ptr<WorkerPool> heavy;
 
   Result<void> bind();
   void accept();
@@ -176,9 +179,15 @@ unsigned Transport::port() const { return state_->acceptor.local_endpoint().port
 Transport::End Transport::run(const Service& service, const std::function<void()>& ready) {
   allow_descriptors(state_->options.limits.connections + 256);
   std::signal(SIGPIPE, SIG_IGN);
-  const std::size_t workers = std::max<std::size_t>(std::thread::hardware_concurrency(), workers_min);
-  state_->pool = std::make_unique<WorkerPool>(workers, state_->options.limits.waiting);
-  state_->share = std::make_unique<ConnectionShare>(state_->options.limits, service, *state_->pool);
+  const std::size_t processors = std::thread::hardware_concurrency();
+  const Limits& limits = state_->options.limits;
+  state_->light = std::make_unique<WorkerPool>(
+      WorkerPool::Options{.threads = std::max(processors, workers_min), .waiting_max = limits.waiting});
+  state_->heavy = std::make_unique<WorkerPool>(WorkerPool::Options{.threads = std::max(processors / 2, heavy_min),
+                                                                   .waiting_max = limits.heavy_waiting,
+                                                                   .reserved = limits.heavy_waiting / 4,
+                                                                   .niceness = heavy_niceness});
+  state_->share = std::make_unique<ConnectionShare>(limits, service, *state_->light, *state_->heavy);
   state_->signals.add(SIGINT);
   state_->signals.add(SIGTERM);
   state_->await_signal();

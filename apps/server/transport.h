@@ -20,6 +20,9 @@ struct Service {
   std::function<std::optional<Response>(const Request&)> refused;
   /// On one of several threads; takes its time. Must not throw.
   std::function<Response(Request)> answer;
+  /// Whether that may compute for seconds. Such requests wait in a line of their own and give way to all others. May be
+  /// empty. On the I/O thread: must be quick.
+  std::function<bool(const Request&)> is_heavy{};
   /// Of every response, also of those that the transport makes itself: headers that all carry.
   std::function<void(Response&)> finish;
   /// Told of every answer; may be empty.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/report/utf8.h"
 #include "guard.h"
+#include "memory.h"
 #include "routes.h"
 #include "security.h"
 #include "transport.h"
@@ -21,6 +23,7 @@ namespace axiometry::server {
 namespace {
 
 constexpr std::size_t token_length_min = 16;
+constexpr std::size_t large_answer = std::size_t{4} << 20;  // bytes
 
 constexpr std::string_view how_to_get_them =
     "; a certificate for a try: openssl req -x509 -newkey rsa:2048 -nodes -days 365 -subj /CN=NAME -addext "
@@ -47,7 +50,12 @@ Service service_of(const Router& router, const Site& site, TokenGate& token, con
     if (auto refused = refused_by_guard(request, site)) return refused;
     return token.refused(request);
   };
-  service.answer = [&router](Request request) { return router.answer(std::move(request)); };
+  service.answer = [&router](Request request) {
+    Response response = router.answer(std::move(request));
+    if (response.body.size() > large_answer) give_back_memory();
+    return response;
+  };
+  service.is_heavy = [&router](const Request& request) { return router.is_heavy(request); };
   service.finish = [tls = !options.certificate.empty()](Response& response) { add_security_headers(response, tls); };
   if (options.log) service.answered = log_answer;
   return service;
@@ -69,6 +77,15 @@ void add_api_routes(Router& router, const Context& context) {
   add_capture_routes(router, context);
 }
 
+Result<std::vector<PublicAddress>> public_addresses(const ServeOptions& options) {
+  std::vector<PublicAddress> addresses;
+  for (const std::string& text : options.public_addresses) {
+    AXIOMETRY_TRY(auto address, parse_public_address(text));
+    addresses.push_back(std::move(address));
+  }
+  return addresses;
+}
+
 }  // namespace
 
 Result<void> check_exposure(const ServeOptions& options) {
@@ -79,6 +96,13 @@ Result<void> check_exposure(const ServeOptions& options) {
   if (!options.token.empty() && options.token.size() < token_length_min)
     return fail(
         fmt::format("found a token of {} characters, expected at least {}", options.token.size(), token_length_min));
+  AXIOMETRY_TRY(const auto addresses, public_addresses(options));
+  const auto reached = std::ranges::find(addresses, false, &PublicAddress::is_local);
+  if (reached != addresses.end() && options.token.empty())
+    return fail(
+        fmt::format("found the public address {}, which others can reach, without a token, expected --token-file or "
+                    "the environment's AXIOMETRY_TOKEN; a token: openssl rand -hex 24 > token.txt",
+                    reached->origin));
   if (is_loopback) return {};
   if (options.certificate.empty())
     return fail(
@@ -108,7 +132,12 @@ Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observe
     observer.notice(fmt::format("{}: can be read, not written: {}", info.location, info.why_not));
 
   const unsigned port = transport->port();
-  const Site site = make_site({.tls = tls, .listen = options.listen, .port = port, .names = options.host_names});
+  AXIOMETRY_TRY(auto addresses, public_addresses(options));
+  const Site site = make_site({.tls = tls,
+                               .listen = options.listen,
+                               .port = port,
+                               .names = options.host_names,
+                               .public_addresses = std::move(addresses)});
   TokenGate token({.token = options.token, .tls = tls, .port = port});
   app::Workbench workbench(*store);
   if (options.examples) AXIOMETRY_TRY_VOID(app::add_examples(workbench));

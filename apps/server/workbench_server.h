@@ -19,8 +19,9 @@ struct ServeOptions {
   unsigned port = 8230;              ///< 0: a free one
   std::string certificate{};         ///< PEM files; both or none
   std::string key{};
-  std::string token{};                    ///< empty: none is asked for, on this machine only
-  std::vector<std::string> host_names{};  ///< further names by which the server is reached
+  std::string token{};                          ///< empty: none is asked for, on this machine only
+  std::vector<std::string> host_names{};        ///< further names by which the server is reached
+  std::vector<std::string> public_addresses{};  ///< where a proxy offers it: "https://calibration.example"
   Limits limits{};
   std::vector<app::CaptureSource> sources{};  ///< that captures may listen to, beside the simulator
   std::string capture_folder{};               ///< for what captures hear, until it is in the store
@@ -35,8 +36,8 @@ struct ServeObserver {
 };
 
 /// Why the options would put the archive within everybody's reach: an address beyond this machine without TLS or
-/// without a token of at least 16 characters. Also fails on half a pair of certificate and key, and on an address that
-/// is none.
+/// without a token of at least 16 characters, or a public address without a token. Also fails on half a pair of
+/// certificate and key, and on an address or a public address that is none.
 Result<void> check_exposure(const ServeOptions& options);
 
 /// How it ended.

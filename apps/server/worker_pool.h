@@ -3,32 +3,55 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
 namespace axiometry::server {
 
-/// Threads that do one task after another, in the order in which they came.
+/// Threads that do one task after another. Who asked takes turns with the others who wait; the tasks of one are done in
+/// the order in which they came.
 class WorkerPool {
  public:
-  WorkerPool(std::size_t threads, std::size_t waiting_max);
+  struct Options {
+    std::size_t threads = 1;
+    std::size_t waiting_max = 1;  ///< tasks
+    std::size_t reserved = 0;     ///< places among these that only who has nothing waiting gets
+    int niceness = 0;             ///< by how much other threads are preferred (0 to 19), where the system can tell them
+  };
+  explicit WorkerPool(const Options& options);
   ~WorkerPool();  ///< forgets what waits, waits for what runs
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  /// False when so many wait already that this one is not taken. The task must not throw.
-  bool submit(std::function<void()> task);
+  using Ticket = std::uint64_t;
+  /// Nothing when so many wait already that this one is not taken. The task must not throw.
+  std::optional<Ticket> submit(const std::string& who, std::function<void()> task);
+
+  /// Gives a place in the line back: the task is forgotten. False when it has begun, and then it is done.
+  bool withdraw(Ticket ticket);
 
  private:
+  struct Task {
+    Ticket ticket = 0;
+    std::function<void()> work;
+  };
   void work();
+  std::function<void()> next();
 
-  std::size_t waiting_max_;
+  Options options_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<std::function<void()>> tasks_;
+  std::map<std::string, std::deque<Task>> lines_;  // of those who have something waiting
+  std::deque<std::string> turns_;                  // their order
+  std::size_t waiting_ = 0;
+  Ticket last_ticket_ = 0;
   bool ended_ = false;
   std::vector<std::thread> threads_;
 };

@@ -280,6 +280,42 @@ def tokens(program, folder, checks):
         checks.that("the page needs no token", server.request("GET", "/").status == 200)
 
 
+def behind_a_proxy(program, folder, checks):
+    """A proxy that ends TLS: its address is known by what the user said at the start, by nothing else."""
+    ours = "https://calibration.example"
+    content = EXAMPLE.read_bytes()
+    with Served(program, folder / "proxy.db", "--public-address", ours, token=TOKEN) as server:
+        signed = {"Authorization": "Bearer " + TOKEN}
+        for fields in ({"Origin": ours}, {"Origin": ours, "Host": "calibration.example"},
+                       {"Origin": ours, "Host": "calibration.example:443", "Sec-Fetch-Site": "same-origin"},
+                       {"Origin": f"http://{server.host}"}, {}):
+            answer = server.request("POST", "/api/preview", content, {**signed, **fields})
+            checks.that(f"{fields} through the proxy is ours", answer.status == 200, answer.body[:200])
+        before = server.request("GET", "/api/health", headers=signed).json()["store"]["counts"]
+        trusting = {"Forwarded": "host=calibration.example;proto=https", "X-Forwarded-Host": "calibration.example",
+                    "X-Forwarded-Proto": "https", "X-Forwarded-For": "127.0.0.1"}
+        for fields in ({"Origin": "https://evil.example"}, {"Origin": "null"}, {"Origin": "http://calibration.example"},
+                       {"Origin": f"https://{server.host}"}, {"Origin": ours + ".evil.example"},
+                       {"Origin": ours + ":8443"}, {"Origin": ours, "Sec-Fetch-Site": "cross-site"},
+                       {"Origin": "http://calibration.example", "Host": "calibration.example"},
+                       {"Origin": "https://evil.example", "Host": "calibration.example"}):
+            for more in ({}, trusting):
+                answer = server.request("POST", "/api/tests", content, {**signed, **fields, **more})
+                checks.that(f"POST with {fields} is refused", answer.status == 403, answer.body[:200])
+        for host in ("evil.example", "calibration.example:80", "calibration.example.evil.example"):
+            answer = server.request("GET", "/api/tests", headers={**signed, **trusting, "Host": host})
+            checks.that(f"the host {host} is refused", answer.status == 421, answer.body[:200])
+        after = server.request("GET", "/api/health", headers=signed).json()["store"]["counts"]
+        checks.that("nothing of it was kept", before == after, after)
+        answer = server.request("POST", "/api/login", {"token": TOKEN}, {"Origin": ours})
+        cookie = answer.headers.get("set-cookie", "")
+        checks.that("the proxy's page has a cookie for TLS alone", "; Secure" in cookie and "HttpOnly" in cookie, cookie)
+        answer = server.request("GET", "/api/tests", headers={"Cookie": cookie.split(";")[0]})
+        checks.that("which opens", answer.status == 200, answer.status)
+        answer = server.request("GET", "/api/tests", headers=trusting)
+        checks.that("nobody else", answer.status == 401, answer.status)
+
+
 def exposure(program, folder, checks):
     def refused(*more):
         done = subprocess.run([program, "serve", "--store", str(folder / "never.db"), "--port", "0", *more],
@@ -295,7 +331,9 @@ def exposure(program, folder, checks):
     for more in (["--listen", "0.0.0.0"], ["--listen", "::"], ["--listen", "0.0.0.0", *pair], ["--listen", "nonsense"],
                  ["--certificate", str(certificate)], ["--certificate", str(key), "--key", str(certificate)],
                  ["--token-file", str(folder / "short.txt")], ["--token-file", str(folder / "none.txt")],
-                 ["--listen", "0.0.0.0", *pair, "--token-file", str(folder / "short.txt")]):
+                 ["--listen", "0.0.0.0", *pair, "--token-file", str(folder / "short.txt")],
+                 ["--public-address", "https://calibration.example"], ["--public-address", "http://127.0.0.1.example"],
+                 ["--public-address", "https://calibration.example/axes"], ["--public-address", "*"]):
         holds, message = refused(*more)
         checks.that(f"{more} does not start", holds, message)
         checks.that(f"{more} says why", message.startswith("axiometry: ") and "expected" in message or
@@ -329,6 +367,7 @@ def main():
             checks.that("no descriptor is left", server.descriptors() <= descriptors + 8, server.descriptors())
             checks.that("the server lives", server.process.poll() is None)
         tokens(program, folder, checks)
+        behind_a_proxy(program, folder, checks)
         exposure(program, folder, checks)
     checks.finish()
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""200 clients at once, and the server neither fails nor grows.
+"""200 clients at once, and the server neither fails nor grows; and light requests beside heavy ones (heavy.py).
 
 Usage: load.py PROGRAM [SECONDS]
 
@@ -17,6 +17,7 @@ import tempfile
 import threading
 import time
 
+from heavy import light_beside_heavy, who_leaves_gives_up_the_place
 from served import Checks, Served
 
 EXAMPLE = (pathlib.Path(__file__).parents[2] / "examples" / "iso230-2-table2.json").read_bytes()
@@ -110,6 +111,10 @@ def main():
             if times:
                 print(f"  {kind:7} {len(times):6}  p50 {percentile(times, 0.5) * 1000:6.1f} ms  "
                       f"p99 {percentile(times, 0.99) * 1000:6.1f} ms")
+    with tempfile.TemporaryDirectory() as folder, Served(program, pathlib.Path(folder) / "heavy.db") as server:
+        server.upload("/api/tests", "first.json", EXAMPLE)
+        light_beside_heavy(server, checks, EXAMPLE)
+        who_leaves_gives_up_the_place(server, checks)
     checks.finish()
 
 

@@ -4,7 +4,6 @@
 #include <cairo.h>
 
 #include <algorithm>
-#include <memory>
 #include <numeric>
 #include <span>
 
@@ -188,11 +187,11 @@ struct Setter {
     flow.need(height_of(figure));
     const double scale = std::min(full_scale(figure), (flow.room() - caption_height(figure)) / figure.height);
     const double x = margin_side + (body_width - scale * figure.width) / 2.0;
-    flow.place([shared = std::make_shared<const Figure>(figure), x, y = flow.y(), scale](cairo_t* cairo) {
+    flow.place([&figure, x, y = flow.y(), scale](cairo_t* cairo) {
       cairo_save(cairo);
       cairo_translate(cairo, x, y);
       cairo_scale(cairo, scale, scale);
-      paint(*shared, cairo);
+      paint(figure, cairo);
       cairo_restore(cairo);
     });
     flow.advance(scale * figure.height + figure_caption_drop);
@@ -241,7 +240,7 @@ struct Setter {
       const double x = margin_side + body_width - tag.width();
       title.push_back({std::move(tag), x});
     }
-    place_row(flow, std::move(title));
+    place_row(flow, title);
     flow.advance(4.0);
     place_rule(flow, margin_side, body_width, 1.0, accent);
     flow.advance(10.0);
@@ -272,9 +271,9 @@ struct Setter {
     }
     place_rule(flow, margin_side, body_width, 0.6, rule);
     flow.advance(7.0);
-    place_row(flow, std::move(names));
+    place_row(flow, names);
     flow.advance(2.0);
-    place_row(flow, std::move(values));
+    place_row(flow, values);
     flow.advance(8.0);
     place_rule(flow, margin_side, body_width, 0.6, rule);
     flow.advance(12.0);

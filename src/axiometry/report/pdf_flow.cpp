@@ -4,9 +4,15 @@
 #include <cairo.h>
 
 #include <algorithm>
-#include <memory>
 
 namespace axiometry::report::pdf {
+
+void draw(const Drawing& drawing, cairo_t* cairo) {
+  if (const auto* lines = std::get_if<PlacedLines>(&drawing))
+    lines->text.draw(cairo, lines->first_baseline, lines->first, lines->last);
+  else
+    std::get<1>(drawing)(cairo);
+}
 
 void PageFlow::new_page() {
   pages_.emplace_back();
@@ -48,7 +54,7 @@ double row_height(const std::vector<PlacedText>& cells) {
   return height;
 }
 
-void place_row(PageFlow& flow, std::vector<PlacedText> cells, const std::function<void()>& on_new_page) {
+void place_row(PageFlow& flow, const std::vector<PlacedText>& cells, const std::function<void()>& on_new_page) {
   const auto begin_page = [&] {
     flow.new_page();
     if (on_new_page) on_new_page();
@@ -57,20 +63,19 @@ void place_row(PageFlow& flow, std::vector<PlacedText> cells, const std::functio
   if (height > flow.room() && (height <= 0.8 * body_height || flow.room() < 0.2 * body_height)) begin_page();
 
   const double ascent = first_ascent(cells);
-  const auto shared = std::make_shared<const std::vector<PlacedText>>(std::move(cells));
-  std::vector<std::size_t> next(shared->size(), 0);
+  std::vector<std::size_t> next(cells.size(), 0);
   for (bool beginning = true;; beginning = false) {
     double used = 0.0;
     bool complete = true;
-    for (std::size_t c = 0; c < shared->size(); ++c) {
-      const TextBlock& text = (*shared)[c].text;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const TextBlock& text = cells[c].text;
       const std::size_t first = next[c];
       if (first == text.lines().size()) continue;
       const double drop = beginning ? ascent - text.lines().front().baseline : 0.0;
       const std::size_t last = lines_that_fit(text, first, flow.room() - drop, !beginning || flow.at_top());
       if (last > first) {
-        const Point at{(*shared)[c].x, flow.y() + drop + text.lines()[first].baseline - text.lines()[first].top};
-        flow.place([shared, c, at, first, last](cairo_t* cairo) { (*shared)[c].text.draw(cairo, at, first, last); });
+        const Point at{cells[c].x, flow.y() + drop + text.lines()[first].baseline - text.lines()[first].top};
+        flow.place(PlacedLines{text, at, first, last});
         used = std::max(used, drop + text.lines()[last - 1].bottom - text.lines()[first].top);
       }
       next[c] = last;

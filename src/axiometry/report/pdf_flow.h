@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "axiometry/report/pdf_text.h"
@@ -19,7 +20,18 @@ inline constexpr double margin_bottom = 58.0;
 inline constexpr double body_width = page_width - 2.0 * margin_side;
 inline constexpr double body_height = page_height - margin_top - margin_bottom;
 
-using Drawing = std::function<void(cairo_t*)>;
+/// Lines first … last − 1 of a text, the first base line at a point of the page.
+struct PlacedLines {
+  TextBlock text;
+  Point first_baseline;
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// Nearly all are lines of text, and of them there may be a million.
+using Drawing = std::variant<PlacedLines, std::function<void(cairo_t*)>>;
+
+void draw(const Drawing& drawing, cairo_t* cairo);
 
 /// Where a section begins, for the outline of the file.
 struct Bookmark {
@@ -64,7 +76,7 @@ struct PlacedText {
 
 /// Places texts side by side on a common first base line. A row higher than the room left begins a
 /// page; one higher than a page is broken between lines. `on_new_page` repeats a head.
-void place_row(PageFlow& flow, std::vector<PlacedText> cells, const std::function<void()>& on_new_page = {});
+void place_row(PageFlow& flow, const std::vector<PlacedText>& cells, const std::function<void()>& on_new_page = {});
 
 /// Height of such a row.
 double row_height(const std::vector<PlacedText>& cells);

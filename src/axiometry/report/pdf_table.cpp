@@ -39,8 +39,8 @@ Measure sizes(const Table& table, double scale) {
 
 Measure measure_for(const Table& table, double scale, const Typesetter& typesetter) {
   Measure m = sizes(table, scale);
-  m.digit = typesetter.set(plain("00000"), {m.size}).width() / 5.0;
-  m.mark = typesetter.set(plain("....."), {m.size}).width() / 5.0;
+  m.digit = typesetter.width(plain("00000"), {m.size}) / 5.0;
+  m.mark = typesetter.width(plain("....."), {m.size}) / 5.0;
   return m;
 }
 
@@ -67,9 +67,9 @@ std::vector<double> natural_widths(const Table& table, const Measure& m, const T
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const Column& column = table.columns[c];
     const std::size_t fraction = column.align == Align::decimal ? longest_fraction(table, c) : 0;
-    double widest = typesetter.set(column.head, {m.size, true}).width();
+    double widest = typesetter.width(column.head, {m.size, true});
     for (const auto& row : table.rows) {
-      const double own = typesetter.set(row[c].text, {m.size}).width();
+      const double own = typesetter.width(row[c].text, {m.size});
       widest = std::max(widest, own + (column.align == Align::decimal ? padding_right(row[c], fraction, m) : 0.0));
     }
     widths.push_back(widest + 0.5);  // so that rounding wraps no line
@@ -166,7 +166,7 @@ void place_groups(const Table& table, const Grid& grid, const Typesetter& typese
     }
     c = last + 1;
   }
-  place_row(flow, std::move(cells));
+  place_row(flow, cells);
   flow.advance(grid.measure.row_gap / 2.0);
   for (const auto& [left, width] : lines) place_rule(flow, left, width, 0.5, rule);
 }
@@ -239,7 +239,7 @@ void set_table(const Table& table, const Typesetter& typesetter, PageFlow& flow)
       head();
     }
     flow.advance(m.row_gap);
-    place_row(flow, std::move(cells), head);
+    place_row(flow, cells, head);
     flow.advance(m.row_gap);
   }
   place_rule(flow, margin_side, body_width, 1.0, ink);

@@ -112,52 +112,101 @@ std::vector<std::size_t> fill(PangoLayout* layout, const RichText& text, double 
   return starts;
 }
 
+/// A line above a letter, as in x̄.
+struct Bar {
+  std::size_t line = 0;
+  double left = 0.0;
+  double right = 0.0;
+  double above_baseline = 0.0;
+  double thickness = 0.0;
+};
+
+/// All that the layout of a text depends on, in bytes.
+std::string key_of(const RichText& text, const TextStyle& style, std::optional<double> width) {
+  std::string key;
+  const auto add = [&key](const auto& value) { key.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  add(style.size);
+  add(style.bold);
+  add(width.value_or(-1.0));
+  for (const TextRun& run : text) {
+    for (const bool is : {run.italic, run.bold, run.bar}) add(is);
+    add(run.script);
+    add(run.text.size());
+    key += run.text;
+  }
+  return key;
+}
+
 }  // namespace
 
-void TextBlock::measure_lines() {
-  PangoLayoutIter* iterator = pango_layout_get_iter(layout_.get());
+struct SetText {
+  std::unique_ptr<PangoLayout, decltype(&g_object_unref)> layout;
+  std::vector<Line> lines{};
+  std::vector<Bar> bars{};
+  double width = 0.0;
+};
+
+namespace {
+
+void measure_lines(SetText& set) {
+  PangoLayoutIter* iterator = pango_layout_get_iter(set.layout.get());
   do {
     int top = 0;
     int bottom = 0;
     pango_layout_iter_get_line_yrange(iterator, &top, &bottom);
     PangoRectangle extents;
     pango_layout_iter_get_line_extents(iterator, nullptr, &extents);
-    lines_.push_back({points(top), points(pango_layout_iter_get_baseline(iterator)), points(bottom)});
-    width_ = std::max(width_, points(extents.width));
+    set.lines.push_back({points(top), points(pango_layout_iter_get_baseline(iterator)), points(bottom)});
+    set.width = std::max(set.width, points(extents.width));
   } while (pango_layout_iter_next_line(iterator));
   pango_layout_iter_free(iterator);
 }
 
-void TextBlock::add_bar(const TextRun& run, std::size_t start, double size) {
+Bar bar_over(PangoLayout* layout, const TextRun& run, std::size_t start, double size) {
   int line = 0;
-  pango_layout_index_to_line_x(layout_.get(), static_cast<int>(start), FALSE, &line, nullptr);
+  pango_layout_index_to_line_x(layout, static_cast<int>(start), FALSE, &line, nullptr);
   PangoRectangle place;
-  pango_layout_index_to_pos(layout_.get(), static_cast<int>(start), &place);
+  pango_layout_index_to_pos(layout, static_cast<int>(start), &place);
   const double own_size = size * (run.script == Script::normal ? 1.0 : script_scale);
   const bool capital = !run.text.empty() && run.text.front() >= 'A' && run.text.front() <= 'Z';
   const double slant = run.italic ? italic_slant * own_size : 0.0;
-  bars_.push_back({static_cast<std::size_t>(line), points(place.x) + slant, points(place.x + place.width) + 0.3 * slant,
-                   own_size * (capital ? bar_above_capital : bar_above_small_letter), own_size * bar_thickness});
+  return {static_cast<std::size_t>(line), points(place.x) + slant, points(place.x + place.width) + 0.3 * slant,
+          own_size * (capital ? bar_above_capital : bar_above_small_letter), own_size * bar_thickness};
 }
 
-TextBlock Typesetter::set(const RichText& text, const TextStyle& style, std::optional<double> width) const {
-  TextBlock block;
-  block.colour_ = style.colour;
-  block.layout_ = {new_layout(context_.get(), style, width), [](PangoLayout* layout) { g_object_unref(layout); }};
-  const std::vector<std::size_t> starts = fill(block.layout_.get(), text, style.size);
-  block.measure_lines();
+SetText set_anew(PangoContext* context, const RichText& text, const TextStyle& style, std::optional<double> width) {
+  SetText set{.layout = {new_layout(context, style, width), &g_object_unref}};
+  const std::vector<std::size_t> starts = fill(set.layout.get(), text, style.size);
+  measure_lines(set);
   for (std::size_t k = 0; k < text.size(); ++k)
-    if (text[k].bar) block.add_bar(text[k], starts[k], style.size);
-  return block;
+    if (text[k].bar) set.bars.push_back(bar_over(set.layout.get(), text[k], starts[k], style.size));
+  return set;
 }
+
+}  // namespace
+
+TextBlock Typesetter::set(const RichText& text, const TextStyle& style, std::optional<double> width) const {
+  std::shared_ptr<const SetText>& known = known_[key_of(text, style, width)];
+  if (!known) known = std::make_shared<const SetText>(set_anew(context_.get(), text, style, width));
+  return {known, style.colour};
+}
+
+double Typesetter::width(const RichText& text, const TextStyle& style) const {
+  const auto [known, is_new] = known_widths_.try_emplace(key_of(text, style, std::nullopt));
+  if (is_new) known->second = set_anew(context_.get(), text, style, std::nullopt).width;
+  return known->second;
+}
+
+const std::vector<Line>& TextBlock::lines() const { return set_->lines; }
+double TextBlock::width() const { return set_->width; }
 
 void TextBlock::draw(cairo_t* cairo, Point first_baseline, std::size_t first, std::size_t last) const {
   cairo_set_source_rgb(cairo, colour_.r, colour_.g, colour_.b);
-  for (std::size_t k = first; k < std::min(last, lines_.size()); ++k) {
-    const double y = first_baseline.y + lines_[k].baseline - lines_[first].baseline;
+  for (std::size_t k = first; k < std::min(last, lines().size()); ++k) {
+    const double y = first_baseline.y + lines()[k].baseline - lines()[first].baseline;
     cairo_move_to(cairo, first_baseline.x, y);
-    pango_cairo_show_layout_line(cairo, pango_layout_get_line_readonly(layout_.get(), static_cast<int>(k)));
-    for (const Bar& bar : bars_) {
+    pango_cairo_show_layout_line(cairo, pango_layout_get_line_readonly(set_->layout.get(), static_cast<int>(k)));
+    for (const Bar& bar : set_->bars) {
       if (bar.line != k) continue;
       cairo_rectangle(cairo, first_baseline.x + bar.left, y - bar.above_baseline, bar.right - bar.left, bar.thickness);
       cairo_fill(cairo);

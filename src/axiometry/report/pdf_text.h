@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "axiometry/report/document.h"
@@ -27,37 +29,29 @@ struct Line {
   double bottom = 0.0;
 };
 
-/// Lines of text, set and measured, ready to be drawn in parts.
+/// What is alike in all blocks of one text in one style: lines, and how Pango draws them.
+struct SetText;
+
+/// Lines of text, set and measured, ready to be drawn in parts. Copies share them.
 class TextBlock {
  public:
-  const std::vector<Line>& lines() const { return lines_; }
-  double width() const { return width_; }  ///< of the widest line
-  double height() const { return lines_.back().bottom; }
+  const std::vector<Line>& lines() const;
+  double width() const;  ///< of the widest line
+  double height() const { return lines().back().bottom; }
 
   /// Draws lines first … last − 1, the first base line at (x, y).
   void draw(cairo_t* cairo, Point first_baseline, std::size_t first, std::size_t last) const;
 
  private:
   friend class Typesetter;
-  /// A line above a letter, as in x̄.
-  struct Bar {
-    std::size_t line = 0;
-    double left = 0.0;
-    double right = 0.0;
-    double above_baseline = 0.0;
-    double thickness = 0.0;
-  };
+  TextBlock(std::shared_ptr<const SetText> set, Colour colour) : set_(std::move(set)), colour_(colour) {}
 
-  void measure_lines();
-  void add_bar(const TextRun& run, std::size_t start, double size);
-
-  std::shared_ptr<PangoLayout> layout_;
-  std::vector<Line> lines_;
-  std::vector<Bar> bars_;
+  std::shared_ptr<const SetText> set_;
   Colour colour_;
-  double width_ = 0.0;
 };
 
+/// Sets each text once for each size, weight and width: tables of thousands of readings hold few different numbers. For
+/// one thread.
 class Typesetter {
  public:
   Typesetter();
@@ -65,8 +59,13 @@ class Typesetter {
   /// Without a width, one line per line of the text; with it, wrapped at words, long words anywhere.
   TextBlock set(const RichText& text, const TextStyle& style, std::optional<double> width = std::nullopt) const;
 
+  /// set(text, style).width(), without keeping how it is drawn.
+  double width(const RichText& text, const TextStyle& style) const;
+
  private:
   std::shared_ptr<PangoContext> context_;
+  mutable std::unordered_map<std::string, std::shared_ptr<const SetText>> known_;
+  mutable std::unordered_map<std::string, double> known_widths_;
 };
 
 }  // namespace axiometry::report::pdf

@@ -45,7 +45,7 @@ struct ReadingPosterior::State {
   std::span<const double> next_normals() { return std::span(normals).subspan(trials * normals_used++, trials); }
 };
 
-ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noise)
+ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noise, Asked asked)
     : targets_(series.target_count()), runs_(series.run_count()), noise_(noise) {
   const double r = noise.up_down_correlation;
   shared_variance_ = std::abs(r) * square(noise.target);
@@ -68,6 +68,7 @@ ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noi
     noise_.reading = std::hypot(noise_.reading, noise_.run);
     noise_.run = 0.0;
   }
+  if (exact_ && asked == Asked::readings) return;
   find_run_shifts();
   find_curves(series);
 }
@@ -333,6 +334,7 @@ void ReadingPosterior::draw_readings(numeric::RandomKey key, numeric::Rows<doubl
 
 void ReadingPosterior::draw_long_run(numeric::RandomKey key, numeric::Rows<double> means,
                                      numeric::Rows<double> sds) const {
+  AXIOMETRY_CONTRACT(!curves_.empty());
   std::ranges::fill(means.values, missing);
   std::ranges::fill(sds.values, missing);
   State state = draw_state(key, means.stride);

@@ -36,14 +36,17 @@ struct ReadingNoise {
 
 class ReadingPosterior {
  public:
-  ReadingPosterior(const Series& series, const ReadingNoise& noise);
+  enum class Asked { long_run, readings };  ///< what will be drawn: both, or readings alone
+
+  /// Takes a time that grows with the third power of the targets, but none for readings alone of exact() instruments.
+  ReadingPosterior(const Series& series, const ReadingNoise& noise, Asked asked = Asked::long_run);
 
   /// What perfect instruments would have read: rows in the order of Series::cell (direction, target, run), NaN
   /// where no reading is. Uses the streams from `key.stream` on, `streams` of them.
   void draw_readings(numeric::RandomKey key, numeric::Rows<double> readings) const;
 
-  /// Long-run μ and σ of each cell: rows in the order direction, target; NaN where no reading is. σ contains the
-  /// machine's own shifts from run to run.
+  /// Contract: asked for. Long-run μ and σ of each cell: rows in the order direction, target; NaN where no reading is.
+  /// σ contains the machine's own shifts from run to run.
   void draw_long_run(numeric::RandomKey key, numeric::Rows<double> means, numeric::Rows<double> sds) const;
 
   static constexpr std::uint64_t streams = 2;

@@ -36,6 +36,14 @@ ReadingNoise noise_of(const UncertaintyInputs& inputs, const TrialModelOptions& 
   return noise;
 }
 
+bool is_long_run(const TrialModelOptions& options) {
+  return options.sampling && options.measurand == Measurand::this_machine;
+}
+
+ReadingPosterior::Asked asked_of(const TrialModelOptions& options) {
+  return is_long_run(options) ? ReadingPosterior::Asked::long_run : ReadingPosterior::Asked::readings;
+}
+
 /// f_t(α, ΔT) − f_t(α̂, ΔT̂) in µm/m, α in µm/(m·°C); the difference of (14) without cancellation.
 double expansion_error(double alpha, double dT, double alpha_estimate, double dT_estimate) {
   const double strain = alpha * dT;
@@ -56,7 +64,7 @@ TrialModel::TrialModel(const Series& series, const UncertaintyInputs& inputs, co
       inputs_(inputs),
       options_(options),
       layout_(series),
-      posterior_(series, options.sampling ? noise_of(inputs, options) : ReadingNoise{}) {
+      posterior_(series, options.sampling ? noise_of(inputs, options) : ReadingNoise{}, asked_of(options)) {
   find_length_errors();
   if (inputs.station) station_.emplace(series.targets(), *inputs.station);
 }
@@ -212,7 +220,7 @@ void TrialModel::add_target_errors(std::uint64_t place, std::size_t rows_per_cel
 }
 
 void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const {
-  const bool long_run = options_.sampling && options_.measurand == Measurand::this_machine;
+  const bool long_run = is_long_run(options_);
   const numeric::RandomKey posterior_key{options_.seed, of_posterior, place};
   if (long_run && options_.type_a != TypeA::resampled) {
     std::vector<double> means(layout_.cell_rows() * chunk), estimators(layout_.cell_rows() * chunk);

@@ -212,8 +212,7 @@ std::string page_rules(const Document& document, const Options& options) {
       counted);
 }
 
-Result<std::string> set(const Document& composed, const Options& options) {
-  const Document document = translated(composed, options);
+std::string page(const Document& document, const Options& options) {
   std::string out;
   out.reserve(1 << 17);
   out += fmt::format(
@@ -236,7 +235,11 @@ Result<std::string> set(const Document& composed, const Options& options) {
 }
 
 Result<std::string> write(const Subject& subject, const Options& options) {
-  return set(compose(subject, options), options);
+  return page(translated(compose(subject, options), options), options);
+}
+
+Result<std::string> set(const Document& document, const Options& options) {
+  return page(translated(document, options), options);
 }
 
 }  // namespace

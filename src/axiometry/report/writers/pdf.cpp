@@ -88,7 +88,7 @@ void draw_pages(cairo_surface_t* surface, cairo_t* cairo, const PageFlow& flow, 
       draw_running(cairo, typesetter, document.running_head, document.running_number, head_baseline);
       draw_line(cairo, head_baseline + 6.0);
     }
-    for (const Drawing& drawing : flow.pages()[page]) drawing(cairo);
+    for (const Drawing& drawing : flow.pages()[page]) draw(drawing, cairo);
     draw_line(cairo, foot_baseline - 12.0);
     draw_running(cairo, typesetter, document.running_status,
                  translated(fmt::format("Page {} of {}", page + 1, count), options), foot_baseline);
@@ -96,8 +96,7 @@ void draw_pages(cairo_surface_t* surface, cairo_t* cairo, const PageFlow& flow, 
   }
 }
 
-Result<std::string> set(const Document& composed, const Options& options) {
-  const Document document = translated(composed, options);
+Result<std::string> drawn(const Document& document, const Options& options) {
   const Typesetter typesetter;
   const PageFlow flow = set_document(document, typesetter);
   std::string bytes;
@@ -115,7 +114,11 @@ Result<std::string> set(const Document& composed, const Options& options) {
 }
 
 Result<std::string> write(const Subject& subject, const Options& options) {
-  return set(compose(subject, options), options);
+  return drawn(translated(compose(subject, options), options), options);
+}
+
+Result<std::string> set(const Document& document, const Options& options) {
+  return drawn(translated(document, options), options);
 }
 
 }  // namespace
