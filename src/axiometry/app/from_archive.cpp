@@ -15,36 +15,6 @@ namespace {
 using formats::JsonMembers;
 using json::Value;
 
-bool same(std::string_view a, std::string_view b) {
-  return !text::trim(a).empty() && text::equal_ignoring_case(text::trim(a), text::trim(b));
-}
-
-bool both_given(std::string_view a, std::string_view b) { return !text::trim(a).empty() && !text::trim(b).empty(); }
-
-bool same_machine(const store::Machine& a, const store::Machine& b) {
-  if (both_given(a.serial_number, b.serial_number)) return same(a.serial_number, b.serial_number);
-  return same(a.name, b.name);
-}
-
-bool same_instrument(const store::Instrument& a, const store::Instrument& b) {
-  if (both_given(a.serial_number, b.serial_number)) return same(a.serial_number, b.serial_number);
-  return same(a.manufacturer, b.manufacturer) && same(a.type, b.type);
-}
-
-/// The first thing whose latest version fits, else the first that did before it was edited.
-template <typename Thing, typename Fits>
-Result<std::optional<store::Versioned<Thing>>> find_thing(const store::Store& store, const Fits& fits) {
-  AXIOMETRY_TRY(const auto things, store.all<Thing>());
-  for (const auto& thing : things)
-    if (fits(thing.value)) return thing;
-  for (const auto& thing : things) {
-    if (thing.version == 1) continue;
-    AXIOMETRY_TRY(const auto versions, store.versions<Thing>(thing.id));
-    if (std::ranges::any_of(versions, [&](const auto& version) { return fits(version.value); })) return thing;
-  }
-  return std::nullopt;
-}
-
 bool concerns(const Changes& changes, std::string_view group) {
   return std::ranges::any_of(changes, [&](const auto& change) { return change.first.starts_with(group); });
 }
@@ -74,9 +44,7 @@ Result<KnownInstruments> linked_instruments(const store::Store& store, const std
 Result<KnownInstruments> found_instruments(const store::Store& store, const Metadata& metadata) {
   KnownInstruments known;
   for (const store::Instrument& stated : instruments_of(metadata)) {
-    AXIOMETRY_TRY(auto found, find_thing<store::Instrument>(store, [&](const store::Instrument& candidate) {
-                    return same_instrument(candidate, stated);
-                  }));
+    AXIOMETRY_TRY(auto found, store.known(stated));
     if (found) known.push_back(*std::move(found));
   }
   return known;
@@ -96,18 +64,6 @@ std::vector<InstrumentInputs> inputs_of(const KnownInstruments& known, const Met
 }
 
 using KnownAxis = std::optional<store::Versioned<store::Axis>>;
-
-Result<KnownAxis> found_axis(const store::Store& store, const Metadata& metadata) {
-  const store::Machine stated = machine_of(metadata);
-  AXIOMETRY_TRY(const auto machine, find_thing<store::Machine>(store, [&](const store::Machine& candidate) {
-                  return same_machine(candidate, stated);
-                }));
-  if (!machine) return std::nullopt;
-  const std::string_view kind = axis_kind_name(metadata.axis.kind);
-  return find_thing<store::Axis>(store, [&](const store::Axis& candidate) {
-    return candidate.machine == machine->id && candidate.kind == kind && same(candidate.name, metadata.axis.name);
-  });
-}
 
 std::optional<AxisLimits> limits_of(const KnownAxis& axis) {
   if (!axis || axis->value.limits.empty()) return {};
@@ -263,7 +219,7 @@ Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& m
     taken.axis = limits_of(std::move(axis));
     return taken;
   }
-  AXIOMETRY_TRY(const KnownAxis axis, found_axis(store, metadata));
+  AXIOMETRY_TRY(const KnownAxis axis, store.known(machine_of(metadata), axis_of(metadata)));
   taken.axis = limits_of(axis);
   return taken;
 }

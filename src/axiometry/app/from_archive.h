@@ -60,9 +60,9 @@ struct ArchiveLinks {
 };
 
 /// What a test is evaluated with that comes from the archive. `metadata` is what its file says with the user's changes.
-/// The links count unless the changes are about machine, axis or equipment; without them things are found by serial
-/// number, else by name (of an instrument by manufacturer and type), now or as they were called before. A key that the
-/// changes name, even to take its value away, is not taken from an instrument.
+/// The links count unless the changes are about machine, axis or equipment; without them things are those that the
+/// archive would link the test with (store.h's known()). A key that the changes name, even to take its value away, is
+/// not taken from an instrument.
 Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& metadata, const Changes& changes,
                                     const std::optional<ArchiveLinks>& links = {});
 

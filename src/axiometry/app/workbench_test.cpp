@@ -253,6 +253,22 @@ TEST_F(TheWorkbench, FindsTheAxisOfAMachineThatWasRenamed) {
   EXPECT_EQ(second->record.state.evaluation.verdict, "does not conform");
 }
 
+TEST_F(TheWorkbench, EvaluatesAtOnceWithTheLimitsOfTheAxisThatItLinksTheTestWith) {
+  const auto machine = store.add(store::Machine{.name = "FRÄSE 7"}, me);
+  ASSERT_TRUE(machine);
+  const store::Axis axis{.machine = machine->id, .name = "x", .kind = "linear", .limits = {{"A", 1.0}}};
+  ASSERT_TRUE(store.add(axis, me));
+  const std::string bytes =
+      "# machine.name: fräse 7\n# axis.name: X\ntarget_mm,direction,run,deviation_um\n"
+      "0,+,1,1\n100,+,1,2\n0,+,2,3\n100,+,2,5\n0,-,1,3\n100,-,1,4\n0,-,2,4\n100,-,2,4\n";
+  const auto test = workbench.test(keep(bytes, "run.csv"));
+  ASSERT_TRUE(test) << test.error().to_string();
+  EXPECT_EQ(test->record.machine, machine->id);
+  ASSERT_TRUE(test->outcome.from_archive.axis);
+  EXPECT_EQ(test->outcome.from_archive.axis->axis, test->record.axis);
+  EXPECT_EQ(test->record.state.evaluation.verdict, "does not conform");
+}
+
 TEST_F(TheWorkbench, RefusesAReportWhoseFiguresAreNoLongerThoseThatWereKept) {
   const auto id = keep(example_table2);
   auto record = store.test(id);

@@ -8,7 +8,8 @@
 namespace axiometry::store {
 namespace {
 
-bool same(std::string_view a, std::string_view b) { return folded(text::trim(a)) == folded(text::trim(b)); }
+std::string key(std::string_view text) { return folded(text::trim(text), text.size()); }
+bool same(std::string_view a, std::string_view b) { return key(a) == key(b); }
 bool given(std::string_view text) { return !text::trim(text).empty(); }
 
 /// The first thing whose latest version fits, else the first with any version that does.
@@ -26,26 +27,61 @@ Result<std::optional<Versioned<Thing>>> find(Connection& connection, const std::
   return std::nullopt;
 }
 
+/// Where only one of them says who made it, they may be the same.
+bool same_maker(std::string_view a, std::string_view b) { return !given(a) || !given(b) || same(a, b); }
+
+/// Without a serial number only kind and maker tell: the one that has no number either, or the only one.
+KnownInstrument unnumbered(const std::vector<Versioned<Instrument>>& instruments, const Instrument& stated) {
+  std::vector<const Versioned<Instrument>*> alike;
+  for (const Versioned<Instrument>& instrument : instruments)
+    if (same(instrument.value.manufacturer, stated.manufacturer) && same(instrument.value.type, stated.type))
+      alike.push_back(&instrument);
+  for (const auto* instrument : alike)
+    if (alike.size() == 1 || !given(instrument->value.serial_number)) return *instrument;
+  return std::nullopt;
+}
+
 }  // namespace
 
-Result<std::optional<Id>> machine_of(Connection& connection, const Machine& stated, const Change& change) {
+Result<KnownMachine> known_machine(Connection& connection, const Machine& stated) {
   const bool numbered = given(stated.serial_number);
   if (!numbered && !given(stated.name)) return std::nullopt;
   AXIOMETRY_TRY(const auto machines, all_things<Machine>(connection));
   if (numbered) {
-    AXIOMETRY_TRY(const auto found, find(connection, machines, [&](const Machine& machine) {
+    AXIOMETRY_TRY(auto found, find(connection, machines, [&](const Machine& machine) {
                     return same(machine.serial_number, stated.serial_number) &&
-                           (!given(machine.manufacturer) || !given(stated.manufacturer) ||
-                            same(machine.manufacturer, stated.manufacturer));
+                           same_maker(machine.manufacturer, stated.manufacturer);
                   }));
-    if (found) return found->id;
+    if (found) return found;
   }
-  if (given(stated.name)) {
-    AXIOMETRY_TRY(const auto found, find(connection, machines, [&](const Machine& machine) {
-                    return same(machine.name, stated.name) && (!numbered || !given(machine.serial_number));
-                  }));
-    if (found) return found->id;
-  }
+  if (!given(stated.name)) return std::nullopt;
+  return find(connection, machines, [&](const Machine& machine) {
+    return same(machine.name, stated.name) && (!numbered || !given(machine.serial_number));
+  });
+}
+
+Result<KnownAxis> known_axis(Connection& connection, Id machine, const Axis& stated) {
+  if (!given(stated.name)) return std::nullopt;
+  AXIOMETRY_TRY(const auto axes, axes_of(connection, machine));
+  return find(connection, axes,
+              [&](const Axis& axis) { return axis.kind == stated.kind && same(axis.name, stated.name); });
+}
+
+Result<KnownInstrument> known_instrument(Connection& connection, const Instrument& stated) {
+  const bool numbered = given(stated.serial_number);
+  if (!numbered && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
+  AXIOMETRY_TRY(const auto instruments, all_things<Instrument>(connection));
+  if (!numbered) return unnumbered(instruments, stated);
+  return find(connection, instruments, [&](const Instrument& instrument) {
+    return same(instrument.serial_number, stated.serial_number) &&
+           same_maker(instrument.manufacturer, stated.manufacturer);
+  });
+}
+
+Result<std::optional<Id>> machine_of(Connection& connection, const Machine& stated, const Change& change) {
+  if (!given(stated.serial_number) && !given(stated.name)) return std::nullopt;
+  AXIOMETRY_TRY(const KnownMachine known, known_machine(connection, stated));
+  if (known) return known->id;
   Machine added = stated;
   if (!given(added.name)) added.name = given(added.type) ? added.type : added.serial_number;
   AXIOMETRY_TRY(const Versioned<Machine> machine, add_thing(connection, added, change));
@@ -54,11 +90,8 @@ Result<std::optional<Id>> machine_of(Connection& connection, const Machine& stat
 
 Result<std::optional<Id>> axis_of(Connection& connection, Id machine, const Axis& stated, const Change& change) {
   if (!given(stated.name)) return std::nullopt;
-  AXIOMETRY_TRY(const auto axes, axes_of(connection, machine));
-  AXIOMETRY_TRY(const auto found, find(connection, axes, [&](const Axis& axis) {
-                  return axis.kind == stated.kind && same(axis.name, stated.name);
-                }));
-  if (found) return found->id;
+  AXIOMETRY_TRY(const KnownAxis known, known_axis(connection, machine, stated));
+  if (known) return known->id;
   Axis added = stated;
   added.machine = machine;
   AXIOMETRY_TRY(const Versioned<Axis> axis, add_thing(connection, added, change));
@@ -67,22 +100,9 @@ Result<std::optional<Id>> axis_of(Connection& connection, Id machine, const Axis
 
 Result<std::optional<InstrumentUse>> instrument_of(Connection& connection, const Instrument& stated,
                                                    const Change& change) {
-  const bool numbered = given(stated.serial_number);
-  if (!numbered && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
-  AXIOMETRY_TRY(const auto instruments, all_things<Instrument>(connection));
-  std::vector<const Versioned<Instrument>*> candidates;
-  for (const Versioned<Instrument>& instrument : instruments) {
-    const Instrument& known = instrument.value;
-    const bool alike = same(known.manufacturer, stated.manufacturer) && same(known.type, stated.type);
-    const bool fits = numbered ? same(known.serial_number, stated.serial_number) &&
-                                     (alike || !given(known.manufacturer) || !given(stated.manufacturer) ||
-                                      same(known.manufacturer, stated.manufacturer))
-                               : alike;
-    if (fits) candidates.push_back(&instrument);
-  }
-  for (const auto* candidate : candidates)
-    if (numbered || candidates.size() == 1 || !given(candidate->value.serial_number))
-      return InstrumentUse{candidate->id, candidate->version};
+  if (!given(stated.serial_number) && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
+  AXIOMETRY_TRY(const KnownInstrument known, known_instrument(connection, stated));
+  if (known) return InstrumentUse{known->id, known->version};
   AXIOMETRY_TRY(const Versioned<Instrument> added, add_thing(connection, stated, change));
   return InstrumentUse{added.id, added.version};
 }

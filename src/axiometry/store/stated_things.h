@@ -18,15 +18,24 @@ struct InstrumentUse {
   friend bool operator==(const InstrumentUse&, const InstrumentUse&) = default;
 };
 
-/// The machine with the same serial number; else that of the same name, unless serial numbers differ; now, or as it
-/// was called before. Else it is added. Nothing where neither is stated. Letters' case does not matter.
+using KnownMachine = std::optional<Versioned<Machine>>;
+using KnownAxis = std::optional<Versioned<Axis>>;
+using KnownInstrument = std::optional<Versioned<Instrument>>;
+
+/// The machine with the same serial number, unless both say who made it and differ; else that of the same name, unless
+/// serial numbers differ; now, or as it was called before. Letters' case and blanks around do not matter.
+Result<KnownMachine> known_machine(Connection& connection, const Machine& stated);
+
+/// The machine's axis of the same kind and name, now or before.
+Result<KnownAxis> known_axis(Connection& connection, Id machine, const Axis& stated);
+
+/// The instrument with the same serial number, now or before, unless both say who made it and differ; of one without,
+/// that of the same manufacturer and type which has none either, or the only one.
+Result<KnownInstrument> known_instrument(Connection& connection, const Instrument& stated);
+
+/// The known one; else it is added. Nothing where nothing is stated that it could be known by.
 Result<std::optional<Id>> machine_of(Connection& connection, const Machine& stated, const Change& change);
-
-/// The machine's axis of the same kind and name, now or before; else it is added. Nothing without a name.
 Result<std::optional<Id>> axis_of(Connection& connection, Id machine, const Axis& stated, const Change& change);
-
-/// The instrument with the same serial number; of one without, that of the same manufacturer and type which has none
-/// either, or the only one. Else it is added. Nothing where neither is stated.
 Result<std::optional<InstrumentUse>> instrument_of(Connection& connection, const Instrument& stated,
                                                    const Change& change);
 

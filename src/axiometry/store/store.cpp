@@ -8,6 +8,7 @@
 #include "axiometry/store/documents.h"
 #include "axiometry/store/folded_text.h"
 #include "axiometry/store/migrations.h"
+#include "axiometry/store/stated_things.h"
 #include "axiometry/store/store_state.h"
 #include "axiometry/store/test_list.h"
 #include "axiometry/store/thing_tables.h"
@@ -101,6 +102,22 @@ AXIOMETRY_THING(Machine);
 AXIOMETRY_THING(Axis);
 AXIOMETRY_THING(Instrument);
 AXIOMETRY_THING(PlanRecord);
+
+Result<std::optional<Versioned<Machine>>> Store::known(const Machine& stated) const {
+  return state_->read([&](Connection& connection) { return known_machine(connection, stated); });
+}
+
+Result<std::optional<Versioned<Axis>>> Store::known(const Machine& stated, const Axis& axis) const {
+  return state_->read([&](Connection& connection) -> Result<KnownAxis> {
+    AXIOMETRY_TRY(const KnownMachine machine, known_machine(connection, stated));
+    if (!machine) return std::nullopt;
+    return known_axis(connection, machine->id, axis);
+  });
+}
+
+Result<std::optional<Versioned<Instrument>>> Store::known(const Instrument& stated) const {
+  return state_->read([&](Connection& connection) { return known_instrument(connection, stated); });
+}
 
 Result<std::vector<Id>> Store::receive(const Content& content, std::span<const NewTest> tests, const By& by) {
   return state_->write([&](Connection& connection) { return receive_tests(connection, content, tests, by); });

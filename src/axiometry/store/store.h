@@ -76,6 +76,12 @@ class Store {
   template <typename Thing>
   Result<std::vector<Versioned<Thing>>> versions(Id id) const;  ///< oldest first
 
+  /// Which machine, axis or instrument of the archive receive() and revise() would take for what a test states: by the
+  /// one rule of stated_things.h. Nothing where they would add one.
+  Result<std::optional<Versioned<Machine>>> known(const Machine& stated) const;
+  Result<std::optional<Versioned<Axis>>> known(const Machine& stated, const Axis& axis) const;
+  Result<std::optional<Versioned<Instrument>>> known(const Instrument& stated) const;
+
   /// Keeps files and all their tests, or nothing. Bytes that are there already are kept once. The tests' ids in order.
   Result<std::vector<Id>> receive(std::span<const NewFile> files, const By& by);
   Result<std::vector<Id>> receive(const Content& content, std::span<const NewTest> tests, const By& by);

@@ -131,6 +131,56 @@ TEST_P(StoreThingsTest, KnowsAnInstrumentByItsSerialNumberOrItsOnlyOneOfAKind) {
   EXPECT_EQ(used("1"), 1);
 }
 
+TEST_P(StoreThingsTest, TellsWhatItWouldLinkATestWithBeforeItIsKept) {
+  NewTest test = new_test("t");
+  test.state.machine.name = "FRÄSE Öl-Æß";
+  test.state.machine.serial_number = "Nr. Ü-1";
+  test.state.axis.name = "Ё-Ω";
+  test.state.instruments[0].manufacturer = "MÜLLER";
+  test.state.instruments[0].serial_number = "É-7";
+  EXPECT_FALSE(must(store_->known(test.state.machine)));
+  EXPECT_FALSE(must(store_->known(test.state.machine, test.state.axis)));
+  EXPECT_FALSE(must(store_->known(test.state.instruments[0])));
+  must(store_->receive(content_of("abc"), std::vector{test}, by_anna));
+  TestState stated = test.state;
+  stated.machine.name = " fräse öl-æß ";
+  stated.machine.serial_number = "";
+  stated.axis.name = "ё-ω";
+  stated.instruments[0].manufacturer = "Müller";
+  stated.instruments[0].serial_number = "é-7";
+  EXPECT_EQ(must(store_->known(stated.machine)).value().id, 1);
+  EXPECT_EQ(must(store_->known(stated.machine, stated.axis)).value().value.name, "Ё-Ω");
+  EXPECT_EQ(must(store_->known(stated.instruments[0])).value().value.inputs.size(), 1u);
+  stated.machine = {.serial_number = "NR. ü-1"};
+  EXPECT_EQ(must(store_->known(stated.machine, stated.axis)).value().id, 1);
+  stated.machine = {.name = "Fräse Öl-Æß", .serial_number = "Nr. Ü-2"};
+  EXPECT_FALSE(must(store_->known(stated.machine))) << "another number is another machine";
+  EXPECT_FALSE(must(store_->known(stated.machine, stated.axis)));
+  stated.axis.kind = "rotary";
+  EXPECT_FALSE(must(store_->known(test.state.machine, stated.axis)));
+  EXPECT_FALSE(must(store_->known(Machine())));
+  EXPECT_FALSE(must(store_->known(Instrument())));
+}
+
+TEST_P(StoreThingsTest, KnowsAnInstrumentWhoseSerialNumberWasCorrected) {
+  Instrument laser;
+  laser.role = "laser";
+  laser.serial_number = "L-O1";
+  must(store_->add(laser, by_anna));
+  laser.serial_number = "L-01";
+  must(store_->change(1, 1, laser, by_anna));
+  laser.serial_number = "l-o1";
+  const auto found = must(store_->known(laser));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->version, 2) << "what it is now";
+}
+
+TEST_P(StoreThingsTest, TellsLongNamesApartByTheirEnds) {
+  const std::string begin(500, 'x');
+  EXPECT_EQ(machine_of(begin + "1", ""), 1);
+  EXPECT_EQ(machine_of(begin + "2", ""), 2);
+}
+
 TEST_P(StoreThingsTest, ShowsANewNameInEveryListAtOnce) {
   machine_of("Mill", "1");
   Machine renamed = must(store_->get<Machine>(1)).value;
