@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "axiometry/app/given_text.h"
+#include "axiometry/app/test_state.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "multipart.h"
@@ -64,6 +65,13 @@ Result<std::optional<std::int64_t>> whole_of(const Request& request, std::string
   if (!number || *number > static_cast<unsigned long long>(largest))
     return fail(fmt::format("found {}={}, expected a whole number from 0 to {}", name, text::quoted(*text), largest));
   return std::optional(static_cast<std::int64_t>(*number));
+}
+
+Result<std::string> date_of(const Request& request, std::string_view name) {
+  const std::string text(request.parameter(name).value_or(""));
+  if (!text.empty() && app::iso_date(text) != text)
+    return fail(fmt::format("found {}={}, expected a date such as 2026-01-31", name, text::quoted(text)));
+  return text;
 }
 
 Result<bool> flag_of(const Request& request, std::string_view name, bool otherwise) {

@@ -39,8 +39,8 @@ Result<store::TestFilter> filter_of(const Request& request) {
   store::TestFilter filter;
   const auto text = [&](std::string_view name) { return std::string(request.parameter(name).value_or("")); };
   filter.text = text("text");
-  filter.measured_from = text("from");
-  filter.measured_to = text("to");
+  AXIOMETRY_TRY(filter.measured_from, date_of(request, "from"));
+  AXIOMETRY_TRY(filter.measured_to, date_of(request, "to"));
   filter.verdict = text("verdict");
   filter.sha256 = text("sha256");
   AXIOMETRY_TRY(filter.machine, whole_of(request, "machine", store::id_max));

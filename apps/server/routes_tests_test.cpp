@@ -160,6 +160,14 @@ TEST_F(Routes, FilterAndRefuseFiltersThatAreNone) {
   EXPECT_EQ(total({{"text", "täst"}}), 1);
   EXPECT_EQ(total({{"text", "other"}}), 0);
   EXPECT_EQ(total({{"from", "2014-05-15"}, {"to", "2014-05-15"}}), 1);
+  EXPECT_EQ(total({{"from", ""}, {"to", ""}}), 1);
+  for (const char* name : {"from", "to"})
+    for (const char* none :
+         {"yesterday", "2014", "2014-5-15", "2014-02-30", "15.05.2014", "2014-05-15T09:30", " 2014-05-15"}) {
+      const Response refused = send("GET", "/api/tests", "", {{name, none}});
+      EXPECT_EQ(refused.status, 422) << none;
+      EXPECT_THAT(refused.body, HasSubstr("expected a date such as 2026-01-31")) << none;
+    }
   EXPECT_EQ(total({{"machine", "1"}, {"order", "A"}, {"descending", "0"}}), 1);
   EXPECT_EQ(total({{"machine", "2"}}), 0);
   EXPECT_EQ(send("GET", "/api/tests", "", {{"order", "colour"}}).status, 422);

@@ -243,6 +243,7 @@ json::Value to_json(const Received& received, const Reader& reader) {
     row.add("id", id_value(test.id));
     row.add("version", 1);
     row.add("title", test.title);
+    row.add("same_content", ids_to_json(test.same_content));
   }
   object.add("same_content", ids_to_json(received.same_content));
   add_outcome(object, received.first, reader);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "axiometry/app/given_text.h"
 #include "axiometry/app/test_state.h"
@@ -54,6 +55,16 @@ Result<std::vector<store::Id>> ids_with(const store::Store& store, const std::st
   for (const store::TestRow& row : page.rows) ids.push_back(row.id);
   std::ranges::sort(ids);
   return ids;
+}
+
+using IdsByContent = std::map<std::string, std::vector<store::Id>>;
+
+Result<IdsByContent> ids_by_content(const store::Store& store, std::span<const store::NewFile> files) {
+  IdsByContent known;
+  for (const store::NewFile& file : files) {
+    AXIOMETRY_TRY(known[file.content.sha256], ids_with(store, file.content.sha256));
+  }
+  return known;
 }
 
 /// A file that was read and evaluated, ready to be kept.
@@ -146,12 +157,20 @@ Result<Received> Workbench::receive(std::span<const Upload> uploads, const store
     AXIOMETRY_TRY(store::NewFile file, incoming(*state_, upload, first));
     files.push_back(std::move(file));
   }
-  AXIOMETRY_TRY(auto same, ids_with(state_->store, files.front().content.sha256));
+  AXIOMETRY_TRY(IdsByContent known, ids_by_content(state_->store, files));
   AXIOMETRY_TRY(const auto ids, state_->store.receive(files, by));
-  Received received{.tests = {}, .same_content = std::move(same), .first = *std::move(first)};
-  auto id = ids.begin();
-  for (const store::NewFile& file : files)
-    for (const store::NewTest& test : file.tests) received.tests.push_back({*id++, test.state.title});
+  Received received{.tests = {}, .same_content = {}, .first = *std::move(first)};
+  for (const auto& [sha256, same] : known)
+    received.same_content.insert(received.same_content.end(), same.begin(), same.end());
+  std::ranges::sort(received.same_content);
+  std::span<const store::Id> left = ids;
+  for (const store::NewFile& file : files) {
+    std::vector<store::Id>& same = known[file.content.sha256];
+    const auto own = left.first(file.tests.size());
+    for (std::size_t k = 0; k < own.size(); ++k) received.tests.push_back({own[k], file.tests[k].state.title, same});
+    same.insert(same.end(), own.begin(), own.end());
+    left = left.subspan(own.size());
+  }
   return received;
 }
 

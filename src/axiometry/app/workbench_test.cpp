@@ -92,6 +92,21 @@ TEST_F(TheWorkbench, MakesANewTestOfBytesItKnowsAndSaysSo) {
               ElementsAre(first, received->tests.front().id));
 }
 
+TEST_F(TheWorkbench, SaysOfEachFileOfManyWhichTestsHaveItsBytes) {
+  const auto known = keep(example_table2);
+  const Upload uploads[] = {{"new.csv", two_tests}, {"known.json", example_table2}, {"new again.csv", two_tests}};
+  const auto received = workbench.receive(uploads, me);
+  ASSERT_TRUE(received) << received.error().to_string();
+  EXPECT_THAT(received->same_content, ElementsAre(known));
+  ASSERT_EQ(received->tests.size(), 5u);
+  const auto& tests = received->tests;
+  EXPECT_THAT(tests[0].same_content, IsEmpty());
+  EXPECT_THAT(tests[1].same_content, IsEmpty()) << "of the same file";
+  EXPECT_THAT(tests[2].same_content, ElementsAre(known));
+  EXPECT_THAT(tests[3].same_content, ElementsAre(tests[0].id, tests[1].id)) << "twice in one upload";
+  EXPECT_THAT(tests[4].same_content, ElementsAre(tests[0].id, tests[1].id));
+}
+
 TEST_F(TheWorkbench, KeepsEveryTestOfAFileOfMany) {
   const Upload upload{"many.csv", two_tests};
   const auto received = workbench.receive(std::span(&upload, 1), me);

@@ -70,11 +70,13 @@ struct Preview {
 struct ReceivedTest {
   store::Id id = 0;
   std::string title;
+  std::vector<store::Id>
+      same_content;  ///< tests of other files with the bytes of its file, of before or of this upload
 };
 
 struct Received {
-  std::vector<ReceivedTest> tests;  ///< never empty; each at version 1
-  std::vector<store::Id> same_content;
+  std::vector<ReceivedTest> tests;      ///< never empty; each at version 1
+  std::vector<store::Id> same_content;  ///< tests of before with the bytes of any of the files
   Outcome first;
 };
 
