@@ -65,8 +65,8 @@ int serve(ServeArguments& arguments) {
   arguments.options.store = *std::move(address);
   const server::ServeObserver observer{
       .ready =
-          [&](const std::string& address) {
-            fmt::print("Axiometry workbench: {}\n", address);
+          [&](const std::string& url) {
+            fmt::print("Axiometry workbench: {}\n", url);
             std::fflush(stdout);
             if (!arguments.quiet) say(fmt::format("store {}; Ctrl-C ends", arguments.options.store));
           },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // node web/tests/run.mjs PROGRAM [WORD…]: the page in Debian's Chromium, against that program. With words only the tests
-// whose name has one of them. Each test has an empty store of its own.
+// whose name has one of them, with -WORD all but those whose name has it. Each test has an empty store of its own.
 import { chromium } from 'playwright-core';
 import { accessibility } from './accessibility.mjs';
 import { audit } from './audit.mjs';
@@ -24,7 +24,10 @@ if (!program) {
   process.exit(2);
 }
 const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...figures, ...trend, ...offline, ...timing };
-const wanted = Object.entries(all).filter(([name]) => words.length === 0 || words.some((word) => name.toLowerCase().includes(word.toLowerCase())));
+const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
+const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
+const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));
+const wanted = Object.entries(all).filter(([name]) => chosen(name));
 
 // Chromium's sandbox does not work for root, as which containers of tests mostly run.
 const flags = process.getuid() === 0 ? ['--no-sandbox'] : [];

@@ -269,9 +269,15 @@ TEST_F(TheWorkbench, FindsTheAxisOfAMachineThatWasRenamed) {
 }
 
 TEST_F(TheWorkbench, EvaluatesAtOnceWithTheLimitsOfTheAxisThatItLinksTheTestWith) {
-  const auto machine = store.add(store::Machine{.name = "FRÄSE 7"}, me);
+  store::Machine mill;
+  mill.name = "FRÄSE 7";
+  const auto machine = store.add(mill, me);
   ASSERT_TRUE(machine);
-  const store::Axis axis{.machine = machine->id, .name = "x", .kind = "linear", .limits = {{"A", 1.0}}};
+  store::Axis axis;
+  axis.machine = machine->id;
+  axis.name = "x";
+  axis.kind = "linear";
+  axis.limits = {{"A", 1.0}};
   ASSERT_TRUE(store.add(axis, me));
   const std::string bytes =
       "# machine.name: fräse 7\n# axis.name: X\ntarget_mm,direction,run,deviation_um\n"

@@ -151,9 +151,11 @@ TEST_P(StoreThingsTest, TellsWhatItWouldLinkATestWithBeforeItIsKept) {
   EXPECT_EQ(must(store_->known(stated.machine)).value().id, 1);
   EXPECT_EQ(must(store_->known(stated.machine, stated.axis)).value().value.name, "Ё-Ω");
   EXPECT_EQ(must(store_->known(stated.instruments[0])).value().value.inputs.size(), 1u);
-  stated.machine = {.serial_number = "NR. ü-1"};
+  stated.machine = {};
+  stated.machine.serial_number = "NR. ü-1";
   EXPECT_EQ(must(store_->known(stated.machine, stated.axis)).value().id, 1);
-  stated.machine = {.name = "Fräse Öl-Æß", .serial_number = "Nr. Ü-2"};
+  stated.machine.name = "Fräse Öl-Æß";
+  stated.machine.serial_number = "Nr. Ü-2";
   EXPECT_FALSE(must(store_->known(stated.machine))) << "another number is another machine";
   EXPECT_FALSE(must(store_->known(stated.machine, stated.axis)));
   stated.axis.kind = "rotary";
