@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <thread>
 #include <utility>
 
 #include "axiometry/app/capture_keeping.h"
@@ -148,7 +149,13 @@ Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observe
   add_page_routes(router, page_files());
 
   const Service service = service_of(router, site, token, options);
-  const auto end = transport->run(service, [&] { observer.ready(page_address(transport_options, port)); });
+  std::jthread warming;
+  const auto end = transport->run(service, [&] {
+    observer.ready(page_address(transport_options, port));
+    warming = std::jthread([&store = *store, &observer](const std::stop_token& stop) {
+      if (const auto warmed = store.warm_up(stop); !warmed) observer.notice(warmed.error().to_string());
+    });
+  });
   const ServeEnd result{.signal = end.signal, .all_answered = end.all_answered};
   if (!result.all_answered) cut_off(result);
   return result;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -107,6 +108,11 @@ class Store {
   Result<Document> document(Id id) const;  ///< its bytes: content(sha256)
 
   Result<std::vector<AuditEntry>> audit(const std::string& subject, std::int64_t before, std::int64_t limit) const;
+
+  /// Reads once what searches, lists and courses are made of, the newest tests first, until `stop` is asked: the pages
+  /// lie all over a large file, and whoever asks first would wait for the disk. Does nothing where the archive is a
+  /// server's.
+  Result<void> warm_up(const std::stop_token& stop) const;
 
   /// Reads everything: hashes, chain, references, and what the database itself can check.
   Result<Verification> verify() const;

@@ -64,6 +64,14 @@ TEST_P(StoreTest, GivesATestBackAsItCame) {
   EXPECT_EQ(must(store->content(content.sha256)).bytes, content.bytes);
 }
 
+TEST_P(StoreTest, WarmsUpWithTestsAndWithout) {
+  const auto store = new_store();
+  EXPECT_TRUE(store->warm_up({}));
+  must(store->receive(content_of("a", "a.csv"), std::vector{new_test("a", 1)}, by_anna));
+  const auto warmed = store->warm_up({});
+  EXPECT_TRUE(warmed) << why(warmed);
+}
+
 TEST_P(StoreTest, KeepsTheSameBytesOnce) {
   const auto store = new_store();
   must(store->receive(content_of("abc", "first.csv"), std::vector{new_test("a")}, by_anna));
