@@ -16,6 +16,7 @@
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 #include <chrono>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -239,9 +240,10 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
 
   void answer() {
     take_your_time();
-    const bool is_heavy = share_.service.is_heavy && share_.service.is_heavy(request_);
+    const Load load = share_.service.load_of ? share_.service.load_of(request_) : Load::light;
+    const bool is_heavy = load != Load::light;
     WorkerPool& pool = is_heavy ? share_.heavy : share_.light;
-    waiting_ = pool.submit(peer_ + ' ' + request_.actor, [self = this->shared_from_this()]() mutable {
+    std::function<void()> task = [self = this->shared_from_this()]() mutable {
       Connection& connection = *self;
       std::string body = std::exchange(connection.request_.body, {});
       Request request = connection.request_;
@@ -253,7 +255,8 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
         self->release_body();
         self->respond(std::move(response));
       });
-    });
+    };
+    waiting_ = pool.submit(peer_ + ' ' + request_.actor, std::move(task), load == Load::lone);
     if (waiting_) {
       if (is_heavy) watch_for_leaving();
       return;

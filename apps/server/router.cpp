@@ -12,6 +12,7 @@ namespace axiometry::server {
 namespace {
 
 constexpr std::size_t light_body_max = std::size_t{256} << 10;
+constexpr std::string_view of_all_processors = "\"monte-carlo\"";  // as in the options of an evaluation
 
 std::string method_of(const Request& request) { return request.method == "HEAD" ? "GET" : request.method; }
 
@@ -64,13 +65,19 @@ void Router::add(std::string_view method, std::string_view pattern, Handler hand
   entries_.push_back({std::string(method), std::string(pattern), segments_of(pattern), std::move(handler), weight});
 }
 
-bool Router::is_heavy(const Request& request) const {
+Load Router::load_of(const Request& request) const {
   const std::string wanted = method_of(request);
   const auto segments = segments_of(request.path);
   const auto entry = std::ranges::find_if(
       entries_, [&](const Entry& e) { return e.method == wanted && captured_by(e.segments, segments).has_value(); });
-  if (entry == entries_.end()) return false;
-  return entry->weight == Weight::heavy || (entry->weight == Weight::by_body && request.body.size() > light_body_max);
+  if (entry == entries_.end()) return Load::light;
+  switch (entry->weight) {
+    case Weight::light: return Load::light;
+    case Weight::heavy: return Load::heavy;
+    case Weight::by_size: return request.body.size() > light_body_max ? Load::heavy : Load::light;
+    case Weight::by_method: return request.body.contains(of_all_processors) ? Load::lone : Load::heavy;
+  }
+  return Load::light;
 }
 
 Response Router::answer(Request request) const {

@@ -8,17 +8,19 @@
 #include <vector>
 
 #include "http.h"
+#include "load.h"
 
 namespace axiometry::server {
 
 /// May be called from many threads at once, and may take its time.
 using Handler = std::function<Result<Response>(const Request&)>;
 
-/// Whether a request may compute for seconds: a report, an evaluation.
+/// How the load of a request is known.
 enum class Weight {
   light,
   heavy,
-  by_body,  ///< heavy with a body of more than 256 kB
+  by_size,    ///< heavy with a body of more than 256 kB
+  by_method,  ///< heavy; lone with a body that names the Monte Carlo method
 };
 
 /// Which handler answers which request. Patterns are literal but for whole segments in braces: "/api/tests/{id}", and
@@ -34,8 +36,8 @@ class Router {
   /// another method. HEAD is answered as GET without its body. Exceptions do not pass: 500, logged.
   Response answer(Request request) const;
 
-  /// By its route, of a request with its body; false where there is none.
-  bool is_heavy(const Request& request) const;
+  /// By its route, of a request with its body; light where there is none.
+  Load load_of(const Request& request) const;
 
   struct Route {
     std::string method;

@@ -55,22 +55,25 @@ TEST(Router, tells_what_computes_for_long) {
   Router router;
   const Handler none = [](const Request&) -> Result<Response> { return Response{}; };
   router.add("GET", "/api/tests", none);
-  router.add("POST", "/api/tests", none, Weight::by_body);
+  router.add("POST", "/api/tests", none, Weight::by_size);
+  router.add("POST", "/api/evaluations", none, Weight::by_method);
   router.add("GET", "/api/tests/{id}/report.{extension}", none, Weight::heavy);
-  const auto is_heavy = [&](std::string method, std::string path, std::size_t bytes = 0) {
+  const auto load = [&](std::string method, std::string path, std::string body = "") {
     Request request{};
     request.method = std::move(method);
     request.path = std::move(path);
-    request.body.assign(bytes, 'x');
-    return router.is_heavy(request);
+    request.body = std::move(body);
+    return router.load_of(request);
   };
-  EXPECT_FALSE(is_heavy("GET", "/api/tests"));
-  EXPECT_FALSE(is_heavy("POST", "/api/tests", 1000));
-  EXPECT_TRUE(is_heavy("POST", "/api/tests", 1'000'000));
-  EXPECT_TRUE(is_heavy("GET", "/api/tests/1/report.pdf"));
-  EXPECT_TRUE(is_heavy("HEAD", "/api/tests/1/report.pdf"));
-  EXPECT_FALSE(is_heavy("POST", "/api/tests/1/report.pdf"));
-  EXPECT_FALSE(is_heavy("GET", "/nothing"));
+  EXPECT_EQ(load("GET", "/api/tests"), Load::light);
+  EXPECT_EQ(load("POST", "/api/tests", std::string(1000, 'x')), Load::light);
+  EXPECT_EQ(load("POST", "/api/tests", std::string(1'000'000, 'x')), Load::heavy);
+  EXPECT_EQ(load("GET", "/api/tests/1/report.pdf"), Load::heavy);
+  EXPECT_EQ(load("HEAD", "/api/tests/1/report.pdf"), Load::heavy);
+  EXPECT_EQ(load("POST", "/api/evaluations", R"({"methods": ["gum"]})"), Load::heavy);
+  EXPECT_EQ(load("POST", "/api/evaluations", R"({"methods": ["gum", "monte-carlo"]})"), Load::lone);
+  EXPECT_EQ(load("POST", "/api/tests/1/report.pdf"), Load::light);
+  EXPECT_EQ(load("GET", "/nothing"), Load::light);
 }
 
 TEST(Router, says_which_methods_a_path_has) {

@@ -247,14 +247,14 @@ void add_test_routes(Router& router, const Context& context) {
     router.add(
         method, pattern, [&workbench, handler](const Request& request) { return handler(workbench, request); }, weight);
   };
-  add("POST", "/api/preview", preview, Weight::by_body);
-  add("POST", "/api/evaluations", evaluate, Weight::heavy);
+  add("POST", "/api/preview", preview, Weight::by_size);
+  add("POST", "/api/evaluations", evaluate, Weight::by_method);
   add("GET", "/api/tests", list);
-  add("POST", "/api/tests", receive, Weight::by_body);
+  add("POST", "/api/tests", receive, Weight::by_size);
   add("GET", "/api/tests/{id}", one);
   add("GET", "/api/tests/{id}/raw", raw);
-  add("POST", "/api/tests/{id}/evaluate", draft, Weight::heavy);
-  add("POST", "/api/tests/{id}/versions", revise, Weight::heavy);
+  add("POST", "/api/tests/{id}/evaluate", draft, Weight::by_method);
+  add("POST", "/api/tests/{id}/versions", revise, Weight::by_method);
   add("POST", "/api/tests/{id}/withdraw", [](Workbench& w, const Request& r) { return withdraw(w, r, true); });
   add("POST", "/api/tests/{id}/reinstate", [](Workbench& w, const Request& r) { return withdraw(w, r, false); });
   add("GET", "/api/tests/{id}/report.{extension}", report, Weight::heavy);

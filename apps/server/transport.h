@@ -8,6 +8,7 @@
 
 #include "http.h"
 #include "limits.h"
+#include "load.h"
 
 /// HTTP/1.1 (RFC 9112) over TCP and TLS: one thread for all connections, some for the answers. Slow and idle clients
 /// cost a few kilobytes, no thread.
@@ -20,9 +21,9 @@ struct Service {
   std::function<std::optional<Response>(const Request&)> refused;
   /// On one of several threads; takes its time. Must not throw.
   std::function<Response(Request)> answer;
-  /// Whether that may compute for seconds. Such requests wait in a line of their own and give way to all others. May be
-  /// empty. On the I/O thread: must be quick.
-  std::function<bool(const Request&)> is_heavy{};
+  /// What that asks of the machine. All but light requests wait in a line of their own and give way to these; of lone
+  /// ones one is answered at a time. Where this is empty all are light. On the I/O thread: must be quick.
+  std::function<Load(const Request&)> load_of{};
   /// Of every response, also of those that the transport makes itself: headers that all carry.
   std::function<void(Response&)> finish;
   /// Told of every answer; may be empty.

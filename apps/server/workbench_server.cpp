@@ -56,7 +56,7 @@ Service service_of(const Router& router, const Site& site, TokenGate& token, con
     if (response.body.size() > large_answer) give_back_memory();
     return response;
   };
-  service.is_heavy = [&router](const Request& request) { return router.is_heavy(request); };
+  service.load_of = [&router](const Request& request) { return router.load_of(request); };
   service.finish = [tls = !options.certificate.empty()](Response& response) { add_security_headers(response, tls); };
   if (options.log) service.answered = log_answer;
   return service;

@@ -33,7 +33,7 @@ WorkerPool::~WorkerPool() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-std::optional<WorkerPool::Ticket> WorkerPool::submit(const std::string& who, std::function<void()> task) {
+std::optional<WorkerPool::Ticket> WorkerPool::submit(const std::string& who, std::function<void()> task, bool lone) {
   Ticket ticket = 0;
   {
     const std::scoped_lock lock(mutex_);
@@ -42,7 +42,7 @@ std::optional<WorkerPool::Ticket> WorkerPool::submit(const std::string& who, std
     std::deque<Task>& line = lines_[who];
     if (line.empty()) turns_.push_back(who);
     ticket = ++last_ticket_;
-    line.push_back({ticket, std::move(task)});
+    line.push_back({ticket, std::move(task), lone});
     ++waiting_;
   }
   changed_.notify_one();
@@ -66,31 +66,41 @@ bool WorkerPool::withdraw(Ticket ticket) {
   return false;
 }
 
-std::function<void()> WorkerPool::next() {
-  const std::string who = std::move(turns_.front());
-  turns_.pop_front();
-  const auto line = lines_.find(who);
-  std::function<void()> task = std::move(line->second.front().work);
-  line->second.pop_front();
-  --waiting_;
-  if (line->second.empty())
-    lines_.erase(line);
-  else
-    turns_.push_back(who);
-  return task;
+std::optional<WorkerPool::Task> WorkerPool::next() {
+  const auto may_begin = [this](const Task& task) { return !(task.lone && lone_runs_); };
+  for (auto turn = turns_.begin(); turn != turns_.end(); ++turn) {
+    const auto line = lines_.find(*turn);
+    const auto found = std::ranges::find_if(line->second, may_begin);
+    if (found == line->second.end()) continue;
+    Task task = std::move(*found);
+    line->second.erase(found);
+    --waiting_;
+    lone_runs_ = lone_runs_ || task.lone;
+    std::string who = std::move(*turn);
+    turns_.erase(turn);
+    if (line->second.empty())
+      lines_.erase(line);
+    else
+      turns_.push_back(std::move(who));
+    return task;
+  }
+  return std::nullopt;
 }
 
 void WorkerPool::work() {
   give_way(options_.niceness);
   std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return ended_ || !turns_.empty(); });
+    std::optional<Task> task;
+    changed_.wait(lock, [&] { return ended_ || (task = next()); });
     if (ended_) return;
-    std::function<void()> task = next();
     lock.unlock();
-    task();
-    task = nullptr;
+    task->work();
+    task->work = nullptr;
     lock.lock();
+    if (!task->lone) continue;
+    lone_runs_ = false;
+    changed_.notify_one();
   }
 }
 

@@ -16,7 +16,8 @@
 namespace axiometry::server {
 
 /// Threads that do one task after another. Who asked takes turns with the others who wait; the tasks of one are done in
-/// the order in which they came.
+/// the order in which they came. Of lone tasks one is done at a time; those that wait for it keep no thread and let the
+/// others pass.
 class WorkerPool {
  public:
   struct Options {
@@ -32,7 +33,7 @@ class WorkerPool {
 
   using Ticket = std::uint64_t;
   /// Nothing when so many wait already that this one is not taken. The task must not throw.
-  std::optional<Ticket> submit(const std::string& who, std::function<void()> task);
+  std::optional<Ticket> submit(const std::string& who, std::function<void()> task, bool lone = false);
 
   /// Gives a place in the line back: the task is forgotten. False when it has begun, and then it is done.
   bool withdraw(Ticket ticket);
@@ -41,9 +42,10 @@ class WorkerPool {
   struct Task {
     Ticket ticket = 0;
     std::function<void()> work;
+    bool lone = false;
   };
   void work();
-  std::function<void()> next();
+  std::optional<Task> next();
 
   Options options_;
   std::mutex mutex_;
@@ -51,6 +53,7 @@ class WorkerPool {
   std::map<std::string, std::deque<Task>> lines_;  // of those who have something waiting
   std::deque<std::string> turns_;                  // their order
   std::size_t waiting_ = 0;
+  bool lone_runs_ = false;
   Ticket last_ticket_ = 0;
   bool ended_ = false;
   std::vector<std::thread> threads_;

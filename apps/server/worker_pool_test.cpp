@@ -126,6 +126,41 @@ TEST(WorkerPool, gives_the_place_of_a_withdrawn_task_to_another) {
   EXPECT_THAT(busy.finish(), ::testing::ElementsAre("b1", "c1"));
 }
 
+TEST(WorkerPool, does_lone_tasks_one_after_another_and_others_beside_them) {
+  std::latch begun(1);
+  std::latch go_on(1);
+  std::latch beside(1);
+  std::latch all(3);
+  std::atomic<int> running = 0;
+  std::atomic<bool> together = false;
+  WorkerPool pool({.threads = 4, .waiting_max = 10});
+  const auto wait_and_end = [&] {
+    if (++running > 1) together = true;
+    go_on.wait();
+    --running;
+    all.count_down();
+  };
+  ASSERT_TRUE(pool.submit(
+      "a",
+      [&] {
+        begun.count_down();
+        wait_and_end();
+      },
+      true));
+  begun.wait();
+  ASSERT_TRUE(pool.submit("a", wait_and_end, true));
+  const auto third = pool.submit("b", wait_and_end, true);
+  ASSERT_TRUE(third);
+  ASSERT_TRUE(pool.submit("a", [&] { beside.count_down(); }));
+  beside.wait();
+  const bool withdrawn = pool.withdraw(*third);
+  EXPECT_TRUE(withdrawn) << "waits in the line, not on a thread";
+  if (withdrawn) all.count_down();
+  go_on.count_down();
+  all.wait();
+  EXPECT_FALSE(together);
+}
+
 TEST(WorkerPool, does_what_has_begun) {
   std::latch begun(1);
   std::latch go_on(1);

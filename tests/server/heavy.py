@@ -9,6 +9,7 @@ import time
 
 HEAVY_CLIENTS = 8
 LIST_MS_MAX = 50.0  # of the 95th percentile
+REPORT_S_MAX = 1.0  # of a small report beside Monte Carlo evaluations of some seconds each
 TRIALS = 1_000_000
 
 
@@ -90,6 +91,20 @@ def send_heavy(server, seed):
     client.sendall(f"POST /api/tests/1/evaluate HTTP/1.1\r\nHost: {server.host}\r\nContent-Type: application/json\r\n"
                    f"X-Actor: client{seed}\r\nContent-Length: {len(body)}\r\n\r\n".encode() + body)
     return client
+
+
+def reports_beside_monte_carlo(server, checks):
+    """Evaluations of all processors come one after another, and those that wait keep nothing that a report needs."""
+    clients = [send_heavy(server, 2000 + i) for i in range(4)]
+    time.sleep(0.3)
+    begin = time.monotonic()
+    answer = server.request("GET", "/api/tests/1/report.html", headers={"X-Actor": "in a hurry"})
+    seconds = time.monotonic() - begin
+    checks.that("a report beside Monte Carlo evaluations is made", answer.status == 200, answer.body[:200])
+    checks.that("and does not wait for them", seconds < REPORT_S_MAX, f"{seconds:.2f} s")
+    for client in clients:
+        client.close()
+    print(f"report beside {len(clients)} Monte Carlo evaluations: {1000 * seconds:.0f} ms")
 
 
 def answers_within(clients, seconds):

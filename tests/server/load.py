@@ -17,7 +17,7 @@ import tempfile
 import threading
 import time
 
-from heavy import light_beside_heavy, who_leaves_gives_up_the_place
+from heavy import light_beside_heavy, reports_beside_monte_carlo, who_leaves_gives_up_the_place
 from served import Checks, Served
 
 EXAMPLE = (pathlib.Path(__file__).parents[2] / "examples" / "iso230-2-table2.json").read_bytes()
@@ -114,6 +114,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder, Served(program, pathlib.Path(folder) / "heavy.db") as server:
         server.upload("/api/tests", "first.json", EXAMPLE)
         light_beside_heavy(server, checks, EXAMPLE)
+        reports_beside_monte_carlo(server, checks)
         who_leaves_gives_up_the_place(server, checks)
     checks.finish()
 

@@ -229,8 +229,8 @@ class Composition {
     }
     for (std::size_t j = 0; j < fit_.stations_mm.size(); ++j)
       layout.station_names.push_back(name_of(s_.options.station_names, j));
-    if (auto figure =
-            residual_figure(fit_.normalised_residuals, options_))  // fits below the points, the layout does not
+    // This one fits below the points, the layout does not.
+    if (auto figure = residual_figure(fit_.normalised_residuals, options_))
       section.blocks.emplace_back(*std::move(figure));
     section.blocks.emplace_back(layout_figure(layout, options_));
     return section;

@@ -12,6 +12,16 @@ std::string key(std::string_view text) { return folded(text::trim(text), text.si
 bool same(std::string_view a, std::string_view b) { return key(a) == key(b); }
 bool given(std::string_view text) { return !text::trim(text).empty(); }
 
+/// A number or a maker that an earlier version did not say was not another one: it is the one said since.
+template <typename Thing>
+Thing completed(Thing earlier, const Thing& latest) {
+  if constexpr (requires { earlier.serial_number; }) {
+    if (!given(earlier.serial_number)) earlier.serial_number = latest.serial_number;
+    if (!given(earlier.manufacturer)) earlier.manufacturer = latest.manufacturer;
+  }
+  return earlier;
+}
+
 /// The first thing whose latest version fits, else the first with any version that does.
 template <typename Thing, typename Fits>
 Result<std::optional<Versioned<Thing>>> find(Connection& connection, const std::vector<Versioned<Thing>>& things,
@@ -22,7 +32,7 @@ Result<std::optional<Versioned<Thing>>> find(Connection& connection, const std::
     if (thing.version == 1) continue;
     AXIOMETRY_TRY(const std::vector<Versioned<Thing>> versions, thing_versions<Thing>(connection, thing.id));
     for (const Versioned<Thing>& version : versions)
-      if (fits(version.value)) return thing;
+      if (fits(completed(version.value, thing.value))) return thing;
   }
   return std::nullopt;
 }

@@ -23,7 +23,8 @@ using KnownAxis = std::optional<Versioned<Axis>>;
 using KnownInstrument = std::optional<Versioned<Instrument>>;
 
 /// The machine with the same serial number, unless both say who made it and differ; else that of the same name, unless
-/// serial numbers differ; now, or as it was called before. Letters' case and blanks around do not matter.
+/// serial numbers differ; now, or as it was called before, where a number or a maker first said since counts too.
+/// Letters' case and blanks around do not matter.
 Result<KnownMachine> known_machine(Connection& connection, const Machine& stated);
 
 /// The machine's axis of the same kind and name, now or before.

@@ -116,6 +116,18 @@ TEST_P(StoreThingsTest, KnowsAMachineByItsSerialNumberOrItsName) {
   EXPECT_EQ(must(store_->counts()).machines, 4);
 }
 
+TEST_P(StoreThingsTest, TakesNoMachineWhoseNumberWasAddedLaterForOneOfAnotherNumber) {
+  EXPECT_EQ(machine_of("Mill", ""), 1);
+  Machine numbered = machine("Mill");
+  numbered.serial_number = "100";
+  must(store_->change(1, 1, numbered, by_anna));
+  EXPECT_EQ(machine_of("Mill", "100"), 1);
+  EXPECT_EQ(machine_of("Mill", "200"), 2);
+  numbered.name = "Mill in hall 2";
+  must(store_->change(1, 2, numbered, by_anna));
+  EXPECT_EQ(machine_of("Mill", "300"), 3);
+}
+
 TEST_P(StoreThingsTest, KnowsAnInstrumentByItsSerialNumberOrItsOnlyOneOfAKind) {
   const auto used = [&](const std::string& serial_number) {
     NewTest test = new_test("t");
@@ -175,6 +187,21 @@ TEST_P(StoreThingsTest, KnowsAnInstrumentWhoseSerialNumberWasCorrected) {
   const auto found = must(store_->known(laser));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->version, 2) << "what it is now";
+}
+
+TEST_P(StoreThingsTest, TakesNoInstrumentWhoseMakerWasAddedLaterForOneOfAnotherMaker) {
+  Instrument laser;
+  laser.role = "laser";
+  laser.serial_number = "1";
+  must(store_->add(laser, by_anna));
+  laser.manufacturer = "Renishaw";
+  must(store_->change(1, 1, laser, by_anna));
+  EXPECT_TRUE(must(store_->known(laser)));
+  laser.manufacturer = "SIOS";
+  EXPECT_FALSE(must(store_->known(laser)));
+  must(store_->change(1, 2, laser, by_anna));
+  laser.manufacturer = "Renishaw";
+  EXPECT_TRUE(must(store_->known(laser))) << "as it was called before";
 }
 
 TEST_P(StoreThingsTest, TellsLongNamesApartByTheirEnds) {

@@ -100,7 +100,6 @@ std::vector<TableCell> decision_row(const Judgement& judgement, const Subject& s
   return row;
 }
 
-/// "Limits: A, E from the tolerance table Grinder, …; B from the command line."
 /// "Grinder, up to 500 mm, in limits.csv, …": the names are the user's, what stands between is not.
 RichText origin_text(std::string_view origin) {
   const std::size_t in = origin.rfind(", in ");
@@ -111,6 +110,7 @@ RichText origin_text(std::string_view origin) {
       {verbatim(origin.substr(0, travel)), plain(origin.substr(travel, file - travel)), verbatim(origin.substr(file))});
 }
 
+/// "Limits: A, E from the tolerance table Grinder, …; B from the command line."
 RichText origins_of_limits(std::span<const Judgement> judgements) {
   using enum iso230_2::ToleranceSource;
   RichText text;
