@@ -66,6 +66,30 @@ Result<void> check_lengths(const Metadata& metadata) {
   return {};
 }
 
+constexpr std::size_t trial_targets_max = 500;
+constexpr double trial_work_max = 2e10;
+constexpr double adaptive_trials = 1e5;
+
+/// A trial of m targets and N readings takes a time that grows with m² + N, its preparation one with m³ and memory with
+/// m²: without bounds a file of two megabytes would take the memory of the whole machine.
+Result<void> check_trials(const Series& series, const TestOptions& options) {
+  if (!options.monte_carlo) return {};
+  const std::size_t targets = series.target_count();
+  if (targets > trial_targets_max)
+    return fail(
+        fmt::format("found a test of {} targets, expected at most {} for Monte Carlo in the workbench: "
+                    "'axiometry uncertainty FILE' takes more",
+                    targets, trial_targets_max));
+  const double each = static_cast<double>(targets * targets + series.reading_count());
+  const double most = std::floor(trial_work_max / each);
+  const double trials = options.trials ? static_cast<double>(*options.trials) : adaptive_trials;
+  if (trials <= most) return {};
+  return fail(
+      fmt::format("found {:.0f} trials of {} targets and {} readings, expected at most {:.0f} for Monte Carlo in "
+                  "the workbench: 'axiometry uncertainty FILE' takes more",
+                  trials, targets, series.reading_count(), most));
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const MeasuredFile>> Workbench::State::read(std::string_view bytes, const std::string& name) {
@@ -95,6 +119,7 @@ Result<Test> Workbench::State::measured(const store::TestRecord& record) {
 }
 
 Result<Found> Workbench::State::evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links) {
+  AXIOMETRY_TRY_VOID(check_trials(test.series, draft.options));
   Metadata stated = test.metadata;
   AXIOMETRY_TRY_VOID(set_metadata(stated, metadata_items(draft.changes)));
   AXIOMETRY_TRY_VOID(check_lengths(stated));

@@ -154,6 +154,34 @@ TEST_F(TheWorkbench, TriesChangesWithoutKeepingThem) {
   EXPECT_EQ(workbench.test(id)->versions.size(), 1u);
 }
 
+/// Two approaches from each side to so many targets.
+std::string file_of(int targets, int runs) {
+  std::string text = "target_mm,direction,run,deviation_um\n";
+  for (int run = 1; run <= runs; ++run)
+    for (int i = 0; i < targets; ++i)
+      for (const char direction : {'+', '-'})
+        text += std::to_string(i) + "," + direction + "," + std::to_string(run) + "," + std::to_string(run % 3) + "\n";
+  return text;
+}
+
+TEST_F(TheWorkbench, RefusesTrialsThatWouldTakeTheWholeMachine) {
+  const auto refusal = [this](store::Id test, std::optional<std::size_t> trials) {
+    Draft draft;
+    draft.changes = {{"uncertainty.misalignment_mm", "1"}};
+    draft.options.monte_carlo = true;
+    draft.options.trials = trials;
+    const auto tried = workbench.draft(test, draft);
+    return tried ? "" : tried.error().message;
+  };
+  EXPECT_THAT(refusal(keep(file_of(501, 2), "wide.csv"), 100),
+              HasSubstr("found a test of 501 targets, expected at most 500"));
+  const store::Id deep = keep(file_of(12, 10'000), "deep.csv");
+  EXPECT_THAT(refusal(deep, 1'000'000), HasSubstr("found 1000000 trials of 12 targets and 240000 readings, expected at "
+                                                  "most 83283"));
+  EXPECT_THAT(refusal(deep, std::nullopt), HasSubstr("found 100000 trials"));
+  EXPECT_EQ(refusal(keep(example_table2), 100), "");
+}
+
 TEST_F(TheWorkbench, TakesAValueAwayAndReplacesAList) {
   const auto id = keep(example_table2);
   Draft draft;

@@ -10,6 +10,11 @@ namespace {
 
 std::string key(const std::string& subject, int version) { return fmt::format("{} {}", subject, version); }
 
+std::string text_of(const json::Value& detail, std::string_view name) {
+  const json::Value* value = detail.find(name);
+  return value != nullptr && value->is(json::Kind::text) ? value->text() : std::string();
+}
+
 }  // namespace
 
 void Attested::learn(const AuditEntry& entry) {
@@ -17,6 +22,10 @@ void Attested::learn(const AuditEntry& entry) {
     withdrawn_[entry.subject] = entry.action == "test.withdrawn";
   const auto detail = json::parse(entry.detail);
   if (!detail || !detail->is(json::Kind::object)) return;
+  if (entry.action == "test.received")
+    origins_[entry.subject] = {text_of(*detail, "content"), text_of(*detail, "file"), text_of(*detail, "name_in_file"),
+                               entry.change};
+  if (entry.action == "content.kept") kept_[entry.subject] = entry.change;
   const json::Value* hash = detail->find("sha256");
   const json::Value* version = detail->find("version");
   if (hash == nullptr || !hash->is(json::Kind::text)) return;
@@ -28,6 +37,16 @@ void Attested::learn(const AuditEntry& entry) {
 bool Attested::knows(const std::string& subject, int version, const std::string& sha256) const {
   const auto found = hashes_.find(key(subject, version));
   return found != hashes_.end() && found->second == sha256;
+}
+
+const Origin* Attested::origin(const std::string& test) const {
+  const auto found = origins_.find(test);
+  return found == origins_.end() ? nullptr : &found->second;
+}
+
+const Change* Attested::kept(const std::string& content) const {
+  const auto found = kept_.find(content);
+  return found == kept_.end() ? nullptr : &found->second;
 }
 
 std::int64_t Attested::count(std::string_view table) const {

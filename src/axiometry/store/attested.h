@@ -10,6 +10,14 @@
 
 namespace axiometry::store {
 
+/// Where a test came from.
+struct Origin {
+  std::string sha256;  ///< of the file's bytes
+  std::string file_name;
+  std::string name_in_file;
+  Change received;
+};
+
 /// What the audit trail says was kept: by it, rows that were changed, added or taken away behind the program's back
 /// are found even when their own hashes were made to fit.
 class Attested {
@@ -20,6 +28,11 @@ class Attested {
   /// Whether this version of "test 12" was kept with this hash; 0 for what has no versions.
   bool knows(const std::string& subject, int version, const std::string& sha256) const;
 
+  /// Null for a test that the trail has not seen received.
+  const Origin* origin(const std::string& test) const;
+  /// Who kept a content, when and why; null for one that the trail does not know.
+  const Change* kept(const std::string& content) const;
+
   /// How many versions were kept of all "test"s.
   std::int64_t count(std::string_view table) const;
   bool withdrawn(const std::string& subject) const;
@@ -28,6 +41,8 @@ class Attested {
   std::map<std::string, std::string> hashes_;  // by subject and version
   std::map<std::string, std::int64_t, std::less<>> counts_;
   std::map<std::string, bool> withdrawn_;
+  std::map<std::string, Origin> origins_;
+  std::map<std::string, Change> kept_;
 };
 
 }  // namespace axiometry::store

@@ -103,6 +103,9 @@ TEST_P(StoreTroubleTest, VerifyFindsWhatWasChangedAllTheSame) {
            Case{"figure", "UPDATE figure SET value = 0.5 WHERE test = 2", "test 2: found version 1 changed"},
            Case{"test", "UPDATE test SET withdrawn = 0", "test 2: found it not withdrawn"},
            Case{"test", "UPDATE test SET latest = 1", "test 1: found 2 versions"},
+           Case{"test", "UPDATE test SET actor = 'x' WHERE id = 2", "test 2: found another file, receipt"},
+           Case{"test", "UPDATE test SET name_in_file = 'x' WHERE id = 1", "test 1: found another file, receipt"},
+           Case{"content", "UPDATE content SET reason = 'x'", "content 1: found another time, name or reason"},
            Case{"test_list", "UPDATE test_list SET value_a = 0 WHERE test = 1", "test 1: found another line"},
            Case{"test_search", "DELETE FROM test_search", "test 1: found another line"},
            Case{"machine_version", "UPDATE machine_version SET name = 'x'", "machine 1: found version 1 changed"},
@@ -116,6 +119,15 @@ TEST_P(StoreTroubleTest, VerifyFindsWhatWasChangedAllTheSame) {
     tamper(address, c.table, c.sql);
     EXPECT_THAT(problems(address), Contains(HasSubstr(c.said))) << c.sql;
   }
+}
+
+TEST_P(StoreTroubleTest, VerifyFindsATestThatWasGivenTheBytesOfAnother) {
+  const std::string address = filled();
+  must(must(Store::open(address))->receive(content_of("def"), std::vector{new_test("c")}, by_anna));
+  ASSERT_TRUE(problems(address).empty());
+  tamper(address, "test", fmt::format("UPDATE test SET content = '{}' WHERE id = 1", sha256("def")));
+  tamper(address, "test_list", fmt::format("UPDATE test_list SET content = '{}' WHERE test = 1", sha256("def")));
+  EXPECT_THAT(problems(address), testing::ElementsAre(HasSubstr("test 1: found another file, receipt")));
 }
 
 TEST_P(StoreTroubleTest, GivesNoBytesThatWereChanged) {

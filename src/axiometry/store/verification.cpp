@@ -18,6 +18,13 @@ namespace {
 constexpr Id tests_at_once = 100;
 constexpr std::size_t most_problems = 1000;
 
+bool same(const Change& a, const Change& b) { return a.at == b.at && a.actor == b.actor && a.reason == b.reason; }
+
+bool same(const Origin& origin, const TestHead& head) {
+  return origin.sha256 == head.sha256 && origin.file_name == head.file_name &&
+         origin.name_in_file == head.name_in_file && same(origin.received, head.received);
+}
+
 /// One reading of everything, in one moment.
 class Verifier {
  public:
@@ -88,7 +95,8 @@ Result<void> Verifier::database() {
 Result<void> Verifier::contents() {
   AXIOMETRY_TRY(const Rows last, connection_.query("SELECT coalesce(max(id), 0), count(*) FROM content"));
   for (Id id = 1; id <= last[0].integer(0); ++id) {
-    AXIOMETRY_TRY(const Rows rows, connection_.query("SELECT sha256, size, bytes FROM content WHERE id = $1", {id}));
+    AXIOMETRY_TRY(const Rows rows,
+                  connection_.query("SELECT sha256, size, bytes, at, actor, reason FROM content WHERE id = $1", {id}));
     if (rows.empty()) {
       problem("content {}: found none, expected all from 1 to {}", id, last[0].integer(0));
       continue;
@@ -100,6 +108,9 @@ Result<void> Verifier::contents() {
               rows[0].integer(1), rows[0].text(0));
     else if (!attested_.knows(fmt::format("content {}", id), 0, hash))
       problem("content {}: found bytes that the audit trail does not know", id);
+    else if (const Change* kept = attested_.kept(fmt::format("content {}", id));
+             kept == nullptr || !same(*kept, {rows[0].text(3), rows[0].text(4), rows[0].text(5)}))
+      problem("content {}: found another time, name or reason than in the audit trail", id);
     ++found_.contents;
   }
   if (attested_.count("content") != last[0].integer(1))
@@ -130,6 +141,9 @@ void Verifier::check_test(const TestHead& head, std::span<const TestVersion> ver
   }
   if (head.withdrawn != attested_.withdrawn(subject))
     problem("{}: found it {}withdrawn, expected what the audit trail says", subject, head.withdrawn ? "" : "not ");
+  const Origin* origin = attested_.origin(subject);
+  if (origin == nullptr || !same(*origin, head))
+    problem("{}: found another file, receipt or name in the file than in the audit trail", subject);
   const TestVersion& latest = versions.back();
   const std::string machine = latest.machine ? machines_[*latest.machine].name : "";
   const std::string axis = latest.axis ? axes_[*latest.axis].name : latest.axis_name;
