@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
 import { settle } from './pages.mjs';
-import { shows } from './world.mjs';
+import { example, shows } from './world.mjs';
 
 const bare = fileURLToPath(new URL('../../examples/simulated-backlash.json', import.meta.url));
 
@@ -103,16 +103,16 @@ export const layout = {
     assert.ok(found.over <= 0, `the chart is ${found.over} px wider than its place`);
   },
 
-  async 'on a phone two tests are compared without scrolling sideways, differences below the values'(world) {
-    const ids = [await world.kept(), await world.kept(bare, 'bare.json')];
+  async 'on a phone three tests are compared without scrolling sideways, differences below the values'(world) {
+    const ids = [await world.kept(), await world.kept(bare, 'bare.json'), await world.kept(example, 'again.json')];
     const page = await world.page({ width: 390, height: 844 });
     await page.goto(`/compare?tests=${ids.join(',')}`);
     const table = page.locator('.side-by-side');
     await table.waitFor();
-    assert.equal(await table.locator('tbody tr').first().locator('td').count(), 2);
+    assert.equal(await table.locator('tbody tr').first().locator('td').count(), 3);
     const frame = page.locator('.table-frame', { has: table });
     assert.equal(await frame.evaluate((box) => box.scrollWidth - box.clientWidth), 0);
     await page.setViewportSize({ width: 900, height: 844 });
-    await page.waitForFunction(() => document.querySelectorAll('.side-by-side tbody tr:first-child td').length === 3);
+    await page.waitForFunction(() => document.querySelectorAll('.side-by-side tbody tr:first-child td').length === 5);
   },
 };

@@ -49,7 +49,7 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
         <table class="side-by-side">
           <thead>
             <tr>
-              <th scope="col" rowSpan={2}>{t('parameter')}</th>
+              <th scope="col" rowSpan={2}><span class={narrow.value ? 'visually-hidden' : ''}>{t('parameter')}</span></th>
               {tests.map((test, n) => (
                 <th key={test.id} scope="colgroup" colSpan={n === 0 || narrow.value ? 1 : 2} class="test-name">
                   <Swatch series={look_of(n)} /> {test.title}
