@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <mutex>
 #include <utility>
 
+#include "axiometry/app/examples.h"
 #include "axiometry/app/given_text.h"
 #include "axiometry/app/wire_equipment.h"
 #include "axiometry/app/wire_workbench.h"
@@ -115,6 +118,17 @@ Result<Response> receive(Workbench& workbench, const Request& request) {
   Response response = json_response(app::to_json(received, reader), 201);
   response.headers.emplace_back("Location", fmt::format("/api/tests/{}", received.tests.front().id));
   return response;
+}
+
+/// One at a time: the second to ask at once finds what the first has loaded.
+Result<Response> load_examples(Workbench& workbench, std::mutex& turn) {
+  const std::lock_guard lock(turn);
+  AXIOMETRY_TRY(const std::size_t count, app::add_examples(workbench));
+  if (count == 0)
+    return fail(ErrorKind::conflict, "found an archive that holds something, expected an empty one for the examples");
+  Value object = Value::object();
+  object.add("tests", count);
+  return json_response(object, 201);
 }
 
 Result<Response> list(const Workbench& workbench, const Request& request) {
@@ -249,6 +263,10 @@ void add_test_routes(Router& router, const Context& context) {
   };
   add("POST", "/api/preview", preview, Weight::by_size);
   add("POST", "/api/evaluations", evaluate, Weight::by_method);
+  add(
+      "POST", "/api/examples",
+      [turn = std::make_shared<std::mutex>()](Workbench& w, const Request&) { return load_examples(w, *turn); },
+      Weight::heavy);
   add("GET", "/api/tests", list);
   add("POST", "/api/tests", receive, Weight::by_size);
   add("GET", "/api/tests/{id}", one);

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <thread>
+#include <vector>
+
 #include "axiometry/app/example_table2.h"
 #include "axiometry/app/workbench.h"
 #include "server/routes.h"
@@ -69,6 +72,26 @@ TEST_F(Routes, TakeAFileAndGiveItBack) {
   const Value test = answer(send("GET", "/api/tests/1"), 200);
   EXPECT_EQ(text(*test.find("file"), "name"), "täst.json");
   EXPECT_EQ(text(*test.find("received"), "actor"), "A. Tester");
+}
+
+TEST_F(Routes, LoadTheExamplesIntoAnEmptyArchiveOnly) {
+  const Value loaded = answer(send("POST", "/api/examples"), 201);
+  EXPECT_EQ(number(loaded, "tests"), number(answer(send("GET", "/api/tests"), 200), "total"));
+  EXPECT_GT(number(loaded, "tests"), 3);
+  const Response again = send("POST", "/api/examples");
+  EXPECT_EQ(again.status, 409);
+  EXPECT_EQ(message(again), "found an archive that holds something, expected an empty one for the examples");
+  EXPECT_EQ(number(answer(send("GET", "/api/tests"), 200), "total"), number(loaded, "tests"));
+}
+
+TEST_F(Routes, LoadTheExamplesOnceWhenManyAskAtOnce) {
+  std::vector<int> statuses(4);
+  {
+    std::vector<std::jthread> askers;
+    for (int& status : statuses) askers.emplace_back([&] { status = send("POST", "/api/examples").status; });
+  }
+  EXPECT_THAT(statuses, testing::UnorderedElementsAre(201, 409, 409, 409));
+  EXPECT_EQ(number(answer(send("GET", "/api/tests"), 200), "total"), 14);
 }
 
 TEST_F(Routes, TakeAFormOfSeveralFiles) {

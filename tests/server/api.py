@@ -221,6 +221,18 @@ def captures(play):
         play.expect(200, "POST", f"/api/captures/{begun['id']}/stop", {})
 
 
+def examples(play, program, folder):
+    """Into an empty archive only, and once."""
+    play.expect(409, "POST", "/api/examples", {})
+    with Served(program, pathlib.Path(folder) / "examples.db") as server:
+        fresh = Play(server, play.checks)
+        loaded = fresh.expect(201, "POST", "/api/examples", {}).json()
+        listed = fresh.expect(200, "GET", "/api/tests").json()
+        play.checks.that("as many tests are loaded as are told", loaded["tests"] == listed["total"], loaded)
+        fresh.expect(409, "POST", "/api/examples", {})
+        play.played |= fresh.played
+
+
 def main():
     program = str(pathlib.Path(sys.argv[1]).resolve())
     checks = Checks()
@@ -234,6 +246,7 @@ def main():
             equipment(play)
             plans(play)
             captures(play)
+            examples(play, program, folder)
             described = {(method.upper(), path) for path, operations in play.description["paths"].items()
                          for method in operations}
             rest = sorted(described - play.played - {("POST", "/api/login")})

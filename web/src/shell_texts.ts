@@ -26,7 +26,7 @@ export const t = texts({
   ],
   store: ['Store', 'Archiv'],
   read_only_short: ['read-only', 'nur lesbar'],
-  counted: ['{tests} tests, {size}', '{tests} Prüfungen, {size}'],
+  counted: ['{tests} {tests|test|tests}, {size}', '{tests} {tests|Prüfung|Prüfungen}, {size}'],
   sign_in: ['Sign in', 'Anmelden'],
   sign_in_why: [
     'This workbench listens beyond this computer and asks for its token. It was set or printed when the program was started.',

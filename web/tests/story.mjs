@@ -48,4 +48,36 @@ export const story = {
     await page.goto(`/tests/${id}`);
     await shows_version(page, 2);
   },
+
+  async 'an empty store takes the examples, and offers them no more'(world) {
+    const page = await world.page();
+    await page.goto('/');
+    await page.getByRole('button', { name: 'Load the examples' }).click();
+    await shows(page.locator('.test-list'), /iso230-2-table2/);
+    assert.equal(await page.getByRole('button', { name: 'Load the examples' }).count(), 0);
+    const { total } = await world.api('GET', '/api/tests');
+    await shows(page.locator('footer'), `${total} tests`);
+  },
+
+  async 'a count of one is told in the singular'(world) {
+    await world.kept();
+    const page = await world.page();
+    await page.goto('/machines');
+    await shows(page.locator('.page-head'), /^Machines\s+1 machine, 1 needs attention/);
+    await shows(page.locator('footer'), /(^|\s)1 test,/);
+    await page.goto('/settings');
+    await page.getByLabel('Language').selectOption('de');
+    await shows(page.locator('main'), /1 Maschine, 1 Achse, .* 0 Prüfpläne, 1 Prüfung,/);
+  },
+
+  async 'a file that somebody else keeps meanwhile is said to be there already'(world) {
+    const page = await world.page();
+    await page.goto('/');
+    await page.setInputFiles('input[type=file]', example);
+    await shows(page.locator('.previews'), /9\.6/);
+    const first = await world.kept();
+    await page.getByRole('button', { name: 'Keep', exact: true }).click();
+    await shows(page.locator('.previews'), new RegExp(`the same bytes as test ${first}\\b`));
+    assert.equal(new URL(page.url()).pathname, '/');
+  },
 };

@@ -33,11 +33,7 @@ std::string name_of(const testing::TestParamInfo<BadInput>& input) { return inpu
 TEST_P(BadInputs, AreRefusedWithPlaceAndReason) { EXPECT_EQ(message_for(GetParam().bytes), GetParam().message); }
 
 const std::string header = "target_mm,direction,run,deviation_um\n";
-const std::string ids = [] {
-  std::string list;
-  for (const Format* format : format_table()) list += (list.empty() ? "" : ", ") + std::string(format->id);
-  return list;
-}();
+const std::string formats_count = std::to_string(format_table().size());
 
 INSTANTIATE_TEST_SUITE_P(
     Files, BadInputs,
@@ -55,8 +51,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"OldMacLinesOfSomethingElse", "Dear Sir,\rthe machine is fine.\r",
                  "line 1:10: found lines that end in CR alone, expected LF or CRLF"},
         BadInput{"SomethingElse", "Dear Sir,\nthe machine is fine.\n",
-                 "line 1:1: found text that begins with \"Dear Sir,\", expected one of the formats " + ids +
-                     "; a CSV file begins with a header such as target_mm,direction,run,deviation_um"}),
+                 "line 1:1: found text that begins with \"Dear Sir,\", expected one of the " + formats_count +
+                     " formats that can be read; a CSV file begins with a header such as "
+                     "target_mm,direction,run,deviation_um"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(

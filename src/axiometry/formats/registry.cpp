@@ -10,12 +10,6 @@
 namespace axiometry::formats {
 namespace {
 
-std::string ids() {
-  std::string list;
-  for (const Format* format : format_table()) list += fmt::format("{}{}", list.empty() ? "" : ", ", format->id);
-  return list;
-}
-
 std::string_view first_line(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) return {};
@@ -60,9 +54,9 @@ Result<const Format*> recognise(std::string_view head) {
   if (const auto bad = text::invalid_utf8(text); bad && *bad + longest_character < text.size())
     AXIOMETRY_TRY_VOID(check_utf8(text));
   if (const std::string question = open_question(text); !question.empty()) return fail(question, {1, 1});
-  return fail(fmt::format("found text that begins with {}, expected one of the formats {}; a CSV file "
+  return fail(fmt::format("found text that begins with {}, expected one of the {} formats that can be read; a CSV file "
                           "begins with a header such as target_mm,direction,run,deviation_um",
-                          text::quoted(first_line(text)), ids()),
+                          text::quoted(first_line(text)), format_table().size()),
               {1, 1});
 }
 

@@ -68,6 +68,8 @@ constexpr Phrase rows[] = {
      "its scatter cannot be known (6.2)",
      "eine einzige Anfahrt je Richtung; erwartet: mindestens zwei, wenn die Unsicherheit dieser Maschine gesucht ist: "
      "ihre Streuung kann nicht bekannt sein (6.2)"},
+    {"found an archive that holds something, expected an empty one for the examples",
+     "Archiv ist nicht leer; erwartet: ein leeres für die Beispiele"},
     {"found an empty file, expected a measured test", "leere Datei; erwartet: eine gemessene Prüfung"},
     {"found an empty file, expected measured deviations", "leere Datei; erwartet: gemessene Abweichungen"},
     {"found an empty recording, expected samples", "leere Aufzeichnung; erwartet: Abtastwerte"},
@@ -164,9 +166,9 @@ constexpr Phrase rows[] = {
      "nde.equipment_expansion_um_per_m_C (0 for an interferometer that compensates itself)",
      "Temperaturen des Messmittels ohne Ausdehnungskoeffizienten; erwartet: nde.equipment_expansion_um_per_m_C (0 für "
      "ein Interferometer, das sich selbst kompensiert)"},
-    {"found text that begins with {0=}, expected one of the formats {1=}; a CSV file begins with a header such as "
-     "target_mm,direction,run,deviation_um",
-     "Text beginnt mit {0}; erwartet: eines der Formate {1}; eine CSV-Datei beginnt mit einer Kopfzeile wie "
+    {"found text that begins with {0=}, expected one of the {1#} formats that can be read; a CSV file begins with a "
+     "header such as target_mm,direction,run,deviation_um",
+     "Text beginnt mit {0}; erwartet: eines der {1} lesbaren Formate; eine CSV-Datei beginnt mit einer Kopfzeile wie "
      "target_mm,direction,run,deviation_um"},
     {"found text that is not UTF-8; it was read as {0=}", "Text ist nicht in UTF-8; er wurde als {0} gelesen"},
     {"found the byte {0=}, expected UTF-8; a file in Latin-1 or an ANSI code page must be saved as UTF-8",

@@ -153,7 +153,7 @@ export interface Preview {
 // when one is refused none) → 201
 export interface Received extends Evaluated {
   id: number; version: number;             // of the first test in the file
-  tests: { id: number; version: number; title: string }[];
+  tests: { id: number; version: number; title: string; same_content: number[] }[];  // whose file had these very bytes
   same_content?: number[];                 // tests that had these very bytes before
 }
 // POST /api/evaluations?draft={"changes":…,"options":…}&test=NAME (bytes as above) → Evaluated: nothing is kept

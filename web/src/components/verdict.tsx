@@ -13,7 +13,7 @@ const shapes = {
   good: 'M2.5 7.5l3 3 6-7',
   bad: 'M3 3l8 8M11 3l-8 8',
   caution: 'M2.5 7h9',
-  none: 'M6.5 7h1',
+  none: 'M4 7a3 3 0 1 0 6 0a3 3 0 1 0-6 0',
 };
 
 /** A verdict with its sign; the word stays readable for all, also where only the sign is shown. */
@@ -23,7 +23,7 @@ export function VerdictMark({ verdict, short = false }: { verdict: Verdict | nul
   return (
     <span class={`mark ${tone} ${short ? 'short' : ''}`} title={short ? word : undefined}>
       <svg width="14" height="14" viewBox="0 0 14 14" aria-hidden="true">
-        <path d={shapes[tone]} fill="none" stroke="currentColor" stroke-width="2" stroke-linecap="round" />
+        <path d={shapes[tone]} fill="none" stroke="currentColor" stroke-width={tone === 'none' ? 1.25 : 2} stroke-linecap="round" />
       </svg>
       <span class={short ? 'visually-hidden' : ''}>{word}</span>
     </span>

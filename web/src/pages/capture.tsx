@@ -32,7 +32,7 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
       <header class="page-head">
         <div>
           <h1 tabIndex={-1}>{plan.data?.title ?? t('capture')}</h1>
-          {capture && <p class="crumb">{capture.source.title} · {t('started')} {when(capture.started)} · {t(capture.state)}</p>}
+          {capture && <p class="crumb">{capture.source.title} · {t('started')} {when(capture.started)}{running && ` · ${t(capture.state)}`}</p>}
         </div>
         {capture && running && <StopButton capture={capture} done={readings.length} stopped={live.set} />}
       </header>

@@ -80,7 +80,7 @@ function Facts({ machine }: { machine: Machine }) {
         <div>
           <dt>{t('latest')}</dt>
           <dd class="latest">
-            {machine.latest_test ? <a href={`/tests/${machine.latest_test.id}`}>{machine.latest_test.measured_on || absent}</a> : absent}
+            {machine.latest_test ? <a href={`/tests/${machine.latest_test.id}`}>{machine.latest_test.measured_on || t('undated')}</a> : absent}
             <AttentionTags machine={machine} />
           </dd>
         </div>

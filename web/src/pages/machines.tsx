@@ -82,7 +82,7 @@ function MachineTable({ rows, order, on_order }: { rows: Machine[]; order: Order
         { key: 'attention', head: t('attention'), order: 'attention', falling: true, class: 'wide-only', cell: (row) => <AttentionTags machine={row} /> },
         { key: 'latest', head: t('latest'), order: 'latest', falling: true, class: 'number-text wide-only', cell: (row) => (
           row.latest_test
-            ? <a class="quiet-link" href={`/tests/${row.latest_test.id}`}>{row.latest_test.measured_on || absent}</a>
+            ? <a class="quiet-link" href={`/tests/${row.latest_test.id}`}>{row.latest_test.measured_on || t('undated')}</a>
             : absent
         ) },
         { key: 'tests', head: t('tests'), number: true, class: 'wide-only tests', cell: (row) => <a class="quiet-link" href={`/?machine=${row.id}`}>{row.tests}</a> },

@@ -15,10 +15,10 @@ export function Readout({ capture, readings, targets, runs, unit, deviation_unit
   const target = due ? (due.position ?? targets[due.target - 1]) : undefined;
   const last = readings[readings.length - 1];
   return (
-    <section class="panel readout" aria-label={t('position')}>
+    <section class={`panel readout ${now === null && is_over(capture) ? 'over' : ''}`} aria-label={t('position')}>
       {now
         ? <Where position={now.position} unit={unit} rest={now.at_rest} />
-        : <p class="where motion">{t(is_over(capture) ? capture.state : 'no_position')}</p>}
+        : !is_over(capture) && <p class="where motion">{t('no_position')}</p>}
       <div class="next">
         <p class="name">{t(due ? 'next' : 'last')}</p>
         {due && target !== undefined && (
@@ -61,7 +61,7 @@ function Progress({ capture, done }: { capture: Capture; done: number }) {
     <div class="progress">
       <p class="row spread number">
         <span>{t('readings')} <strong>{t('done', { n: done, all: capture.approaches })}</strong></span>
-        <span class="quiet">{tells ? t('left', { time: lasting((elapsed_s / done) * left) }) : t(capture.state)}</span>
+        <span class="quiet">{tells ? t('left', { time: lasting((elapsed_s / done) * left) }) : !is_over(capture) && t(capture.state)}</span>
       </p>
       <progress aria-label={t('progress')} max={capture.approaches} value={done} />
     </div>

@@ -107,7 +107,7 @@ export function curves(tests: readonly Test[], curve: Curve, datum: Datum, hidde
   const first = tests[0];
   return {
     x, series, of,
-    x_label: `${t('position')}, ${position_unit(first?.result.axis.kind ?? 'linear')}`,
-    y_label: `${t('deviation')}, ${unit_sign(first?.result.unit ?? 'um')}`,
+    x_label: `${t('position')} / ${position_unit(first?.result.axis.kind ?? 'linear')}`,
+    y_label: `${t('deviation')} / ${unit_sign(first?.result.unit ?? 'um')}`,
   };
 }

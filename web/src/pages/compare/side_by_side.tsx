@@ -3,6 +3,7 @@ import { Fragment } from 'preact';
 import type { Parameter, Test, Vocabulary } from '../../api/types';
 import { Swatch } from '../../components/chart';
 import { Aligned, most_decimals } from '../../components/aligned';
+import { narrow } from '../../components/narrow';
 import { ParameterSymbol } from '../../components/symbol';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
@@ -48,9 +49,9 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
         <table class="side-by-side">
           <thead>
             <tr>
-              <th scope="col" rowSpan={2}>{t('parameter')}</th>
+              <th scope="col" rowSpan={2}><span class={narrow.value ? 'visually-hidden' : ''}>{t('parameter')}</span></th>
               {tests.map((test, n) => (
-                <th key={test.id} scope="colgroup" colSpan={n === 0 ? 1 : 2} class="test-name">
+                <th key={test.id} scope="colgroup" colSpan={n === 0 || narrow.value ? 1 : 2} class="test-name">
                   <Swatch series={look_of(n)} /> {test.title}
                 </th>
               ))}
@@ -58,8 +59,8 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
             <tr>
               {tests.map((test, n) => (
                 <Fragment key={test.id}>
-                  <th scope="col" class="number">{t('value')}</th>
-                  {n > 0 && <th scope="col" class="number">{t('difference')}</th>}
+                  <th scope="col" class="number value">{t('value')}</th>
+                  {n > 0 && !narrow.value && <th scope="col" class="number">{t('difference')}</th>}
                 </Fragment>
               ))}
             </tr>
@@ -70,8 +71,11 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
                 <th scope="row" title={vocabulary?.parameters.find((one) => one.key === parameter)?.title}><ParameterSymbol parameter={parameter} /></th>
                 {tests.map((test, n) => (
                   <Fragment key={test.id}>
-                    <td class="number"><Value test={test} parameter={parameter} decimals={decimals} /></td>
-                    {n > 0 && <td class="number"><Difference to={reference} test={test} parameter={parameter} column={decimals} /></td>}
+                    <td class="number value">
+                      <Value test={test} parameter={parameter} decimals={decimals} />
+                      {n > 0 && narrow.value && <div class="below"><Difference to={reference} test={test} parameter={parameter} column={decimals} /></div>}
+                    </td>
+                    {n > 0 && !narrow.value && <td class="number"><Difference to={reference} test={test} parameter={parameter} column={decimals} /></td>}
                   </Fragment>
                 ))}
               </tr>
@@ -88,11 +92,13 @@ function Value({ test, parameter, decimals }: { test: Test; parameter: Parameter
   const cell = cell_of(test, parameter);
   const shown = test.shown.find((row) => row.parameter === parameter);
   if (cell === null) return <>{absent}</>;
+  const uncertainty = cell.U_text !== '' && <span class="quiet uncertainty"> ± <Aligned text={cell.U_text} decimals={decimals} /></span>;
   return (
     <>
       <Aligned text={cell.text} decimals={decimals} />
-      {cell.U_text !== '' && <span class="quiet"> ± <Aligned text={cell.U_text} decimals={decimals} /></span>}
+      {!narrow.value && uncertainty}
       <span class="slot">{shown && shown.limit !== null && <VerdictMark verdict={shown.verdict} short />}</span>
+      {narrow.value && uncertainty}
     </>
   );
 }

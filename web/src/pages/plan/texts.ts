@@ -56,7 +56,7 @@ export const t = texts({
   // the outcome
   way: ['The way of the axis', 'Der Weg der Achse'],
   programme: ['Programme', 'Programm'],
-  figure_of: ['The way of the axis over time: {n} targets, {runs} runs', 'Der Weg der Achse über der Zeit: {n} Zielpositionen, {runs} Durchläufe'],
+  figure_of: ['The way of the axis over time: {n} {n|target|targets}, {runs} {runs|run|runs}', 'Der Weg der Achse über der Zeit: {n} {n|Zielposition|Zielpositionen}, {runs} {runs|Durchlauf|Durchläufe}'],
   duration: ['Duration', 'Dauer'],
   readings: ['Readings', 'Messwerte'],
   minutes: ['{n} min', '{n} min'],

@@ -34,8 +34,8 @@ export const t = texts({
   schema: ['Schema', 'Schema'],
   contents: ['Contents', 'Inhalt'],
   counted: [
-    '{machines} machines, {axes} axes, {instruments} instruments, {plans} plans, {tests} tests, {documents} documents, {size}',
-    '{machines} Maschinen, {axes} Achsen, {instruments} Messmittel, {plans} Prüfpläne, {tests} Prüfungen, {documents} Dokumente, {size}',
+    '{machines} {machines|machine|machines}, {axes} {axes|axis|axes}, {instruments} {instruments|instrument|instruments}, {plans} {plans|plan|plans}, {tests} {tests|test|tests}, {documents} {documents|document|documents}, {size}',
+    '{machines} {machines|Maschine|Maschinen}, {axes} {axes|Achse|Achsen}, {instruments} Messmittel, {plans} {plans|Prüfplan|Prüfpläne}, {tests} {tests|Prüfung|Prüfungen}, {documents} {documents|Dokument|Dokumente}, {size}',
   ],
   upload: ['Largest file', 'Größte Datei'],
   licence: ['Licence', 'Lizenz'],

@@ -148,8 +148,8 @@ export function chart_model(evaluated: Evaluated, choice: ChartChoice): ChartMod
   }
   return {
     order, x: order.map((i) => evaluated.readings.targets[i] as number),
-    x_label: `${t('position')}, ${position_unit(kind)}`,
-    y_label: `${t('deviation')}, ${unit_sign(evaluated.result.unit)}`,
+    x_label: `${t('position')} / ${position_unit(kind)}`,
+    y_label: `${t('deviation')} / ${unit_sign(evaluated.result.unit)}`,
     series: [...run_series(evaluated, order, choice), ...help, ...mean_series(positions, choice)],
     bands, lines: limit_lines(evaluated, choice),
   };

@@ -11,7 +11,7 @@ const t = texts({
   departure: ['Departures from the standard', 'Abweichungen von der Norm'],
   missing: ['Missing', 'Fehlende Angaben'],
   note: ['Notes', 'Hinweise'],
-  entries: ['{n} entries', '{n} Angaben'],
+  entries: ['{n} {n|entry|entries}', '{n} {n|Angabe|Angaben}'],
   fill_in: ['Fill in:', 'Ergänzen:'],
   clause: ['clause {clause}', 'Abschnitt {clause}'],
   source: ['from the file', 'aus der Datei'],

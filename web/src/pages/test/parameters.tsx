@@ -56,7 +56,7 @@ export function Headline({ state }: { state: TestState }) {
         const value = evaluated.result.parameters[parameter];
         if (row === undefined || value === null) return null;
         return (
-          <div key={parameter} class="glance">
+          <div key={parameter} class={`glance ${row.limit === null ? '' : tone_of(row.verdict)}`}>
             <div class="row spread">
               <span class="glance-symbol"><ParameterSymbol parameter={parameter} /></span>
               {row.limit !== null && <VerdictMark verdict={row.verdict} short />}

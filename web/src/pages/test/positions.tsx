@@ -109,7 +109,7 @@ export function Positions({ state }: { state: TestState }) {
           <thead>
             <tr>
               <th scope="col" class="number">{t('number')}</th>
-              <th scope="col" class="number">{t('target')}, {position_unit(axis.kind)}</th>
+              <th scope="col" class="number">{t('target')} / {position_unit(axis.kind)}</th>
               {present.map(([quantity, symbol, arrow]) => (
                 <th key={quantity} scope="col" class="number"><span class="symbol">{symbol}</span><sub>i</sub>{arrow}</th>
               ))}

@@ -10,7 +10,7 @@ import { failure_of } from './state';
 
 const t = texts({
   reason: ['Reason', 'Grund'],
-  hint: ['Stands in the audit trail with name and time.', 'Steht mit Name und Zeit im Prüfpfad.'],
+  hint: ['Stands in the audit trail with name and time.', 'Steht mit Name und Zeit im Änderungsnachweis.'],
   cancel: ['Cancel', 'Abbrechen'],
 });
 

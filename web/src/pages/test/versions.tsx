@@ -42,6 +42,8 @@ export function OldVersionBanner({ test }: { test: Test }) {
   );
 }
 
+const reason_of = (version: Test['versions'][number]): string => version.reason || (version.version === 1 ? t('received') : '');
+
 /** Who saved what, when and why. */
 export function Versions({ state, vocabulary }: { state: TestState; vocabulary: Vocabulary | null }) {
   const test = state.test.value;
@@ -52,7 +54,7 @@ export function Versions({ state, vocabulary }: { state: TestState; vocabulary: 
       <div class="table-frame" tabIndex={0} role="region" aria-label={t('title')}>
         <table>
           <thead>
-            <tr><th scope="col" class="number">{t('version')}</th><th scope="col">{t('made')}</th><th scope="col">{t('by')}</th><th scope="col">{t('reason')}</th></tr>
+            <tr><th scope="col" class="number">{t('version')}</th><th scope="col">{t('made')}</th><th scope="col" class="wide-only">{t('by')}</th><th scope="col" class="wide-only">{t('reason')}</th></tr>
           </thead>
           <tbody>
             {[...test.versions].sort((a, b) => b.version - a.version).map((version) => (
@@ -61,9 +63,12 @@ export function Versions({ state, vocabulary }: { state: TestState; vocabulary: 
                   {version.version === test.version ? <>{version.version} <span class="small quiet">{t('shown')}</span></>
                     : <a href={version.version === test.latest ? `/tests/${test.id}` : `/tests/${test.id}?version=${version.version}`}>{version.version}</a>}
                 </th>
-                <td class="when">{when(version.at)}</td>
-                <td>{version.actor}</td>
-                <td>{version.reason || (version.version === 1 ? t('received') : '')}</td>
+                <td>
+                  <span class="when">{when(version.at)}</span>
+                  <span class="only-narrow quiet small">{[version.actor, reason_of(version)].filter((part) => part !== '').join(': ')}</span>
+                </td>
+                <td class="wide-only">{version.actor}</td>
+                <td class="wide-only">{reason_of(version)}</td>
               </tr>
             ))}
           </tbody>

@@ -48,7 +48,9 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
   const preview = one.preview;
   const keep_this = async () => {
     const received = await keep(one.key);
-    if (received && alone && received.tests.length <= 1) { remove(one.key); go(`/tests/${received.id}`); }
+    // Another kept the same while this was looked at: then it is said before one goes on.
+    const news = is_new(one) && received?.tests.some((test) => test.same_content.length > 0);
+    if (received && alone && received.tests.length <= 1 && !news) { remove(one.key); go(`/tests/${received.id}`); }
   };
   return (
     <li>
@@ -74,16 +76,21 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
       {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : <Refusal refused={preview.refused} on_formats={on_formats} />)}
       {one.received
         ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: {one.received.tests.map((test, i) => (
-            <span key={test.id}>{i > 0 && ', '}<a href={`/tests/${test.id}`}>{test.title || t('test_number', { id: test.id })}</a></span>
+            <span key={test.id}>
+              {i > 0 && ', '}<a href={`/tests/${test.id}`}>{test.title || t('test_number', { id: test.id })}</a>
+              {test.same_content.length > 0 && <span class="quiet"> ({t('same_bytes_as')} <TestLinks ids={test.same_content} />)</span>}
+            </span>
           ))}</p>
         : preview && preview.same_content.length > 0 && (
-            <p class="notice caution">{t('same')} {preview.same_content.map((id, i) => (
-              <span key={id}>{i > 0 && ', '}<a href={`/tests/${id}`}>{t('test_number', { id })}</a></span>
-            ))}</p>
+            <p class="notice caution">{t('same')} <TestLinks ids={preview.same_content} /></p>
           )}
       {preview && preview.tests.length > 0 && !one.received && <Contents preview={preview} />}
     </li>
   );
+}
+
+function TestLinks({ ids }: { ids: readonly number[] }) {
+  return <>{ids.map((id, i) => <span key={id}>{i > 0 && ', '}<a href={`/tests/${id}`}>{t('test_number', { id })}</a></span>)}</>;
 }
 
 function State({ one }: { one: Incoming }) {

@@ -33,8 +33,9 @@ export const t = texts({
   empty_file: ['found an empty file, expected measured deviations', 'leere Datei gefunden, gemessene Abweichungen erwartet'],
   too_large: ['found a file of {size}, expected at most {limit}', '{size} gefunden, höchstens {limit} erwartet'],
   same: ['These very bytes are kept already:', 'Genau diese Bytes sind schon gespeichert:'],
+  same_bytes_as: ['the same bytes as', 'dieselben Bytes wie'],
   test_number: ['test {id}', 'Prüfung {id}'],
-  targets_runs: ['{targets} targets × {runs} runs', '{targets} Zielpositionen × {runs} Durchläufe'],
+  targets_runs: ['{targets} {targets|target|targets} × {runs} {runs|run|runs}', '{targets} {targets|Zielposition|Zielpositionen} × {runs} {runs|Durchlauf|Durchläufe}'],
   stretch: ['{first} to {last}', '{first} bis {last}'],
   extent: ['Extent', 'Umfang'],
   more_tests: ['and {n} more, not evaluated here', 'und {n} weitere, hier nicht ausgewertet'],
@@ -89,8 +90,10 @@ export const t = texts({
   ],
   welcome_plan: ['Plan a test', 'Prüfung planen'],
   welcome_capture: ['Capture with the simulator', 'Mit dem Simulator erfassen'],
-  welcome_example: [
-    'To look around first: a store that is begun with axiometry serve --examples holds a few instructive tests.',
-    'Zum Umsehen: ein Archiv, das mit axiometry serve --examples begonnen wird, enthält einige lehrreiche Prüfungen.',
+  examples_load: ['Load the examples', 'Beispiele laden'],
+  examples_loading: ['Loading…', 'Wird geladen…'],
+  examples_hint: [
+    'The worked example of the standard and instructive simulated tests; only an empty store takes them.',
+    'Das Rechenbeispiel der Norm und lehrreiche simulierte Prüfungen; nur ein leeres Archiv nimmt sie auf.',
   ],
 });

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+import { useState } from 'preact/hooks';
+import { ApiError, send } from '../../api/client';
+import { ask_health, why_read_only } from '../../api/session';
+import { FailureNotice } from '../../components/failure';
+import { kept_count } from './incoming';
 import { t } from './texts';
 
 /** What to do first, in an empty store. */
@@ -17,9 +22,34 @@ export function Welcome({ on_choose }: { on_choose: () => void }) {
             <li>{t('welcome_2')} <a href="/plans/new">{t('welcome_plan')}</a></li>
             <li>{t('welcome_3')} <a href="/captures/new">{t('welcome_capture')}</a></li>
           </ol>
-          <p class="quiet">{t('welcome_example')}</p>
+          <Examples />
         </div>
       </div>
     </section>
+  );
+}
+
+/** Instructive tests, so that there is something to look at before there is a file. */
+function Examples() {
+  const [loading, set_loading] = useState(false);
+  const [error, set_error] = useState<ApiError | null>(null);
+  const load = async () => {
+    set_loading(true);
+    try {
+      await send('POST', '/api/examples', {});
+      set_error(null);
+    } catch (failure) {
+      set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
+    }
+    kept_count.value += 1;
+    await ask_health();
+    set_loading(false);
+  };
+  return (
+    <div class="examples">
+      <button type="button" disabled={loading || why_read_only() !== null} onClick={() => void load()}>{t(loading ? 'examples_loading' : 'examples_load')}</button>
+      <span class="quiet small">{t('examples_hint')}</span>
+      {error && <FailureNotice error={error} />}
+    </div>
   );
 }
