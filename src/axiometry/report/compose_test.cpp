@@ -161,7 +161,7 @@ TEST(TitlePage, NamesCustomerInspectorAndInstrumentWhereTheyWereGiven) {
   for (const Fact& fact : composed(table2).identity)
     facts_there.push_back(plain_text(fact.name) + ": " + plain_text(fact.value.text));
   EXPECT_THAT(facts_there, AllOf(Contains("Customer: Miller"), Contains("Inspector: Smith"),
-                                 Contains("Instrument: Maker LI-1 · S/N 1234")));
+                                 Contains("Instrument: Maker, LI-1, 1234")));
   EXPECT_EQ(composed(reported({{}, testing_support::make_series({0, 100}, {{1, 2}}, {{2, 3}}), {}})).identity.size(),
             5u);
 }

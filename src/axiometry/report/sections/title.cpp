@@ -33,11 +33,11 @@ constexpr std::pair<std::string_view, std::string_view> identity_fields[] = {{"M
 constexpr std::pair<std::string_view, std::string_view> further_identity_fields[] = {
     {"Customer", "test.customer"}, {"Location", "machine.location"}, {"Inspector", "test.inspector"}};
 
-/// "Example Instruments LI-1 · S/N 1234": the artefact, or the first of the equipment.
+/// "Example Instruments, LI-1, 1234": the artefact, or the first of the equipment.
 RichText instrument_of(const Metadata& metadata) {
   const auto named = [](const std::string& what, const std::string& serial_number) {
     RichText text = verbatim(what);
-    if (!what.empty() && !serial_number.empty()) text = joined({text, plain(" · S/N "), verbatim(serial_number)});
+    if (!what.empty() && !serial_number.empty()) text = joined({text, plain(", "), verbatim(serial_number)});
     return text;
   };
   if (!metadata.artefact.type.empty()) return named(metadata.artefact.type, metadata.artefact.serial_number);
@@ -45,7 +45,7 @@ RichText instrument_of(const Metadata& metadata) {
   const Equipment& first = metadata.equipment.front();
   const std::string& type = first.type.empty() ? first.role : first.type;
   const bool both = !first.manufacturer.empty() && !type.empty();
-  return named(first.manufacturer + (both ? " " : "") + type, first.serial_number);
+  return named(first.manufacturer + (both ? ", " : "") + type, first.serial_number);
 }
 
 std::size_t count(const std::vector<Finding>& findings, Severity severity) {
