@@ -31,6 +31,7 @@ Document compose(const Subject& subject, const Options& asked) {
   if (subject.assessment.gum) sections.push_back(gum_section(subject, options));
   sections.push_back(information_section(subject, options));
   sections.push_back(provenance_section(subject, options));
+  sections.push_back(release_section(subject.test.metadata));
   return document;
 }
 

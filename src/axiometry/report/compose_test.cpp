@@ -51,10 +51,10 @@ std::vector<std::string> facts(const Section& section) {
 
 Document composed(const Reported& reported) { return compose(reported.subject(), reported.options); }
 
-TEST(Compose, PutsTheResultFirstAndItsOriginLast) {
+TEST(Compose, PutsTheResultFirstAndTheSignaturesLast) {
   EXPECT_THAT(section_ids(composed(reported_table2())),
               ElementsAre("parameters", "figures", "findings", "identification", "positions", "uncertainty",
-                          "information", "provenance"));
+                          "information", "provenance", "release"));
 }
 
 TEST(Compose, GivesNoVerdictWithoutATolerance) {
@@ -67,7 +67,7 @@ TEST(Compose, GivesNoVerdictWithoutATolerance) {
 TEST(Compose, CallsAConformingResultOneOfTheStandard) {
   const Document document = composed(reported_table2());
   ASSERT_EQ(document.status.size(), 1u);
-  EXPECT_EQ(document.status[0].tone, Tone::good);
+  EXPECT_EQ(document.status[0].tone, Tone::normal) << "green is for what conforms to its tolerance";
   EXPECT_EQ(plain_text(document.status[0].heading), "Result according to ISO 230-2:2014");
 }
 
@@ -120,16 +120,58 @@ TEST(Verdict, NamesTheRuleAndWhatDoesNotConform) {
   Reported table2 = reported_table2();
   table2.judge({tolerance("A", 10), tolerance("B", 4)});
   const Document document = composed(table2);
-  const Notice& notice = document.status.at(1);
+  const Notice& notice = document.status.at(0);
   EXPECT_EQ(notice.tone, Tone::bad);
   EXPECT_EQ(plain_text(notice.heading), "Does not conform: B");
-  EXPECT_EQ(plain_text(notice.lines.at(0)), "Conforms: A.");
-  EXPECT_EQ(plain_text(notice.lines.at(1)), "Decision rule: simple acceptance.");
+  EXPECT_EQ(plain_text(notice.lines.at(0)), "B = (4.12 ± 0.92)\u00a0µm; tolerance 4\u00a0µm");
+  EXPECT_EQ(plain_text(notice.lines.at(1)), "Conforms: A.");
+  EXPECT_EQ(plain_text(notice.lines.at(2)), "Decision rule: simple acceptance.");
+  EXPECT_THAT(plain_text(document.status.at(1).heading), HasSubstr("Result according to"));
   const Table table = tables(section(document, "parameters")).at(0);
   EXPECT_THAT(row_text(table.rows[10]), ElementsAre("B\u2009*)", "EXX,B", "Reversal error", "4.12", "0.92", "4", "µm",
                                                     "does not conform", "3.16"));
   EXPECT_THAT(row_text(table.rows[3]), Contains(""));  // no tolerance of E
   EXPECT_THAT(plain_text(table.notes.back()), HasSubstr("simple acceptance"));
+}
+
+TEST(Verdict, StandsBelowTheStatementThatTheResultIsNoneOfTheStandard) {
+  Reported table2 = reported_table2();
+  table2.assessment.findings.insert(table2.assessment.findings.begin(),
+                                    {"5.3.2", iso230_2::Severity::departure, "found 4 runs"});
+  table2.judge({tolerance("A", 10)});
+  const Document document = composed(table2);
+  EXPECT_THAT(plain_text(document.status.at(0).heading), HasSubstr("not an ISO 230-2 result"));
+  EXPECT_EQ(plain_text(document.status.at(1).heading), "Conforms: A");
+}
+
+TEST(Verdict, NamesTheValuesOfThreeAtMost) {
+  Reported table2 = reported_table2();
+  table2.judge({tolerance("A", 10), tolerance("E", 10), tolerance("R", 10), tolerance("M", 10), tolerance("B", 10)});
+  const auto lines = composed(table2).status.at(0).lines;
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(plain_text(lines.at(3)), "… and 2 more.");
+}
+
+TEST(TitlePage, NamesCustomerInspectorAndInstrumentWhereTheyWereGiven) {
+  Reported table2 = reported_table2();
+  table2.test.metadata.conditions.customer = "Miller";
+  table2.test.metadata.conditions.inspector = "Smith";
+  table2.test.metadata.equipment = {{"Laser", "Maker", "LI-1", "1234"}};
+  std::vector<std::string> facts_there;
+  for (const Fact& fact : composed(table2).identity)
+    facts_there.push_back(plain_text(fact.name) + ": " + plain_text(fact.value.text));
+  EXPECT_THAT(facts_there, AllOf(Contains("Customer: Miller"), Contains("Inspector: Smith"),
+                                 Contains("Instrument: Maker, LI-1, 1234")));
+  EXPECT_EQ(composed(reported({{}, testing_support::make_series({0, 100}, {{1, 2}}, {{2, 3}}), {}})).identity.size(),
+            5u);
+}
+
+TEST(ReleaseSection, HasTheInspectorsNameAndRoomForSignatures) {
+  Reported table2 = reported_table2();
+  table2.test.metadata.conditions.inspector = "Smith";
+  EXPECT_THAT(facts(section(composed(table2), "release")),
+              AllOf(Contains("Name: Smith"), Contains("Signature: __________________"),
+                    Contains("Date of issue: __________________")));
 }
 
 TEST(Verdict, IsNotGivenOnWhatDoesNotExist) {
@@ -146,10 +188,10 @@ TEST(Verdict, IsNotGivenOnWhatDoesNotExist) {
 TEST(Verdict, IsUndecidedAsACautionWhereTheUncertaintyReachesOverTheLimit) {
   Reported table2 = reported_table2();
   table2.judge({tolerance("A", 10), tolerance("E", 20)}, {uncertainty::DecisionRule::Kind::iso_14253_1});
-  const Notice notice = composed(table2).status.at(1);
+  const Notice notice = composed(table2).status.at(0);
   EXPECT_EQ(notice.tone, Tone::caution);
   EXPECT_EQ(plain_text(notice.heading), "Undecided: A");
-  EXPECT_EQ(plain_text(notice.lines.at(1)), "Decision rule: ISO 14253-1.");
+  EXPECT_EQ(plain_text(notice.lines.at(2)), "Decision rule: ISO 14253-1.");
 }
 
 // u(A) = 2.1353 µm and u(B) = 0.4592 µm by Annex A; Φ from tables.

@@ -17,8 +17,9 @@ bool is_letter(std::string_view character) {
   return ascii || lead == 0xCE || lead == 0xCF;  // the Greek block, as in θ and α
 }
 
-bool is_lower(std::string_view text) {
-  return std::ranges::all_of(text, [](char c) { return c >= 'a' && c <= 'z'; });
+/// Letters that count or name a coordinate, as in x_ij and e_x; the c of p_c and the eff of ν_eff are words cut short.
+bool counts_something(std::string_view index) {
+  return std::ranges::all_of(index, [](char c) { return std::string_view("hijkmnxyz").contains(c); });
 }
 
 /// Appends runs of equal style, letters in italics if asked for, a letter before U+0304 with a bar.
@@ -72,7 +73,7 @@ RichText symbol(std::string_view text) {
   const std::size_t underscore = std::min(text.find('_'), text.size());
   const std::string_view index = text.substr(std::min(underscore + 1, text.size()));
   const std::size_t arrow = std::min({index.find("↑"), index.find("↓"), index.size()});
-  const bool counts = is_lower(index.substr(0, arrow));  // x_ij: of reading j at target i
+  const bool counts = counts_something(index.substr(0, arrow));  // x_ij: of reading j at target i
   RichText runs;
   append(runs, text.substr(0, underscore), true, Script::normal);
   append(runs, counts ? index.substr(0, arrow) : index, counts, Script::sub);

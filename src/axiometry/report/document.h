@@ -25,8 +25,9 @@ RichText italic(std::string_view text);
 /// What the user wrote: names, remarks, serial numbers, dates. It is never translated.
 RichText verbatim(std::string_view text);
 
-/// A symbol as it is typeset: "A↑" with an italic letter, "B̄" with a bar, "x̄_i↑" and "U_M,DEVICE" with
-/// an index behind the underscore. An index of small letters is italic, others are upright as arrows are.
+/// A symbol as it is typeset: "A↑" with an italic letter, "B̄" with a bar, "x̄_i↑" and "U_M,DEVICE" with an
+/// index behind the underscore. An index of letters that count or name a coordinate (hijkmnxyz) is
+/// italic, others are upright as arrows are.
 RichText symbol(std::string_view text);
 
 /// Running text in which words such as U_EVE are typeset as symbols.

@@ -34,6 +34,11 @@ TEST(Symbol, SetsANamingIndexUpright) {
   expect_runs(symbol("U_M,DEVICE"), {{.text = "U", .italic = true}, {.text = "M,DEVICE", .script = Script::sub}});
 }
 
+TEST(Symbol, SetsAnIndexThatIsAWordCutShortUpright) {
+  expect_runs(symbol("p_c"), {{.text = "p", .italic = true}, {.text = "c", .script = Script::sub}});
+  expect_runs(symbol("ν_eff"), {{.text = "ν", .italic = true}, {.text = "eff", .script = Script::sub}});
+}
+
 TEST(Symbol, TakesAnyBytes) {
   EXPECT_EQ(plain_text(symbol("")), "");
   EXPECT_EQ(plain_text(symbol("_")), "");

@@ -52,7 +52,7 @@ std::vector<NamedFindings> findings_of(const LinesSubject& subject) {
 
 Notice conformance_notice(const LinesSubject& subject) {
   if (all_conform(subject)) {
-    Notice notice{Tone::good, plain(fmt::format("All lines according to {}", editions(subject))), {}};
+    Notice notice{Tone::normal, plain(fmt::format("All lines according to {}", editions(subject))), {}};
     const bool incomplete = std::ranges::any_of(subject.lines, [](const AssessedLine& line) {
       return std::ranges::any_of(line.assessment.findings,
                                  [](const auto& finding) { return finding.severity == Severity::missing; });
@@ -117,18 +117,20 @@ std::optional<Notice> tolerances_notice(const LinesSubject& subject) {
 }
 
 std::vector<Notice> status(const LinesSubject& subject) {
-  std::vector<Notice> all = {conformance_notice(subject)};
+  std::vector<Notice> all;
+  if (!all_conform(subject)) all.push_back(conformance_notice(subject));
   Notice serious{Tone::bad, plain("The lengths or the station are in doubt"), {}};
   for (const tracking::Finding& finding : subject.evaluation.findings)
     if (finding.serious) serious.lines.push_back(sentence(finding.message));
   if (!serious.lines.empty()) all.push_back(std::move(serious));
+  if (auto notice = tolerances_notice(subject)) all.push_back(*std::move(notice));
+  if (all_conform(subject)) all.push_back(conformance_notice(subject));
   if (!subject.plan.lost.empty()) {
     Notice lost{Tone::caution, plain("Not all lines could be measured from this station"), {}};
     for (const LostLine& line : subject.plan.lost)
       lost.lines.push_back(joined({strong_verbatim(line.id), plain(": "), prose(line.reason)}));
     all.push_back(std::move(lost));
   }
-  if (auto notice = tolerances_notice(subject)) all.push_back(*std::move(notice));
   return all;
 }
 
@@ -153,6 +155,7 @@ Document front_page(const LinesSubject& subject, const Options& options) {
   document.identity.push_back({plain("Serial number"), stated("machine.serial_number", metadata)});
   document.identity.push_back({plain("Date of test"), stated("test.date", metadata)});
   document.identity.push_back({plain("Report number"), stated("test.report_number", metadata)});
+  std::ranges::move(further_identity(metadata), std::back_inserter(document.identity));
   document.status = status(subject);
   for (const AssessedLine& line : subject.lines)
     if (document.label.empty()) document.label = line.assessment.label;
@@ -324,6 +327,7 @@ Document compose(const LinesSubject& subject, const Options& options) {
     sections.push_back(std::move(readings));
   }
   sections.push_back(lines_provenance(subject));
+  sections.push_back(release_section(subject.lines.empty() ? Metadata{} : subject.lines.front().line.test.metadata));
   return document;
 }
 

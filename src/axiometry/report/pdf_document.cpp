@@ -37,6 +37,7 @@ constexpr double undivided_facts = 0.3 * body_height;  // a shorter group is not
 constexpr double notice_indent = 12.0;
 constexpr double figure_height_max = 0.86 * body_height;
 constexpr double figure_caption_drop = 8.0;
+constexpr double rounding = 0.1;         // so that a caption set to the very foot of a page stays below its figure
 constexpr double smallest_figure = 0.7;  // of its full size, when the page then holds it
 
 /// Where names and values of facts stand.
@@ -174,7 +175,7 @@ struct Setter {
   }
 
   double caption_height(const Figure& figure) const {
-    return figure_caption_drop + text(strong(figure.title), body_size, ink, body_width).height();
+    return figure_caption_drop + text(strong(figure.title), body_size, ink, body_width).height() + rounding;
   }
 
   /// The least height that the figure can do with.
@@ -247,9 +248,8 @@ struct Setter {
     set(std::span(section.blocks));
   }
 
-  /// Axis, machine, date, … side by side.
-  void set_identity(const std::vector<Fact>& identity) const {
-    if (identity.empty()) return;
+  /// Some of axis, machine, date, … side by side.
+  void place_beside(std::span<const Fact> identity) const {
     constexpr double gap = 10.0;
     // One that has much to say gets the room of two.
     constexpr std::size_t much = 18;  // bytes
@@ -269,12 +269,20 @@ struct Setter {
            x});
       x += width + gap;
     }
-    place_rule(flow, margin_side, body_width, 0.6, rule);
-    flow.advance(7.0);
     place_row(flow, names);
     flow.advance(2.0);
     place_row(flow, values);
     flow.advance(8.0);
+  }
+
+  void set_identity(std::span<const Fact> identity) const {
+    if (identity.empty()) return;
+    constexpr std::size_t side_by_side = 5;
+    place_rule(flow, margin_side, body_width, 0.6, rule);
+    flow.advance(7.0);
+    for (; identity.size() > side_by_side; identity = identity.subspan(side_by_side))
+      place_beside(identity.first(side_by_side));
+    place_beside(identity);
     place_rule(flow, margin_side, body_width, 0.6, rule);
     flow.advance(12.0);
   }

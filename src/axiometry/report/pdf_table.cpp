@@ -13,7 +13,8 @@ namespace {
 constexpr double caption_size = 9.0;
 constexpr double note_size = 7.5;
 constexpr double undivided_table = 0.45 * body_height;
-constexpr double rows_at_least = 5.0;  // at the foot of a page
+constexpr double rows_at_least = 5.0;                          // at the foot of a page
+constexpr double notes_with_the_last_row = 0.2 * body_height;  // longer ones may begin a page
 constexpr double smallest_size = 4.5;
 constexpr double narrowest_text_column = 70.0;
 constexpr std::size_t ruled_rows = 5;  // a darker line below every fifth row guides the eye through many
@@ -197,6 +198,13 @@ std::vector<PlacedText> row_cells(const Table& table, std::size_t row, const Gri
   return cells;
 }
 
+double notes_height(const Table& table, const Typesetter& typesetter) {
+  double height = table.notes.empty() ? 0.0 : 4.0;
+  for (const RichText& note : table.notes)
+    height += typesetter.set(note, {note_size, false, quiet}, body_width).height() + 1.5;
+  return height;
+}
+
 void place_notes(const Table& table, const Typesetter& typesetter, PageFlow& flow) {
   flow.advance(4.0);
   for (const RichText& note : table.notes) {
@@ -225,9 +233,11 @@ void set_table(const Table& table, const Typesetter& typesetter, PageFlow& flow)
   }
   const auto head = [&] { place_head(table, grid, typesetter, flow); };
   head();
+  const double notes = notes_height(table, typesetter);
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     std::vector<PlacedText> cells = row_cells(table, row, grid, typesetter);
-    const double height = row_height(cells) + 2.0 * m.row_gap;
+    const bool has_notes_below = row + 1 == table.rows.size() && notes < notes_with_the_last_row;
+    const double height = row_height(cells) + 2.0 * m.row_gap + (has_notes_below ? notes : 0.0);
     const bool last_of_page = height > flow.room() && height <= 0.8 * body_height;
     if (row > 0 && !last_of_page) {
       const bool guide = table.dense && row % ruled_rows == 0;

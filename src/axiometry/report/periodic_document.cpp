@@ -25,7 +25,7 @@ struct Borrowed {
 
 Notice status(const PeriodicError& result) {
   if (result.conforming())
-    return {Tone::good,
+    return {Tone::normal,
             plain("Periodic positioning error (Annex C)"),
             {plain("An investigation, not an acceptance test: the parameters of clause 3 are not stated.")}};
   Notice notice{
@@ -131,6 +131,7 @@ Document compose(const PeriodicSubject& subject, const Options& options) {
   document.sections.push_back(identification_section(whole, options));
   document.sections.push_back(method_section(subject.result));
   document.sections.push_back(provenance_section(whole, options));
+  document.sections.push_back(release_section(subject.test.metadata));
   return document;
 }
 

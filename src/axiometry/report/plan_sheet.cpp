@@ -35,9 +35,6 @@ TableCell verbatim_or_quiet(std::string_view text) {
   return text.empty() ? quiet_cell("not stated") : verbatim_cell(text);
 }
 
-/// A line for a pen.
-TableCell to_fill_in() { return quiet_cell("__________________"); }
-
 std::string travel_text(const Plan& plan, const Options& options) {
   const Axis& axis = plan.axis;
   if (!axis.travel_begin || !axis.travel_end) return "";

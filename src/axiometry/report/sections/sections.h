@@ -17,6 +17,9 @@ namespace axiometry::report {
 /// Title, identity, status and everything that runs along on each page.
 Document title_page(const Subject& subject, const Options& options);
 
+/// Customer, place, inspector and instrument, each where it was given.
+std::vector<Fact> further_identity(const Metadata& metadata);
+
 /// What conforms to its tolerance and what does not, and the rule; nothing when no tolerance was given.
 std::optional<Notice> tolerance_notice(const Subject& subject, const Options& options);
 
@@ -71,6 +74,12 @@ Section information_section(const Subject& subject, const Options& options);
 
 /// Where the readings come from and what was done to them.
 Section provenance_section(const Subject& subject, const Options& options);
+
+/// Who made the test, who answers for the report, and where both sign; what the results hold for.
+Section release_section(const Metadata& metadata);
+
+/// A field to be filled in by hand.
+TableCell to_fill_in();
 
 /// A number as a cell, or a quiet dash where there is none.
 TableCell deviation_cell(const std::optional<Deviation>& deviation, const Options& options);

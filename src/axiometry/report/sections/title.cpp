@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "axiometry/base/version.h"
@@ -28,12 +29,31 @@ constexpr std::pair<std::string_view, std::string_view> identity_fields[] = {{"M
                                                                              {"Date of test", "test.date"},
                                                                              {"Report number", "test.report_number"}};
 
+/// What an auditor looks for next; left out where it was not given.
+constexpr std::pair<std::string_view, std::string_view> further_identity_fields[] = {
+    {"Customer", "test.customer"}, {"Location", "machine.location"}, {"Inspector", "test.inspector"}};
+
+/// "Example Instruments, LI-1, 1234": the artefact, or the first of the equipment.
+RichText instrument_of(const Metadata& metadata) {
+  const auto named = [](const std::string& what, const std::string& serial_number) {
+    RichText text = verbatim(what);
+    if (!what.empty() && !serial_number.empty()) text = joined({text, plain(", "), verbatim(serial_number)});
+    return text;
+  };
+  if (!metadata.artefact.type.empty()) return named(metadata.artefact.type, metadata.artefact.serial_number);
+  if (metadata.equipment.empty()) return {};
+  const Equipment& first = metadata.equipment.front();
+  const std::string& type = first.type.empty() ? first.role : first.type;
+  const bool both = !first.manufacturer.empty() && !type.empty();
+  return named(first.manufacturer + (both ? ", " : "") + type, first.serial_number);
+}
+
 std::size_t count(const std::vector<Finding>& findings, Severity severity) {
   return static_cast<std::size_t>(std::ranges::count(findings, severity, &Finding::severity));
 }
 
 Notice conforming_notice(const std::vector<Finding>& findings, const Axis& axis) {
-  Notice notice{Tone::good, plain(fmt::format("Result according to {}", edition_of(axis))), {}};
+  Notice notice{Tone::normal, plain(fmt::format("Result according to {}", edition_of(axis))), {}};
   if (count(findings, Severity::missing) > 0)
     notice.lines.push_back(plain("Not everything that the report shall state was given; see Findings."));
   return notice;
@@ -83,6 +103,16 @@ std::string running_status(const iso230_2::Assessment& assessment, const Axis& a
 
 }  // namespace
 
+std::vector<Fact> further_identity(const Metadata& metadata) {
+  std::vector<Fact> facts;
+  for (const auto& [name, key] : further_identity_fields)
+    if (TableCell value = stated(key, metadata); value.tone != Tone::quiet)
+      facts.push_back({plain(name), std::move(value)});
+  if (RichText instrument = instrument_of(metadata); !plain_text(instrument).empty())
+    facts.push_back({plain("Instrument"), {std::move(instrument)}});
+  return facts;
+}
+
 Document title_page(const Subject& subject, const Options& options) {
   const Metadata& metadata = subject.test.metadata;
   const auto& assessment = subject.assessment;
@@ -93,8 +123,10 @@ Document title_page(const Subject& subject, const Options& options) {
   document.edition = assessment.conforming() ? edition_of(axis) : fmt::format("Formulas of {}", edition_of(axis));
   document.identity = {{plain(is_diagonal(axis) ? "Diagonal" : "Axis"), text_cell(description_of(axis))}};
   for (const auto& [name, key] : identity_fields) document.identity.push_back({plain(name), stated(key, metadata)});
-  document.status.push_back(assessment.conforming() ? conforming_notice(assessment.findings, axis)
-                                                    : departing_notice(assessment.findings, axis));
+  std::ranges::move(further_identity(metadata), std::back_inserter(document.identity));
+  if (!assessment.conforming()) document.status.push_back(departing_notice(assessment.findings, axis));
+  if (auto notice = tolerance_notice(subject, options)) document.status.push_back(*std::move(notice));
+  if (assessment.conforming()) document.status.push_back(conforming_notice(assessment.findings, axis));
   if (is_diagonal(axis))
     document.status.push_back(
         {Tone::caution,
@@ -107,7 +139,6 @@ Document title_page(const Subject& subject, const Options& options) {
          plain(corrected),
          {plain("What was done stands in Provenance, the readings as measured behind the results at the targets.")}});
   if (!assessment.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + assessment.label), {}});
-  if (auto notice = tolerance_notice(subject, options)) document.status.push_back(*std::move(notice));
   document.label = assessment.label;
   document.running_head = running_head(metadata, options);
   if (!metadata.conditions.report_number.empty())

@@ -16,6 +16,8 @@ namespace {
 using iso230_2::Judgement;
 using uncertainty::Verdict;
 
+constexpr std::size_t values_named = 3;  // on the first page; all of them stand in the table of decisions
+
 /// Which columns of the table of decisions this subject needs.
 struct Wanted {
   bool guard_band = false;
@@ -130,6 +132,33 @@ RichText origins_of_limits(std::span<const Judgement> judgements) {
   return joined({text, plain(".")});
 }
 
+/// "A = (9.6 ± 4.3) µm; tolerance 10 µm"
+RichText value_and_tolerance(const Judgement& judgement, const Subject& subject, const Options& options) {
+  const AxisKind kind = subject.test.metadata.axis.kind;
+  const ShownParameter shown = show_judged(judgement, subject.assessment, kind, options);
+  const std::string unit = (shown.unit == "″" || shown.unit == "°" ? "" : "\u00a0") + std::string(shown.unit);
+  const std::string value = shown.U.empty() ? shown.value : fmt::format("({} ± {})", shown.value, shown.U);
+  const double limit = judgement.tolerance.limit.in_native() * parameter_scale(kind, options.unit).per_native;
+  return joined({symbol(judgement.tolerance.parameter->symbol),
+                 plain(fmt::format(" = {}{}; tolerance {}{}", value, unit, shown_short(limit, options), unit))});
+}
+
+/// Of the parameters with the verdict of the whole, so that it can be weighed at a glance.
+void append_values(Notice& notice, Verdict overall, const Subject& subject, const Options& options) {
+  const auto decisive = [&](const Judgement& j) { return j.magnitude && j.decision.verdict == overall; };
+  const auto all = static_cast<std::size_t>(std::ranges::count_if(subject.judgements, decisive));
+  std::size_t named = 0;
+  for (const Judgement& judgement : subject.judgements) {
+    if (!decisive(judgement)) continue;
+    if (named == values_named) {
+      notice.lines.push_back(plain(fmt::format("… and {} more.", all - named)));
+      return;
+    }
+    notice.lines.push_back(value_and_tolerance(judgement, subject, options));
+    ++named;
+  }
+}
+
 std::vector<RichText> notes(const Subject& subject, Wanted want, const Options& options) {
   std::vector<RichText> notes = {
       with_symbols(rule_statement(subject.judgements, subject.test.metadata.axis.kind, options))};
@@ -175,6 +204,7 @@ std::optional<Notice> tolerance_notice(const Subject& subject, const Options& op
   if (const RichText unjudged = symbols_with(subject.judgements, Verdict::not_applicable); !unjudged.empty())
     others = joined({others, plain(others.empty() ? "No verdict on " : " No verdict on "), unjudged,
                      plain(": not applicable to this test.")});
+  append_values(notice, *overall, subject, options);
   if (!others.empty()) notice.lines.push_back(std::move(others));
   notice.lines.push_back(plain(fmt::format(
       "Decision rule: {}.", rule_title(subject.judgements.front().rule, subject.test.metadata.axis.kind, options))));

@@ -109,6 +109,24 @@ TEST(PdfWriter, SetsADocumentOfATitleAlone) {
   EXPECT_TRUE(pdf->starts_with("%PDF-"));
 }
 
+TEST(PdfWriter, KeepsTheCaptionOfAFigureThatFillsThePageBelowIt) {
+  for (std::size_t paragraphs = 1; paragraphs <= 9; ++paragraphs) {
+    Section section{"only", "Section", false, {}};
+    for (std::size_t k = 0; k < paragraphs; ++k) section.blocks.emplace_back(Paragraph{plain("A line above.")});
+    Figure figure;
+    figure.width = 500.0 + static_cast<double>(paragraphs) / 3.0;
+    figure.height = 620.0;
+    figure.title = "Caption below";
+    section.blocks.emplace_back(std::move(figure));
+    Document document{.title = "Title"};
+    document.sections.push_back(std::move(section));
+    const auto pdf = find_writer("pdf")->set(document, {});
+    ASSERT_TRUE(pdf) << pdf.error().to_string();
+    TEXT_OR_SKIP(text, *pdf);
+    EXPECT_THAT(*text, HasSubstr("Page 1 of 1")) << paragraphs;
+  }
+}
+
 TEST(PdfWriter, WritesTheSameBytesAgain) {
   EXPECT_TRUE(reported_table2().written("pdf") == reported_table2().written("pdf"));
   EXPECT_TRUE(reported_without_metadata().written("pdf") == reported_without_metadata().written("pdf"));
