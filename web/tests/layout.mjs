@@ -64,13 +64,13 @@ export const layout = {
   },
 
   async 'a capture that runs fits on a phone and a tablet, and a figure that cannot be given yet is a dash'(world) {
-    const { id: plan } = await world.plan('Quick', { dwell_s: 1, runs: 9, targets: 5, feed: 10000, to: 4000 });
-    const { id } = await world.api('POST', '/api/captures', { plan, source: 'simulator', layout: '', options: { speed: '4', preset: 'good', seed: '1' } });
+    const { id: plan } = await world.plan('Quick', { dwell_s: 1, runs: 40, targets: 5, feed: 10000, to: 4000 });
+    const { id } = await world.api('POST', '/api/captures', { plan, source: 'simulator', layout: '', options: { speed: '10', preset: 'good', seed: '1' } });
     const pages = [];
     for (const locale of ['en-GB', 'de-DE'])
       for (const width of [390, 820, 1024]) pages.push([`${locale}, ${width} px`, await world.page({ width, height: 844, locale })]);
     for (const [, page] of pages) await page.goto(`/captures/${id}`);
-    for (const done of [/\b[1-9]\d? (of|von) 90/, /\b[1-9]\d (of|von) 90/])
+    for (const done of [/\b[1-9]\d* (of|von) 400/, /\b[1-9]\d+ (of|von) 400/])
       for (const [name, page] of pages) {
         await shows(page.locator('.readout'), done, 60_000);
         const outside = await page.evaluate(() => [...document.querySelectorAll('.readout *, .so-far *, h1')]

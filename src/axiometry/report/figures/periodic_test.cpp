@@ -119,7 +119,7 @@ TEST(PeriodicDocument, SaysWhatWasFoundAndWhatWasNot) {
   EXPECT_EQ(document.kind, "Periodic positioning error");
   EXPECT_EQ(document.title, "Periodic positioning error of axis X");
   EXPECT_THAT(testing_support::section_ids(document),
-              ElementsAre("results", "figures", "findings", "identification", "method", "provenance"));
+              ElementsAre("results", "figures", "findings", "identification", "method", "provenance", "release"));
   EXPECT_THAT(plain_text(document.status[1].heading), HasSubstr("peak to valley"));
   const auto tables = testing_support::tables(document.sections.front());
   ASSERT_EQ(tables.size(), 2u);

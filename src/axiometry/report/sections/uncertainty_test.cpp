@@ -72,7 +72,7 @@ TEST(UncertaintySections, AreLeftOutWhereOnlyAnnexAWasRun) {
 TEST(UncertaintySections, FollowTheParametersAndKeepTheBudgetOfAnnexA) {
   EXPECT_THAT(section_ids(composed(with(gum | monte_carlo))),
               ElementsAre("parameters", "methods", "contributions", "figures", "findings", "identification",
-                          "positions", "uncertainty", "gum", "information", "provenance"));
+                          "positions", "uncertainty", "gum", "information", "provenance", "release"));
 }
 
 TEST(UncertaintySections, NameTheQuestionThatIsAnswered) {

@@ -104,7 +104,9 @@ TEST(PdfWriter, AddsNoHyphenWhereItBreaksASerialNumber) {
 
 TEST(PdfWriter, SetsADocumentOfATitleAlone) {
   const Writer* writer = find_writer("pdf");
-  const auto pdf = writer->set(Document{.title = "Nothing but a title"}, {});
+  Document document;
+  document.title = "Nothing but a title";
+  const auto pdf = writer->set(document, {});
   ASSERT_TRUE(pdf) << pdf.error().to_string();
   EXPECT_TRUE(pdf->starts_with("%PDF-"));
 }
