@@ -3,13 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <random>
 
 #include "tests/support/series.h"
 
 namespace axiometry::iso230_2 {
 namespace {
+
+using testing_support::none;
 
 std::optional<Deviation>& mean_of(PositionResult& p, Direction d) {
   return d == Direction::up ? p.mean_up : p.mean_down;
@@ -66,7 +67,6 @@ TEST(ParameterGradients, AreTheDerivativesOfTheEvaluation) {
   std::mt19937 random(230);
   std::normal_distribution<double> normal;
   for (int trial = 0; trial < 30; ++trial) {
-    const double none = std::numeric_limits<double>::quiet_NaN();
     std::vector<std::vector<double>> up(3, std::vector<double>(5));
     std::vector<std::vector<double>> down(3, std::vector<double>(5));
     for (auto* runs : {&up, &down})

@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "axiometry/numeric/moments.h"
 #include "tests/support/series.h"
 
 namespace axiometry::iso230_2 {
 namespace {
+
+using testing_support::none;
 
 namespace table2 = testing_support::table2;
 
@@ -51,7 +52,6 @@ TEST(ReadingPosterior, TakesNoiseOutOfTheScatterInsteadOfAddingIt) {
 }
 
 TEST(ReadingPosterior, LeavesMissingReadingsMissing) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const Series series = testing_support::make_series({0, 10, 20}, {{1, 2, 3}, {1.5, none, 3.5}, {0.5, 2.5, 2.5}},
                                                      {{4, 5, none}, {4.5, 5.5, none}, {3.5, 4.5, none}});
   Draws draws = readings_of(series, {.reading = 0.3, .run = 0.1, .target = 0.1, .target_direction = 0.1});
@@ -98,7 +98,6 @@ TEST(ReadingPosterior, SharesAShiftOfARunBetweenMachineAndMeasurement) {
 }
 
 TEST(ReadingPosterior, DoesNotTakeAMissingRunForAnErrorOfItsTarget) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<testing_support::RunDeviations> up;
   for (double shift : {0.0, 0.0, 8.0}) {  // one run is far off, and one target lacks it
     const double wiggle = 0.1 * (up.size() == 1 ? 1 : -1);

@@ -16,6 +16,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 using testing_support::make_series;
+using testing_support::none;
 using testing_support::RunDeviations;
 
 /// 1 m, n approaches from either direction.
@@ -150,7 +151,6 @@ TEST(AnnexA, GeneralisesTheNumberOfApproaches) {
 TEST(AnnexA, CountsTheSmallestNumberOfApproaches) {
   Metadata m;
   m.uncertainty.environmental_variation = Deviation::native(1);
-  const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(annex_of(m, make_series({0, 1}, {{0, 0}, {0, 0}, {0, none}}, {{0, none}, {0, none}}))->runs, 2u);
 }
 

@@ -4,14 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "tests/support/series.h"
 
 namespace axiometry {
 namespace {
 
 using testing::HasSubstr;
+using testing_support::none;
 using Measured = axiometry::Test;  // within a TEST, Test is the fixture
 using testing_support::exact_um;
 using testing_support::x;
@@ -61,7 +60,6 @@ TEST(NdeCorrection, TellsWhatItDid) {
 
 /// Zero readings of 11.5 µm/m·°C · ΔT; what is added then tells the time at which a reading counts.
 Measured clocked(TestCycle cycle, bool both) {
-  const double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<testing_support::RunDeviations> runs = {{0, 0, 0}, {0, none, 0}};
   Measured test{{}, testing_support::make_series({1000, 2000, 3000}, runs, both ? runs : decltype(runs){}), {}};
   test.metadata.conditions.cycle = cycle;
