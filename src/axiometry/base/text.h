@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,12 @@ namespace axiometry::text {
 std::string_view trim(std::string_view s);  ///< without blanks, tabs, CR and LF at both ends
 std::string to_lower(std::string_view s);   ///< ASCII letters only
 bool equal_ignoring_case(std::string_view a, std::string_view b);
+
+/// Whether a word is one of these, in any case.
+bool is_one_of(std::string_view word, const std::ranges::input_range auto& words) {
+  return std::ranges::any_of(words, [&](std::string_view w) { return equal_ignoring_case(w, word); });
+}
+
 std::vector<std::string_view> split(std::string_view s, char separator);  ///< "a||b" gives three parts
 std::vector<std::string_view> words(std::string_view s);                  ///< parted by blanks and tabs, none empty
 

@@ -26,10 +26,6 @@ constexpr std::string_view down_words[] = {
 constexpr std::string_view missing_words[] = {"",   "-",   "--",   "–",    "—",    true_minus,
                                               "na", "n/a", "#n/a", "null", "none", "missing"};
 
-bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
-  return std::ranges::any_of(words, [&](std::string_view w) { return text::equal_ignoring_case(w, word); });
-}
-
 Result<CsvCell> quoted_cell(std::string_view line, std::size_t& k, char delimiter, TextPosition at) {
   CsvCell cell{{}, at.column};
   while (true) {
@@ -64,7 +60,7 @@ constexpr std::string_view summary_words[] = {"mean",       "average",
 
 /// What to change in a cell that holds no plain number, where that is known.
 std::string_view advice_on(std::string_view cell) {
-  if (is_one_of(cell, summary_words)) return "; rows of means and totals must be removed";
+  if (text::is_one_of(cell, summary_words)) return "; rows of means and totals must be removed";
   const std::size_t end = cell.find_last_of("0123456789");
   if (end == std::string_view::npos) return "";
   if (find_unit(text::trim(cell.substr(end + 1))) != nullptr) return "; units belong in the header alone";
@@ -138,12 +134,12 @@ char delimiter_of(std::string_view header_line) {
 }
 
 std::optional<Direction> direction_from(std::string_view word) {
-  if (is_one_of(word, up_words)) return Direction::up;
-  if (is_one_of(word, down_words)) return Direction::down;
+  if (text::is_one_of(word, up_words)) return Direction::up;
+  if (text::is_one_of(word, down_words)) return Direction::down;
   return std::nullopt;
 }
 
-bool is_missing(std::string_view cell) { return is_one_of(cell, missing_words); }
+bool is_missing(std::string_view cell) { return text::is_one_of(cell, missing_words); }
 
 Result<void> NumberReader::settle_mark(char mark, std::string_view cell, TextPosition at) {
   if (mark == ',' && delimiter_ == ',')

@@ -61,10 +61,6 @@ constexpr KeyAlias aliases[] = {
 constexpr std::string_view reading_unit_keys[] = {"unit", "units", "deviation_unit", "reading_unit"};
 constexpr std::string_view target_unit_keys[] = {"target_unit", "position_unit"};
 
-bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
-}
-
 struct KeyAndValue {
   std::string key;  // lower case, blanks and hyphens as underscores
   std::string_view value;
@@ -124,7 +120,7 @@ Result<std::optional<std::string>> field_key(const std::string& key, TextPositio
   if (field != fields.end()) return std::string(field->key);
   const auto alias = std::ranges::find(aliases, std::string_view(key), &KeyAlias::alias);
   if (alias != std::end(aliases)) return std::string(alias->key);
-  if (is_one_of(key, reading_unit_keys) || is_one_of(key, target_unit_keys)) return key;
+  if (text::is_one_of(key, reading_unit_keys) || text::is_one_of(key, target_unit_keys)) return key;
   const auto near = text::nearest(key, known_keys());
   constexpr std::size_t shortest_word_with_a_typing_error = 6;
   if (looks_like_a_path(key) || (near && key.size() >= shortest_word_with_a_typing_error))
@@ -140,8 +136,8 @@ Result<void> take_comment_line(Preamble& preamble, std::string_view line, std::s
   AXIOMETRY_TRY(auto key, field_key(pair->key, {number, line.find_first_not_of("\"# \t") + 1}));
   if (!key) return {};
   const TextPosition at{number, pair->value_column};
-  const bool reading = is_one_of(*key, reading_unit_keys);
-  if (!reading && !is_one_of(*key, target_unit_keys)) {
+  const bool reading = text::is_one_of(*key, reading_unit_keys);
+  if (!reading && !text::is_one_of(*key, target_unit_keys)) {
     preamble.metadata.push_back({std::move(*key), std::string(pair->value), at});
     return {};
   }

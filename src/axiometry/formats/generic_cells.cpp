@@ -62,8 +62,8 @@ Result<DecodedText> decode(std::string_view bytes, TextEncoding encoding) {
   return decoded_as(bytes, encoding_titles[static_cast<std::size_t>(encoding) - 1]);
 }
 
-std::vector<TextLine> lines_of(std::string_view text) {
-  std::vector<TextLine> lines;
+std::vector<PlainLine> lines_of(std::string_view text) {
+  std::vector<PlainLine> lines;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
     std::string_view line = text.substr(0, end);
@@ -79,7 +79,7 @@ RowRule row_rule(const ImportProfile& profile) {
   return {profile.delimiter, profile.delimiter == Delimiter::comma && profile.decimal_mark == ','};
 }
 
-Result<std::vector<CsvCell>> cells_of(const TextLine& line, RowRule rule) {
+Result<std::vector<CsvCell>> cells_of(const PlainLine& line, RowRule rule) {
   const auto too_many = [&](std::size_t count) {
     return fail(fmt::format("found {} columns, expected at most {}", count, column_limit), {line.number, 1});
   };

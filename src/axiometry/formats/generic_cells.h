@@ -21,13 +21,13 @@ Result<DecodedText> decode(std::string_view bytes, TextEncoding encoding);
 inline constexpr std::size_t byte_limit = std::size_t{64} << 20;
 inline constexpr std::size_t column_limit = 4096;
 
-struct TextLine {
+struct PlainLine {
   std::string_view text;   ///< without its line break and blanks at its end
   std::size_t number = 0;  ///< from 1
 };
 
 /// Lines end in LF, CRLF or CR.
-std::vector<TextLine> lines_of(std::string_view text);
+std::vector<PlainLine> lines_of(std::string_view text);
 
 /// How rows are taken apart.
 struct RowRule {
@@ -38,7 +38,7 @@ struct RowRule {
 RowRule row_rule(const ImportProfile& profile);
 
 /// The cells of a line. Fails on open quotes and on more than column_limit cells.
-Result<std::vector<CsvCell>> cells_of(const TextLine& line, RowRule rule);
+Result<std::vector<CsvCell>> cells_of(const PlainLine& line, RowRule rule);
 
 /// The number in a cell, with this decimal mark; nothing when it is none. "5." is no number between blanks' commas:
 /// a mark needs a digit behind it.

@@ -56,7 +56,7 @@ void decide_header(Draft& draft) {
                profile.header_lines == 0 ? "no line above the rows names their columns" : "names stand above the rows");
 }
 
-Result<Draft> draft_of(const DecodedText& decoded, std::span<const TextLine> lines) {
+Result<Draft> draft_of(const DecodedText& decoded, std::span<const PlainLine> lines) {
   Draft draft;
   AXIOMETRY_TRY(draft.shape, find_shape(lines));
   const TableShape& shape = draft.shape;
@@ -119,7 +119,7 @@ Result<void> check_numbers(const Draft& draft) {
 }
 
 Result<Guess> guess_text(const DecodedText& decoded) {
-  const std::vector<TextLine> lines = lines_of(decoded.text);
+  const std::vector<PlainLine> lines = lines_of(decoded.text);
   AXIOMETRY_TRY(Draft draft, draft_of(decoded, lines));
   const bool transposed = decide_transposed(draft);
   if (!transposed) take_header_from_rows(draft);

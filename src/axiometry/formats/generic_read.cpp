@@ -63,17 +63,13 @@ Result<void> check_decided(const ImportProfile& p) {
   return {};
 }
 
-bool is_one_of(std::string_view cell, const std::vector<std::string>& words) {
-  return std::ranges::any_of(words, [&](const std::string& w) { return text::equal_ignoring_case(w, cell); });
-}
-
 class TableReader {
  public:
   TableReader(const ImportProfile& profile, const TableRegion& region) : profile_(profile), region_(region) {}
 
   Result<void> read_rows() {
     AXIOMETRY_TRY_VOID(read_header());
-    for (const TextLine& line : region_.rows) {
+    for (const PlainLine& line : region_.rows) {
       AXIOMETRY_TRY(const std::vector<CsvCell> cells, cells_of(line, row_rule(profile_)));
       if (std::ranges::all_of(cells, [](const CsvCell& c) { return c.text.empty(); })) continue;
       AXIOMETRY_TRY_VOID(check_count(cells, line.number));
@@ -137,7 +133,7 @@ class TableReader {
       return {};
     }
     if (region_.header.empty()) return fail("found no line of targets, expected it above the rows");
-    const TextLine& line = region_.header.front();
+    const PlainLine& line = region_.header.front();
     AXIOMETRY_TRY(std::vector<CsvCell> cells, cells_of(line, row_rule(profile_)));
     while (!cells.empty() && cells.back().text.empty()) cells.pop_back();
     width_ = cells.size();
@@ -256,8 +252,8 @@ class TableReader {
   }
 
   std::optional<Direction> direction_of(std::string_view cell) const {
-    if (is_one_of(cell, profile_.up_words)) return Direction::up;
-    if (is_one_of(cell, profile_.down_words)) return Direction::down;
+    if (text::is_one_of(cell, profile_.up_words)) return Direction::up;
+    if (text::is_one_of(cell, profile_.down_words)) return Direction::down;
     return direction_word(cell);
   }
 
@@ -351,7 +347,7 @@ class TableReader {
 Result<Test> read_with(const ImportProfile& profile, std::string_view bytes) {
   AXIOMETRY_TRY_VOID(check_decided(profile));
   AXIOMETRY_TRY(const DecodedText decoded, decode(bytes, profile.encoding));
-  const std::vector<TextLine> lines = lines_of(decoded.text);
+  const std::vector<PlainLine> lines = lines_of(decoded.text);
   AXIOMETRY_TRY(const TableRegion region, find_table(profile, lines));
   TableReader reader(profile, region);
   AXIOMETRY_TRY_VOID(reader.read_rows());

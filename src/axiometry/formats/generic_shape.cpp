@@ -36,7 +36,7 @@ Census census_of(const std::vector<CsvCell>& cells) {
   return census;
 }
 
-bool is_blank(const TextLine& line) { return text::trim(line.text).empty(); }
+bool is_blank(const PlainLine& line) { return text::trim(line.text).empty(); }
 
 /// Lines taken apart at one delimiter.
 struct Split {
@@ -45,7 +45,7 @@ struct Split {
   double score = 0.0;  ///< rows times the share of their cells that are numbers or missing
 };
 
-Split split_at(std::span<const TextLine> lines, Delimiter delimiter, std::string_view comment) {
+Split split_at(std::span<const PlainLine> lines, Delimiter delimiter, std::string_view comment) {
   struct Count {
     std::size_t rows = 0;
     std::size_t cells = 0;
@@ -53,7 +53,7 @@ Split split_at(std::span<const TextLine> lines, Delimiter delimiter, std::string
   };
   std::map<std::size_t, Count> by_width;
   std::size_t weighed = 0;
-  for (const TextLine& line : lines) {
+  for (const PlainLine& line : lines) {
     if (is_blank(line) || is_comment(line.text, comment)) continue;
     if (++weighed > lines_weighed) break;
     const auto cells = cells_of(line, {delimiter, false});
@@ -74,8 +74,8 @@ Split split_at(std::span<const TextLine> lines, Delimiter delimiter, std::string
   return best;
 }
 
-std::string comment_mark_of(std::span<const TextLine> lines) {
-  for (const TextLine& line : lines)
+std::string comment_mark_of(std::span<const PlainLine> lines) {
+  for (const PlainLine& line : lines)
     for (std::string_view mark : comment_marks)
       if (text::trim(line.text).starts_with(mark)) return std::string(mark);
   return "#";
@@ -87,7 +87,7 @@ struct Block {
   std::size_t last = 0;
 };
 
-std::optional<Block> block_of(std::span<const TextLine> lines, const Split& split, std::string_view comment) {
+std::optional<Block> block_of(std::span<const PlainLine> lines, const Split& split, std::string_view comment) {
   std::optional<Block> block;
   std::size_t words_at_most = 0;
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -109,8 +109,8 @@ std::unexpected<Error> another_length(std::size_t found, std::size_t expected, T
 }
 
 /// Rows of numbers below the table would be lost with what stands there.
-Result<void> check_below(std::span<const TextLine> below, const Split& split, std::string_view comment) {
-  for (const TextLine& line : below) {
+Result<void> check_below(std::span<const PlainLine> below, const Split& split, std::string_view comment) {
+  for (const PlainLine& line : below) {
     if (is_blank(line) || is_comment(line.text, comment)) continue;
     AXIOMETRY_TRY(const std::vector<CsvCell> cells, cells_of(line, {split.delimiter, false}));
     const Census census = census_of(cells);
@@ -136,11 +136,11 @@ bool holds_units_only(const std::vector<std::string>& cells) {
 }
 
 /// The header directly above the rows: names, or names and a line of units.
-void find_names(TableShape& shape, std::span<const TextLine> above) {
+void find_names(TableShape& shape, std::span<const PlainLine> above) {
   std::size_t end = above.size();
   std::optional<std::size_t> units_at;
   while (end > 0) {
-    const TextLine& line = above[--end];
+    const PlainLine& line = above[--end];
     if (is_blank(line)) continue;
     std::string_view content = text::trim(line.text);
     if (is_comment(content, shape.comment)) content = text::trim(content.substr(shape.comment.size()));
@@ -194,7 +194,7 @@ void find_decimal_mark(TableShape& shape) {
 }
 
 /// Decimal commas between commas: twice as many whole numbers as there are columns.
-void find_pairs(TableShape& shape, std::span<const TextLine> above) {
+void find_pairs(TableShape& shape, std::span<const PlainLine> above) {
   if (shape.rule.delimiter != Delimiter::comma || shape.mark_seen) return;
   const auto looks_like_decimals = [](const std::string& cell) {
     return cell.size() >= 2 && cell.front() == '0' && cell.find_first_not_of("0123456789") == std::string::npos;
@@ -238,10 +238,10 @@ void find_pairs(TableShape& shape, std::span<const TextLine> above) {
 }
 
 /// The cells of the block. Fails on rows of another length; spreadsheets cut off empty cells, but no numbers.
-Result<void> take_rows(TableShape& shape, std::span<const TextLine> block) {
+Result<void> take_rows(TableShape& shape, std::span<const PlainLine> block) {
   std::size_t widest_needed = 0;  // columns up to the last one with a number
-  std::vector<std::pair<TextLine, std::size_t>> short_rows;
-  for (const TextLine& line : block) {
+  std::vector<std::pair<PlainLine, std::size_t>> short_rows;
+  for (const PlainLine& line : block) {
     if (is_blank(line) || is_comment(line.text, shape.comment)) continue;
     ++shape.row_count;
     if (shape.rows.size() >= rows_looked_at) continue;
@@ -263,7 +263,7 @@ Result<void> take_rows(TableShape& shape, std::span<const TextLine> block) {
 }
 
 /// What a line below the rows begins with and no row does: its first cell, or all of it.
-std::string end_of_table(const TextLine& line, const TableShape& shape) {
+std::string end_of_table(const PlainLine& line, const TableShape& shape) {
   const auto cells = cells_of(line, shape.rule);
   std::string first = cells && !cells->empty() ? cells->front().text : std::string();
   const bool taken = std::ranges::any_of(shape.rows, [&](const auto& row) { return row.front().starts_with(first); });
@@ -272,7 +272,7 @@ std::string end_of_table(const TextLine& line, const TableShape& shape) {
 
 }  // namespace
 
-Result<TableShape> find_shape(std::span<const TextLine> lines) {
+Result<TableShape> find_shape(std::span<const PlainLine> lines) {
   TableShape shape;
   shape.comment = comment_mark_of(lines);
   Split split;
@@ -282,7 +282,7 @@ Result<TableShape> find_shape(std::span<const TextLine> lines) {
   }
   const auto block = split.score > 0.0 ? block_of(lines, split, shape.comment) : std::nullopt;
   if (!block) {
-    for (const TextLine& line : lines)
+    for (const PlainLine& line : lines)
       for (const char delimiter : {';', '\t', ',', ' '})
         if (const auto count = std::ranges::count(line.text, delimiter);
             count >= static_cast<std::ptrdiff_t>(column_limit))
@@ -294,13 +294,13 @@ Result<TableShape> find_shape(std::span<const TextLine> lines) {
   shape.columns = split.columns;
   shape.first_line = lines[block->first].number;
   AXIOMETRY_TRY_VOID(take_rows(shape, lines.subspan(block->first, block->last - block->first + 1)));
-  for (const TextLine& line : lines.subspan(block->last + 1)) {
+  for (const PlainLine& line : lines.subspan(block->last + 1)) {
     if (is_blank(line) || is_comment(line.text, shape.comment)) continue;
     shape.end = end_of_table(line, shape);
     break;
   }
   find_decimal_mark(shape);
-  const std::span<const TextLine> above = lines.first(block->first);
+  const std::span<const PlainLine> above = lines.first(block->first);
   find_names(shape, above);
   find_pairs(shape, above);
   return shape;

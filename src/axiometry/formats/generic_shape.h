@@ -20,10 +20,10 @@ struct TableShape {
   std::size_t first_line = 0;                  ///< of the rows, number in the file
   std::size_t row_count = 0;                   ///< up to the last row
   std::vector<std::vector<std::string>> rows;  ///< the first of them, at most rows_looked_at, without blank lines
-  std::vector<TextLine> row_lines;             ///< theirs
+  std::vector<PlainLine> row_lines;            ///< theirs
   std::vector<std::string> names;              ///< one per column; empty without a header
   std::vector<const Unit*> units;              ///< of a line of units below the names; empty without one
-  std::span<const TextLine> above;             ///< lines above header and rows
+  std::span<const PlainLine> above;            ///< lines above header and rows
   std::size_t header_lines = 0;
   std::string comment = "#";
   std::string end;                       ///< beginning of the first line below the rows
@@ -34,6 +34,6 @@ inline constexpr std::size_t rows_looked_at = 5000;
 
 /// The largest block of rows with the same number of cells, two of them numbers at least. Fails when there is none, and
 /// when rows of numbers stand below it that have another number of cells.
-Result<TableShape> find_shape(std::span<const TextLine> lines);
+Result<TableShape> find_shape(std::span<const PlainLine> lines);
 
 }  // namespace axiometry::formats::generic

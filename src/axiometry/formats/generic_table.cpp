@@ -78,7 +78,7 @@ std::vector<std::string> names_in(std::string_view line, Delimiter delimiter, st
   return with_units(line);
 }
 
-Result<TableRegion> find_table(const ImportProfile& profile, std::span<const TextLine> lines) {
+Result<TableRegion> find_table(const ImportProfile& profile, std::span<const PlainLine> lines) {
   TableRegion region;
   const bool named = !wanted_names(profile).empty() && profile.header_lines > 0;
   std::size_t k = std::min(profile.skip_lines, lines.size());
@@ -94,7 +94,7 @@ Result<TableRegion> find_table(const ImportProfile& profile, std::span<const Tex
         fmt::format("found no line with the columns {}, expected one as the profile says", wanted_names(profile)));
   region.above = lines.first(k);
   for (; k < lines.size(); ++k) {
-    TextLine line = lines[k];
+    PlainLine line = lines[k];
     if (region.header.size() < profile.header_lines && region.header.empty() && named)
       line.text = names_agree(profile, line.text) ? line.text : without_mark(line.text, profile.comment);
     else if (is_comment(line.text, profile.comment))
@@ -106,10 +106,10 @@ Result<TableRegion> find_table(const ImportProfile& profile, std::span<const Tex
   return region;
 }
 
-LinesAbove read_lines_above(std::span<const TextLine> lines, AxisKind kind, char decimal_mark) {
+LinesAbove read_lines_above(std::span<const PlainLine> lines, AxisKind kind, char decimal_mark) {
   constexpr std::size_t most_lines = 200;
   LinesAbove above;
-  for (const TextLine& line : lines.first(std::min(lines.size(), most_lines))) {
+  for (const PlainLine& line : lines.first(std::min(lines.size(), most_lines))) {
     if (text::trim(line.text).empty()) continue;
     const auto alone = read_preamble(fmt::format("{}\ntarget_mm,direction,run,deviation_um\n", line.text));
     std::size_t taken = 0;

@@ -18,13 +18,13 @@ namespace axiometry::formats::generic {
 std::vector<std::string> names_in(std::string_view line, Delimiter delimiter, std::size_t count);
 
 struct TableRegion {
-  std::span<const TextLine> above;  ///< the header, when there is one
-  std::vector<TextLine> header;     ///< its lines, without a comment mark before them
-  std::vector<TextLine> rows;       ///< without blank lines and comments
+  std::span<const PlainLine> above;  ///< the header, when there is one
+  std::vector<PlainLine> header;     ///< its lines, without a comment mark before them
+  std::vector<PlainLine> rows;       ///< without blank lines and comments
 };
 
 /// The table that the profile describes. Fails when no line holds the names of its columns.
-Result<TableRegion> find_table(const ImportProfile& profile, std::span<const TextLine> lines);
+Result<TableRegion> find_table(const ImportProfile& profile, std::span<const PlainLine> lines);
 
 /// What the lines above a table tell about the test.
 struct LinesAbove {
@@ -34,7 +34,7 @@ struct LinesAbove {
 
 /// `# key: value`, "Machine: Mill 5" and "Machine;Mill 5" with the keys of csv-long; what does not fit its field is
 /// passed over and counted.
-LinesAbove read_lines_above(std::span<const TextLine> lines, AxisKind kind, char decimal_mark);
+LinesAbove read_lines_above(std::span<const PlainLine> lines, AxisKind kind, char decimal_mark);
 
 /// Whether a line is a comment.
 bool is_comment(std::string_view line, std::string_view mark);
