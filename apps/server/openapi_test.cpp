@@ -22,14 +22,23 @@ const json::Value& description() {
   return *parsed;
 }
 
-std::set<std::string> described() {
+/// Of all, or of those that are described with this status.
+std::set<std::string> described(std::string_view status = {}) {
   std::set<std::string> operations;
   for (const auto& [path, methods] : description().find("paths")->members())
-    for (const auto& [method, operation] : methods.members()) operations.insert(method + " " + path);
+    for (const auto& [method, operation] : methods.members())
+      if (status.empty() || operation.find("responses")->find(status)) operations.insert(method + " " + path);
   return operations;
 }
 
-std::set<std::string> served() {
+std::set<std::string> names_of(const std::vector<Router::Route>& routes) {
+  std::set<std::string> operations;
+  for (const Router::Route& route : routes)
+    operations.insert(fmt::format("{} {}", text::to_lower(route.method), route.pattern));
+  return operations;
+}
+
+std::vector<Router::Route> served() {
   testing_support::Archive archive;
   app::Workbench workbench(archive.store());
   TokenGate token({});
@@ -43,14 +52,17 @@ std::set<std::string> served() {
   add_equipment_routes(router, context);
   add_plan_routes(router, context);
   add_capture_routes(router, context);
-  std::set<std::string> operations;
-  for (const auto& [method, pattern] : router.routes())
-    operations.insert(fmt::format("{} {}", text::to_lower(method), pattern));
-  return operations;
+  return router.routes();
 }
 
 TEST(OpenApi, describes_every_route_and_nothing_else) {
-  EXPECT_THAT(served(), ::testing::UnorderedElementsAreArray(described()));
+  EXPECT_THAT(names_of(served()), ::testing::UnorderedElementsAreArray(described()));
+}
+
+TEST(OpenApi, tells_of_the_line_in_which_heavy_requests_wait) {
+  std::vector<Router::Route> waiting = served();
+  std::erase_if(waiting, [](const Router::Route& route) { return route.weight == Weight::light; });
+  EXPECT_THAT(names_of(waiting), ::testing::UnorderedElementsAreArray(described("503")));
 }
 
 /// "#/components/schemas/Test" and the like.

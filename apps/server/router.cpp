@@ -106,7 +106,7 @@ Response Router::answer(Request request) const {
 
 std::vector<Router::Route> Router::routes() const {
   std::vector<Route> routes;
-  for (const Entry& entry : entries_) routes.push_back({entry.method, entry.pattern});
+  for (const Entry& entry : entries_) routes.push_back({entry.method, entry.pattern, entry.weight});
   return routes;
 }
 

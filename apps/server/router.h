@@ -42,6 +42,7 @@ class Router {
   struct Route {
     std::string method;
     std::string pattern;
+    Weight weight = Weight::light;
   };
   std::vector<Route> routes() const;  ///< in the order in which they were added
 
