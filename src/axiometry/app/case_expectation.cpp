@@ -166,7 +166,8 @@ bool holds(double x, const Comparison& c) {
   return std::abs(x - c.number) <= c.tolerance.native;
 }
 
-Result<CaseComparison> check_quantity(const Statement& s, const Outcome& outcome, const ExpectationContext& context) {
+Result<CaseComparison> check_quantity(const Statement& s, const OperationOutcome& outcome,
+                                      const ExpectationContext& context) {
   AXIOMETRY_TRY(const Named named, named_quantity(s, outcome.assessment));
   const std::string got =
       named.value ? fmt::format("{} {}", format_exact(named.value->in_native()), deviation_unit_key(context.kind))
@@ -185,7 +186,7 @@ Result<CaseComparison> check_quantity(const Statement& s, const Outcome& outcome
 }
 
 /// expect [no] finding [CLAUSE] [SEVERITY] ["TEXT"]
-Result<CaseComparison> check_finding(const Statement& s, const Outcome& outcome) {
+Result<CaseComparison> check_finding(const Statement& s, const OperationOutcome& outcome) {
   const bool wanted = !s.words[1].is("no");
   std::size_t index = wanted ? 2 : 3;
   std::string_view clause, severity, part;
@@ -213,14 +214,14 @@ Result<CaseComparison> check_finding(const Statement& s, const Outcome& outcome)
   return met(s, wanted ? "such a finding" : "no such finding");
 }
 
-Result<CaseComparison> check_conforming(const Statement& s, const Outcome& outcome) {
+Result<CaseComparison> check_conforming(const Statement& s, const OperationOutcome& outcome) {
   const bool yes = s.words.size() == 3 && s.words[2].is("yes");
   if (!yes && !(s.words.size() == 3 && s.words[2].is("no"))) return unexpected_word(s, 2, "yes or no");
   if (outcome.assessment.conforming() == yes) return met(s, yes ? "yes" : "no");
   return unmet(s, yes ? "yes" : "no", yes ? "no: " + outcome.assessment.findings.front().message : "yes");
 }
 
-Result<CaseComparison> check_label(const Statement& s, const Outcome& outcome) {
+Result<CaseComparison> check_label(const Statement& s, const OperationOutcome& outcome) {
   if (s.words.size() != 3 || !(s.words[2].quoted || s.words[2].is("none")))
     return unexpected_word(s, 2, "a \"text\" or none");
   const std::string_view expected = s.words[2].quoted ? s.words[2].text : "";
@@ -228,7 +229,7 @@ Result<CaseComparison> check_label(const Statement& s, const Outcome& outcome) {
   return unmet(s, text::quoted(expected), text::quoted(outcome.assessment.label));
 }
 
-Result<CaseComparison> check_error(const Statement& s, const Result<Outcome>& outcome) {
+Result<CaseComparison> check_error(const Statement& s, const Result<OperationOutcome>& outcome) {
   if (s.words.size() != 3 || !s.words[2].quoted) return unexpected_word(s, 2, "a \"text\" of the message");
   if (outcome) return unmet(s, "an error", "a result");
   const std::string message = outcome.error().to_string();
@@ -250,7 +251,7 @@ Result<Tolerance> read_tolerance(const Statement& statement, std::size_t index, 
                    fmt::format("{} {}", statement.words[index].text, statement.words[index + 1].text)};
 }
 
-Result<CaseComparison> check_expectation(const Statement& s, const Result<Outcome>& outcome,
+Result<CaseComparison> check_expectation(const Statement& s, const Result<OperationOutcome>& outcome,
                                          const ExpectationContext& context) {
   if (s.words.size() < 2) return unexpected_word(s, 1, "what is expected");
   const Word& word = s.words[1];

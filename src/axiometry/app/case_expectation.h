@@ -8,8 +8,8 @@
 /// What an `expect` line of a conformance case says (check.h); private to app/.
 namespace axiometry::app {
 
-/// What an operation gave.
-struct Outcome {
+/// What an operation of a case gave.
+struct OperationOutcome {
   Test test;
   iso230_2::Assessment assessment;
 };
@@ -32,7 +32,7 @@ std::string expectation_text(const Statement& statement);
 Result<Tolerance> read_tolerance(const Statement& statement, std::size_t index, AxisKind kind);
 
 /// Fails when the line is no expectation.
-Result<CaseComparison> check_expectation(const Statement& statement, const Result<Outcome>& outcome,
+Result<CaseComparison> check_expectation(const Statement& statement, const Result<OperationOutcome>& outcome,
                                          const ExpectationContext& context);
 
 }  // namespace axiometry::app
