@@ -14,7 +14,6 @@ namespace {
 
 using iso230_2::AxisParameters;
 using iso230_2::PositionResult;
-using Value = std::optional<Deviation>;
 
 CaseComparison unmet(const Statement& s, std::string expected, std::string got, std::string difference = {}) {
   return {s.words[0].at.line, expectation_text(s), std::move(expected), std::move(got), std::move(difference), false};
@@ -27,7 +26,7 @@ CaseComparison met(const Statement& s, std::string got, std::string expected = {
 
 /// A quantity that a line names, and how many words the name took.
 struct Named {
-  Value value;
+  std::optional<Deviation> value;
   std::size_t next = 0;
 };
 
@@ -75,7 +74,9 @@ constexpr ComponentName component_names[] = {
     {"other", &iso230_2::PositionComponents::other},
 };
 
-Value u_or_U(const iso230_2::ExpandedUncertainty& x, const Word& word) { return word.is("u") ? x.u : x.U; }
+std::optional<Deviation> u_or_U(const iso230_2::ExpandedUncertainty& x, const Word& word) {
+  return word.is("u") ? x.u : x.U;
+}
 
 /// "gum position 3 up thermal", "gum position 3 mean U".
 Result<Named> named_gum_position(const Statement& s, const std::optional<iso230_2::GumUncertainty>& gum) {
@@ -136,7 +137,7 @@ struct Comparison {
   std::string_view relation;
   double number = 0.0;  // native
   std::string stated;
-  Tolerance tolerance;
+  StatedTolerance tolerance;
 };
 
 /// "= 9.6 um", "<= 10 um", "= 9.6 um within 0.05 um", beginning at the word of this index.
@@ -243,12 +244,12 @@ std::string expectation_text(const Statement& statement) {
   return std::string(text::trim(statement.text.substr(statement.words[0].text.size())));
 }
 
-Result<Tolerance> read_tolerance(const Statement& statement, std::size_t index, AxisKind kind) {
+Result<StatedTolerance> read_tolerance(const Statement& statement, std::size_t index, AxisKind kind) {
   AXIOMETRY_TRY(const double number, read_number(statement, index));
   if (number < 0.0) return unexpected_word(statement, index, "a number not below 0");
   AXIOMETRY_TRY(const formats::Unit* unit, read_deviation_unit(statement, index + 1, kind));
-  return Tolerance{formats::deviation_in(*unit, number).in_native(),
-                   fmt::format("{} {}", statement.words[index].text, statement.words[index + 1].text)};
+  return StatedTolerance{formats::deviation_in(*unit, number).in_native(),
+                         fmt::format("{} {}", statement.words[index].text, statement.words[index + 1].text)};
 }
 
 Result<CaseComparison> check_expectation(const Statement& s, const Result<OperationOutcome>& outcome,

@@ -33,7 +33,7 @@ struct Operation {
   std::vector<Reading> readings;
   std::size_t runs_up = 0;
   std::size_t runs_down = 0;
-  Tolerance tolerance;
+  StatedTolerance tolerance;
   std::optional<Result<OperationOutcome>> outcome;  ///< once an expectation has asked for it
 };
 

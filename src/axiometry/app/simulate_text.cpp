@@ -257,7 +257,7 @@ constexpr std::string_view axis_group = "Faults of the axis";
 constexpr std::string_view instrument_group = "Faults of the instrument";
 constexpr std::string_view course_group = "A machine that does not follow its plan";
 
-constexpr SimulationOption table[] = {
+constexpr SimulationOption simulation_option_table[] = {
     {"--pitch", "SLOPE", "Slope of the scale, such as 5um/m or 0.2arcsec/deg", axis_group, false, pitch},
     {"--polynomial", "C1[:C2…]", "Bent scale: C1·u + C2·u² + …, u from 0 at the first to 1 at the last target",
      axis_group, false, polynomial},
@@ -312,7 +312,7 @@ constexpr SimulationOption table[] = {
 
 }  // namespace
 
-std::span<const SimulationOption> simulation_options() { return table; }
+std::span<const SimulationOption> simulation_options() { return simulation_option_table; }
 
 Result<std::vector<simulation::PitchError::Node>> parse_pitch_table(std::string_view text) {
   std::vector<simulation::PitchError::Node> nodes;
