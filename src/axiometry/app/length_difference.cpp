@@ -20,7 +20,8 @@ using json::Value;
 using report::Align;
 using report::plain;
 
-constexpr std::string_view paper = "Lee et al., Sensors 16 (2016) 482, 4.1, eqs 16 to 23 with corrected signs";
+constexpr std::string_view equations_source =
+    "Lee et al., Sensors 16 (2016) 482, 4.1, eqs 16 to 23 with corrected signs";
 
 Value numbers_value(const std::vector<double>& list) {
   Value array = Value::array();
@@ -195,7 +196,7 @@ Result<LengthDifferences> compare_lengths(const LengthDifferenceRequest& request
 }
 
 Experiment present(const LengthDifferences& result, const report::Options& options) {
-  Experiment experiment{experiment_document("Length difference", paper), length_differences_to_json(result)};
+  Experiment experiment{experiment_document("Length difference", equations_source), length_differences_to_json(result)};
   report::Document& document = experiment.document;
   document.running_head = report::translated(document.running_head, options);
   const Vector3 error = result.request.station_error_mm;

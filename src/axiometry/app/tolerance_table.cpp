@@ -147,8 +147,8 @@ Result<std::optional<RuleText>> rule_from(const Row& row, AxisKind kind) {
   return std::optional(rule);
 }
 
-Result<std::vector<iso230_2::Tolerance>> limits_from(const Row& row, const formats::Unit& unit,
-                                                     formats::NumberReader& numbers) {
+Result<std::vector<iso230_2::Tolerance>> band_limits_from(const Row& row, const formats::Unit& unit,
+                                                          formats::NumberReader& numbers) {
   std::vector<iso230_2::Tolerance> limits;
   for (std::size_t c = 0; c < row.columns().size(); ++c) {
     const ParameterInfo* parameter = row.columns()[c].parameter;
@@ -176,7 +176,7 @@ Result<ToleranceBand> band_from(const Row& row, formats::NumberReader& numbers) 
   AXIOMETRY_TRY(band.travel_max, travel_from(row, numbers));
   AXIOMETRY_TRY(const formats::Unit* unit, unit_from(row, band.kind));
   AXIOMETRY_TRY(band.rule, rule_from(row, band.kind));
-  AXIOMETRY_TRY(band.limits, limits_from(row, *unit, numbers));
+  AXIOMETRY_TRY(band.limits, band_limits_from(row, *unit, numbers));
   return band;
 }
 
