@@ -69,7 +69,7 @@ Result<std::string> boundary_of(std::string_view content_type) {
   return *boundary;
 }
 
-Result<void> read_head(std::string_view head, FormPart& part) {
+Result<void> read_part_head(std::string_view head, FormPart& part) {
   while (!head.empty()) {
     const std::size_t end = std::min(head.find("\r\n"), head.size());
     const std::string_view line = head.substr(0, end);
@@ -131,7 +131,7 @@ Result<std::vector<FormPart>> form_parts(std::string_view content_type, std::str
     const std::size_t head_end = no_head ? 0 : body.substr(0, head_max).find("\r\n\r\n");
     if (head_end == std::string_view::npos) return fail("found a part of the form without an end of its head");
     FormPart part;
-    AXIOMETRY_TRY_VOID(read_head(body.substr(0, head_end), part));
+    AXIOMETRY_TRY_VOID(read_part_head(body.substr(0, head_end), part));
     body.remove_prefix(head_end + (no_head ? 2 : 4));
     // An empty part ends at once: its line break is that of its head.
     const std::size_t end = body.find(delimiter);

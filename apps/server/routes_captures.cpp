@@ -18,11 +18,11 @@ using app::CaptureState;
 using json::Kind;
 using json::Value;
 
-constexpr std::string_view members[] = {"plan", "source", "layout", "options", "resume"};
+constexpr std::string_view capture_members[] = {"plan", "source", "layout", "options", "resume"};
 
 Result<void> check_members(const Value& body) {
   for (const auto& [name, value] : body.members())
-    if (std::ranges::find(members, std::string_view(name)) == std::end(members))
+    if (std::ranges::find(capture_members, std::string_view(name)) == std::end(capture_members))
       return fail(
           fmt::format("found the unknown member \"{}\", expected plan, source, layout and options, or resume", name),
           value.at());
@@ -66,7 +66,7 @@ Result<Response> post(const Context& context, const Request& request) {
   return json_response(app::to_json(state, reader), 201);
 }
 
-Result<Response> list(CaptureService& captures, const Request& request) {
+Result<Response> list_captures(CaptureService& captures, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   Value list = Value::array();
   for (const CaptureState& state : captures.states()) list.push(app::to_json(state, reader));
@@ -84,7 +84,7 @@ Result<Response> sources(const CaptureService& captures, const Request& request)
   return json_response(value);
 }
 
-Result<Response> get(CaptureService& captures, const Request& request) {
+Result<Response> get_capture(CaptureService& captures, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const store::Id id, id_of(request, "capture"));
   AXIOMETRY_TRY(const auto after, whole_of(request, "after", std::int64_t{1} << 53));
@@ -104,9 +104,10 @@ Result<Response> stop(CaptureService& captures, const Request& request) {
 void add_capture_routes(Router& router, const Context& context) {
   CaptureService& captures = context.captures;
   router.add("GET", "/api/sources", [&captures](const Request& request) { return sources(captures, request); });
-  router.add("GET", "/api/captures", [&captures](const Request& request) { return list(captures, request); });
+  router.add("GET", "/api/captures", [&captures](const Request& request) { return list_captures(captures, request); });
   router.add("POST", "/api/captures", [context](const Request& request) { return post(context, request); });
-  router.add("GET", "/api/captures/{id}", [&captures](const Request& request) { return get(captures, request); });
+  router.add("GET", "/api/captures/{id}",
+             [&captures](const Request& request) { return get_capture(captures, request); });
   router.add("POST", "/api/captures/{id}/stop",
              [&captures](const Request& request) { return stop(captures, request); });
 }

@@ -22,24 +22,24 @@ using store::Versioned;
 
 /// What differs between the kinds of things.
 template <typename Thing>
-struct Kind;
+struct KindOf;
 
 template <>
-struct Kind<Machine> {
+struct KindOf<Machine> {
   static constexpr std::string_view name = "machine";
   static constexpr std::string_view plural = "machines";
   static constexpr auto from = &app::machine_from;
 };
 
 template <>
-struct Kind<Axis> {
+struct KindOf<Axis> {
   static constexpr std::string_view name = "axis";
   static constexpr std::string_view plural = "axes";
   static constexpr auto from = &app::axis_from;
 };
 
 template <>
-struct Kind<Instrument> {
+struct KindOf<Instrument> {
   static constexpr std::string_view name = "instrument";
   static constexpr std::string_view plural = "instruments";
   static constexpr auto from = &app::instrument_from;
@@ -94,25 +94,25 @@ Result<Value> listed<Machine>(const Store& store) {
 }
 
 template <typename Thing>
-Result<Response> list(Store& store, const Request&) {
+Result<Response> list_things(Store& store, const Request&) {
   AXIOMETRY_TRY(Value rows, listed<Thing>(store));
   Value object = Value::object();
-  object.add(Kind<Thing>::plural, std::move(rows));
+  object.add(KindOf<Thing>::plural, std::move(rows));
   return json_response(object);
 }
 
 template <typename Thing>
 Result<Response> add(Store& store, const Request& request) {
   AXIOMETRY_TRY(const Value body, json_body(request));
-  AXIOMETRY_TRY(const auto edit, Kind<Thing>::from(body));
+  AXIOMETRY_TRY(const auto edit, KindOf<Thing>::from(body));
   AXIOMETRY_TRY(const auto thing, store.add(edit.value, by_of(request, edit.reason)));
   AXIOMETRY_TRY(const Value value, whole_value(store, thing));
   return json_response(value, 201);
 }
 
 template <typename Thing>
-Result<Response> get(Store& store, const Request& request) {
-  AXIOMETRY_TRY(const store::Id id, id_of(request, Kind<Thing>::name));
+Result<Response> get_thing(Store& store, const Request& request) {
+  AXIOMETRY_TRY(const store::Id id, id_of(request, KindOf<Thing>::name));
   AXIOMETRY_TRY(const auto version, version_of(request));
   AXIOMETRY_TRY(const auto thing, store.get<Thing>(id, version));
   AXIOMETRY_TRY(const Value value, whole_value(store, thing));
@@ -121,9 +121,9 @@ Result<Response> get(Store& store, const Request& request) {
 
 template <typename Thing>
 Result<Response> change(Store& store, const Request& request) {
-  AXIOMETRY_TRY(const store::Id id, id_of(request, Kind<Thing>::name));
+  AXIOMETRY_TRY(const store::Id id, id_of(request, KindOf<Thing>::name));
   AXIOMETRY_TRY(const Value body, json_body(request));
-  AXIOMETRY_TRY(const auto edit, Kind<Thing>::from(body));
+  AXIOMETRY_TRY(const auto edit, KindOf<Thing>::from(body));
   if (!edit.base_version)
     return fail("found a change without base_version, expected the version it rests on", body.at());
   AXIOMETRY_TRY(const auto thing, store.change(id, *edit.base_version, edit.value, by_of(request, edit.reason)));
@@ -133,7 +133,7 @@ Result<Response> change(Store& store, const Request& request) {
 
 template <typename Thing>
 Result<Response> versions(Store& store, const Request& request) {
-  AXIOMETRY_TRY(const store::Id id, id_of(request, Kind<Thing>::name));
+  AXIOMETRY_TRY(const store::Id id, id_of(request, KindOf<Thing>::name));
   AXIOMETRY_TRY(const auto all, store.versions<Thing>(id));
   Value object = Value::object();
   Value& rows = object.add("versions", Value::array());
@@ -143,10 +143,10 @@ Result<Response> versions(Store& store, const Request& request) {
 
 template <typename Thing, typename Add>
 void add_routes_of(const Add& add_route) {
-  const std::string path = fmt::format("/api/{}", Kind<Thing>::plural);
-  add_route("GET", path, list<Thing>);
+  const std::string path = fmt::format("/api/{}", KindOf<Thing>::plural);
+  add_route("GET", path, list_things<Thing>);
   add_route("POST", path, add<Thing>);
-  add_route("GET", path + "/{id}", get<Thing>);
+  add_route("GET", path + "/{id}", get_thing<Thing>);
   add_route("PUT", path + "/{id}", change<Thing>);
   add_route("GET", path + "/{id}/versions", versions<Thing>);
 }

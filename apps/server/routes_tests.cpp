@@ -131,7 +131,7 @@ Result<Response> load_examples(Workbench& workbench, std::mutex& turn) {
   return json_response(object, 201);
 }
 
-Result<Response> list(const Workbench& workbench, const Request& request) {
+Result<Response> list_tests(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::TestFilter filter, filter_of(request));
   AXIOMETRY_TRY(const store::TestPage page, workbench.archive().tests(filter));
   return json_response(app::to_json(page));
@@ -267,7 +267,7 @@ void add_test_routes(Router& router, const Context& context) {
       "POST", "/api/examples",
       [turn = std::make_shared<std::mutex>()](Workbench& w, const Request&) { return load_examples(w, *turn); },
       Weight::heavy);
-  add("GET", "/api/tests", list);
+  add("GET", "/api/tests", list_tests);
   add("POST", "/api/tests", receive, Weight::by_size);
   add("GET", "/api/tests/{id}", one);
   add("GET", "/api/tests/{id}/raw", raw);

@@ -34,20 +34,20 @@ Amount amount_from(std::string_view text) {
 }
 
 /// A unit and what one of it is: factor / divisor of the quantity's own.
-struct Unit {
+struct AmountUnit {
   std::string_view name;
   double factor;
   double divisor = 1.0;
 };
 
 /// The number in the first unit of the list.
-Result<double> parse(std::string_view text, std::string_view what, std::span<const Unit> units) {
+Result<double> parse(std::string_view text, std::string_view what, std::span<const AmountUnit> units) {
   const auto [number, unit] = amount_from(text);
   if (number)
-    for (const Unit& u : units)
+    for (const AmountUnit& u : units)
       if (u.name == unit) return *number * u.factor / u.divisor;
   std::vector<std::string_view> names;
-  for (const Unit& u : units)
+  for (const AmountUnit& u : units)
     if (!u.name.empty()) names.push_back(u.name);
   return fail(fmt::format("found {}, expected {} in {}", text::quoted(text), what, fmt::join(names, ", ")));
 }
@@ -82,43 +82,44 @@ Result<Position> parse_position(std::string_view text, AxisKind kind) {
 }
 
 Result<Duration> parse_duration(std::string_view text) {
-  constexpr Unit units[] = {{"s", 1.0}, {"ms", 1.0, 1e3}, {"us", 1.0, 1e6}, {"min", 60.0}, {"h", 3600.0}};
+  constexpr AmountUnit units[] = {{"s", 1.0}, {"ms", 1.0, 1e3}, {"us", 1.0, 1e6}, {"min", 60.0}, {"h", 3600.0}};
   return as(parse(text, "a time", units), Duration::s);
 }
 
 Result<Duration> parse_period(std::string_view text) {
-  constexpr Unit units[] = {{"Hz", 1.0}, {"kHz", 1e3}, {"mHz", 1.0, 1e3}};
+  constexpr AmountUnit units[] = {{"Hz", 1.0}, {"kHz", 1e3}, {"mHz", 1.0, 1e3}};
   AXIOMETRY_TRY(const double hertz, parse(text, "a frequency", units));
   if (!(hertz > 0.0)) return fail(fmt::format("found {}, expected a frequency above 0", text::quoted(text)));
   return Duration::s(1.0 / hertz);
 }
 
 Result<RelativeLength> parse_slope(std::string_view text, AxisKind kind) {
-  constexpr Unit linear[] = {{"um/m", 1.0}, {"ppm", 1.0}, {"µm/m", 1.0}};
-  constexpr Unit rotary[] = {{"arcsec/deg", 1e6, 3600.0}, {"ppm", 1.0}};
-  const auto units = kind == AxisKind::linear ? std::span<const Unit>(linear) : std::span<const Unit>(rotary);
+  constexpr AmountUnit linear[] = {{"um/m", 1.0}, {"ppm", 1.0}, {"µm/m", 1.0}};
+  constexpr AmountUnit rotary[] = {{"arcsec/deg", 1e6, 3600.0}, {"ppm", 1.0}};
+  const auto units =
+      kind == AxisKind::linear ? std::span<const AmountUnit>(linear) : std::span<const AmountUnit>(rotary);
   return as(parse(text, "a slope", units), RelativeLength::um_per_m);
 }
 
 Result<double> parse_probability(std::string_view text) {
-  constexpr Unit units[] = {{"", 1.0}, {"%", 1.0, 100.0}};
+  constexpr AmountUnit units[] = {{"", 1.0}, {"%", 1.0, 100.0}};
   const auto number = parse(text, "a probability", units);
   if (number && *number >= 0.0 && *number <= 1.0) return *number;
   return fail(fmt::format("found {}, expected a probability from 0 to 1, or in %", text::quoted(text)));
 }
 
 Result<Angle> parse_phase(std::string_view text) {
-  constexpr Unit units[] = {{"deg", 1.0}, {"°", 1.0}};
+  constexpr AmountUnit units[] = {{"deg", 1.0}, {"°", 1.0}};
   return as(parse(text, "an angle", units), Angle::deg);
 }
 
 Result<Temperature> parse_temperature(std::string_view text) {
-  constexpr Unit units[] = {{"C", 1.0}, {"°C", 1.0}, {"degC", 1.0}};
+  constexpr AmountUnit units[] = {{"C", 1.0}, {"°C", 1.0}, {"degC", 1.0}};
   return as(parse(text, "a temperature", units), Temperature::celsius);
 }
 
 Result<ExpansionCoefficient> parse_expansion(std::string_view text) {
-  constexpr Unit units[] = {{"um/m/K", 1.0}, {"ppm/K", 1.0}, {"um/m/C", 1.0}, {"", 1.0}};
+  constexpr AmountUnit units[] = {{"um/m/K", 1.0}, {"ppm/K", 1.0}, {"um/m/C", 1.0}, {"", 1.0}};
   return as(parse(text, "an expansion coefficient", units), ExpansionCoefficient::um_per_m_K);
 }
 

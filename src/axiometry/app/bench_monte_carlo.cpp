@@ -22,10 +22,10 @@ namespace {
 
 using numeric::AffineRows;
 
-constexpr std::size_t targets = 11;
-constexpr std::size_t runs = 5;
-constexpr std::size_t readings = 2 * targets * runs;
-constexpr std::size_t draws = readings + runs + 1;  // z, d, c
+constexpr std::size_t bench_targets = 11;
+constexpr std::size_t bench_runs = 5;
+constexpr std::size_t bench_readings = 2 * bench_targets * bench_runs;
+constexpr std::size_t draws = bench_readings + bench_runs + 1;  // z, d, c
 
 double position_m(std::size_t i) { return 0.05 + 0.09 * static_cast<double>(i); }
 
@@ -40,20 +40,22 @@ AffineRows reading_rows() {
   const double scatter = std::sqrt(0.7 * 0.7 + 0.4 * 0.4);
   std::vector<AffineRows::Row> rows;
   for (Direction direction : {Direction::up, Direction::down})
-    for (std::size_t i = 0; i < targets; ++i)
-      for (std::size_t j = 0; j < runs; ++j)
-        rows.push_back({base_um(direction, i),
-                        {{rows.size(), scatter}, {readings + j, 0.5}, {readings + runs, 1.5 * position_m(i)}}});
+    for (std::size_t i = 0; i < bench_targets; ++i)
+      for (std::size_t j = 0; j < bench_runs; ++j)
+        rows.push_back(
+            {base_um(direction, i),
+             {{rows.size(), scatter}, {bench_readings + j, 0.5}, {bench_readings + bench_runs, 1.5 * position_m(i)}}});
   return AffineRows(rows);
 }
 
 Series series_of_bases() {
   std::vector<Position> positions;
   std::vector<double> deviations;
-  for (std::size_t i = 0; i < targets; ++i) positions.push_back(Position::native(1000.0 * position_m(i)));
+  for (std::size_t i = 0; i < bench_targets; ++i) positions.push_back(Position::native(1000.0 * position_m(i)));
   for (Direction direction : {Direction::up, Direction::down})
-    for (std::size_t i = 0; i < targets; ++i) deviations.insert(deviations.end(), runs, base_um(direction, i));
-  return *Series::make_dense(std::move(positions), runs, std::move(deviations));
+    for (std::size_t i = 0; i < bench_targets; ++i)
+      deviations.insert(deviations.end(), bench_runs, base_um(direction, i));
+  return *Series::make_dense(std::move(positions), bench_runs, std::move(deviations));
 }
 
 /// Trials are computed in strips whose draws and readings stay in the processor's cache (about 120 KB).
@@ -69,7 +71,7 @@ struct StripModel {
   void operator()(std::uint64_t block, uncertainty::BlockOutputs outputs) const {
     AXIOMETRY_CONTRACT(layout.outputs().size() == std::size(iso230_2::parameters));
     numeric::RandomStream stream({seed, 0, block});
-    numeric::RowBuffer<Number> draw_buffer(draws, strip), reading_buffer(readings, strip);
+    numeric::RowBuffer<Number> draw_buffer(draws, strip), reading_buffer(bench_readings, strip);
     numeric::RowBuffer<Number> result_buffer(layout.outputs().size(), strip);  // of single precision
     for (std::size_t first = 0; first < outputs.trials; first += strip) {
       const std::size_t count = std::min(strip, outputs.trials - first);

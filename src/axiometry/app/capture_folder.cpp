@@ -25,27 +25,27 @@ namespace {
 using json::Kind;
 using json::Value;
 
-constexpr std::string_view prefix = "capture-", suffix = ".json";
+constexpr std::string_view order_prefix = "capture-", order_suffix = ".json";
 constexpr const char* counter_name = "/last-number";
 
-ErrorKind kind_of(int error) {
+ErrorKind error_kind_of(int error) {
   if (error == ENOSPC || error == EDQUOT) return ErrorKind::full;
   return error == EROFS || error == EACCES ? ErrorKind::read_only : ErrorKind::unavailable;
 }
 
-std::unexpected<Error> fail_system(std::string_view doing) {
+std::unexpected<Error> fail_of_folder(std::string_view doing) {
   const int error = errno;
-  return fail(kind_of(error), fmt::format("cannot {}: {}", doing, std::strerror(error)));
+  return fail(error_kind_of(error), fmt::format("cannot {}: {}", doing, std::strerror(error)));
 }
 
 Result<void> put(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return fail_system("keep the order of the capture");
+    if (count < 0) return fail_of_folder("keep the order of the capture");
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
-  return ::fsync(descriptor) == 0 ? Result<void>{} : fail_system("keep the order of the capture");
+  return ::fsync(descriptor) == 0 ? Result<void>{} : fail_of_folder("keep the order of the capture");
 }
 
 /// The names of new files, too, must outlive a loss of power.
@@ -105,13 +105,13 @@ std::string kept_name(const std::string& base) { return base + ".kept"; }
 /// The order last, so that what is left of a removal that was cut short is found again.
 void remove_files(const std::string& base) {
   for (const std::string& name :
-       {base + ".raw", times_name(base + ".raw"), kept_name(base), base + std::string(suffix)})
+       {base + ".raw", times_name(base + ".raw"), kept_name(base), base + std::string(order_suffix)})
     ::unlink(name.c_str());
 }
 
 /// The descriptor of an order that nobody else holds, or -1.
 int lock(const std::string& base) {
-  const int descriptor = ::open((base + std::string(suffix)).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+  const int descriptor = ::open((base + std::string(order_suffix)).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
   if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
   if (descriptor >= 0) ::close(descriptor);
   return -1;
@@ -133,7 +133,7 @@ std::string HeldCapture::raw() const { return base_ + ".raw"; }
 
 Result<void> HeldCapture::note_kept(store::Id test) {
   const int descriptor = ::open(kept_name(base_).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (descriptor < 0) return fail_system("note the test of the capture");
+  if (descriptor < 0) return fail_of_folder("note the test of the capture");
   auto noted = put(descriptor, fmt::format("{}\n", test));
   ::close(descriptor);
   return noted;
@@ -145,21 +145,21 @@ Result<void> CaptureFolder::make() const {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
   if (error)
-    return fail(kind_of(error.value()), fmt::format("cannot make the folder of captures: {}", error.message()));
+    return fail(error_kind_of(error.value()), fmt::format("cannot make the folder of captures: {}", error.message()));
   ::chmod(path_.c_str(), 0700);
   return {};
 }
 
-std::string CaptureFolder::base(store::Id id) const { return fmt::format("{}/{}{}", path_, prefix, id); }
+std::string CaptureFolder::base(store::Id id) const { return fmt::format("{}/{}{}", path_, order_prefix, id); }
 
 std::vector<store::Id> CaptureFolder::ids() const {
   std::vector<store::Id> ids;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(path_, error)) {
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with(prefix) || !name.ends_with(suffix)) continue;
-    const auto id =
-        parse_count(std::string_view(name).substr(prefix.size(), name.size() - prefix.size() - suffix.size()));
+    if (!name.starts_with(order_prefix) || !name.ends_with(order_suffix)) continue;
+    const auto id = parse_count(
+        std::string_view(name).substr(order_prefix.size(), name.size() - order_prefix.size() - order_suffix.size()));
     if (id && *id > 0 && *id < std::uint64_t{1} << 53) ids.push_back(static_cast<store::Id>(*id));
   }
   std::ranges::sort(ids);
@@ -176,13 +176,13 @@ Result<HeldCapture> CaptureFolder::add(CaptureOrder order) {
   int descriptor = -1;
   do {
     ++id;
-    descriptor = ::open((base(id) + std::string(suffix)).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    descriptor = ::open((base(id) + std::string(order_suffix)).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   } while (descriptor < 0 && errno == EEXIST);
-  if (descriptor < 0) return fail_system("keep the order of the capture");
+  if (descriptor < 0) return fail_of_folder("keep the order of the capture");
   HeldCapture held(base(id), id, std::move(order), descriptor);
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return fail_system("hold the capture");
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return fail_of_folder("hold the capture");
   const int counter = ::open((path_ + counter_name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  auto kept = counter < 0 ? fail_system("count the captures") : put(counter, fmt::format("{}", id));
+  auto kept = counter < 0 ? fail_of_folder("count the captures") : put(counter, fmt::format("{}", id));
   if (counter >= 0) ::close(counter);
   if (kept) kept = put(descriptor, text_of(held.order()));
   if (!kept) {
@@ -194,7 +194,7 @@ Result<HeldCapture> CaptureFolder::add(CaptureOrder order) {
 }
 
 Result<HeldCapture> CaptureFolder::take(store::Id id) {
-  const auto bytes = whole_file(base(id) + std::string(suffix));
+  const auto bytes = whole_file(base(id) + std::string(order_suffix));
   auto read = bytes ? order_from(*bytes) : std::nullopt;
   if (!read) return fail(ErrorKind::not_found, fmt::format("found no interrupted capture {}", id));
   const int descriptor = lock(base(id));

@@ -17,18 +17,12 @@ namespace axiometry::app {
 namespace {
 
 constexpr std::size_t largest_recording = std::size_t{1} << 30;
-constexpr std::string_view octets = "application/octet-stream";
 
 /// A file of the recording as it will be called in the archive.
 struct Part {
   std::string name;
   std::string bytes;
 };
-
-Result<std::string> bytes_of(const std::string& file) {
-  AXIOMETRY_TRY(Source source, Source::open(file));
-  return source.read_all(largest_recording);
-}
 
 /// "X 2026-11-22 093005"
 std::string name_of(const CaptureOrder& order) {
@@ -43,9 +37,9 @@ Result<std::vector<Part>> recording_of(const CapturedEnd& end) {
   std::vector<Part> parts;
   if (!std::filesystem::exists(end.raw, none) || std::filesystem::file_size(end.raw, none) == 0) return parts;
   const std::string name = name_of(end.order) + ".raw";
-  AXIOMETRY_TRY(std::string bytes, bytes_of(end.raw));
+  AXIOMETRY_TRY(std::string bytes, file_bytes(end.raw, largest_recording));
   parts.push_back({name, std::move(bytes)});
-  AXIOMETRY_TRY(std::string times, bytes_of(times_name(end.raw)));
+  AXIOMETRY_TRY(std::string times, file_bytes(times_name(end.raw), largest_recording));
   parts.push_back({times_name(name), std::move(times)});
   return parts;
 }

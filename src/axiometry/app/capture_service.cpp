@@ -10,6 +10,7 @@
 
 #include "axiometry/app/capture_running.h"
 #include "axiometry/app/capture_text.h"
+#include "axiometry/app/given_text.h"
 #include "axiometry/app/plan.h"
 #include "axiometry/app/source.h"
 #include "axiometry/base/number_text.h"
@@ -19,13 +20,12 @@
 namespace axiometry::app {
 namespace {
 
-using Texts = std::vector<std::pair<std::string, std::string>>;
+using OptionTexts = std::vector<std::pair<std::string, std::string>>;
 using Stage = CaptureState::Stage;
 
 constexpr std::size_t ended_remembered = 50;
 constexpr auto longest_stop = std::chrono::seconds(5);
 constexpr double longest_give_up_s = 86'400.0;
-constexpr std::uint64_t seed_limit = std::uint64_t{1} << 53;  // whole numbers of JSON
 
 /// Options of a capture that are none of its recording.
 struct OwnOptions {
@@ -33,7 +33,7 @@ struct OwnOptions {
   std::string preset = "good";
   std::optional<std::uint64_t> seed;
   Duration give_up = Duration::s(60);
-  Texts others;
+  OptionTexts others;
 };
 
 std::unexpected<Error> bad_option(std::string_view name, std::string_view found, std::string_view expected) {
@@ -61,7 +61,7 @@ Result<void> put_own(const std::string& name, const std::string& value, OwnOptio
   return {};
 }
 
-Result<OwnOptions> own_options(const Texts& options, CaptureSource::Kind kind) {
+Result<OwnOptions> own_options(const OptionTexts& options, CaptureSource::Kind kind) {
   OwnOptions own;
   for (const auto& [name, value] : options) {
     if (value.empty()) continue;  // a field that was left empty

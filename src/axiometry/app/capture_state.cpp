@@ -15,7 +15,7 @@ std::string told_to(const Reader& reader, std::string_view text) {
   return language::translated(text, reader.language, reader.numbers);
 }
 
-Value approach_value(const Approach& approach, const CaptureState& state) {
+Value captured_approach_value(const Approach& approach, const CaptureState& state) {
   Value value = Value::object();
   value.add("target", approach.target + 1);
   value.add("run", approach.run + 1);
@@ -25,7 +25,7 @@ Value approach_value(const Approach& approach, const CaptureState& state) {
 }
 
 Value reading_value(const capture::CapturedReading& reading, const CaptureState& state, const Reader& reader) {
-  Value value = approach_value(reading.approach, state);
+  Value value = captured_approach_value(reading.approach, state);
   value.add("deviation", reading.deviation.in_native());
   value.add("spread", reading.standstill.spread.in_native() * deviation_per_position(state.kind));
   value.add("samples", reading.standstill.count);
@@ -106,7 +106,7 @@ Value to_json(const CaptureState& state, const Reader& reader) {
   value.add("unit", state.kind == AxisKind::linear ? "um" : "arcsec");
   value.add("targets", list_of(state.targets, [](Position x) { return Value(x.in_native()); }));
   value.add("approaches", state.approaches);
-  value.add("due", state.due ? approach_value(*state.due, state) : Value());
+  value.add("due", state.due ? captured_approach_value(*state.due, state) : Value());
   value.add("now", state.now ? now_value(*state.now) : Value());
   value.add("taken", state.taken);
   value.add("anew", state.anew);

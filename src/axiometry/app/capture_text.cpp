@@ -116,7 +116,7 @@ Result<void> put_zero(const std::string& word, CaptureOptions& o) {
 }
 
 // The order is that of the help.
-constexpr CaptureOption table[] = {
+constexpr CaptureOption capture_option_table[] = {
     {"--part", "N", "Of a plan with further ones: 1 is the plan itself (1)", put_part},
     {"--stream", "ID", "Layout of the stream instead of recognising it: umd, time-position, npy, camonitor",
      put_stream},
@@ -149,19 +149,19 @@ constexpr CaptureOption table[] = {
 
 }  // namespace
 
-std::span<const CaptureOption> capture_options() { return table; }
+std::span<const CaptureOption> capture_options() { return capture_option_table; }
 
 Result<CaptureOptions> capture_options_from(std::span<const std::pair<std::string, std::string>> texts) {
   CaptureOptions options;
   std::vector<std::string_view> known;
-  for (const CaptureOption& option : table) known.push_back(option.name.substr(2));
+  for (const CaptureOption& option : capture_option_table) known.push_back(option.name.substr(2));
   bool datum = false;
   for (const auto& [name, text] : texts) {
     const auto place = std::ranges::find(known, std::string_view(name));
     if (place == known.end())
       return fail(
           fmt::format("found the unknown option {}, expected one of {}", text::quoted(name), fmt::join(known, ", ")));
-    if (auto put = table[place - known.begin()].apply(text, options); !put)
+    if (auto put = capture_option_table[place - known.begin()].apply(text, options); !put)
       return fail(fmt::format("{}: {}", name, put.error().message));
     datum = datum || name == "datum";
   }

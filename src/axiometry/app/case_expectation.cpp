@@ -14,7 +14,6 @@ namespace {
 
 using iso230_2::AxisParameters;
 using iso230_2::PositionResult;
-using Value = std::optional<Deviation>;
 
 CaseComparison unmet(const Statement& s, std::string expected, std::string got, std::string difference = {}) {
   return {s.words[0].at.line, expectation_text(s), std::move(expected), std::move(got), std::move(difference), false};
@@ -27,7 +26,7 @@ CaseComparison met(const Statement& s, std::string got, std::string expected = {
 
 /// A quantity that a line names, and how many words the name took.
 struct Named {
-  Value value;
+  std::optional<Deviation> value;
   std::size_t next = 0;
 };
 
@@ -75,7 +74,9 @@ constexpr ComponentName component_names[] = {
     {"other", &iso230_2::PositionComponents::other},
 };
 
-Value u_or_U(const iso230_2::ExpandedUncertainty& x, const Word& word) { return word.is("u") ? x.u : x.U; }
+std::optional<Deviation> u_or_U(const iso230_2::ExpandedUncertainty& x, const Word& word) {
+  return word.is("u") ? x.u : x.U;
+}
 
 /// "gum position 3 up thermal", "gum position 3 mean U".
 Result<Named> named_gum_position(const Statement& s, const std::optional<iso230_2::GumUncertainty>& gum) {
@@ -136,7 +137,7 @@ struct Comparison {
   std::string_view relation;
   double number = 0.0;  // native
   std::string stated;
-  Tolerance tolerance;
+  StatedTolerance tolerance;
 };
 
 /// "= 9.6 um", "<= 10 um", "= 9.6 um within 0.05 um", beginning at the word of this index.
@@ -166,7 +167,8 @@ bool holds(double x, const Comparison& c) {
   return std::abs(x - c.number) <= c.tolerance.native;
 }
 
-Result<CaseComparison> check_quantity(const Statement& s, const Outcome& outcome, const ExpectationContext& context) {
+Result<CaseComparison> check_quantity(const Statement& s, const OperationOutcome& outcome,
+                                      const ExpectationContext& context) {
   AXIOMETRY_TRY(const Named named, named_quantity(s, outcome.assessment));
   const std::string got =
       named.value ? fmt::format("{} {}", format_exact(named.value->in_native()), deviation_unit_key(context.kind))
@@ -185,7 +187,7 @@ Result<CaseComparison> check_quantity(const Statement& s, const Outcome& outcome
 }
 
 /// expect [no] finding [CLAUSE] [SEVERITY] ["TEXT"]
-Result<CaseComparison> check_finding(const Statement& s, const Outcome& outcome) {
+Result<CaseComparison> check_finding(const Statement& s, const OperationOutcome& outcome) {
   const bool wanted = !s.words[1].is("no");
   std::size_t index = wanted ? 2 : 3;
   std::string_view clause, severity, part;
@@ -213,14 +215,14 @@ Result<CaseComparison> check_finding(const Statement& s, const Outcome& outcome)
   return met(s, wanted ? "such a finding" : "no such finding");
 }
 
-Result<CaseComparison> check_conforming(const Statement& s, const Outcome& outcome) {
+Result<CaseComparison> check_conforming(const Statement& s, const OperationOutcome& outcome) {
   const bool yes = s.words.size() == 3 && s.words[2].is("yes");
   if (!yes && !(s.words.size() == 3 && s.words[2].is("no"))) return unexpected_word(s, 2, "yes or no");
   if (outcome.assessment.conforming() == yes) return met(s, yes ? "yes" : "no");
   return unmet(s, yes ? "yes" : "no", yes ? "no: " + outcome.assessment.findings.front().message : "yes");
 }
 
-Result<CaseComparison> check_label(const Statement& s, const Outcome& outcome) {
+Result<CaseComparison> check_label(const Statement& s, const OperationOutcome& outcome) {
   if (s.words.size() != 3 || !(s.words[2].quoted || s.words[2].is("none")))
     return unexpected_word(s, 2, "a \"text\" or none");
   const std::string_view expected = s.words[2].quoted ? s.words[2].text : "";
@@ -228,7 +230,7 @@ Result<CaseComparison> check_label(const Statement& s, const Outcome& outcome) {
   return unmet(s, text::quoted(expected), text::quoted(outcome.assessment.label));
 }
 
-Result<CaseComparison> check_error(const Statement& s, const Result<Outcome>& outcome) {
+Result<CaseComparison> check_error(const Statement& s, const Result<OperationOutcome>& outcome) {
   if (s.words.size() != 3 || !s.words[2].quoted) return unexpected_word(s, 2, "a \"text\" of the message");
   if (outcome) return unmet(s, "an error", "a result");
   const std::string message = outcome.error().to_string();
@@ -242,15 +244,15 @@ std::string expectation_text(const Statement& statement) {
   return std::string(text::trim(statement.text.substr(statement.words[0].text.size())));
 }
 
-Result<Tolerance> read_tolerance(const Statement& statement, std::size_t index, AxisKind kind) {
+Result<StatedTolerance> read_tolerance(const Statement& statement, std::size_t index, AxisKind kind) {
   AXIOMETRY_TRY(const double number, read_number(statement, index));
   if (number < 0.0) return unexpected_word(statement, index, "a number not below 0");
   AXIOMETRY_TRY(const formats::Unit* unit, read_deviation_unit(statement, index + 1, kind));
-  return Tolerance{formats::deviation_in(*unit, number).in_native(),
-                   fmt::format("{} {}", statement.words[index].text, statement.words[index + 1].text)};
+  return StatedTolerance{formats::deviation_in(*unit, number).in_native(),
+                         fmt::format("{} {}", statement.words[index].text, statement.words[index + 1].text)};
 }
 
-Result<CaseComparison> check_expectation(const Statement& s, const Result<Outcome>& outcome,
+Result<CaseComparison> check_expectation(const Statement& s, const Result<OperationOutcome>& outcome,
                                          const ExpectationContext& context) {
   if (s.words.size() < 2) return unexpected_word(s, 1, "what is expected");
   const Word& word = s.words[1];

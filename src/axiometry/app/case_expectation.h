@@ -8,31 +8,31 @@
 /// What an `expect` line of a conformance case says (check.h); private to app/.
 namespace axiometry::app {
 
-/// What an operation gave.
-struct Outcome {
+/// What an operation of a case gave.
+struct OperationOutcome {
   Test test;
   iso230_2::Assessment assessment;
 };
 
 /// Half width in native units, with the words it was stated in.
-struct Tolerance {
+struct StatedTolerance {
   double native = 1e-9;
   std::string stated = "1e-9";
 };
 
 struct ExpectationContext {
   AxisKind kind = AxisKind::linear;
-  Tolerance tolerance;
+  StatedTolerance tolerance;
 };
 
 /// What the words of an `expect` line after the first say.
 std::string expectation_text(const Statement& statement);
 
 /// A number and its unit beginning at the word of this index. Fails on a negative number too.
-Result<Tolerance> read_tolerance(const Statement& statement, std::size_t index, AxisKind kind);
+Result<StatedTolerance> read_tolerance(const Statement& statement, std::size_t index, AxisKind kind);
 
 /// Fails when the line is no expectation.
-Result<CaseComparison> check_expectation(const Statement& statement, const Result<Outcome>& outcome,
+Result<CaseComparison> check_expectation(const Statement& statement, const Result<OperationOutcome>& outcome,
                                          const ExpectationContext& context);
 
 }  // namespace axiometry::app

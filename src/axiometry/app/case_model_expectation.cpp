@@ -165,7 +165,7 @@ Result<CaseComparison> check_validated(const Statement& s, const Subject& subjec
   return CaseComparison{s.words[0].at.line, expectation_text(s), yes ? "yes" : "no", got, {}, v.holds() == yes};
 }
 
-Result<CaseComparison> check_error(const Statement& s, const ModelStatements& said, ModelOutcome& outcome) {
+Result<CaseComparison> check_model_error(const Statement& s, const ModelStatements& said, ModelOutcome& outcome) {
   if (s.words.size() != 3 || !s.words[2].quoted) return unexpected_word(s, 2, "a \"text\" of the message");
   CaseComparison c{s.words[0].at.line, expectation_text(s), text::quoted(s.words[2].text), "a result", {}, false};
   const auto& law = outcome.law(said);
@@ -179,7 +179,7 @@ Result<CaseComparison> check_error(const Statement& s, const ModelStatements& sa
 }  // namespace
 
 Result<CaseComparison> check_model_expectation(const Statement& s, const ModelStatements& said, ModelOutcome& outcome) {
-  if (s.words.size() > 1 && s.words[1].is("error")) return check_error(s, said, outcome);
+  if (s.words.size() > 1 && s.words[1].is("error")) return check_model_error(s, said, outcome);
   AXIOMETRY_TRY(const Subject subject, read_subject(s, said));
   const auto refused = [&s](const Error& error) {
     return CaseComparison{

@@ -33,8 +33,8 @@ struct Operation {
   std::vector<Reading> readings;
   std::size_t runs_up = 0;
   std::size_t runs_down = 0;
-  Tolerance tolerance;
-  std::optional<Result<Outcome>> outcome;  ///< once an expectation has asked for it
+  StatedTolerance tolerance;
+  std::optional<Result<OperationOutcome>> outcome;  ///< once an expectation has asked for it
 };
 
 Result<Test> make_test(const Operation& operation, const LoadTest& load) {
@@ -45,7 +45,7 @@ Result<Test> make_test(const Operation& operation, const LoadTest& load) {
   return test;
 }
 
-Result<Outcome> carry_out(const Operation& operation, const LoadTest& load) {
+Result<OperationOutcome> carry_out(const Operation& operation, const LoadTest& load) {
   AXIOMETRY_TRY(Test test, make_test(operation, load));
   for (const Setting& setting : operation.settings)
     AXIOMETRY_TRY_VOID(set_field_text(test.metadata, setting.key, setting.value));
@@ -54,7 +54,7 @@ Result<Outcome> carry_out(const Operation& operation, const LoadTest& load) {
   }
   iso230_2::Assessment assessment = iso230_2::assess(test);
   AXIOMETRY_TRY(assessment.gum, iso230_2::gum(test.metadata, test.series, assessment.evaluation));
-  return Outcome{std::move(test), std::move(assessment)};
+  return OperationOutcome{std::move(test), std::move(assessment)};
 }
 
 /// Reads a case from the top; each statement is a member of its name.

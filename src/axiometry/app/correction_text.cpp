@@ -12,8 +12,8 @@
 namespace axiometry::app {
 namespace {
 
-constexpr std::array<std::string_view, 7> names = {"sign",      "gain", "air=ciddor", "air=edlen",
-                                                   "dead-path", "nde",  "drift"};
+constexpr std::array<std::string_view, 7> correction_words = {"sign",      "gain", "air=ciddor", "air=edlen",
+                                                              "dead-path", "nde",  "drift"};
 
 Result<void> choose(std::string_view name, CorrectionRequest& request) {
   if (name == "sign") {
@@ -32,10 +32,11 @@ Result<void> choose(std::string_view name, CorrectionRequest& request) {
       return fail("found corrections for the air by two equations, expected one of air=ciddor and air=edlen");
     request.air = equation;
   } else {
-    const auto near = text::nearest(name, std::vector<std::string_view>(names.begin(), names.end()));
-    return fail(
-        fmt::format("found the correction {}, expected {}", text::quoted(name),
-                    near ? fmt::format("perhaps {}", *near) : fmt::format("some of {}", fmt::join(names, ","))));
+    const auto near =
+        text::nearest(name, std::vector<std::string_view>(correction_words.begin(), correction_words.end()));
+    return fail(fmt::format(
+        "found the correction {}, expected {}", text::quoted(name),
+        near ? fmt::format("perhaps {}", *near) : fmt::format("some of {}", fmt::join(correction_words, ","))));
   }
   return {};
 }

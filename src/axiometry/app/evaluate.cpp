@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "axiometry/app/capture_run.h"
+#include "axiometry/app/whole_file.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/generic_delimited.h"
 #include "axiometry/model/fields.h"
@@ -16,11 +17,6 @@ namespace axiometry::app {
 namespace {
 
 constexpr std::size_t single_test_limit = std::size_t{2} << 30;  // logs of controls have gigabytes
-
-std::unexpected<Error> in_file(Error error, const std::string& name) {
-  if (error.file.empty() || error.file == name) error.file = name == "-" ? "(standard input)" : name;
-  return std::unexpected(std::move(error));
-}
 
 constexpr std::string_view generic_format = "generic";
 
@@ -63,9 +59,9 @@ bool holds_many(const formats::Format& format, std::string_view head) {
 /// Reads after an import profile and says so.
 Result<Test> read_by_profile(std::string_view bytes, const std::string& name) {
   auto text = file_bytes(name);
-  if (!text) return in_file(std::move(text).error(), name);
+  if (!text) return std::unexpected(in_file(std::move(text).error(), name));
   const auto profile = formats::read_profile(*text);
-  if (!profile) return in_file(profile.error(), name);
+  if (!profile) return std::unexpected(in_file(profile.error(), name));
   AXIOMETRY_TRY(Test test, formats::read_with(*profile, bytes));
   auto& remarks = test.provenance.remarks;
   remarks.insert(remarks.begin(), {false, fmt::format("columns were read after the import profile {}, SHA-256 {}",
@@ -177,9 +173,9 @@ Result<void> set_metadata(Metadata& metadata, std::span<const std::pair<std::str
 
 Result<Test> read_test(const std::string& file, const std::string& format, const std::string& profile) {
   auto source = Source::open(file);
-  if (!source) return in_file(std::move(source).error(), file);
+  if (!source) return std::unexpected(in_file(std::move(source).error(), file));
   auto test = read_source(*source, {format, profile});
-  if (!test) return in_file(std::move(test).error(), file);
+  if (!test) return std::unexpected(in_file(std::move(test).error(), file));
   return test;
 }
 
@@ -196,9 +192,9 @@ Result<void> read_tests(Source& source, const TestSink& sink) {
 
 Result<void> evaluate_file(const std::string& file, const EvaluateOptions& options, const EvaluatedSink& sink) {
   auto source = Source::open(file);
-  if (!source) return in_file(std::move(source).error(), file);
+  if (!source) return std::unexpected(in_file(std::move(source).error(), file));
   auto result = evaluate_source(*source, options, sink);
-  return result ? Result<void>{} : in_file(std::move(result).error(), file);
+  return result ? Result<void>{} : std::unexpected(in_file(std::move(result).error(), file));
 }
 
 Result<std::vector<InputFile>> expand_inputs(const std::vector<std::string>& names) {

@@ -212,7 +212,7 @@ Result<bool> is_empty(const store::Store& archive) {
 }
 
 /// Machines with what no file says of them, an axis with its limits, and the instrument.
-Result<void> add_equipment(store::Store& archive) {
+Result<void> add_example_equipment(store::Store& archive) {
   const store::By by{"examples", "loaded into an empty archive"};
   AXIOMETRY_TRY_VOID(archive.add(laser(), by));
   const auto add = [&](const ExampleMachine& machine, std::vector<store::Axis> axes) -> Result<void> {
@@ -233,7 +233,7 @@ Result<void> add_equipment(store::Store& archive) {
 Result<std::size_t> add_examples(Workbench& workbench) {
   AXIOMETRY_TRY(const bool empty, is_empty(workbench.archive()));
   if (!empty) return std::size_t{0};
-  AXIOMETRY_TRY_VOID(add_equipment(workbench.archive()));
+  AXIOMETRY_TRY_VOID(add_example_equipment(workbench.archive()));
   AXIOMETRY_TRY_VOID(send(workbench, "iso230-2-table2.json", example_table2));
   std::size_t count = 1;
   const auto send_all = [&](std::span<const ExampleTest> tests) -> Result<void> {

@@ -70,7 +70,7 @@ std::optional<AxisLimits> limits_of(const KnownAxis& axis) {
   return AxisLimits{axis->id, axis->version, axis->value.limits};
 }
 
-Result<InstrumentInputs> instrument_from(const Value& value) {
+Result<InstrumentInputs> inputs_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "instrument"));
   InstrumentInputs inputs;
   AXIOMETRY_TRY(const Value* id, members.required("instrument"));
@@ -160,7 +160,7 @@ Result<FromArchive> from_archive_of(const json::Value& value) {
   AXIOMETRY_TRY(const Value* instruments, members.required("instruments"));
   AXIOMETRY_TRY(const auto* items, formats::items_in(*instruments, "instruments"));
   for (const Value& item : *items) {
-    AXIOMETRY_TRY(InstrumentInputs inputs, instrument_from(item));
+    AXIOMETRY_TRY(InstrumentInputs inputs, inputs_from(item));
     taken.instruments.push_back(std::move(inputs));
   }
   if (const Value* axis = members.optional("axis")) {

@@ -15,6 +15,9 @@ namespace axiometry::app {
 inline constexpr std::size_t line_length_max = 500;    ///< characters of a name or title
 inline constexpr std::size_t text_length_max = 10000;  ///< of notes and of a metadata item
 
+/// Seeds that are given as numbers are below: whole numbers of JSON.
+inline constexpr std::uint64_t seed_limit = std::uint64_t{1} << 53;
+
 /// The text without blanks around it. Fails, naming `what`, on bytes that are not UTF-8, on control characters, on
 /// marks that turn the direction of writing (behind which another name can hide) and beyond line_length_max.
 Result<std::string> given_line(std::string_view what, std::string_view text);

@@ -10,14 +10,14 @@ using json::Kind;
 using json::Value;
 
 /// nullptr also when a step on the way is missing or no object.
-const Value* member(const Value* object, std::string_view name) {
+const Value* present_member(const Value* object, std::string_view name) {
   if (object == nullptr || !object->is(Kind::object)) return nullptr;
   const Value* found = object->find(name);
   return found == nullptr || found->is(Kind::null) ? nullptr : found;
 }
 
 std::optional<double> number(const Value* object, std::string_view name) {
-  const Value* found = member(object, name);
+  const Value* found = present_member(object, name);
   return found != nullptr && found->is(Kind::number) ? std::optional(found->number()) : std::nullopt;
 }
 
@@ -31,7 +31,7 @@ iso230_2::AxisParameters parameters_of(const Value* object) {
 iso230_2::GumUncertainty gum_of(const Value* object) {
   iso230_2::GumUncertainty gum;
   for (const auto& parameter : iso230_2::parameters) {
-    const Value* own = member(object, parameter.key);
+    const Value* own = present_member(object, parameter.key);
     const auto value = number(own, "value");
     const auto U = number(own, "U");
     if (!value || !U) continue;
@@ -47,9 +47,9 @@ iso230_2::GumUncertainty gum_of(const Value* object) {
 iso230_2::MonteCarlo monte_carlo_of(const Value* object) {
   iso230_2::MonteCarlo monte_carlo;
   for (std::size_t k = 0; k < std::size(iso230_2::parameters); ++k) {
-    const Value* own = member(object, iso230_2::parameters[k].key);
+    const Value* own = present_member(object, iso230_2::parameters[k].key);
     const auto u = number(own, "u");
-    const Value* interval = member(own, "symmetric");
+    const Value* interval = present_member(own, "symmetric");
     if (!u || interval == nullptr || !interval->is(Kind::array) || interval->items().size() != 2) continue;
     const auto& ends = interval->items();
     if (!ends[0].is(Kind::number) || !ends[1].is(Kind::number)) continue;
@@ -65,19 +65,19 @@ iso230_2::MonteCarlo monte_carlo_of(const Value* object) {
 
 iso230_2::Assessment assessment_shown_by(const json::Value& result) {
   iso230_2::Assessment assessment;
-  assessment.evaluation.parameters = parameters_of(member(&result, "parameters"));
-  const Value* uncertainty = member(&result, "uncertainty");
-  if (const Value* annex_a = member(uncertainty, "annex_a")) {
+  assessment.evaluation.parameters = parameters_of(present_member(&result, "parameters"));
+  const Value* uncertainty = present_member(&result, "uncertainty");
+  if (const Value* annex_a = present_member(uncertainty, "annex_a")) {
     assessment.annex_a.emplace();
     assessment.annex_a->U = parameters_of(annex_a);
   }
-  if (const Value* gum = member(uncertainty, "gum")) assessment.gum = gum_of(gum);
-  if (const Value* run = member(uncertainty, "monte_carlo")) assessment.monte_carlo = monte_carlo_of(run);
+  if (const Value* gum = present_member(uncertainty, "gum")) assessment.gum = gum_of(gum);
+  if (const Value* run = present_member(uncertainty, "monte_carlo")) assessment.monte_carlo = monte_carlo_of(run);
   return assessment;
 }
 
 AxisKind axis_kind_of(const json::Value& result) {
-  const Value* kind = member(member(&result, "axis"), "kind");
+  const Value* kind = present_member(present_member(&result, "axis"), "kind");
   return kind != nullptr && kind->is(Kind::text) && kind->text() == axis_kind_name(AxisKind::rotary) ? AxisKind::rotary
                                                                                                      : AxisKind::linear;
 }

@@ -20,9 +20,10 @@ using json::Value;
 using report::Align;
 using report::plain;
 
-constexpr std::string_view source = "Lee et al., Sensors 16 (2016) 482, 4.1, eqs 16 to 23 with corrected signs";
+constexpr std::string_view equations_source =
+    "Lee et al., Sensors 16 (2016) 482, 4.1, eqs 16 to 23 with corrected signs";
 
-Value numbers(const std::vector<double>& list) {
+Value numbers_value(const std::vector<double>& list) {
   Value array = Value::array();
   for (const double x : list) array.push(x);
   return array;
@@ -46,24 +47,24 @@ std::vector<double> micrometres(const std::vector<Length>& lengths) {
   return list;
 }
 
-Value to_json(const LengthDifferences& r) {
+Value length_differences_to_json(const LengthDifferences& r) {
   Value object = Value::object();
   object.add("result", "length-difference");
   object.add("station_error_mm", vector_value(r.request.station_error_mm));
   if (r.request.direction) object.add("direction", vector_value(unit(*r.request.direction)));
   object.add("reference_mm", r.request.distances_mm[r.reference]);
-  object.add("distances_mm", numbers(r.request.distances_mm));
+  object.add("distances_mm", numbers_value(r.request.distances_mm));
   Value& alpha = object.add("alpha_deg", Value::object());
-  for (const auto& line : r.lines) alpha.add(line.name, numbers(degrees(line)));
+  for (const auto& line : r.lines) alpha.add(line.name, numbers_value(degrees(line)));
   Value& difference = object.add("difference_um", Value::object());
-  for (const auto& line : r.lines) difference.add(line.name, numbers(differences_um(line)));
-  difference.add("combined", numbers(micrometres(r.combined)));
+  for (const auto& line : r.lines) difference.add(line.name, numbers_value(differences_um(line)));
+  difference.add("combined", numbers_value(micrometres(r.combined)));
   if (r.request.station_uncertainty_mm) {
     Value& bounds = object.add("uncertainty", Value::object());
     bounds.add("station_standard_mm", vector_value(*r.request.station_uncertainty_mm));
     bounds.add("probability", 0.95);
     Value& half = bounds.add("bound_um", Value::object());
-    for (const auto& line : r.lines) half.add(line.name, numbers(micrometres(line.bounds)));
+    for (const auto& line : r.lines) half.add(line.name, numbers_value(micrometres(line.bounds)));
     Value& from = bounds.add("negligible_from_mm", Value::object());
     for (const auto& line : r.lines)
       from.add(line.name, line.negligible_from_mm ? Value(*line.negligible_from_mm) : Value());
@@ -195,7 +196,7 @@ Result<LengthDifferences> compare_lengths(const LengthDifferenceRequest& request
 }
 
 Experiment present(const LengthDifferences& result, const report::Options& options) {
-  Experiment experiment{experiment_document("Length difference", source), to_json(result)};
+  Experiment experiment{experiment_document("Length difference", equations_source), length_differences_to_json(result)};
   report::Document& document = experiment.document;
   document.running_head = report::translated(document.running_head, options);
   const Vector3 error = result.request.station_error_mm;

@@ -31,7 +31,7 @@ Result<void> refuse_others(std::string_view bytes, std::string_view head) {
   return {};
 }
 
-std::unexpected<Error> in_file(Error error, const std::string& name) {
+std::unexpected<Error> in_measured_file(Error error, const std::string& name) {
   error.file = name;
   return std::unexpected(std::move(error));
 }
@@ -44,10 +44,10 @@ const Test* MeasuredFile::find(std::string_view name) const {
 }
 
 Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& name) {
-  if (bytes.empty()) return in_file({"found an empty file, expected a measured test", {}, {}}, name);
+  if (bytes.empty()) return in_measured_file({"found an empty file, expected a measured test", {}, {}}, name);
   Source source = Source::of_bytes(name, bytes);
   AXIOMETRY_TRY(const std::string_view head, source.head());
-  if (auto test = refuse_others(bytes, head); !test) return in_file(test.error(), name);
+  if (auto test = refuse_others(bytes, head); !test) return in_measured_file(test.error(), name);
   MeasuredFile file{.sha256 = sha256(bytes), .size = bytes.size(), .format = {}, .tests = {}};
   auto read = read_tests(source, [&](Test&& test, std::string&& own_name) -> Result<void> {
     if (file.tests.size() == tests_max)
@@ -55,8 +55,8 @@ Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& na
     file.tests.push_back({std::move(own_name), std::move(test)});
     return {};
   });
-  if (!read) return in_file(read.error(), name);
-  if (file.tests.empty()) return in_file({"found no measured test, expected at least one", {}, {}}, name);
+  if (!read) return in_measured_file(read.error(), name);
+  if (file.tests.empty()) return in_measured_file({"found no measured test, expected at least one", {}, {}}, name);
   file.format = file.tests.front().test.provenance.format;
   return file;
 }

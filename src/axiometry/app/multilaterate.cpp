@@ -19,11 +19,6 @@ namespace {
 
 constexpr std::size_t limit_bytes = std::size_t{4} << 30;
 
-Result<std::string> all_of(const std::string& file) {
-  AXIOMETRY_TRY(Source source, Source::open(file));
-  return source.read_all(limit_bytes);
-}
-
 /// The nominal points of another file in the order in which the lengths name them.
 Result<void> take_points(Multilaterated& result, formats::NamedPoints points, const std::string& file) {
   formats::RangesFile& ranges = result.ranges;
@@ -47,7 +42,7 @@ Result<void> take_points(Multilaterated& result, formats::NamedPoints points, co
 }
 
 Result<void> read_inputs(Multilaterated& result, const MultilaterateRequest& request) {
-  AXIOMETRY_TRY(const std::string bytes, all_of(request.ranges));
+  AXIOMETRY_TRY(const std::string bytes, file_bytes(request.ranges, limit_bytes));
   result.sha256 = sha256(bytes);
   AXIOMETRY_TRY(result.ranges, in_file(formats::read_ranges(bytes), request.ranges));
   if (request.points.empty()) {
@@ -56,7 +51,7 @@ Result<void> read_inputs(Multilaterated& result, const MultilaterateRequest& req
                                      "file of their own (--points)")),
                    request.ranges);
   }
-  AXIOMETRY_TRY(const std::string points, all_of(request.points));
+  AXIOMETRY_TRY(const std::string points, file_bytes(request.points, limit_bytes));
   result.points_sha256 = sha256(points);
   result.points_file = request.points;
   AXIOMETRY_TRY(formats::NamedPoints named, in_file(formats::read_named_points(points), request.points));

@@ -28,7 +28,7 @@ struct Programme {
   std::vector<Plan> plans;
 };
 
-Result<Programme> part_of(const Plan& plan, const NcRequest& request) {
+Result<Programme> programme_of_part(const Plan& plan, const NcRequest& request) {
   if (!request.line.empty())
     return fail(fmt::format("found the line {} asked for, expected none: this is no tracking plan, which has lines",
                             text::quoted(request.line)));
@@ -39,7 +39,7 @@ Result<Programme> part_of(const Plan& plan, const NcRequest& request) {
 }
 
 /// What a comment in the program can say.
-Plan named(const TrackingLine& line, const TrackingPlan& whole, bool alone) {
+Plan plan_of_line(const TrackingLine& line, const TrackingPlan& whole, bool alone) {
   Plan plan = alone ? tracking::plan_alone(whole.setup, line) : line.plan;
   if (plan.axis.name.empty()) plan.axis.name = line.id;
   if (plan.machine.empty()) plan.machine = whole.machine;
@@ -69,7 +69,7 @@ Result<Programme> lines_of(const TrackingPlan& plan, const NcRequest& request) {
   Programme programme{plan.title, {}};
   const bool all = request.line.empty();
   for (const TrackingLine& line : plan.lines)
-    if (all || request.line == line.id) programme.plans.push_back(named(line, plan, !all));
+    if (all || request.line == line.id) programme.plans.push_back(plan_of_line(line, plan, !all));
   if (programme.plans.empty()) return no_line(plan, request.line);
   return programme;
 }
@@ -80,7 +80,7 @@ Result<Programme> programme_of(std::string_view bytes, const NcRequest& request)
     return lines_of(plan, request);
   }
   AXIOMETRY_TRY(const Plan plan, formats::read_plan(bytes));
-  return part_of(plan, request);
+  return programme_of_part(plan, request);
 }
 
 /// Of several plans with the way from the end of each to the next.
@@ -116,7 +116,7 @@ Result<unsigned> whole_of(const std::string& text, unsigned long long most) {
 }
 
 /// None where nothing is said.
-Result<std::optional<unsigned>> number_of(const std::string& text) {
+Result<std::optional<unsigned>> number_or_none(const std::string& text) {
   constexpr unsigned long long most = 99'999'999;
   if (text.empty()) return std::optional<unsigned>();
   return whole_of(text, most);
@@ -138,9 +138,9 @@ Result<void> put_option(nc::ProgramOptions& options, const std::string& name, co
     AXIOMETRY_TRY(const unsigned decimals, whole_of(text, nc::decimals_highest));
     options.decimals = static_cast<int>(decimals);
   } else if (name == "trigger_m_code") {
-    AXIOMETRY_TRY(options.trigger_m_code, number_of(text));
+    AXIOMETRY_TRY(options.trigger_m_code, number_or_none(text));
   } else if (name == "number") {
-    AXIOMETRY_TRY(options.number, number_of(text));
+    AXIOMETRY_TRY(options.number, number_or_none(text));
   } else {
     return fail(
         "found no such option, expected unit, unrolled, trigger_m_code, number, decimals, block_numbers, "
@@ -169,7 +169,7 @@ Result<std::string> nc_program(const NcRequest& request) {
 
 Result<std::string> nc_program_of(const Plan& plan, const NcRequest& request) {
   AXIOMETRY_TRY(const nc::Dialect* const dialect, dialect_of(request.dialect));
-  AXIOMETRY_TRY(const Programme programme, part_of(plan, request));
+  AXIOMETRY_TRY(const Programme programme, programme_of_part(plan, request));
   return program_of(programme, *dialect, request.options);
 }
 

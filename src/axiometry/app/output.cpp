@@ -13,14 +13,12 @@
 #include <filesystem>
 #include <utility>
 
+#include "axiometry/app/fail_system.h"
+
 namespace axiometry::app {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 18;
-
-std::unexpected<Error> fail_system(const std::string& name) {
-  return std::unexpected(Error{fmt::format("cannot write: {}", std::strerror(errno)), name, {}});
-}
 
 mode_t usual_permissions() {
   const mode_t mask = ::umask(0);
@@ -56,11 +54,11 @@ Result<OutputFile> OutputFile::create(const std::string& asked) {
   const bool exists = ::stat(name.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {
     errno = EISDIR;
-    return fail_system(name);
+    return fail_system(name, "write");
   }
   if (exists && !S_ISREG(status.st_mode)) {
     const int direct = ::open(name.c_str(), O_WRONLY | O_CLOEXEC);
-    if (direct < 0) return fail_system(name);
+    if (direct < 0) return fail_system(name, "write");
     return OutputFile(name, "", direct);
   }
   if (const int nameless = open_nameless(std::filesystem::path(name).parent_path()); nameless >= 0) {
@@ -71,7 +69,7 @@ Result<OutputFile> OutputFile::create(const std::string& asked) {
   }
   std::string neighbour = neighbour_of(name, "XXXXXX");
   const int descriptor = ::mkstemp(neighbour.data());
-  if (descriptor < 0) return fail_system(name);
+  if (descriptor < 0) return fail_system(name, "write");
   ::fchmod(descriptor, exists ? status.st_mode & 0777 : usual_permissions());
   return OutputFile(name, neighbour, descriptor);
 }
@@ -102,7 +100,7 @@ Result<void> OutputFile::flush() {
   while (!rest.empty()) {
     const ssize_t put = ::write(descriptor_, rest.data(), rest.size());
     if (put < 0 && errno == EINTR) continue;
-    if (put < 0) return fail_system(name_);
+    if (put < 0) return fail_system(name_, "write");
     rest.remove_prefix(static_cast<std::size_t>(put));
   }
   buffer_.clear();
@@ -126,7 +124,7 @@ Result<void> OutputFile::name_neighbour() {
     }
     if (errno != EEXIST) break;
   }
-  return fail_system(name_);
+  return fail_system(name_, "write");
 }
 
 Result<void> OutputFile::commit() {
@@ -134,7 +132,7 @@ Result<void> OutputFile::commit() {
   if (nameless_) AXIOMETRY_TRY_VOID(name_neighbour());
   if (neighbour_.empty()) return {};
   if (::close(std::exchange(descriptor_, -1)) != 0 || std::rename(neighbour_.c_str(), name_.c_str()) != 0)
-    return fail_system(name_);
+    return fail_system(name_, "write");
   neighbour_.clear();
   return {};
 }

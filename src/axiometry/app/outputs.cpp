@@ -15,8 +15,6 @@
 namespace axiometry::app {
 namespace {
 
-constexpr std::string_view name_mark = "{name}";
-
 std::string_view extension_of(std::string_view name) {
   const std::size_t dot = name.rfind('.');
   return dot == std::string_view::npos || name.find('/', dot) != std::string_view::npos ? std::string_view()

@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,9 @@ class InputFiles {
  private:
   std::set<std::pair<dev_t, ino_t>> files_;
 };
+
+/// In the name of a file: its place is taken by the name of each test, or of each line.
+inline constexpr std::string_view name_mark = "{name}";
 
 /// Where results go besides the terminal.
 struct OutputNames {

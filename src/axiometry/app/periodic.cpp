@@ -40,7 +40,7 @@ Value harmonics_to_json(const PeriodicDirection& d) {
   return list;
 }
 
-Value points_to_json(const PeriodicDirection& d) {
+Value periodic_points_to_json(const PeriodicDirection& d) {
   Value list = Value::array();
   for (const auto& p : d.points) {
     Value& row = list.push(Value::object());
@@ -96,7 +96,7 @@ Value direction_to_json(const PeriodicDirection& d) {
   object.add("periods_covered", d.periods_covered);
   object.add("targets_per_period", d.targets_per_period);
   object.add("further_period", further_to_json(d));
-  object.add("points", points_to_json(d));
+  object.add("points", periodic_points_to_json(d));
   return object;
 }
 

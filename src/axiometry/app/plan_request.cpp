@@ -148,7 +148,7 @@ Result<void> put_sequence(const std::string& text, PlanWish& wish) {
 }
 
 // The order is that of the help.
-constexpr PlanOption options[] = {
+constexpr PlanOption plan_option_table[] = {
     {"--axis", "NAME", "Name of the axis", of_axis, false, put_name},
     {"--kind", "KIND", "linear (mm) or rotary (°); linear when not given", of_axis, false, put_kind},
     {"--travel", "FROM:TO",
@@ -218,17 +218,17 @@ std::size_t readings_of(const Plan& plan) {
   return all;
 }
 
-Result<void> check_names(const Plan& plan) {
+Result<void> check_plan_names(const Plan& plan) {
   AXIOMETRY_TRY_VOID(given_line("the name of the axis", plan.axis.name));
   AXIOMETRY_TRY_VOID(given_line("the name of the machine", plan.machine));
   AXIOMETRY_TRY_VOID(given_line("the title of the plan", plan.title));
-  for (const Plan& further : plan.further) AXIOMETRY_TRY_VOID(check_names(further));
+  for (const Plan& further : plan.further) AXIOMETRY_TRY_VOID(check_plan_names(further));
   return {};
 }
 
 }  // namespace
 
-std::span<const PlanOption> plan_options() { return options; }
+std::span<const PlanOption> plan_options() { return plan_option_table; }
 
 std::span<const PlanOptionPair> plan_options_apart() { return apart; }
 
@@ -247,7 +247,7 @@ Result<PlanRequest> completed(const PlanWish& wish) {
 }
 
 Result<void> check_presentable(const Plan& plan) {
-  AXIOMETRY_TRY_VOID(check_names(plan));
+  AXIOMETRY_TRY_VOID(check_plan_names(plan));
   const std::size_t readings = readings_of(plan);
   if (readings <= most_readings) return {};
   return fail(fmt::format("found {} targets in {} runs, {} readings in all, expected at most {}", plan.targets.size(),

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "axiometry/app/given_text.h"
 #include "axiometry/app/plan_request.h"
 #include "axiometry/app/wire.h"
 #include "axiometry/base/number_text.h"
@@ -22,8 +23,6 @@ namespace {
 using json::Kind;
 using json::Value;
 
-constexpr double seed_limit = 9007199254740992.0;  // 2^53: whole numbers of JSON
-
 /// Members of a request that are flags under another name, with the kind they must have.
 struct Member {
   std::string_view name;
@@ -31,7 +30,7 @@ struct Member {
   Kind kind;
   bool required = false;
 };
-constexpr Member members[] = {
+constexpr Member flag_members[] = {
     {"axis", "--axis", Kind::text, true},
     {"kind", "--kind", Kind::text, true},
     {"from", "--travel", Kind::number, true},
@@ -77,7 +76,7 @@ class RequestReader {
     AXIOMETRY_TRY_VOID(check_members());
     AXIOMETRY_TRY_VOID(take_travel());
     AXIOMETRY_TRY_VOID(take_positions());
-    for (const Member& member : members) AXIOMETRY_TRY_VOID(take(member));
+    for (const Member& member : flag_members) AXIOMETRY_TRY_VOID(take(member));
     AXIOMETRY_TRY_VOID(take_further());
     AXIOMETRY_TRY_VOID(check_together());
     return std::move(wish_);
@@ -93,10 +92,10 @@ class RequestReader {
     if (!root_.is(Kind::object))
       return fail(fmt::format("found {}, expected a request for a plan", json::kind_name(root_.kind())), root_.at());
     for (const auto& [name, value] : root_.members()) {
-      const auto member = std::ranges::find(members, std::string_view(name), &Member::name);
-      if (member == std::end(members)) {
+      const auto member = std::ranges::find(flag_members, std::string_view(name), &Member::name);
+      if (member == std::end(flag_members)) {
         std::vector<std::string_view> known;
-        for (const Member& m : members) known.push_back(m.name);
+        for (const Member& m : flag_members) known.push_back(m.name);
         return unknown("member", name, known, value.at());
       }
       if (!value.is(member->kind) && (member->required || !value.is(Kind::null)))
@@ -104,7 +103,7 @@ class RequestReader {
                                 json::kind_name(member->kind)),
                     value.at());
     }
-    for (const Member& member : members)
+    for (const Member& member : flag_members)
       if (member.required && root_.find(member.name) == nullptr)
         return fail(fmt::format("found no member \"{}\", expected axis, kind, from, to", member.name), root_.at());
     return {};
@@ -142,7 +141,7 @@ class RequestReader {
     if (member.kind == Kind::text) return apply(member.flag, member.name, value->text(), value->at(), wish_);
     const bool counts = member.name == "targets" || member.name == "runs" || member.name == "seed";
     const double x = value->number();
-    if (counts && (x < 0.0 || x >= seed_limit || x != std::floor(x)))
+    if (counts && (x < 0.0 || x >= static_cast<double>(seed_limit) || x != std::floor(x)))
       return fail(fmt::format("{}: found {}, expected a whole number", member.name, format_exact(x)), value->at());
     return apply(member.flag, member.name, counts ? fmt::format("{:.0f}", x) : format_exact(x), value->at(), wish_);
   }
@@ -162,11 +161,11 @@ class RequestReader {
     const std::string flag = "--" + name;
     std::vector<std::string_view> known;
     for (const PlanOption& option : plan_options())
-      if (std::ranges::find(members, option.name, &Member::flag) == std::end(members))
+      if (std::ranges::find(flag_members, option.name, &Member::flag) == std::end(flag_members))
         known.push_back(option.name.substr(2));
     if (std::ranges::find(known, std::string_view(name)) == known.end()) {
-      const auto member = std::ranges::find(members, std::string_view(flag), &Member::flag);
-      if (member != std::end(members))
+      const auto member = std::ranges::find(flag_members, std::string_view(flag), &Member::flag);
+      if (member != std::end(flag_members))
         return fail(fmt::format("found {} in further, expected it as the member \"{}\"", name, member->name),
                     value.at());
       return unknown("flag", name, known, value.at());
@@ -199,7 +198,7 @@ class RequestReader {
 /// With every member that a request may have, and the seed.
 Value settled(const Value& request, std::uint64_t seed) {
   Value whole = Value::object();
-  for (const Member& member : members) {
+  for (const Member& member : flag_members) {
     const Value* value = request.find(member.name);
     const bool given = value != nullptr && !value->is(Kind::null);
     if (member.name == "seed")
@@ -228,7 +227,7 @@ std::optional<double> acceleration_of(const Value& request) {
   return text != nullptr && text->is(Kind::text) ? parse_number(text::trim(text->text())) : std::nullopt;
 }
 
-Value numbers(const std::vector<Position>& positions) {
+Value positions_value(const std::vector<Position>& positions) {
   Value list = Value::array();
   for (const Position x : positions) list.push(x.in_native());
   return list;
@@ -252,7 +251,7 @@ Value part_value(const Plan& plan, std::size_t part, double acceleration, const 
   value.add("cycle", cycle_name(plan.cycle));
   value.add("runs", plan.runs);
   value.add("readings", approaches(plan).size());
-  value.add("targets", numbers(plan.targets));
+  value.add("targets", positions_value(plan.targets));
   value.add("duration_s", std::round(iso230_2::estimated_duration(plan, acceleration).in_s() * 10.0) / 10.0);
   value.add("figure_svg", report::to_svg(dark ? report::for_dark_page(std::move(figure)) : figure));
   return value;
@@ -284,7 +283,7 @@ Value draft_value(const RequestedPlan& plan, const Reader& reader, bool dark) {
     parts.push(part_value(further, parts.items().size() + 1, test.acceleration, reader, dark));
   Value value = Value::object();
   value.add("plan", plan_to_json(test));
-  value.add("targets", numbers(test.plan.targets));
+  value.add("targets", positions_value(test.plan.targets));
   value.add("duration_s", std::round(test.duration_in_all.in_s() * 10.0) / 10.0);
   value.add("findings", findings_told(test.findings, reader));
   value.add("conforming", test.conforming());

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/plan_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
 #include <utility>
 
+#include "axiometry/app/unexpected_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/standards/iso230_2_programme.h"
@@ -17,10 +16,6 @@ namespace axiometry::app {
 namespace {
 
 constexpr double most_positions = 1e6;
-
-std::unexpected<Error> unexpected_text(std::string_view found, std::string_view expected) {
-  return fail(fmt::format("found {}, expected {}", text::quoted(found), expected));
-}
 
 /// The numbers between the colons; nothing when one is none.
 std::optional<std::vector<double>> colon_numbers(std::string_view text) {

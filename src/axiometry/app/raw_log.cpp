@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/app/fail_system.h"
 #include "axiometry/app/source.h"
 
 namespace axiometry::app {
@@ -26,10 +27,6 @@ constexpr auto sync_every = std::chrono::seconds(1);
 constexpr std::size_t largest_times = std::size_t{4} << 30;
 
 using Record = std::array<char, record_size>;
-
-std::unexpected<Error> fail_system(const std::string& name, std::string_view doing) {
-  return std::unexpected(Error{fmt::format("cannot {}: {}", doing, std::strerror(errno)), name, {}});
-}
 
 std::uint64_t little_endian(std::uint64_t x) {
   if constexpr (std::endian::native == std::endian::big) x = std::byteswap(x);

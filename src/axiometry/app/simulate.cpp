@@ -21,7 +21,7 @@ namespace axiometry::app {
 namespace {
 
 /// The format that writes files of this extension; "-" is JSON.
-Result<const formats::Format*> writer_of(std::string_view name) {
+Result<const formats::Format*> format_by_extension(std::string_view name) {
   const std::string extension =
       name == "-" ? ".json" : text::to_lower(std::filesystem::path(name).extension().string());
   std::vector<std::string_view> known;
@@ -61,7 +61,7 @@ Result<std::vector<simulation::PitchError::Node>> read_pitch_table(const std::st
 
 Result<void> check_simulation_outputs(const SimulationOutputs& outputs) {
   if (!outputs.test.empty()) {
-    AXIOMETRY_TRY([[maybe_unused]] const auto format, writer_of(outputs.test));
+    AXIOMETRY_TRY([[maybe_unused]] const auto format, format_by_extension(outputs.test));
   }
   if (!outputs.raw.empty()) {
     AXIOMETRY_TRY([[maybe_unused]] const auto layout, raw_layout_of(outputs.raw));
@@ -101,7 +101,7 @@ Result<SimulationSummary> run_simulation(const SimulationRequest& request, const
   }
   std::optional<OutputFile> test, truth;
   if (!outputs.test.empty()) {
-    AXIOMETRY_TRY(const formats::Format* format, writer_of(outputs.test));
+    AXIOMETRY_TRY(const formats::Format* format, format_by_extension(outputs.test));
     AXIOMETRY_TRY(test, OutputFile::create(outputs.test));
     AXIOMETRY_TRY_VOID(test->write(format->write(simulated.test)));
   }

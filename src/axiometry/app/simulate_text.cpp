@@ -23,32 +23,32 @@ Result<std::vector<std::string_view>> parts_of(std::string_view text, std::size_
       fmt::format("found {} of {} parts, expected {}, parted by colons", text::quoted(text), parts.size(), wanted));
 }
 
-VirtualAxis& axis_of(SimulationRequest& r) { return r.simulate.axis; }
-VirtualInstrument& instrument_of(SimulationRequest& r) { return r.simulate.axis.instrument; }
+VirtualAxis& virtual_axis_of(SimulationRequest& r) { return r.simulate.axis; }
+VirtualInstrument& virtual_instrument_of(SimulationRequest& r) { return r.simulate.axis.instrument; }
 AxisKind kind_of(const SimulationRequest& r) { return r.simulate.plan.axis.kind; }
 
 /// An option that is one deviation.
 template <auto Member>
 Result<void> axis_deviation(Texts texts, SimulationRequest& r) {
-  AXIOMETRY_TRY(axis_of(r).*Member, parse_deviation(texts.back(), kind_of(r)));
+  AXIOMETRY_TRY(virtual_axis_of(r).*Member, parse_deviation(texts.back(), kind_of(r)));
   return {};
 }
 template <auto Member>
 Result<void> instrument_deviation(Texts texts, SimulationRequest& r) {
-  AXIOMETRY_TRY(instrument_of(r).*Member, parse_deviation(texts.back(), kind_of(r)));
+  AXIOMETRY_TRY(virtual_instrument_of(r).*Member, parse_deviation(texts.back(), kind_of(r)));
   return {};
 }
 
 Result<void> pitch(Texts texts, SimulationRequest& r) {
-  AXIOMETRY_TRY(axis_of(r).pitch.slope, parse_slope(texts.back(), kind_of(r)));
+  AXIOMETRY_TRY(virtual_axis_of(r).pitch.slope, parse_slope(texts.back(), kind_of(r)));
   return {};
 }
 
 Result<void> polynomial(Texts texts, SimulationRequest& r) {
-  axis_of(r).pitch.polynomial.clear();
+  virtual_axis_of(r).pitch.polynomial.clear();
   for (const std::string_view part : text::split(texts.back(), ':')) {
     AXIOMETRY_TRY(const Deviation c, parse_deviation(part, kind_of(r)));
-    axis_of(r).pitch.polynomial.push_back(c);
+    virtual_axis_of(r).pitch.polynomial.push_back(c);
   }
   return {};
 }
@@ -57,15 +57,15 @@ Result<void> pitch_walk(Texts texts, SimulationRequest& r) {
   AXIOMETRY_TRY(const auto parts, parts_of(texts.back(), 2, 2));
   AXIOMETRY_TRY(const Deviation size, parse_deviation(parts[0], kind_of(r)));
   AXIOMETRY_TRY(const Position length, parse_position(parts[1], kind_of(r)));
-  axis_of(r).pitch.walk = {size, length};
+  virtual_axis_of(r).pitch.walk = {size, length};
   return {};
 }
 
 Result<void> cyclic(Texts texts, SimulationRequest& r) {
-  axis_of(r).cyclic.clear();
+  virtual_axis_of(r).cyclic.clear();
   for (const std::string& text : texts) {
     AXIOMETRY_TRY(const auto parts, parts_of(text, 2, 3));
-    simulation::CyclicError& error = axis_of(r).cyclic.emplace_back();
+    simulation::CyclicError& error = virtual_axis_of(r).cyclic.emplace_back();
     AXIOMETRY_TRY(error.period, parse_position(parts[0], kind_of(r)));
     AXIOMETRY_TRY(error.amplitude, parse_deviation(parts[1], kind_of(r)));
     if (parts.size() > 2) {
@@ -86,21 +86,21 @@ Result<void> backlash(Texts texts, SimulationRequest& r) {
     AXIOMETRY_TRY(b.wear_at, parse_position(parts[2], kind_of(r)));
     AXIOMETRY_TRY(b.wear_width, parse_position(parts[3], kind_of(r)));
   }
-  axis_of(r).backlash = b;
+  virtual_axis_of(r).backlash = b;
   return {};
 }
 
 Result<void> lost_motion(Texts texts, SimulationRequest& r) {
   AXIOMETRY_TRY(const auto parts, parts_of(texts.back(), 2, 2));
-  AXIOMETRY_TRY(axis_of(r).lost_motion.size, parse_deviation(parts[0], kind_of(r)));
-  AXIOMETRY_TRY(axis_of(r).lost_motion.distance, parse_position(parts[1], kind_of(r)));
+  AXIOMETRY_TRY(virtual_axis_of(r).lost_motion.size, parse_deviation(parts[0], kind_of(r)));
+  AXIOMETRY_TRY(virtual_axis_of(r).lost_motion.distance, parse_position(parts[1], kind_of(r)));
   return {};
 }
 
 Result<void> stick_slip(Texts texts, SimulationRequest& r) {
   AXIOMETRY_TRY(const auto parts, parts_of(texts.back(), 1, 2));
-  AXIOMETRY_TRY(axis_of(r).stick_slip.up, parse_deviation(parts.front(), kind_of(r)));
-  AXIOMETRY_TRY(axis_of(r).stick_slip.down, parse_deviation(parts.back(), kind_of(r)));
+  AXIOMETRY_TRY(virtual_axis_of(r).stick_slip.up, parse_deviation(parts.front(), kind_of(r)));
+  AXIOMETRY_TRY(virtual_axis_of(r).stick_slip.down, parse_deviation(parts.back(), kind_of(r)));
   return {};
 }
 
@@ -113,7 +113,7 @@ Result<void> thermal(Texts texts, SimulationRequest& r) {
   if (parts.size() > 2 && !growth.everywhere) {
     AXIOMETRY_TRY(growth.fixed_point, parse_position(parts[2], kind_of(r)));
   }
-  axis_of(r).thermal = growth;
+  virtual_axis_of(r).thermal = growth;
   return {};
 }
 
@@ -124,19 +124,19 @@ Result<void> servo(Texts texts, SimulationRequest& r) {
   if (parts.size() > 1) {
     AXIOMETRY_TRY(servo.damping, parse_bare(parts[1]));
   }
-  axis_of(r).servo = servo;
+  virtual_axis_of(r).servo = servo;
   return {};
 }
 
 Result<void> hunting(Texts texts, SimulationRequest& r) {
   AXIOMETRY_TRY(const auto parts, parts_of(texts.back(), 2, 2));
-  AXIOMETRY_TRY(axis_of(r).hunting.amplitude, parse_deviation(parts[0], kind_of(r)));
-  AXIOMETRY_TRY(axis_of(r).hunting.period, parse_period(parts[1]));
+  AXIOMETRY_TRY(virtual_axis_of(r).hunting.amplitude, parse_deviation(parts[0], kind_of(r)));
+  AXIOMETRY_TRY(virtual_axis_of(r).hunting.period, parse_period(parts[1]));
   return {};
 }
 
 Result<void> acceleration(Texts texts, SimulationRequest& r) {
-  AXIOMETRY_TRY(axis_of(r).acceleration, parse_bare(texts.back()));
+  AXIOMETRY_TRY(virtual_axis_of(r).acceleration, parse_bare(texts.back()));
   return {};
 }
 
@@ -144,15 +144,15 @@ Result<void> acceleration(Texts texts, SimulationRequest& r) {
 template <auto Probability, auto Size>
 Result<void> now_and_then(Texts texts, SimulationRequest& r) {
   AXIOMETRY_TRY(const auto parts, parts_of(texts.back(), 2, 2));
-  AXIOMETRY_TRY(instrument_of(r).*Probability, parse_probability(parts[0]));
-  AXIOMETRY_TRY(instrument_of(r).*Size, parse_deviation(parts[1], kind_of(r)));
+  AXIOMETRY_TRY(virtual_instrument_of(r).*Probability, parse_probability(parts[0]));
+  AXIOMETRY_TRY(virtual_instrument_of(r).*Size, parse_deviation(parts[1], kind_of(r)));
   return {};
 }
 
 Result<void> vibration(Texts texts, SimulationRequest& r) {
   AXIOMETRY_TRY(const auto parts, parts_of(texts.back(), 2, 2));
-  AXIOMETRY_TRY(instrument_of(r).vibration, parse_deviation(parts[0], kind_of(r)));
-  AXIOMETRY_TRY(instrument_of(r).vibration_period, parse_period(parts[1]));
+  AXIOMETRY_TRY(virtual_instrument_of(r).vibration, parse_deviation(parts[0], kind_of(r)));
+  AXIOMETRY_TRY(virtual_instrument_of(r).vibration_period, parse_period(parts[1]));
   return {};
 }
 
@@ -172,7 +172,7 @@ Result<void> air(Texts texts, SimulationRequest& r) {
   if (parts.size() > 4) {
     AXIOMETRY_TRY(air.dead_path, parse_position(parts[4], kind_of(r)));
   }
-  instrument_of(r).air = air;
+  virtual_instrument_of(r).air = air;
   return {};
 }
 
@@ -182,7 +182,7 @@ Result<void> expansion(Texts texts, SimulationRequest& r) {
   AXIOMETRY_TRY(e.machine, parse_temperature(parts[0]));
   AXIOMETRY_TRY(e.machine_expansion, parse_expansion(parts[1]));
   AXIOMETRY_TRY(e.assumed_expansion, parse_expansion(parts[2]));
-  instrument_of(r).expansion = e;
+  virtual_instrument_of(r).expansion = e;
   return {};
 }
 
@@ -257,7 +257,7 @@ constexpr std::string_view axis_group = "Faults of the axis";
 constexpr std::string_view instrument_group = "Faults of the instrument";
 constexpr std::string_view course_group = "A machine that does not follow its plan";
 
-constexpr SimulationOption table[] = {
+constexpr SimulationOption simulation_option_table[] = {
     {"--pitch", "SLOPE", "Slope of the scale, such as 5um/m or 0.2arcsec/deg", axis_group, false, pitch},
     {"--polynomial", "C1[:C2…]", "Bent scale: C1·u + C2·u² + …, u from 0 at the first to 1 at the last target",
      axis_group, false, polynomial},
@@ -312,7 +312,7 @@ constexpr SimulationOption table[] = {
 
 }  // namespace
 
-std::span<const SimulationOption> simulation_options() { return table; }
+std::span<const SimulationOption> simulation_options() { return simulation_option_table; }
 
 Result<std::vector<simulation::PitchError::Node>> parse_pitch_table(std::string_view text) {
   std::vector<simulation::PitchError::Node> nodes;

@@ -21,7 +21,7 @@ Value parameters_value(const iso230_2::AxisParameters& parameters) {
 }
 
 /// Numbers count from 1, as in the standard.
-Value approach_value(const Approach& a, bool extra) {
+Value simulated_approach_value(const Approach& a, bool extra) {
   Value value = Value::object();
   value.add("target", a.target + 1);
   value.add("direction", a.direction == Direction::up ? "up" : "down");
@@ -33,7 +33,7 @@ Value approach_value(const Approach& a, bool extra) {
 Value readings_value(std::span<const simulation::TrueReading> readings) {
   Value list = Value::array();
   for (const auto& r : readings) {
-    Value& value = list.push(approach_value(r.approach, r.extra));
+    Value& value = list.push(simulated_approach_value(r.approach, r.extra));
     value.add("time_s", r.time.in_s());
     value.add("true", r.deviation.in_native());
     value.add("instrument", r.instrument.in_native());
@@ -70,7 +70,7 @@ Value recording_value(const SimulationRequest& request, const simulation::TrueRe
   value.add("drop_out", request.recording.drop_out_probability);
   Value& list = value.add("standstills", Value::array());
   for (const auto& s : recording.standstills) {
-    Value& standstill = list.push(approach_value(s.approach, s.extra));
+    Value& standstill = list.push(simulated_approach_value(s.approach, s.extra));
     standstill.add("begin_s", s.begin.in_s());
     standstill.add("end_s", s.end.in_s());
     standstill.add("samples", s.samples);
@@ -82,9 +82,9 @@ Value recording_value(const SimulationRequest& request, const simulation::TrueRe
 Value departures_value(const simulation::Departures& departures) {
   Value value = Value::object();
   Value& missed = value.add("missed", Value::array());
-  for (const Approach& a : departures.missed) missed.push(approach_value(a, false));
+  for (const Approach& a : departures.missed) missed.push(simulated_approach_value(a, false));
   Value& doubled = value.add("doubled", Value::array());
-  for (const Approach& a : departures.doubled) doubled.push(approach_value(a, false));
+  for (const Approach& a : departures.doubled) doubled.push(simulated_approach_value(a, false));
   Value& reversed = value.add("reversed_runs", Value::array());
   for (const std::size_t run : departures.reversed_runs) reversed.push(run + 1);
   return value;

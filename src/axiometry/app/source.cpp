@@ -12,6 +12,7 @@
 #include <cstring>
 #include <vector>
 
+#include "axiometry/app/fail_system.h"
 #include "axiometry/base/contract.h"
 
 namespace axiometry::app {
@@ -19,10 +20,6 @@ namespace {
 
 constexpr std::size_t head_size = std::size_t{64} << 10;
 constexpr std::size_t block_size = std::size_t{1} << 20;
-
-std::unexpected<Error> fail_system(const std::string& name, std::string_view doing) {
-  return std::unexpected(Error{fmt::format("cannot {}: {}", doing, std::strerror(errno)), name, {}});
-}
 
 }  // namespace
 
@@ -132,9 +129,9 @@ Result<std::optional<std::string>> Source::whole_sha256() const {
   return std::optional(hash.finish());
 }
 
-Result<std::string> file_bytes(const std::string& name) {
+Result<std::string> file_bytes(const std::string& name, std::size_t limit) {
   AXIOMETRY_TRY(Source source, Source::open(name));
-  return source.read_all(std::size_t{64} << 20);
+  return source.read_all(limit);
 }
 
 std::string base_name(const std::string& name) {

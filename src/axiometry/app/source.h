@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,8 +14,11 @@
 
 namespace axiometry::app {
 
-/// The whole of a small file that stands beside the measured ones: a profile, a plan. At most 64 MiB.
-Result<std::string> file_bytes(const std::string& name);
+/// Bytes of a small file that stands beside the measured ones: a profile, a plan.
+inline constexpr std::size_t small_file_limit = std::size_t{64} << 20;
+
+/// The whole of a file. Fails when it cannot be read and beyond the limit.
+Result<std::string> file_bytes(const std::string& name, std::size_t limit = small_file_limit);
 
 /// A file's name without its folders, which are nobody else's business; "standard input" for "-".
 std::string base_name(const std::string& name);

@@ -21,7 +21,7 @@ using formats::CsvCell;
 using iso230_2::ParameterInfo;
 
 constexpr std::size_t largest_file = std::size_t{1} << 20;
-constexpr double largest = 1e6;  // of travels in mm or ° and limits in µm or ″, as in a test's file
+constexpr double largest_number = 1e6;  // of travels in mm or ° and limits in µm or ″, as in a test's file
 constexpr std::string_view fixed_columns[] = {"name", "kind", "travel_up_to", "unit", "rule"};
 constexpr std::string_view needed_columns[] = {"name", "kind", "travel_up_to", "unit"};
 
@@ -122,10 +122,10 @@ Result<std::optional<Position>> travel_from(const Row& row, formats::NumberReade
   const CsvCell cell = row.cell("travel_up_to");
   if (cell.text.empty()) return std::optional<Position>();
   AXIOMETRY_TRY(const double travel, numbers.read(cell.text, row.at(cell)));
-  if (travel <= 0 || travel > largest)
+  if (travel <= 0 || travel > largest_number)
     return fail(fmt::format("found the travel {}, expected a number above 0, at most {}, or an empty cell for any "
                             "travel",
-                            text::quoted(cell.text), format_exact(largest)),
+                            text::quoted(cell.text), format_exact(largest_number)),
                 row.at(cell));
   return std::optional(Position::native(travel));
 }
@@ -147,18 +147,18 @@ Result<std::optional<RuleText>> rule_from(const Row& row, AxisKind kind) {
   return std::optional(rule);
 }
 
-Result<std::vector<iso230_2::Tolerance>> limits_from(const Row& row, const formats::Unit& unit,
-                                                     formats::NumberReader& numbers) {
+Result<std::vector<iso230_2::Tolerance>> band_limits_from(const Row& row, const formats::Unit& unit,
+                                                          formats::NumberReader& numbers) {
   std::vector<iso230_2::Tolerance> limits;
   for (std::size_t c = 0; c < row.columns().size(); ++c) {
     const ParameterInfo* parameter = row.columns()[c].parameter;
     if (parameter == nullptr || row[c].text.empty()) continue;
     AXIOMETRY_TRY(const double value, numbers.read(row[c].text, row.at(row[c])));
     const Deviation limit = formats::deviation_in(unit, value);
-    if (limit.in_native() <= 0 || limit.in_native() > largest)
+    if (limit.in_native() <= 0 || limit.in_native() > largest_number)
       return fail(
           fmt::format("found the limit {} of {}, expected a number above 0, at most {} {}", text::quoted(row[c].text),
-                      parameter->key, format_exact(largest), deviation_unit_key(unit.kind)),
+                      parameter->key, format_exact(largest_number), deviation_unit_key(unit.kind)),
           row.at(row[c]));
     limits.push_back({parameter, limit, iso230_2::ToleranceSource::table});
   }
@@ -176,7 +176,7 @@ Result<ToleranceBand> band_from(const Row& row, formats::NumberReader& numbers) 
   AXIOMETRY_TRY(band.travel_max, travel_from(row, numbers));
   AXIOMETRY_TRY(const formats::Unit* unit, unit_from(row, band.kind));
   AXIOMETRY_TRY(band.rule, rule_from(row, band.kind));
-  AXIOMETRY_TRY(band.limits, limits_from(row, *unit, numbers));
+  AXIOMETRY_TRY(band.limits, band_limits_from(row, *unit, numbers));
   return band;
 }
 

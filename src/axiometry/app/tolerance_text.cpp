@@ -12,7 +12,7 @@ namespace axiometry::app {
 namespace {
 
 using uncertainty::DecisionRule;
-using Kind = DecisionRule::Kind;
+using RuleKind = DecisionRule::Kind;
 
 constexpr double largest_native = 1e6;  // a metre: beyond, the unit is wrong, as for the limits in a test's file
 constexpr std::string_view rule_words = "simple, iso14253-1 or guard-band=WIDTH such as guard-band=3um";
@@ -20,12 +20,12 @@ constexpr std::string_view rule_words = "simple, iso14253-1 or guard-band=WIDTH 
 std::string_view units_of(AxisKind kind) { return kind == AxisKind::linear ? "um, mm or nm" : "arcsec or deg"; }
 
 /// "10um", "0.003 mm"
-struct Amount {
+struct DeviationAmount {
   std::optional<double> value;
   const formats::Unit* unit = nullptr;
 };
 
-Amount amount_from(std::string_view text) {
+DeviationAmount deviation_amount_from(std::string_view text) {
   const std::string_view amount = text::trim(text);
   const std::size_t digits_end = std::min(amount.find_first_not_of("0123456789.+-eE"), amount.size());
   return {parse_number(text::trim(amount.substr(0, digits_end))),
@@ -50,7 +50,7 @@ Result<ToleranceText> parse_tolerance(std::string_view text) {
     for (const auto& p : iso230_2::parameters) keys.push_back(p.key);
     return expected(fmt::format("one of the parameters {}", fmt::join(keys, ", ")));
   }
-  const auto [value, unit] = amount_from(text.substr(equals + 1));
+  const auto [value, unit] = deviation_amount_from(text.substr(equals + 1));
   if (!value || *value <= 0) return expected("a limit that is a number above 0, with a decimal point");
   if (unit == nullptr) return expected("a limit with its unit um, mm, nm, arcsec or deg");
   if (formats::deviation_in(*unit, *value).in_native() > largest_native)
@@ -90,17 +90,17 @@ Result<std::vector<iso230_2::Tolerance>> tolerances_for(AxisKind kind, const std
 Result<RuleText> parse_rule(std::string_view text) {
   const std::string_view word = text::trim(text.substr(0, text.find('=')));
   const bool has_width = text.find('=') != std::string_view::npos;
-  if (word == "simple" && !has_width) return RuleText{Kind::simple, 0.0, nullptr};
-  if (word == "iso14253-1" && !has_width) return RuleText{Kind::iso_14253_1, 0.0, nullptr};
+  if (word == "simple" && !has_width) return RuleText{RuleKind::simple, 0.0, nullptr};
+  if (word == "iso14253-1" && !has_width) return RuleText{RuleKind::iso_14253_1, 0.0, nullptr};
   if (word != "guard-band" || !has_width)
     return fail(fmt::format("found the rule {}, expected {}", text::quoted(text), rule_words));
-  const auto [value, unit] = amount_from(text.substr(text.find('=') + 1));
+  const auto [value, unit] = deviation_amount_from(text.substr(text.find('=') + 1));
   if (!value || *value < 0 || unit == nullptr || formats::deviation_in(*unit, *value).in_native() > largest_native)
     return fail(
         fmt::format("found the rule {}, expected a width that is a number, 0 or more, with its unit um, mm, "
                     "nm, arcsec or deg",
                     text::quoted(text)));
-  return RuleText{Kind::guard_band, *value, unit};
+  return RuleText{RuleKind::guard_band, *value, unit};
 }
 
 Result<DecisionRule> rule_for(AxisKind kind, const RuleText& text) {
@@ -118,14 +118,14 @@ Result<std::optional<DecisionRule>> stated_rule(const Metadata& metadata) {
     return fail(fmt::format("found tolerance.guard_band with {}, expected tolerance.rule = guard-band",
                             rule.empty() ? "no tolerance.rule" : "tolerance.rule = " + rule));
   if (rule.empty()) return std::optional<DecisionRule>();
-  if (rule == "simple") return std::optional(DecisionRule{Kind::simple, 0.0});
-  if (rule == "iso14253-1") return std::optional(DecisionRule{Kind::iso_14253_1, 0.0});
+  if (rule == "simple") return std::optional(DecisionRule{RuleKind::simple, 0.0});
+  if (rule == "iso14253-1") return std::optional(DecisionRule{RuleKind::iso_14253_1, 0.0});
   if (!width)
     return fail(
         fmt::format("found tolerance.rule = guard-band alone, expected its width in tolerance.guard_band, in "
                     "{}",
                     deviation_unit(metadata.axis.kind)));
-  return std::optional(DecisionRule{Kind::guard_band, width->in_native()});
+  return std::optional(DecisionRule{RuleKind::guard_band, width->in_native()});
 }
 
 }  // namespace axiometry::app

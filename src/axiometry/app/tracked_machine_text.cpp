@@ -21,36 +21,36 @@ Result<Length> parse_length(std::string_view text) {
 }
 
 /// "C0Y=20urad": the parts on both sides.
-Result<std::pair<std::string_view, std::string_view>> assigned(std::string_view text) {
+Result<std::pair<std::string_view, std::string_view>> name_and_value(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) return fail(fmt::format("found {}, expected NAME=VALUE", text::quoted(text)));
   return std::pair{text::trim(text.substr(0, equals)), text::trim(text.substr(equals + 1))};
 }
 
 template <typename T, auto Parse>
-Result<void> of_axis(std::string_view text, std::array<T, 3>& target) {
-  AXIOMETRY_TRY(const auto parts, assigned(text));
+Result<void> put_on_axis(std::string_view text, std::array<T, 3>& target) {
+  AXIOMETRY_TRY(const auto parts, name_and_value(text));
   AXIOMETRY_TRY(const std::size_t axis, parse_axis(parts.first));
   AXIOMETRY_TRY(target[axis], Parse(parts.second));
   return {};
 }
 
 Result<void> scale(std::string_view text, TrackedTruth& t) {
-  return of_axis<RelativeLength, parse_relative>(text, t.machine.scale);
+  return put_on_axis<RelativeLength, parse_relative>(text, t.machine.scale);
 }
 Result<void> warming(std::string_view text, TrackedTruth& t) {
-  return of_axis<RelativeLength, parse_relative>(text, t.machine.warming);
+  return put_on_axis<RelativeLength, parse_relative>(text, t.machine.warming);
 }
 Result<void> growth(std::string_view text, TrackedTruth& t) {
-  return of_axis<Length, parse_length>(text, t.machine.growth);
+  return put_on_axis<Length, parse_length>(text, t.machine.growth);
 }
-Result<void> backlash(std::string_view text, TrackedTruth& t) {
-  return of_axis<Length, parse_length>(text, t.machine.backlash);
+Result<void> machine_backlash(std::string_view text, TrackedTruth& t) {
+  return put_on_axis<Length, parse_length>(text, t.machine.backlash);
 }
 
 /// "0.5um" of all axes, or "x=0.5um" of one.
 Result<void> repeatability(std::string_view text, TrackedTruth& t) {
-  if (text.find('=') != std::string_view::npos) return of_axis<Length, parse_length>(text, t.machine.repeatability);
+  if (text.find('=') != std::string_view::npos) return put_on_axis<Length, parse_length>(text, t.machine.repeatability);
   AXIOMETRY_TRY(const Length size, parse_length(text));
   t.machine.repeatability.fill(size);
   return {};
@@ -84,7 +84,7 @@ Result<RelativeLength> parse_square(std::string_view text) {
 }
 
 Result<void> squareness(std::string_view text, TrackedTruth& t) {
-  AXIOMETRY_TRY(const auto parts, assigned(text));
+  AXIOMETRY_TRY(const auto parts, name_and_value(text));
   RelativeLength* const target = parts.first == "C0Y"   ? &t.machine.C0Y
                                  : parts.first == "B0Z" ? &t.machine.B0Z
                                  : parts.first == "A0Z" ? &t.machine.A0Z
@@ -130,7 +130,7 @@ Result<void> noise(std::string_view text, TrackedTruth& t) {
   return {};
 }
 
-Result<void> air(std::string_view text, TrackedTruth& t) {
+Result<void> tracker_scale_error(std::string_view text, TrackedTruth& t) {
   AXIOMETRY_TRY(t.tracker.scale_error, parse_relative(text));
   return {};
 }
@@ -161,21 +161,21 @@ Result<void> beam_break(std::string_view text, TrackedTruth& t) {
 
 constexpr std::string_view machine_group = "Errors of the machine", tracker_group = "Errors of the instrument";
 
-constexpr TrackedOption options[] = {
+constexpr TrackedOption tracked_option_table[] = {
     {"--scale", "AXIS=ERROR", "Scale error: y=1e-4, y=100um/m, y=0.01%", machine_group, scale},
     {"--scale-origin", "X,Y,Z", "Where scales and squareness displace nothing, mm (0,0,0)", machine_group, origin},
     {"--squareness", "NAME=ANGLE", "C0Y, B0Z or A0Z: C0Y=20urad", machine_group, squareness},
     {"--offset", "X,Y,Z", "Constant displacement, mm", machine_group, offset},
     {"--wave", "DISPLACED/MOVED:PERIOD:AMPLITUDE[:PHASE]", "Straightness y/x:800mm:3um, or cyclic error x/x:10mm:1um",
      machine_group, wave},
-    {"--backlash", "AXIS=SIZE", "Play: x=3um", machine_group, backlash},
+    {"--backlash", "AXIS=SIZE", "Play: x=3um", machine_group, machine_backlash},
     {"--repeatability", "[AXIS=]SIZE", "Standard deviation of where an axis stops: 0.5um, x=1um", machine_group,
      repeatability},
     {"--growth", "AXIS=SIZE", "Thermal growth of spindle and column: z=20um", machine_group, growth},
     {"--warming", "AXIS=ERROR", "Scale error that comes with warmth: x=10um/m", machine_group, warming},
     {"--growth-time", "TIME", "Time constant of both (3600s)", machine_group, growth_time},
     {"--noise", "A[:B]", "Standard deviation of a length L: A + B L, 0.1um:0.15um/m", tracker_group, noise},
-    {"--air", "ERROR", "Scale error of the instrument: 1um/m", tracker_group, air},
+    {"--air", "ERROR", "Scale error of the instrument: 1um/m", tracker_group, tracker_scale_error},
     {"--resolution", "SIZE", "Of what is shown: 1nm", tracker_group, resolution},
     {"--dead-path", "LENGTH", "Distance at which it shows 0 (that of the first point)", tracker_group, dead_path},
     {"--beam-break", "READING:JUMP[:told]",
@@ -185,7 +185,7 @@ constexpr TrackedOption options[] = {
 
 }  // namespace
 
-std::span<const TrackedOption> tracked_options() { return options; }
+std::span<const TrackedOption> tracked_options() { return tracked_option_table; }
 
 Result<RelativeLength> parse_relative(std::string_view text) {
   text = text::trim(text);

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t location_points = 6;
 constexpr std::size_t grid_most = 1'000'000;
 
-Result<void> check_names(const TrackedFiles& files) {
+Result<void> check_output_names(const TrackedFiles& files) {
   std::vector<std::string> names;
   for (const std::string* name : {&files.points, &files.lengths, &files.ranges, &files.truth})
     if (!name->empty()) names.push_back(*name);
@@ -114,7 +114,7 @@ Result<TrackedResults> simulate(const TrackedSimulation& request, const TrackedF
 }  // namespace
 
 Result<TrackedSummary> run_tracked_simulation(const TrackedSimulation& request, const TrackedFiles& files) {
-  AXIOMETRY_TRY_VOID(check_names(files));
+  AXIOMETRY_TRY_VOID(check_output_names(files));
   AXIOMETRY_TRY_VOID(check_sound(request.truth.machine));
   AXIOMETRY_TRY_VOID(check_sound(request.truth.tracker));
   AXIOMETRY_TRY(const TrackedResults results, simulate(request, files));

@@ -24,7 +24,6 @@
 namespace axiometry::app {
 namespace {
 
-constexpr std::string_view name_mark = "{name}";
 constexpr double moved_mm = 10.0;  // more is no better knowledge of the same place, but another one
 
 /// Readings with their places in the file.

@@ -111,7 +111,7 @@ Value squareness_to_json(const std::optional<tracking::Squareness>& squareness) 
   return object;
 }
 
-Value file_to_json(const ReadFile& file) {
+Value read_file_to_json(const ReadFile& file) {
   Value object = Value::object();
   object.add("file", file.file);
   object.add("sha256", file.sha256);
@@ -131,10 +131,10 @@ json::Value to_json(const EvaluatedLines& evaluated) {
   object.add("iso230_6", diagonals_to_json(evaluated));
   object.add("squareness", squareness_to_json(evaluated.evaluation.squareness));
   object.add("findings", tracking_findings_to_json(evaluated.evaluation.findings));
-  Value& source = object.add("source", file_to_json(evaluated.lengths));
+  Value& source = object.add("source", read_file_to_json(evaluated.lengths));
   source.add("format", evaluated.in_program_order ? "tracking-lengths-in-order" : "tracking-lengths");
-  source.add("plan", file_to_json(evaluated.plan_file));
-  source.add("station", evaluated.station_file ? file_to_json(*evaluated.station_file) : Value());
+  source.add("plan", read_file_to_json(evaluated.plan_file));
+  source.add("station", evaluated.station_file ? read_file_to_json(*evaluated.station_file) : Value());
   object.add("program", program_to_json());
   return object;
 }

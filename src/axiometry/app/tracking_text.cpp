@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/tracking_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -13,15 +11,12 @@
 #include <vector>
 
 #include "axiometry/app/amount_text.h"
+#include "axiometry/app/unexpected_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 
 namespace axiometry::app {
 namespace {
-
-std::unexpected<Error> unexpected_text(std::string_view found, std::string_view expected) {
-  return fail(fmt::format("found {}, expected {}", text::quoted(found), expected));
-}
 
 /// mm; with another unit where it carries one.
 std::optional<double> length_mm(std::string_view text) {

@@ -14,7 +14,6 @@ namespace axiometry::app {
 namespace {
 
 constexpr std::array<std::string_view, 3> methods = {"annex-a", "gum", "monte-carlo"};
-constexpr double trials_min = 100;
 constexpr double trials_max = 1e9;
 
 }  // namespace

@@ -12,6 +12,9 @@ namespace axiometry::app {
 /// Fails on an empty list and an unknown name (the message names the nearest).
 Result<void> choose_methods(std::string_view list, UncertaintyOptions& options);
 
+/// Fewest trials that may be asked for.
+inline constexpr double trials_min = 100;
+
 /// "auto" (adaptive, JCGM 101, 7.9) or a whole number from 100 to 1e9, also as 1e6.
 Result<void> choose_trials(std::string_view text, UncertaintyOptions& options);
 

@@ -19,7 +19,7 @@ namespace {
 
 using json::Value;
 
-Value position_to_json(const iso230_2::PositionResult& p) {
+Value position_result_to_json(const iso230_2::PositionResult& p) {
   Value object = Value::object();
   object.add("target", p.target.in_native());
   object.add("n_up", p.count_up);
@@ -128,7 +128,7 @@ json::Value to_json(const Evaluated& evaluated) {
   Value metadata_object = Value::object();
   formats::add_metadata(metadata_object, metadata);
   Value positions = Value::array();
-  for (const auto& p : evaluated.assessment.evaluation.positions) positions.push(position_to_json(p));
+  for (const auto& p : evaluated.assessment.evaluation.positions) positions.push(position_result_to_json(p));
 
   Value object = Value::object();
   object.add("standard", edition_of(metadata.axis));

@@ -43,7 +43,7 @@ Value correction_to_json(const AppliedCorrection& correction) {
   return object;
 }
 
-Value readings_to_json(const Series& evaluated, const Series& measured) {
+Value corrected_readings_to_json(const Series& evaluated, const Series& measured) {
   Value list = Value::array();
   for (std::size_t i = 0; i < evaluated.target_count(); ++i)
     for (Direction direction : {Direction::up, Direction::down})
@@ -70,7 +70,7 @@ void add_corrections(Value& object, const Test& test) {
   }
   if (provenance.expansion_correction)
     object.add("expansion_correction", expansion_to_json(*provenance.expansion_correction));
-  if (test.as_measured) object.add("readings", readings_to_json(test.series, *test.as_measured));
+  if (test.as_measured) object.add("readings", corrected_readings_to_json(test.series, *test.as_measured));
 }
 
 Value drift_to_json(const Test& test) {

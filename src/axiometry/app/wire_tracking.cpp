@@ -83,7 +83,7 @@ Value options_to_json(const LocateRequest& request) {
   return object;
 }
 
-Value points_to_json(std::span<const LocationPoint> points) {
+Value location_points_to_json(std::span<const LocationPoint> points) {
   Value array = Value::array();
   for (const LocationPoint& p : points) {
     Value& row = array.push(Value::object());
@@ -121,7 +121,7 @@ Value to_json(const Located& located) {
   object.add("eccentricity", location.eccentricity ? Value(*location.eccentricity) : Value());
   object.add("mirror", refined.mirror_mm ? vector_value(*refined.mirror_mm) : Value());
   object.add("findings", tracking_findings_to_json(location.findings));
-  object.add("points", points_to_json(located.points));
+  object.add("points", location_points_to_json(located.points));
   object.add("options", options_to_json(located.request));
   Value& source = object.add("source", Value::object());
   source.add("file", located.request.file);

@@ -94,7 +94,7 @@ Value gum_to_json(const GumUncertainty& gum) {
   });
 }
 
-Value source_to_json(const iso230_2::GumSource& source) {
+Value gum_source_to_json(const iso230_2::GumSource& source) {
   Value object = Value::object();
   object.add("key", source.key);
   object.add("symbol", source.symbol);
@@ -134,7 +134,7 @@ Value components_to_json(const std::optional<iso230_2::PositionComponents>& comp
   return object;
 }
 
-Value position_to_json(const iso230_2::PositionUncertainty& position) {
+Value position_uncertainty_to_json(const iso230_2::PositionUncertainty& position) {
   Value object = Value::object();
   object.add("target", position.target.in_native());
   object.add("up", components_to_json(position.up));
@@ -165,10 +165,10 @@ Value gum_budget_to_json(const GumUncertainty& gum) {
   factors.add("device_thermal", factor_to_json(gum.device_thermal));
   factors.add("alignment", factor_to_json(gum.alignment));
   Value& sources = object.add("sources", Value::array());
-  for (const auto& source : gum.sources) sources.push(source_to_json(source));
+  for (const auto& source : gum.sources) sources.push(gum_source_to_json(source));
   object.add("contributions", gum_contributions_to_json(gum));
   Value& positions = object.add("positions", Value::array());
-  for (const auto& position : gum.positions) positions.push(position_to_json(position));
+  for (const auto& position : gum.positions) positions.push(position_uncertainty_to_json(position));
   object.add("notes", texts(gum.notes));
   return object;
 }

@@ -20,7 +20,7 @@ using formats::JsonMembers;
 using json::Kind;
 using json::Value;
 
-const Value* member(const Value& object, std::string_view name) {
+const Value* member_of_object(const Value& object, std::string_view name) {
   return object.is(Kind::object) ? object.find(name) : nullptr;
 }
 
@@ -45,7 +45,7 @@ void add_runs(Value& object, const Series& series) {
   object.add("down", runs_to_json(series, Direction::down));
 }
 
-Value readings_to_json(const Outcome& outcome) {
+Value outcome_readings_to_json(const Outcome& outcome) {
   Value object = Value::object();
   Value& targets = object.add("targets", Value::array());
   for (const Position target : outcome.readings.targets()) targets.push(target.in_native());
@@ -58,10 +58,10 @@ Value readings_to_json(const Outcome& outcome) {
 }
 
 const Value* judgement_on(const Value& result, std::string_view parameter) {
-  const Value* tolerances = member(result, "tolerances");
+  const Value* tolerances = member_of_object(result, "tolerances");
   if (tolerances == nullptr || !tolerances->is(Kind::array)) return nullptr;
   for (const Value& row : tolerances->items()) {
-    const Value* key = member(row, "parameter");
+    const Value* key = member_of_object(row, "parameter");
     if (key != nullptr && key->is(Kind::text) && key->text() == parameter) return &row;
   }
   return nullptr;
@@ -83,8 +83,8 @@ Value shown_to_json(const Value& result, const Reader& reader) {
     row.add("interval", shown.interval.empty() ? "" : language::translated(shown.interval, reader.language));
     row.add("unit", shown.unit);
     const Value* judgement = judgement_on(result, parameter.key);
-    row.add("limit", judgement == nullptr ? Value() : copy_or_null(member(*judgement, "limit")));
-    row.add("verdict", judgement == nullptr ? Value() : verdict_or_null(member(*judgement, "verdict")));
+    row.add("limit", judgement == nullptr ? Value() : copy_or_null(member_of_object(*judgement, "limit")));
+    row.add("verdict", judgement == nullptr ? Value() : verdict_or_null(member_of_object(*judgement, "verdict")));
   }
   return list;
 }
@@ -113,14 +113,14 @@ Value localised(const Value& value, bool is_spoken, const Reader& reader) {
 /// Adds the members of Evaluated.
 void add_outcome(Value& object, const Outcome& outcome, const Reader& reader) {
   object.add("result", localised_result(outcome.result, reader));
-  object.add("readings", readings_to_json(outcome));
-  object.add("verdict", verdict_or_null(member(outcome.result, "verdict")));
+  object.add("readings", outcome_readings_to_json(outcome));
+  object.add("verdict", verdict_or_null(member_of_object(outcome.result, "verdict")));
   object.add("shown", shown_to_json(outcome.result, reader));
   object.add("from_archive", to_json(outcome.from_archive));
   object.add("milliseconds", std::round(outcome.milliseconds * 1000.0) / 1000.0);
 }
 
-Value named(store::Id id, const std::string& name) {
+Value id_and_name(store::Id id, const std::string& name) {
   Value object = Value::object();
   object.add("id", id_value(id));
   object.add("name", name);
@@ -133,8 +133,8 @@ Value row_to_json(const store::TestRow& row) {
   object.add("version", row.version);
   object.add("title", row.title);
   object.add("file_name", row.file_name);
-  object.add("machine", row.machine ? named(*row.machine, row.machine_name) : Value());
-  Value& axis = object.add("axis", row.axis ? named(*row.axis, row.axis_name) : Value());
+  object.add("machine", row.machine ? id_and_name(*row.machine, row.machine_name) : Value());
+  Value& axis = object.add("axis", row.axis ? id_and_name(*row.axis, row.axis_name) : Value());
   if (row.axis) axis.add("kind", row.axis_kind);
   object.add("unit", row.unit);
   object.add("measured_on", row.measured_on);
@@ -172,7 +172,7 @@ Value ids_to_json(std::span<const store::Id> ids) {
   return list;
 }
 
-Value file_to_json(const KeptTest& kept) {
+Value kept_file_to_json(const KeptTest& kept) {
   Value file = Value::object();
   file.add("name", kept.record.file_name);
   file.add("sha256", kept.record.sha256);
@@ -182,17 +182,17 @@ Value file_to_json(const KeptTest& kept) {
   return file;
 }
 
-void add_equipment(Value& object, const KeptTest& kept) {
+void add_equipment_members(Value& object, const KeptTest& kept) {
   const store::TestRecord& record = kept.record;
-  object.add("machine", kept.machine ? named(*record.machine, kept.machine->name) : Value());
-  Value& axis = object.add("axis", kept.axis ? named(*record.axis, kept.axis->name) : Value());
+  object.add("machine", kept.machine ? id_and_name(*record.machine, kept.machine->name) : Value());
+  Value& axis = object.add("axis", kept.axis ? id_and_name(*record.axis, kept.axis->name) : Value());
   if (kept.axis) {
     axis.add("kind", kept.axis->kind);
     axis.add("limits", limits_to_json(kept.axis->limits));
   }
   Value& instruments = object.add("instruments", Value::array());
   for (const auto& instrument : kept.instruments) {
-    Value& row = instruments.push(named(instrument.id, instrument_name(instrument.value)));
+    Value& row = instruments.push(id_and_name(instrument.id, instrument_name(instrument.value)));
     row.add("calibration_due", instrument.value.calibration_due);
   }
 }
@@ -257,7 +257,7 @@ json::Value to_json(const KeptTest& kept, const Reader& reader) {
   object.add("version", record.version);
   object.add("latest", record.latest);
   object.add("title", record.state.title);
-  object.add("file", file_to_json(kept));
+  object.add("file", kept_file_to_json(kept));
   object.add("received", to_json(record.received));
   Value& versions = object.add("versions", Value::array());
   for (std::size_t k = 0; k < kept.versions.size(); ++k) {
@@ -265,7 +265,7 @@ json::Value to_json(const KeptTest& kept, const Reader& reader) {
     row.add("version", k + 1);
   }
   object.add("withdrawn", record.withdrawn);
-  add_equipment(object, kept);
+  add_equipment_members(object, kept);
   object.add("plan", record.state.plan ? id_value(*record.state.plan) : Value());
   object.add("changes", to_json(kept.draft.changes));
   object.add("options", to_json(kept.draft.options));

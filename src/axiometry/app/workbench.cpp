@@ -87,7 +87,7 @@ Result<store::NewFile> incoming(State& state, const Upload& upload, std::optiona
 }
 
 /// What is known of the machine, axis and instruments of a record, as they are now.
-Result<void> add_equipment(const store::Store& store, KeptTest& kept) {
+Result<void> look_up_equipment(const store::Store& store, KeptTest& kept) {
   if (kept.record.machine) {
     AXIOMETRY_TRY(auto machine, store.get<store::Machine>(*kept.record.machine));
     kept.machine = std::move(machine.value);
@@ -235,7 +235,7 @@ Result<KeptTest> Workbench::test(store::Id id, std::optional<int> version) const
   kept.size = file->size;
   AXIOMETRY_TRY(kept.versions, store.test_versions(id));
   AXIOMETRY_TRY(kept.documents, store.documents(id));
-  AXIOMETRY_TRY_VOID(add_equipment(store, kept));
+  AXIOMETRY_TRY_VOID(look_up_equipment(store, kept));
   return kept;
 }
 

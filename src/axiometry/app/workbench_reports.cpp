@@ -34,7 +34,6 @@ constexpr std::array media_types = {
     MediaRow{"csv", "text/csv; charset=utf-8"},
     MediaRow{"json", "application/json"},
 };
-constexpr std::string_view octets = "application/octet-stream";
 
 /// Types that a browser shows and does not run.
 constexpr std::array<std::string_view, 6> harmless = {"image/png",  "image/jpeg",      "image/gif",
@@ -59,7 +58,7 @@ std::string report_file_name(const store::TestRecord& record, std::string_view e
                      record.version > 1 ? fmt::format("-v{}", record.version) : std::string(), extension);
 }
 
-Result<const report::Writer*> writer_of(const std::string& extension) {
+Result<const report::Writer*> report_writer_of(const std::string& extension) {
   if (const report::Writer* writer = report::find_writer(extension)) return writer;
   std::vector<std::string_view> known;
   for (const report::Writer* writer : report::writer_table()) known.push_back(writer->extension);
@@ -80,7 +79,7 @@ Result<Rendered> render(Workbench::State& state, const store::TestRecord& record
     AXIOMETRY_TRY(rendered.bytes, kept_json(record));
     return rendered;
   }
-  AXIOMETRY_TRY(const report::Writer* writer, writer_of(extension));
+  AXIOMETRY_TRY(const report::Writer* writer, report_writer_of(extension));
   AXIOMETRY_TRY(const auto evaluated, state.evaluated(record));
   AXIOMETRY_TRY(rendered.bytes,
                 writer->write({evaluated->test, evaluated->assessment, evaluated->judgements}, request.options));

@@ -99,6 +99,9 @@ struct ReportRequest {
   language::Language language = language::Language::english;
 };
 
+/// Media type of what has none of its own.
+inline constexpr std::string_view octets = "application/octet-stream";
+
 /// Of files that this program makes, by their extension in small letters.
 std::string_view media_type_of(std::string_view extension);
 
