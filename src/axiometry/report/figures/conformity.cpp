@@ -9,6 +9,9 @@
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/figures/dimension_line.h"
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/label.h"
+#include "axiometry/report/figures/legend.h"
+#include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/plates.h"
 #include "axiometry/report/figures/scale.h"
 #include "axiometry/report/shown_number.h"
@@ -18,6 +21,7 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::Judgement;
+using plot::label;
 using plot::Operations;
 using uncertainty::Verdict;
 namespace ink = plot::ink;
@@ -66,11 +70,6 @@ void draw_zone(Operations& operations, const Rectangle& r, Zone zone) {
                             .closed = true,
                             .stroke = ink::solid(ink::none, 0.0),
                             .fill = zone == Zone::accepted ? accept_fill : reject_fill});
-}
-
-Text label(plot::Runs runs, Point at, Anchor anchor = Anchor::start, Colour colour = ink::black) {
-  return {
-      .runs = std::move(runs), .at = at, .size = ink::text_size, .colour = colour, .anchor = anchor, .degrees = 0.0};
 }
 
 /// A parameter in parts of its tolerance.
@@ -166,14 +165,14 @@ void draw_row(Operations& operations, const Bar& bar, const plot::Scale& x, doub
   const Judgement& judgement = bar.judgement;
   draw_value(operations, bar, x, y);
   plot::Runs symbol = plot::symbol(*judgement.tolerance.parameter);
-  operations.push_back(label(std::move(symbol), {bar_left - 6.0, y + 2.6}, Anchor::end));
+  operations.push_back(label(std::move(symbol), {bar_left - 6.0, y + 2.6}, ink::text_size, Anchor::end));
   constexpr double room = plot::plate_width - text_left;
   operations.push_back(label({plot::plain(plot::shortened(translated(value_text(judgement, subject, options), options),
                                                           room, ink::text_size))},
-                             {text_left, y - 1.2}));
+                             {text_left, y - 1.2}, ink::text_size, Anchor::start));
   TextRun verdict = plot::plain(translated(uncertainty::verdict_name(judgement.decision.verdict), options));
   verdict.bold = true;
-  operations.push_back(label({std::move(verdict)}, {text_left, y + 8.3}));
+  operations.push_back(label({std::move(verdict)}, {text_left, y + 8.3}, ink::text_size, Anchor::start));
 }
 
 /// Per cent of the tolerance along the foot, and the limit through all rows.
@@ -184,13 +183,12 @@ void draw_scale(Operations& operations, const plot::Scale& x, double top, double
     const double at = x(percent / 100.0);
     operations.push_back(plot::line({at, bottom}, {at, bottom + tick_length}, ink::solid(ink::grey, 0.5)));
     Text number = label({plot::plain(plot::tick_label(percent, ticks.decimals, options.numbers))},
-                        {at, bottom + tick_length + 7.5}, Anchor::middle);
-    number.size = ink::tick_text_size;
+                        {at, bottom + tick_length + 7.5}, ink::tick_text_size, Anchor::middle);
     operations.push_back(std::move(number));
   }
   operations.push_back(plot::line({bar_left, bottom}, {bar_right, bottom}, ink::solid(ink::grey, 0.5)));
   operations.push_back(label(translated({plot::plain("Magnitude / % of the tolerance "), plot::italic("T")}, options),
-                             {(bar_left + bar_right) / 2.0, bottom + 24.0}, Anchor::middle));
+                             {(bar_left + bar_right) / 2.0, bottom + 24.0}, ink::text_size, Anchor::middle));
   operations.push_back(plot::line({x(1.0), top}, {x(1.0), bottom}, ink::solid(ink::black, 1.1)));
 }
 
@@ -244,7 +242,7 @@ class Legend {
   void name(const plot::Runs& english) {
     plot::Runs runs = translated(english, options_);
     const double width = text_width(runs, ink::text_size);
-    operations_.push_back(label(std::move(runs), {x_ + sample_width + 4.0, y_}));
+    operations_.push_back(label(std::move(runs), {x_ + sample_width + 4.0, y_}, ink::text_size, Anchor::start));
     x_ += sample_width + 4.0 + width + 14.0;
   }
 
@@ -274,16 +272,6 @@ std::string description(const std::vector<Bar>& bars, const Subject& subject, co
   return text + ".";
 }
 
-/// The label that must stand wherever results do; returns the height it takes.
-double draw_label(Operations& operations, std::string_view words) {
-  if (words.empty()) return 0.0;
-  constexpr double bold_is_wider = 1.1;
-  TextRun run = plot::plain(plot::shortened(words, (plot::plate_width - bar_left) / bold_is_wider, ink::text_size));
-  run.bold = true;
-  operations.push_back(label({std::move(run)}, {bar_left, 9.0}));
-  return 13.0;
-}
-
 }  // namespace
 
 std::optional<Figure> conformity_figure(const Subject& subject, const Options& asked) {
@@ -293,7 +281,8 @@ std::optional<Figure> conformity_figure(const Subject& subject, const Options& a
     if (judgement.magnitude) bars.push_back(bar_of(judgement));
   if (bars.empty()) return std::nullopt;
   Figure figure{.width = plot::plate_width, .height = 0.0, .title = {}, .description = {}, .operations = {}};
-  const double header = draw_label(figure.operations, translated(subject.assessment.label, options));
+  const double header = plot::draw_label(figure.operations, translated(subject.assessment.label, options), bar_left,
+                                         plot::plate_width - bar_left);
   draw_legend(figure.operations, bars, header + 9.0, options);
   const double top = header + legend_height;
   const double bottom = top + row_pitch * static_cast<double>(bars.size());

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/label.h"
 #include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/symbols.h"
@@ -18,6 +19,7 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::Contribution;
+using plot::label;
 using plot::Operations;
 namespace ink = plot::ink;
 
@@ -29,10 +31,6 @@ constexpr double head_height = 15.0;
 constexpr double row_pitch = 21.0;
 constexpr double bar_height = 5.0;
 constexpr double right_edge = plot::plate_width - 2.0;
-
-Text label(plot::Runs runs, Point at, double size, Anchor anchor, Colour colour = ink::black) {
-  return {.runs = std::move(runs), .at = at, .size = size, .colour = colour, .anchor = anchor, .degrees = 0.0};
-}
 
 /// Inputs beyond the most that are shown, as one: the root of the sum of their squares.
 std::vector<Contribution> shown_contributions(const iso230_2::Assessment& assessment) {

@@ -7,9 +7,11 @@
 #include <cmath>
 
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/label.h"
 #include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/plates.h"
+#include "axiometry/report/figures/range.h"
 #include "axiometry/report/figures/scale.h"
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/shown_number.h"
@@ -19,7 +21,9 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::ParameterDistribution;
+using plot::label;
 using plot::Operations;
+using plot::Range;
 namespace ink = plot::ink;
 
 constexpr std::size_t columns = 3;
@@ -95,18 +99,6 @@ bool is_constant(const uncertainty::Histogram& histogram) {
   const double width = histogram.width * static_cast<double>(histogram.counts.size());
   return width <= 1e-9 * std::abs(histogram.lower);
 }
-
-struct Range {
-  double low = 0.0;
-  double high = 0.0;
-
-  void see(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  double size() const { return high - low; }
-  bool has(double x) const { return x >= low && x <= high; }
-};
 
 /// Histogram and value always; brackets and limits up to the width of these on each side, so that they cannot squeeze
 /// the histogram to nothing.
@@ -207,18 +199,6 @@ void draw_brackets(Operations& operations, const Panel& panel, const Place& plac
   }
 }
 
-Text label(plot::Runs runs, Point at, double size, Anchor anchor, Colour colour = ink::black) {
-  return {.runs = std::move(runs), .at = at, .size = size, .colour = colour, .anchor = anchor, .degrees = 0.0};
-}
-
-double widest_label(const plot::Ticks& ticks, NumberStyle style) {
-  double widest = 0.0;
-  for (double tick : ticks.major)
-    widest =
-        std::max(widest, text_width({plot::plain(plot::tick_label(tick, ticks.decimals, style))}, ink::tick_text_size));
-  return widest;
-}
-
 /// As many as leave room between their labels; at least the fewest there are.
 plot::Ticks ticks_for(const Range& shown, NumberStyle style) {
   constexpr double label_gap = 8.0;
@@ -226,7 +206,7 @@ plot::Ticks ticks_for(const Range& shown, NumberStyle style) {
     plot::Ticks ticks = plot::divide(shown.low, shown.high, wanted, plot::Division::decimal);
     const double pitch =
         ticks.major.size() < 2 ? panel_width : panel_width * (ticks.major[1] - ticks.major[0]) / shown.size();
-    if (widest_label(ticks, style) + label_gap <= pitch) return ticks;
+    if (plot::widest_label(ticks, style) + label_gap <= pitch) return ticks;
   }
   return plot::divide(shown.low, shown.high, 1.0, plot::Division::decimal);
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/label.h"
 #include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/scale.h"
@@ -16,6 +17,7 @@
 namespace axiometry::report {
 namespace {
 
+using plot::label;
 using plot::Operations;
 namespace ink = plot::ink;
 
@@ -34,10 +36,6 @@ constexpr double least_gap = 0.1;            // between the lines of targets, wh
 constexpr std::size_t most_readings = 1500;  // that are drawn as dots
 constexpr std::size_t most_legs = 20'000;    // beyond which a picture would be a black box of many megabytes
 constexpr double pad = 0.03;                 // of the reach, beside it
-
-Text label(plot::Runs runs, Point at, double size, Anchor anchor, Colour colour = ink::black) {
-  return {.runs = std::move(runs), .at = at, .size = size, .colour = colour, .anchor = anchor, .degrees = 0.0};
-}
 
 /// Where the axis is when; times in s.
 struct Station {
