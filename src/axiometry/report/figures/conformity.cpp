@@ -29,12 +29,12 @@ namespace ink = plot::ink;
 constexpr double bar_left = 34.0;
 constexpr double bar_right = 352.0;
 constexpr double text_left = 362.0;
-constexpr double row_pitch = 25.0;
-constexpr double bar_height = 13.0;
-constexpr double axis_height = 30.0;
+constexpr double judgement_pitch = 25.0;
+constexpr double zone_height = 13.0;
+constexpr double scale_height = 30.0;
 constexpr double legend_height = 18.0;
 constexpr double disc_radius = 2.3;
-constexpr double cap_half_height = 3.0;
+constexpr double interval_cap_half_height = 3.0;
 constexpr double narrowest_interval = 2.0 * disc_radius + 1.0;  // a shorter one would hide behind the disc
 constexpr double fractions_least = 1.25;                        // of the tolerance that the scale shows
 constexpr double fractions_most = 2.0;
@@ -108,8 +108,8 @@ Path arrow_at_end(double y, double tip = bar_right) {
 }
 
 void draw_zones(Operations& operations, const Bar& bar, const plot::Scale& x, double y) {
-  const double top = y - bar_height / 2.0;
-  const double bottom = y + bar_height / 2.0;
+  const double top = y - zone_height / 2.0;
+  const double bottom = y + zone_height / 2.0;
   const auto at = [&](double fraction) { return x(std::clamp(fraction, 0.0, x.value_high)); };
   const double accept_end = bar.band ? at(1.0 - *bar.band) : bar_left;
   const double reject_begin = bar.band ? at(1.0 + *bar.band) : bar_right;
@@ -132,8 +132,8 @@ void draw_value(Operations& operations, const Bar& bar, const plot::Scale& x, do
     const double from = x(std::min(low, x.value_high));
     const double to = x(std::min(high, x.value_high));
     const auto cap = [&](double at) {
-      operations.push_back(
-          plot::line({at, y - cap_half_height}, {at, y + cap_half_height}, ink::solid(ink::black, 0.9)));
+      operations.push_back(plot::line({at, y - interval_cap_half_height}, {at, y + interval_cap_half_height},
+                                      ink::solid(ink::black, 0.9)));
     };
     if (to - from > narrowest_interval) {
       operations.push_back(plot::line({from, y}, {to, y}, ink::solid(ink::black, 0.9)));
@@ -216,8 +216,8 @@ class Legend {
     if (with_uncertainty) {
       operations_.push_back(plot::line({x_, middle}, {x_ + sample_width, middle}, ink::solid(ink::black, 0.9)));
       for (double at : {x_, x_ + sample_width})
-        operations_.push_back(
-            plot::line({at, middle - cap_half_height}, {at, middle + cap_half_height}, ink::solid(ink::black, 0.9)));
+        operations_.push_back(plot::line({at, middle - interval_cap_half_height},
+                                         {at, middle + interval_cap_half_height}, ink::solid(ink::black, 0.9)));
     }
     operations_.push_back(Disc{.centre = {x_ + sample_width / 2.0, middle},
                                .radius = disc_radius,
@@ -285,14 +285,14 @@ std::optional<Figure> conformity_figure(const Subject& subject, const Options& a
                                          plot::plate_width - bar_left);
   draw_legend(figure.operations, bars, header + 9.0, options);
   const double top = header + legend_height;
-  const double bottom = top + row_pitch * static_cast<double>(bars.size());
+  const double bottom = top + judgement_pitch * static_cast<double>(bars.size());
   const plot::Scale x{0.0, fractions_shown(bars), bar_left, bar_right};
   for (std::size_t k = 0; k < bars.size(); ++k)
-    draw_zones(figure.operations, bars[k], x, top + row_pitch * (static_cast<double>(k) + 0.5));
+    draw_zones(figure.operations, bars[k], x, top + judgement_pitch * (static_cast<double>(k) + 0.5));
   draw_scale(figure.operations, x, top, bottom, options);
   for (std::size_t k = 0; k < bars.size(); ++k)
-    draw_row(figure.operations, bars[k], x, top + row_pitch * (static_cast<double>(k) + 0.5), subject, options);
-  figure.height = bottom + axis_height;
+    draw_row(figure.operations, bars[k], x, top + judgement_pitch * (static_cast<double>(k) + 0.5), subject, options);
+  figure.height = bottom + scale_height;
   const AxisKind kind = subject.test.metadata.axis.kind;
   figure.title = fmt::format("Conformity of {} to its tolerances. Rule: {}", plot::axis_phrase(subject),
                              rule_title(bars.front().judgement.rule, kind, options));

@@ -27,16 +27,16 @@ using plot::Range;
 namespace ink = plot::ink;
 
 constexpr std::size_t columns = 3;
-constexpr double edge = 9.0;  // room for half a tick label
-constexpr double column_gap = 20.0;
-constexpr double panel_width = (plot::plate_width - 2.0 * edge - 2.0 * column_gap) / 3.0;
+constexpr double panel_margin = 9.0;  // room for half a tick label
+constexpr double panel_gap = 20.0;
+constexpr double panel_width = (plot::plate_width - 2.0 * panel_margin - 2.0 * panel_gap) / 3.0;
 constexpr double title_height = 13.0;
 constexpr double bracket_row = 5.0;
 constexpr double plot_height = 46.0;
-constexpr double axis_height = 14.0;
+constexpr double panel_axis_height = 14.0;
 constexpr double row_gap = 10.0;
-constexpr double tick_length = 2.5;
-constexpr double cap_half_height = 2.0;
+constexpr double panel_tick_length = 2.5;
+constexpr double bracket_cap_half_height = 2.0;
 
 constexpr Colour tail_fill = ink::faint(ink::blue, 0.13);
 constexpr Colour core_fill = ink::faint(ink::blue, 0.34);
@@ -175,8 +175,8 @@ void draw_bracket_end(Operations& operations, double value, const Place& place, 
   constexpr double head_half_width = 1.7;
   const double x = place.x(value);
   if (x >= place.left && x <= place.right) {
-    operations.push_back(
-        plot::line({x, y - cap_half_height}, {x, y + cap_half_height}, ink::solid(stroke.colour, stroke.width)));
+    operations.push_back(plot::line({x, y - bracket_cap_half_height}, {x, y + bracket_cap_half_height},
+                                    ink::solid(stroke.colour, stroke.width)));
     return;
   }
   const double tip = x < place.left ? place.left : place.right;
@@ -219,14 +219,15 @@ void draw_axis(Operations& operations, const Place& place, const plot::AxisUnit&
   double taken = -1.0;
   for (double tick : ticks.major) {
     const double x = place.x(tick * unit.native);
-    operations.push_back(plot::line({x, place.bottom}, {x, place.bottom + tick_length}, ink::solid(ink::black, 0.6)));
+    operations.push_back(
+        plot::line({x, place.bottom}, {x, place.bottom + panel_tick_length}, ink::solid(ink::black, 0.6)));
     plot::Runs runs = {plot::plain(plot::tick_label(tick, ticks.decimals, options.numbers))};
     const double half = text_width(runs, ink::tick_text_size) / 2.0;
     const double middle = std::clamp(x, half + 0.5, plot::plate_width - half - 0.5);
     if (middle - half < taken || half > panel_width / 2.0) continue;
     taken = middle + half + 2.0;
     operations.push_back(
-        label(std::move(runs), {middle, place.bottom + tick_length + 7.5}, ink::tick_text_size, Anchor::middle));
+        label(std::move(runs), {middle, place.bottom + panel_tick_length + 7.5}, ink::tick_text_size, Anchor::middle));
   }
 }
 
@@ -326,18 +327,19 @@ std::optional<Figure> distribution_figure(const Subject& subject, const Options&
   const plot::AxisUnit unit = plot::deviation_axis_unit(kind, options.unit, largest_magnitude(panels, options));
   Figure figure{.width = plot::plate_width, .height = 0.0, .title = {}, .description = {}, .operations = {}};
   const std::string words = translated(subject.assessment.label, options);
-  double top = plot::draw_label(figure.operations, words, edge, plot::plate_width - 2.0 * edge);
-  top += draw_legend(figure.operations, legend_of(panels, subject, options), {edge, top}, plot::plate_width - edge);
+  double top = plot::draw_label(figure.operations, words, panel_margin, plot::plate_width - 2.0 * panel_margin);
+  top += draw_legend(figure.operations, legend_of(panels, subject, options), {panel_margin, top},
+                     plot::plate_width - panel_margin);
   const plot::Runs scale_note = plot::joined({plot::plain(translated("Scales", options) + " / ")}, unit.name);
   figure.operations.push_back(
-      label(scale_note, {plot::plate_width - edge, top + 6.0}, ink::tick_text_size, Anchor::end, ink::grey));
+      label(scale_note, {plot::plate_width - panel_margin, top + 6.0}, ink::tick_text_size, Anchor::end, ink::grey));
   top += 10.0;
   std::size_t rows_of_brackets = 0;
   for (const Panel& panel : panels) rows_of_brackets = std::max(rows_of_brackets, panel.brackets.size());
   const double brackets_height = bracket_row * static_cast<double>(rows_of_brackets);
-  const double pitch = title_height + brackets_height + plot_height + axis_height + row_gap;
+  const double pitch = title_height + brackets_height + plot_height + panel_axis_height + row_gap;
   for (std::size_t k = 0; k < panels.size(); ++k) {
-    const Point corner{edge + static_cast<double>(k % columns) * (panel_width + column_gap),
+    const Point corner{panel_margin + static_cast<double>(k % columns) * (panel_width + panel_gap),
                        top + static_cast<double>(k / columns) * pitch};
     draw_panel(figure.operations, panels[k], corner, brackets_height, unit, subject, options);
   }

@@ -38,9 +38,9 @@ const Stroke level_line{.colour = ink::grey, .width = 0.7, .dashes = {3.0, 1.8}}
 const Stroke marked_line = ink::solid(ink::black, 0.7);
 
 /// The figures of one direction.
-class Drawing {
+class PeriodicDrawing {
  public:
-  Drawing(const PeriodicSubject& subject, const PeriodicDirection& direction, const Options& options)
+  PeriodicDrawing(const PeriodicSubject& subject, const PeriodicDirection& direction, const Options& options)
       : subject_(subject), d_(direction), options_(options), kind_(subject.test.metadata.axis.kind) {}
 
   Figure deviations() const {
@@ -308,7 +308,7 @@ class Drawing {
 std::vector<Figure> periodic_figures(const PeriodicSubject& subject, const Options& options) {
   std::vector<Figure> figures;
   for (const PeriodicDirection& direction : subject.result.directions) {
-    const Drawing drawing(subject, direction, options);
+    const PeriodicDrawing drawing(subject, direction, options);
     for (Figure figure : {drawing.deviations(), drawing.residuals(), drawing.folded(), drawing.spectrum()}) {
       figure.title = fmt::format("Figure {}. {}", figures.size() + 1, figure.title);
       figures.push_back(std::move(figure));
