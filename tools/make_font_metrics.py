@@ -47,9 +47,9 @@ def main():
     print('#include "axiometry/report/font_metrics.h"\n')
     print("#include <algorithm>\n#include <array>\n#include <cstdint>\n#include <iterator>\n")
     print("namespace axiometry::report {\nnamespace {\n")
-    print(f"constexpr char32_t first = {DENSE.start:#x};")
+    print(f"constexpr char32_t first_character = {DENSE.start:#x};")
     print("\nstruct Face {")
-    print(f"  std::array<std::uint16_t, {len(DENSE)}> dense;  // from `first` on")
+    print(f"  std::array<std::uint16_t, {len(DENSE)}> dense;  // from `first_character` on")
     _, _, names = widths_of("Regular")
     sparse = [code for code in SPARSE if code in names]
     print(f"  std::array<std::uint16_t, {len(sparse)}> sparse;  // of `sparse_characters`")
@@ -60,13 +60,13 @@ def main():
     print("};\n")
     for name, style in FACES:
         width, average, _ = widths_of(style)
-        print(f"constexpr Face {name} = {{\n    {{")
+        print(f"constexpr Face {name}_face = {{\n    {{")
         print("\n".join(rows(width(code) for code in DENSE)))
         print("    },\n    {")
         print("\n".join(rows(width(code) for code in sparse)))
         print(f"    }},\n    {average}}};\n")
     print("""constexpr const Face& face(FaceStyle style) {
-  return style == FaceStyle::bold ? bold : style == FaceStyle::italic ? italic : regular;
+  return style == FaceStyle::bold ? bold_face : style == FaceStyle::italic ? italic_face : regular_face;
 }
 
 // East Asian characters and pictographs fill the em square.
@@ -76,8 +76,8 @@ constexpr char32_t first_full_width = 0x2e80;
 
 int advance_width(char32_t character, FaceStyle style) {
   const Face& f = face(style);
-  if (character < first) return 0;
-  if (character < first + f.dense.size()) return f.dense[character - first];
+  if (character < first_character) return 0;
+  if (character < first_character + f.dense.size()) return f.dense[character - first_character];
   const auto found = std::ranges::lower_bound(sparse_characters, character);
   if (found != sparse_characters.end() && *found == character) {
     return f.sparse[static_cast<std::size_t>(std::distance(sparse_characters.begin(), found))];

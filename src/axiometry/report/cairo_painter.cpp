@@ -14,7 +14,7 @@
 namespace axiometry::report {
 namespace {
 
-constexpr const char* font_family = "Liberation Sans, Arial, Helvetica, Sans";
+constexpr const char* pango_font_family = "Liberation Sans, Arial, Helvetica, Sans";
 
 /// A run of another width than laid out (another face, or kerning) is squeezed or stretched; less than
 /// this nobody sees, and kerned letters stay as they are.
@@ -85,7 +85,7 @@ class Painter {
     PangoLayout* layout = text_layout();
     const std::string text = printable(placed.run->text);
     pango_layout_set_text(layout, text.data(), static_cast<int>(text.size()));
-    const DescriptionPointer description(pango_font_description_from_string(font_family));
+    const DescriptionPointer description(pango_font_description_from_string(pango_font_family));
     pango_font_description_set_absolute_size(description.get(), placed.size * PANGO_SCALE);
     if (placed.run->italic) pango_font_description_set_style(description.get(), PANGO_STYLE_ITALIC);
     if (placed.run->bold) pango_font_description_set_weight(description.get(), PANGO_WEIGHT_BOLD);

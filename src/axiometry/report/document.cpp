@@ -37,7 +37,7 @@ void append(RichText& runs, std::string_view text, bool italic_letters, Script s
   }
 }
 
-constexpr std::string_view digits = "0123456789";
+constexpr std::string_view decimal_digits = "0123456789";
 
 std::string_view without_sign(std::string_view text) {
   for (std::string_view sign : {"\u2212", "-", "+"})
@@ -119,7 +119,7 @@ std::string plain_text(const RichText& text) {
 
 bool is_number(std::string_view text) {
   const std::string_view magnitude = without_sign(text);
-  return !magnitude.empty() && digits.find(magnitude.front()) != std::string_view::npos &&
+  return !magnitude.empty() && decimal_digits.find(magnitude.front()) != std::string_view::npos &&
          magnitude.find_first_not_of("0123456789.,") == std::string_view::npos;
 }
 

@@ -10,10 +10,10 @@
 namespace axiometry::report {
 namespace {
 
-constexpr char32_t first = 0x20;
+constexpr char32_t first_character = 0x20;
 
 struct Face {
-  std::array<std::uint16_t, 992> dense;  // from `first` on
+  std::array<std::uint16_t, 992> dense;  // from `first_character` on
   std::array<std::uint16_t, 131> sparse;  // of `sparse_characters`
   std::uint16_t average;  // of the small letters, for anything else
 };
@@ -31,7 +31,7 @@ constexpr std::array<char32_t, 131> sparse_characters = {
     0x25d6, 0x25d7, 0x25d8, 0x25d9, 0x25e6,
 };
 
-constexpr Face regular = {
+constexpr Face regular_face = {
     {
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556, 556, 556, 556,
     556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667,
@@ -90,7 +90,7 @@ constexpr Face regular = {
     },
     490};
 
-constexpr Face bold = {
+constexpr Face bold_face = {
     {
     278, 333, 474, 556, 556, 889, 722, 238, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556, 556, 556, 556,
     556, 556, 556, 556, 333, 333, 584, 584, 584, 611, 975, 722, 722, 722, 722, 667, 611, 778, 722, 278, 556, 722,
@@ -149,7 +149,7 @@ constexpr Face bold = {
     },
     539};
 
-constexpr Face italic = {
+constexpr Face italic_face = {
     {
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556, 556, 556, 556,
     556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667,
@@ -209,7 +209,7 @@ constexpr Face italic = {
     490};
 
 constexpr const Face& face(FaceStyle style) {
-  return style == FaceStyle::bold ? bold : style == FaceStyle::italic ? italic : regular;
+  return style == FaceStyle::bold ? bold_face : style == FaceStyle::italic ? italic_face : regular_face;
 }
 
 // East Asian characters and pictographs fill the em square.
@@ -219,8 +219,8 @@ constexpr char32_t first_full_width = 0x2e80;
 
 int advance_width(char32_t character, FaceStyle style) {
   const Face& f = face(style);
-  if (character < first) return 0;
-  if (character < first + f.dense.size()) return f.dense[character - first];
+  if (character < first_character) return 0;
+  if (character < first_character + f.dense.size()) return f.dense[character - first_character];
   const auto found = std::ranges::lower_bound(sparse_characters, character);
   if (found != sparse_characters.end() && *found == character) {
     return f.sparse[static_cast<std::size_t>(std::distance(sparse_characters.begin(), found))];

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "axiometry/base/version.h"
+#include "axiometry/report/fact.h"
 #include "axiometry/report/figures/residuals.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
@@ -23,8 +24,6 @@ constexpr std::size_t most_points_drawn = 300;
 std::string name_of(std::span<const std::string> names, std::size_t k) {
   return k < names.size() ? names[k] : fmt::format("{}", k + 1);
 }
-
-Fact fact(std::string_view name, std::string_view value) { return {plain(name), text_cell(value)}; }
 
 class Composition {
  public:

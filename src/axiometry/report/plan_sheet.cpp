@@ -9,6 +9,7 @@
 
 #include "axiometry/base/version.h"
 #include "axiometry/model/fields.h"
+#include "axiometry/report/fact.h"
 #include "axiometry/report/figures/programme.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
@@ -21,7 +22,7 @@ namespace {
 
 using iso230_2::Severity;
 
-constexpr std::size_t most_targets_shown = 500;
+constexpr std::size_t most_targets_of_plan = 500;
 
 std::string with_unit(double x, const Plan& plan, const Options& options, std::string_view per = "") {
   const std::string_view unit = position_unit(plan.axis.kind);
@@ -48,7 +49,6 @@ std::string cycle_text(const Plan& plan) {
 
 Facts programme_facts(const Plan& plan, Duration duration, double acceleration, const Options& options) {
   const auto [lowest, highest] = reach(plan);
-  const auto fact = [](std::string_view name, std::string_view value) { return Fact{plain(name), text_cell(value)}; };
   Facts facts{"Programme", {}};
   auto& list = facts.facts;
   list.push_back(fact("Test cycle", cycle_text(plan)));
@@ -98,15 +98,16 @@ Table target_table(const Plan& plan, const Options& options) {
   const std::size_t m = plan.targets.size();
   const double first = plan.targets.front().in_native();
   const double p = m < 2 ? 0.0 : (plan.targets.back().in_native() - first) / static_cast<double>(m - 1);
-  for (std::size_t i = 0; i < std::min(m, most_targets_shown); ++i) {
+  for (std::size_t i = 0; i < std::min(m, most_targets_of_plan); ++i) {
     const double x = plan.targets[i].in_native();
     const double interval = i == 0 ? 0.0 : x - plan.targets[i - 1].in_native();
     table.rows.push_back({text_cell(fmt::format("{}", i + 1)), text_cell(format_fixed(x, decimals, options.numbers)),
                           i == 0 ? quiet_cell("–") : text_cell(format_fixed(interval, decimals, options.numbers)),
                           text_cell(format_fixed(x - first - static_cast<double>(i) * p, decimals, options.numbers))});
   }
-  if (m > most_targets_shown)
-    table.notes.push_back(plain(fmt::format("… and {} more; all of them stand in the plan.", m - most_targets_shown)));
+  if (m > most_targets_of_plan)
+    table.notes.push_back(
+        plain(fmt::format("… and {} more; all of them stand in the plan.", m - most_targets_of_plan)));
   table.dense = m > 12;
   return table;
 }

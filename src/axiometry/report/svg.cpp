@@ -13,7 +13,7 @@
 namespace axiometry::report {
 namespace {
 
-constexpr std::string_view font_family = "Liberation Sans,Arial,Helvetica,sans-serif";
+constexpr std::string_view css_font_family = "Liberation Sans,Arial,Helvetica,sans-serif";
 
 /// Hundredths of a point without trailing zeros: a hundredth is finer than any printer's dot.
 void put_number(std::string& out, double x) {
@@ -194,7 +194,7 @@ void put_opening(std::string& out, const Figure& figure) {
   out += "pt\" height=\"";
   put_number(out, figure.height);
   out += "pt\" font-family=\"";
-  out += font_family;
+  out += css_font_family;
   out += "\" stroke-linejoin=\"round\" xml:space=\"preserve\">\n<title>";
   put_escaped(out, figure.title);
   out += "</title>\n<desc>";

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "axiometry/base/version.h"
+#include "axiometry/report/fact.h"
 #include "axiometry/report/plan_sheet.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
@@ -16,7 +17,7 @@ namespace axiometry::report {
 namespace {
 
 constexpr int place_decimals = 3;  // of coordinates, mm
-constexpr std::size_t most_targets_shown = 200;
+constexpr std::size_t most_targets_of_line = 200;
 
 /// What the tables and the picture are made of.
 struct Sheet {
@@ -32,8 +33,6 @@ struct Sheet {
   }
   Vector3 reflector(Vector3 axes) const { return axes + plan.setup.tool_offset_mm; }
 };
-
-Fact fact(std::string_view name, std::string_view value) { return {plain(name), text_cell(value)}; }
 
 Facts set_up_facts(const Sheet& sheet) {
   const TrackingSetup& setup = sheet.plan.setup;
@@ -201,7 +200,7 @@ Table target_table(const Sheet& sheet, const TrackingLine& line) {
                    {plain("X / mm"), Align::decimal}, {plain("Y / mm"), Align::decimal},
                    {plain("Z / mm"), Align::decimal}, {plain("From station / mm"), Align::decimal}};
   const auto& targets = line.plan.targets;
-  for (std::size_t i = 0; i < std::min(targets.size(), most_targets_shown); ++i) {
+  for (std::size_t i = 0; i < std::min(targets.size(), most_targets_of_line); ++i) {
     const Vector3 at = along.at(targets[i]);
     table.rows.push_back(
         {text_cell(fmt::format("{}", i + 1)), text_cell(sheet.number(targets[i].in_native(), place_decimals)),
@@ -209,9 +208,9 @@ Table target_table(const Sheet& sheet, const TrackingLine& line) {
          text_cell(sheet.number(at.z, place_decimals)),
          text_cell(sheet.number(distance(sheet.reflector(at), sheet.plan.setup.station.position_mm), place_decimals))});
   }
-  if (targets.size() > most_targets_shown)
+  if (targets.size() > most_targets_of_line)
     table.notes.push_back(
-        plain(fmt::format("… and {} more; all of them stand in the plan.", targets.size() - most_targets_shown)));
+        plain(fmt::format("… and {} more; all of them stand in the plan.", targets.size() - most_targets_of_line)));
   table.dense = true;
   return table;
 }

@@ -10,8 +10,7 @@
 namespace axiometry::store {
 namespace {
 
-constexpr std::string_view columns = "id, at, actor, reason, action, subject, detail, sha256";
-constexpr std::int64_t largest_page = 1000;
+constexpr std::string_view audit_columns = "id, at, actor, reason, action, subject, detail, sha256";
 constexpr std::int64_t entries_at_once = 5000;
 
 AuditEntry entry_of(const Row& row) {
@@ -61,8 +60,8 @@ Result<std::vector<AuditEntry>> entries(Connection& connection, const std::strin
   std::vector<Parameter> parameters = {end, limit};
   if (!all) parameters.emplace_back(subject);
   AXIOMETRY_TRY(const Rows rows,
-                connection.query(fmt::format("SELECT {} FROM audit WHERE id < $1 {} ORDER BY id DESC LIMIT $2", columns,
-                                             all ? "" : "AND subject = $3"),
+                connection.query(fmt::format("SELECT {} FROM audit WHERE id < $1 {} ORDER BY id DESC LIMIT $2",
+                                             audit_columns, all ? "" : "AND subject = $3"),
                                  parameters));
   std::vector<AuditEntry> found;
   for (const Row& row : rows) found.push_back(entry_of(row));
@@ -76,7 +75,7 @@ Result<std::int64_t> verify_chain(Connection& connection, std::vector<std::strin
   while (true) {
     AXIOMETRY_TRY(const Rows rows, connection.query(fmt::format("SELECT {} FROM audit WHERE id > $1 ORDER BY id LIMIT "
                                                                 "$2",
-                                                                columns),
+                                                                audit_columns),
                                                     {last, entries_at_once}));
     if (rows.empty()) return last;
     for (const Row& row : rows) {

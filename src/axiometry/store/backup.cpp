@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 #include "axiometry/base/json.h"
@@ -15,19 +14,19 @@
 #include "axiometry/store/migrations.h"
 #include "axiometry/store/sqlite_connection.h"
 #include "axiometry/store/store_state.h"
+#include "axiometry/store/system_error.h"
 
 namespace axiometry::store {
 namespace {
 
 namespace files = std::filesystem;
 
-std::unexpected<Error> fail_system(const std::string& file, std::string_view doing) {
-  const int code = errno;
-  const ErrorKind kind = code == ENOSPC || code == EDQUOT                   ? ErrorKind::full
-                         : code == EROFS || code == EACCES || code == EPERM ? ErrorKind::read_only
-                         : code == EEXIST                                   ? ErrorKind::conflict
-                                                                            : ErrorKind::unavailable;
-  return std::unexpected(Error{fmt::format("cannot {}: {}", doing, std::strerror(code)), file, {}, kind});
+/// What errno says; a name that was taken meanwhile is a conflict.
+std::unexpected<Error> fail_backup(const std::string& file, std::string_view doing) {
+  const bool taken = errno == EEXIST;
+  Error error = system_error(file, doing);
+  if (taken) error.kind = ErrorKind::conflict;
+  return std::unexpected(std::move(error));
 }
 
 std::unexpected<Error> fail_exists(const std::string& file) {
@@ -42,7 +41,7 @@ class Neighbour {
     static std::atomic<unsigned> count = 0;
     const std::string name = fmt::format("{}.part-{}-{}", file, ::getpid(), count++);
     const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    if (descriptor < 0) return fail_system(file, "make a backup there");
+    if (descriptor < 0) return fail_backup(file, "make a backup there");
     ::close(descriptor);
     return Neighbour(file, name);
   }
@@ -57,14 +56,14 @@ class Neighbour {
 
   /// To the disk, then under its name, which nobody may have taken meanwhile.
   Result<void> take_name() const {
-    if (!synced(name_, O_RDONLY)) return fail_system(file_, "write the backup to the disk");
+    if (!synced(name_, O_RDONLY)) return fail_backup(file_, "write the backup to the disk");
     if (::link(name_.c_str(), file_.c_str()) != 0) {
       if (errno == EEXIST || files::exists(file_)) return fail_exists(file_);
       // A file system without links (FAT).
-      if (::rename(name_.c_str(), file_.c_str()) != 0) return fail_system(file_, "give the backup its name");
+      if (::rename(name_.c_str(), file_.c_str()) != 0) return fail_backup(file_, "give the backup its name");
     }
     const std::string folder = files::absolute(file_).parent_path().string();
-    if (!synced(folder, O_RDONLY | O_DIRECTORY)) return fail_system(file_, "write the folder of the backup");
+    if (!synced(folder, O_RDONLY | O_DIRECTORY)) return fail_backup(file_, "write the folder of the backup");
     return {};
   }
 

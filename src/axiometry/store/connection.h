@@ -35,6 +35,12 @@ Parameter parameter(const std::optional<T>& value) {
   return value ? Parameter(*value) : Parameter();
 }
 
+/// Likewise, to be kept.
+template <typename T>
+Cell cell(const std::optional<T>& value) {
+  return value ? Cell(*value) : Cell();
+}
+
 /// A cell as a parameter of the next statement; lives as long as the cell.
 Parameter parameter(const Cell& cell);
 

@@ -14,7 +14,7 @@
 namespace axiometry::store {
 namespace {
 
-constexpr std::string_view columns =
+constexpr std::string_view document_columns =
     "id, test, version, kind, name, media_type, language, content, size, at, actor, reason";
 
 std::string_view kind_name(Document::Kind kind) { return kind == Document::Kind::report ? "report" : "attachment"; }
@@ -63,7 +63,7 @@ Result<Document> write_document(Connection& connection, const Document& document
   AXIOMETRY_TRY(written.id, next_id(connection, "document"));
   const std::string_view kind = kind_name(written.kind);
   AXIOMETRY_TRY_VOID(connection.run(
-      fmt::format("INSERT INTO document ({}) VALUES ({})", columns, places(1, 12)),
+      fmt::format("INSERT INTO document ({}) VALUES ({})", document_columns, places(1, 12)),
       {written.id, version.test, version.version, kind, written.name, written.media_type, written.language,
        written.sha256, written.size, written.change.at, written.change.actor, written.change.reason}));
   json::Value detail = json::Value::object();
@@ -79,16 +79,17 @@ Result<Document> write_document(Connection& connection, const Document& document
 
 Result<std::vector<Document>> documents_of(Connection& connection, Id test) {
   AXIOMETRY_TRY(const TestHead head, read_head(connection, test));
-  AXIOMETRY_TRY(
-      const Rows rows,
-      connection.query(fmt::format("SELECT {} FROM document WHERE test = $1 ORDER BY id", columns), {head.id}));
+  AXIOMETRY_TRY(const Rows rows,
+                connection.query(fmt::format("SELECT {} FROM document WHERE test = $1 ORDER BY id", document_columns),
+                                 {head.id}));
   std::vector<Document> documents;
   for (const Row& row : rows) documents.push_back(document_of(row));
   return documents;
 }
 
 Result<Document> read_document(Connection& connection, Id id) {
-  AXIOMETRY_TRY(const Rows rows, connection.query(fmt::format("SELECT {} FROM document WHERE id = $1", columns), {id}));
+  AXIOMETRY_TRY(const Rows rows,
+                connection.query(fmt::format("SELECT {} FROM document WHERE id = $1", document_columns), {id}));
   if (rows.empty()) return fail(ErrorKind::not_found, fmt::format("found no document {}, expected one", id));
   return document_of(rows[0]);
 }

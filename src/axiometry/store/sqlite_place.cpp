@@ -17,6 +17,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/store/place.h"
 #include "axiometry/store/sqlite_connection.h"
+#include "axiometry/store/system_error.h"
 
 namespace axiometry::store {
 namespace {
@@ -57,14 +58,6 @@ std::unexpected<Error> fail_at(const std::string& file, ErrorKind kind, std::str
   return std::unexpected(Error{std::move(message), file, {}, kind});
 }
 
-std::unexpected<Error> fail_system(const std::string& file, std::string_view doing) {
-  const int code = errno;
-  const ErrorKind kind = code == EROFS || code == EACCES || code == EPERM ? ErrorKind::read_only
-                         : code == ENOSPC || code == EDQUOT               ? ErrorKind::full
-                                                                          : ErrorKind::unavailable;
-  return fail_at(file, kind, fmt::format("cannot {}: {}", doing, std::strerror(code)));
-}
-
 /// As SQLite's URI, where '?', '#' and '%' have a meaning.
 std::string immutable_uri(const std::string& path) {
   std::string uri = "file:";
@@ -100,10 +93,10 @@ Result<void> make_file(const std::string& file, const std::string& path) {
   files::create_directories(folder, error);
   if (error) {
     errno = error.value();
-    return fail_system(file, fmt::format("make the folder {}", text::quoted(folder.string())));
+    return std::unexpected(system_error(file, fmt::format("make the folder {}", text::quoted(folder.string()))));
   }
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (descriptor < 0 && errno != EEXIST) return fail_system(file, "make the store");
+  if (descriptor < 0 && errno != EEXIST) return std::unexpected(system_error(file, "make the store"));
   if (descriptor >= 0) ::close(descriptor);
   return {};
 }

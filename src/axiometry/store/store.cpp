@@ -103,6 +103,8 @@ AXIOMETRY_THING(Axis);
 AXIOMETRY_THING(Instrument);
 AXIOMETRY_THING(PlanRecord);
 
+#undef AXIOMETRY_THING
+
 Result<std::optional<Versioned<Machine>>> Store::known(const Machine& stated) const {
   return state_->read([&](Connection& connection) { return known_machine(connection, stated); });
 }

@@ -11,18 +11,13 @@
 namespace axiometry::store {
 namespace {
 
-constexpr std::string_view columns =
+constexpr std::string_view list_columns =
     "test, version, withdrawn, conforming, machine, axis, value_a, value_e, value_r, value_b, unit, verdict, "
     "measured_on, received_at, title_key, file_key, machine_key, axis_key, title, file_name, machine_name, axis_name, "
     "axis_kind, label, content";
 
 /// How test_search follows from test_list, in SQL and in list_cells().
-constexpr std::string_view words = "title_key || ' ' || file_key || ' ' || machine_key || ' ' || axis_key";
-
-template <typename T>
-Cell cell(const std::optional<T>& value) {
-  return value ? Cell(*value) : Cell();
-}
+constexpr std::string_view searched_words = "title_key || ' ' || file_key || ' ' || machine_key || ' ' || axis_key";
 
 Cell value_of(const TestVersion& version, std::string_view parameter) {
   for (const Figure& figure : version.evaluation.figures)
@@ -34,7 +29,7 @@ Cell value_of(const TestVersion& version, std::string_view parameter) {
 Result<void> renew_words(Connection& connection, std::string_view where, Id id) {
   return connection.run(fmt::format("UPDATE test_search SET words = (SELECT {} FROM test_list l WHERE l.test = "
                                     "test_search.test) WHERE test IN (SELECT test FROM test_list WHERE {} = $1)",
-                                    words, where),
+                                    searched_words, where),
                         {id});
 }
 
@@ -89,7 +84,7 @@ Result<void> list_test(Connection& connection, const TestHead& head, const TestV
   const Parameter searched = parameters.back();
   parameters.pop_back();
   AXIOMETRY_TRY_VOID(connection.run(
-      fmt::format("INSERT INTO test_list ({}) VALUES ({})", columns, places(1, parameters.size())), parameters));
+      fmt::format("INSERT INTO test_list ({}) VALUES ({})", list_columns, places(1, parameters.size())), parameters));
   const std::int64_t withdrawn = head.withdrawn ? 1 : 0;
   AXIOMETRY_TRY_VOID(connection.run("INSERT INTO test_search (test, withdrawn, words) VALUES ($1, $2, $3)",
                                     {latest.test, withdrawn, searched}));
@@ -111,7 +106,7 @@ Result<void> relist_test(Connection& connection, const TestHead& head, const Tes
 
 Result<Rows> listed(Connection& connection, Id first, Id last) {
   std::string selected = "l.";
-  for (const char c : columns) selected += c == ' ' ? std::string(" l.") : std::string(1, c);
+  for (const char c : list_columns) selected += c == ' ' ? std::string(" l.") : std::string(1, c);
   return connection.query(fmt::format("SELECT {}, s.words FROM test_list l LEFT JOIN test_search s ON s.test = l.test "
                                       "AND s.withdrawn = l.withdrawn WHERE l.test BETWEEN $1 AND $2 ORDER BY l.test",
                                       selected),

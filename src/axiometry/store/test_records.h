@@ -51,6 +51,9 @@ struct TestState {
 /// be kept in one database shall fit the other.
 inline constexpr std::size_t content_bytes_max = std::size_t{500} << 20;
 
+/// No page of the list of tests, or of the audit trail, has more lines than this, whatever is asked for.
+inline constexpr std::int64_t largest_page = 1000;
+
 /// The measured bytes as they came. Never changed.
 struct Content {
   std::string sha256;
@@ -122,7 +125,7 @@ struct TestFilter {
   enum class Order { received, measured, title, machine, A, E, R, B } order = Order::received;
   bool descending = true;
   std::int64_t offset = 0;
-  std::int64_t limit = 50;  ///< at most 1000
+  std::int64_t limit = 50;  ///< at most largest_page
 };
 
 /// The tests of a machine that are not withdrawn.

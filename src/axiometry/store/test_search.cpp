@@ -20,7 +20,6 @@ namespace {
 
 using Order = TestFilter::Order;
 
-constexpr std::int64_t largest_page = 1000;
 constexpr std::size_t few = 2000;  // matches that are sorted at once
 
 /// Conditions and their parameters, as they are put together.

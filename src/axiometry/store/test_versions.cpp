@@ -22,11 +22,6 @@ constexpr std::size_t longest_date = 200;  // an index has no room for more
 constexpr std::string_view figure_columns =
     "test, version, place, parameter, value, expanded_uncertainty, tolerance, verdict";
 
-template <typename T>
-Cell cell(const std::optional<T>& value) {
-  return value ? Cell(*value) : Cell();
-}
-
 /// Without sha256, in the order of version_columns.
 std::vector<Cell> cells_of(const TestVersion& v) {
   return {v.test,       std::int64_t{v.version}, v.change.at,  v.change.actor, v.change.reason,

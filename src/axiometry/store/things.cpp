@@ -238,4 +238,6 @@ AXIOMETRY_THING(Axis);
 AXIOMETRY_THING(Instrument);
 AXIOMETRY_THING(PlanRecord);
 
+#undef AXIOMETRY_THING
+
 }  // namespace axiometry::store

@@ -15,7 +15,7 @@
 namespace axiometry::store {
 namespace {
 
-constexpr Id tests_at_once = 100;
+constexpr Id tests_verified_at_once = 100;
 constexpr std::size_t most_problems = 1000;
 
 bool same(const Change& a, const Change& b) { return a.at == b.at && a.actor == b.actor && a.reason == b.reason; }
@@ -177,8 +177,8 @@ Result<void> Verifier::some_tests(Id first, Id last) {
 
 Result<void> Verifier::tests() {
   AXIOMETRY_TRY(const Rows last, connection_.query("SELECT coalesce(max(id), 0) FROM test"));
-  for (Id first = 1; first <= last[0].integer(0); first += tests_at_once)
-    AXIOMETRY_TRY_VOID(some_tests(first, std::min(first + tests_at_once - 1, last[0].integer(0))));
+  for (Id first = 1; first <= last[0].integer(0); first += tests_verified_at_once)
+    AXIOMETRY_TRY_VOID(some_tests(first, std::min(first + tests_verified_at_once - 1, last[0].integer(0))));
   AXIOMETRY_TRY(const Rows versions, connection_.query("SELECT count(*) FROM test_version"));
   if (attested_.count("test") != versions[0].integer(0))
     problem("test: found {} versions, expected the {} of the audit trail", versions[0].integer(0),

@@ -5,23 +5,15 @@
 #include <cmath>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/report/figures/axis_measures.h"
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/label.h"
 #include "axiometry/report/figures/plate.h"
 
 namespace axiometry::report::plot {
 namespace {
 
-constexpr double edge = 2.0;
-constexpr double title_room = 13.0;   // of the y axis
-constexpr double tick_and_gap = 6.0;  // between its labels and the axis
-constexpr double right_room = 12.0;   // for half a label of the x axis
-constexpr double below = 29.0;        // labels and title of the x axis
-constexpr double tick_length = 3.0;
-constexpr double axis_width = 0.6;
-
-Text label(Runs runs, Point at, double size, Anchor anchor) {
-  return {.runs = std::move(runs), .at = at, .size = size, .colour = ink::black, .anchor = anchor, .degrees = 0.0};
-}
+constexpr double right_room = 12.0;  // for half a label of the x axis
 
 /// Decimals of ticks that each have their own: 0.05, 0.1, 20.
 constexpr int of_each = -1;
@@ -145,15 +137,15 @@ Chart draw_chart(Operations& operations, const ChartAxis& x, const ChartAxis& y,
   AXIOMETRY_CONTRACT(std::isfinite(x.low) && std::isfinite(x.high) && x.low < x.high && y.low < y.high);
   AXIOMETRY_CONTRACT(!x.logarithmic || x.low > 0.0);
   constexpr double y_pitch = 24.0;  // points between labels, about
-  const double wanted = std::max((bottom - below - top) / y_pitch, 2.0);
+  const double wanted = std::max((bottom - below_plot - top) / y_pitch, 2.0);
   Chart chart{.left = 0.0,
               .right = plate_width - right_room,
               .top = top + 4.0,
-              .bottom = bottom - below,
+              .bottom = bottom - below_plot,
               .x_axis = x,
               .y_axis = y};
   const Ticks up = ticks_of(y, wanted);
-  chart.left = edge + title_room + widest(up, style) + tick_and_gap;
+  chart.left = figure_edge + title_room + widest(up, style) + tick_and_gap;
   const Ticks along = across(chart, style);
   draw_grid(operations, chart, along, up);
   draw_axes(operations, chart, along, up, style);

@@ -9,6 +9,9 @@
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/figures/dimension_line.h"
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/label.h"
+#include "axiometry/report/figures/legend.h"
+#include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/plates.h"
 #include "axiometry/report/figures/scale.h"
 #include "axiometry/report/shown_number.h"
@@ -18,6 +21,7 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::Judgement;
+using plot::label;
 using plot::Operations;
 using uncertainty::Verdict;
 namespace ink = plot::ink;
@@ -25,12 +29,12 @@ namespace ink = plot::ink;
 constexpr double bar_left = 34.0;
 constexpr double bar_right = 352.0;
 constexpr double text_left = 362.0;
-constexpr double row_pitch = 25.0;
-constexpr double bar_height = 13.0;
-constexpr double axis_height = 30.0;
+constexpr double judgement_pitch = 25.0;
+constexpr double zone_height = 13.0;
+constexpr double scale_height = 30.0;
 constexpr double legend_height = 18.0;
 constexpr double disc_radius = 2.3;
-constexpr double cap_half_height = 3.0;
+constexpr double interval_cap_half_height = 3.0;
 constexpr double narrowest_interval = 2.0 * disc_radius + 1.0;  // a shorter one would hide behind the disc
 constexpr double fractions_least = 1.25;                        // of the tolerance that the scale shows
 constexpr double fractions_most = 2.0;
@@ -66,11 +70,6 @@ void draw_zone(Operations& operations, const Rectangle& r, Zone zone) {
                             .closed = true,
                             .stroke = ink::solid(ink::none, 0.0),
                             .fill = zone == Zone::accepted ? accept_fill : reject_fill});
-}
-
-Text label(plot::Runs runs, Point at, Anchor anchor = Anchor::start, Colour colour = ink::black) {
-  return {
-      .runs = std::move(runs), .at = at, .size = ink::text_size, .colour = colour, .anchor = anchor, .degrees = 0.0};
 }
 
 /// A parameter in parts of its tolerance.
@@ -109,8 +108,8 @@ Path arrow_at_end(double y, double tip = bar_right) {
 }
 
 void draw_zones(Operations& operations, const Bar& bar, const plot::Scale& x, double y) {
-  const double top = y - bar_height / 2.0;
-  const double bottom = y + bar_height / 2.0;
+  const double top = y - zone_height / 2.0;
+  const double bottom = y + zone_height / 2.0;
   const auto at = [&](double fraction) { return x(std::clamp(fraction, 0.0, x.value_high)); };
   const double accept_end = bar.band ? at(1.0 - *bar.band) : bar_left;
   const double reject_begin = bar.band ? at(1.0 + *bar.band) : bar_right;
@@ -133,8 +132,8 @@ void draw_value(Operations& operations, const Bar& bar, const plot::Scale& x, do
     const double from = x(std::min(low, x.value_high));
     const double to = x(std::min(high, x.value_high));
     const auto cap = [&](double at) {
-      operations.push_back(
-          plot::line({at, y - cap_half_height}, {at, y + cap_half_height}, ink::solid(ink::black, 0.9)));
+      operations.push_back(plot::line({at, y - interval_cap_half_height}, {at, y + interval_cap_half_height},
+                                      ink::solid(ink::black, 0.9)));
     };
     if (to - from > narrowest_interval) {
       operations.push_back(plot::line({from, y}, {to, y}, ink::solid(ink::black, 0.9)));
@@ -166,14 +165,14 @@ void draw_row(Operations& operations, const Bar& bar, const plot::Scale& x, doub
   const Judgement& judgement = bar.judgement;
   draw_value(operations, bar, x, y);
   plot::Runs symbol = plot::symbol(*judgement.tolerance.parameter);
-  operations.push_back(label(std::move(symbol), {bar_left - 6.0, y + 2.6}, Anchor::end));
+  operations.push_back(label(std::move(symbol), {bar_left - 6.0, y + 2.6}, ink::text_size, Anchor::end));
   constexpr double room = plot::plate_width - text_left;
   operations.push_back(label({plot::plain(plot::shortened(translated(value_text(judgement, subject, options), options),
                                                           room, ink::text_size))},
-                             {text_left, y - 1.2}));
+                             {text_left, y - 1.2}, ink::text_size, Anchor::start));
   TextRun verdict = plot::plain(translated(uncertainty::verdict_name(judgement.decision.verdict), options));
   verdict.bold = true;
-  operations.push_back(label({std::move(verdict)}, {text_left, y + 8.3}));
+  operations.push_back(label({std::move(verdict)}, {text_left, y + 8.3}, ink::text_size, Anchor::start));
 }
 
 /// Per cent of the tolerance along the foot, and the limit through all rows.
@@ -184,13 +183,12 @@ void draw_scale(Operations& operations, const plot::Scale& x, double top, double
     const double at = x(percent / 100.0);
     operations.push_back(plot::line({at, bottom}, {at, bottom + tick_length}, ink::solid(ink::grey, 0.5)));
     Text number = label({plot::plain(plot::tick_label(percent, ticks.decimals, options.numbers))},
-                        {at, bottom + tick_length + 7.5}, Anchor::middle);
-    number.size = ink::tick_text_size;
+                        {at, bottom + tick_length + 7.5}, ink::tick_text_size, Anchor::middle);
     operations.push_back(std::move(number));
   }
   operations.push_back(plot::line({bar_left, bottom}, {bar_right, bottom}, ink::solid(ink::grey, 0.5)));
   operations.push_back(label(translated({plot::plain("Magnitude / % of the tolerance "), plot::italic("T")}, options),
-                             {(bar_left + bar_right) / 2.0, bottom + 24.0}, Anchor::middle));
+                             {(bar_left + bar_right) / 2.0, bottom + 24.0}, ink::text_size, Anchor::middle));
   operations.push_back(plot::line({x(1.0), top}, {x(1.0), bottom}, ink::solid(ink::black, 1.1)));
 }
 
@@ -218,8 +216,8 @@ class Legend {
     if (with_uncertainty) {
       operations_.push_back(plot::line({x_, middle}, {x_ + sample_width, middle}, ink::solid(ink::black, 0.9)));
       for (double at : {x_, x_ + sample_width})
-        operations_.push_back(
-            plot::line({at, middle - cap_half_height}, {at, middle + cap_half_height}, ink::solid(ink::black, 0.9)));
+        operations_.push_back(plot::line({at, middle - interval_cap_half_height},
+                                         {at, middle + interval_cap_half_height}, ink::solid(ink::black, 0.9)));
     }
     operations_.push_back(Disc{.centre = {x_ + sample_width / 2.0, middle},
                                .radius = disc_radius,
@@ -244,7 +242,7 @@ class Legend {
   void name(const plot::Runs& english) {
     plot::Runs runs = translated(english, options_);
     const double width = text_width(runs, ink::text_size);
-    operations_.push_back(label(std::move(runs), {x_ + sample_width + 4.0, y_}));
+    operations_.push_back(label(std::move(runs), {x_ + sample_width + 4.0, y_}, ink::text_size, Anchor::start));
     x_ += sample_width + 4.0 + width + 14.0;
   }
 
@@ -274,16 +272,6 @@ std::string description(const std::vector<Bar>& bars, const Subject& subject, co
   return text + ".";
 }
 
-/// The label that must stand wherever results do; returns the height it takes.
-double draw_label(Operations& operations, std::string_view words) {
-  if (words.empty()) return 0.0;
-  constexpr double bold_is_wider = 1.1;
-  TextRun run = plot::plain(plot::shortened(words, (plot::plate_width - bar_left) / bold_is_wider, ink::text_size));
-  run.bold = true;
-  operations.push_back(label({std::move(run)}, {bar_left, 9.0}));
-  return 13.0;
-}
-
 }  // namespace
 
 std::optional<Figure> conformity_figure(const Subject& subject, const Options& asked) {
@@ -293,17 +281,18 @@ std::optional<Figure> conformity_figure(const Subject& subject, const Options& a
     if (judgement.magnitude) bars.push_back(bar_of(judgement));
   if (bars.empty()) return std::nullopt;
   Figure figure{.width = plot::plate_width, .height = 0.0, .title = {}, .description = {}, .operations = {}};
-  const double header = draw_label(figure.operations, translated(subject.assessment.label, options));
+  const double header = plot::draw_label(figure.operations, translated(subject.assessment.label, options), bar_left,
+                                         plot::plate_width - bar_left);
   draw_legend(figure.operations, bars, header + 9.0, options);
   const double top = header + legend_height;
-  const double bottom = top + row_pitch * static_cast<double>(bars.size());
+  const double bottom = top + judgement_pitch * static_cast<double>(bars.size());
   const plot::Scale x{0.0, fractions_shown(bars), bar_left, bar_right};
   for (std::size_t k = 0; k < bars.size(); ++k)
-    draw_zones(figure.operations, bars[k], x, top + row_pitch * (static_cast<double>(k) + 0.5));
+    draw_zones(figure.operations, bars[k], x, top + judgement_pitch * (static_cast<double>(k) + 0.5));
   draw_scale(figure.operations, x, top, bottom, options);
   for (std::size_t k = 0; k < bars.size(); ++k)
-    draw_row(figure.operations, bars[k], x, top + row_pitch * (static_cast<double>(k) + 0.5), subject, options);
-  figure.height = bottom + axis_height;
+    draw_row(figure.operations, bars[k], x, top + judgement_pitch * (static_cast<double>(k) + 0.5), subject, options);
+  figure.height = bottom + scale_height;
   const AxisKind kind = subject.test.metadata.axis.kind;
   figure.title = fmt::format("Conformity of {} to its tolerances. Rule: {}", plot::axis_phrase(subject),
                              rule_title(bars.front().judgement.rule, kind, options));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/label.h"
 #include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/symbols.h"
@@ -18,6 +19,7 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::Contribution;
+using plot::label;
 using plot::Operations;
 namespace ink = plot::ink;
 
@@ -26,13 +28,9 @@ constexpr double title_width = 152.0;
 constexpr double title_gap = 8.0;
 constexpr double column_gap = 9.0;
 constexpr double head_height = 15.0;
-constexpr double row_pitch = 21.0;
-constexpr double bar_height = 5.0;
+constexpr double input_pitch = 21.0;
+constexpr double share_bar_height = 5.0;
 constexpr double right_edge = plot::plate_width - 2.0;
-
-Text label(plot::Runs runs, Point at, double size, Anchor anchor, Colour colour = ink::black) {
-  return {.runs = std::move(runs), .at = at, .size = size, .colour = colour, .anchor = anchor, .degrees = 0.0};
-}
 
 /// Inputs beyond the most that are shown, as one: the root of the sum of their squares.
 std::vector<Contribution> shown_contributions(const iso230_2::Assessment& assessment) {
@@ -57,9 +55,9 @@ Path rectangle(double left, double top, double right, double bottom, Colour fill
 void draw_cell(Operations& operations, double u, double part, bool is_largest, Point corner, double width,
                const ParameterScale& scale, const Options& options) {
   const double top = corner.y + 12.0;
-  operations.push_back(rectangle(corner.x, top, corner.x + width, top + bar_height, ink::minor_grid_grey));
+  operations.push_back(rectangle(corner.x, top, corner.x + width, top + share_bar_height, ink::minor_grid_grey));
   if (part > 0.0)
-    operations.push_back(rectangle(corner.x, top, corner.x + std::max(width * part, 0.4), top + bar_height,
+    operations.push_back(rectangle(corner.x, top, corner.x + std::max(width * part, 0.4), top + share_bar_height,
                                    is_largest ? ink::blue : ink::faint(ink::blue, 0.45)));
   const std::string number = shown_uncertainty(Deviation::native(u), scale, options);
   plot::Runs amount = {plot::plain(u == 0.0 ? "–" : number)};
@@ -107,7 +105,7 @@ std::optional<Figure> contribution_figure(const Subject& subject, const Options&
                                {column(c), header + 9.0}, ink::text_size, Anchor::start));
   }
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const double top = header + head_height + row_pitch * static_cast<double>(k);
+    const double top = header + head_height + input_pitch * static_cast<double>(k);
     operations.push_back(plot::line({0.0, top}, {right_edge, top}, ink::solid(ink::grid_grey, 0.4)));
     operations.push_back(
         label({plot::plain(plot::shortened(translated(all[k].title, options), title_width, ink::text_size))},
@@ -118,7 +116,7 @@ std::optional<Figure> contribution_figure(const Subject& subject, const Options&
       draw_cell(operations, all[k].u[p], share(all, k, p), is_largest, {column(c), top}, width, scale, options);
     }
   }
-  figure.height = header + head_height + row_pitch * static_cast<double>(all.size()) + 1.0;
+  figure.height = header + head_height + input_pitch * static_cast<double>(all.size()) + 1.0;
   figure.title = "Contributions of the inputs to the standard uncertainty, and their parts of the variance";
   figure.description = description(all, parameters, subject, options);
   return figure;

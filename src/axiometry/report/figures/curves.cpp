@@ -59,10 +59,6 @@ std::vector<Stretch> boundary_stretches(const Plate& plate, const PlateLayout& l
   });
 }
 
-Path polyline(Stretch points, const Stroke& stroke) {
-  return {.points = std::move(points), .closed = false, .stroke = stroke, .fill = ink::none};
-}
-
 void draw_bands(Operations& operations, const Plate& plate, const PlateLayout& layout, Direction direction) {
   const auto upper = boundary_stretches(plate, layout, direction, 1.0);
   const auto lower = boundary_stretches(plate, layout, direction, -1.0);

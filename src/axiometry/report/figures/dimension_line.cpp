@@ -32,6 +32,10 @@ Path line(Point from, Point to, const Stroke& stroke) {
   return {.points = {from, to}, .closed = false, .stroke = stroke, .fill = ink::none};
 }
 
+Path polyline(std::vector<Point> points, const Stroke& stroke) {
+  return {.points = std::move(points), .closed = false, .stroke = stroke, .fill = ink::none};
+}
+
 void draw_extension_line(Operations& operations, double from_x, double to_x, double y, std::vector<Gap> gaps) {
   const Stroke hairline = ink::solid(ink::extension_grey, extension_width);
   std::ranges::sort(gaps, {}, &Gap::from);

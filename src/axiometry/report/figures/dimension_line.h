@@ -10,6 +10,7 @@ namespace axiometry::report::plot {
 using Operations = std::vector<Operation>;
 
 Path line(Point from, Point to, const Stroke& stroke);
+Path polyline(std::vector<Point> points, const Stroke& stroke);  ///< open
 
 /// Stretches of a line that labels leave free.
 struct Gap {

@@ -7,9 +7,11 @@
 #include <cmath>
 
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/label.h"
 #include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/plates.h"
+#include "axiometry/report/figures/range.h"
 #include "axiometry/report/figures/scale.h"
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/shown_number.h"
@@ -19,20 +21,22 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::ParameterDistribution;
+using plot::label;
 using plot::Operations;
+using plot::Range;
 namespace ink = plot::ink;
 
 constexpr std::size_t columns = 3;
-constexpr double edge = 9.0;  // room for half a tick label
-constexpr double column_gap = 20.0;
-constexpr double panel_width = (plot::plate_width - 2.0 * edge - 2.0 * column_gap) / 3.0;
+constexpr double panel_margin = 9.0;  // room for half a tick label
+constexpr double panel_gap = 20.0;
+constexpr double panel_width = (plot::plate_width - 2.0 * panel_margin - 2.0 * panel_gap) / 3.0;
 constexpr double title_height = 13.0;
 constexpr double bracket_row = 5.0;
 constexpr double plot_height = 46.0;
-constexpr double axis_height = 14.0;
+constexpr double panel_axis_height = 14.0;
 constexpr double row_gap = 10.0;
-constexpr double tick_length = 2.5;
-constexpr double cap_half_height = 2.0;
+constexpr double panel_tick_length = 2.5;
+constexpr double bracket_cap_half_height = 2.0;
 
 constexpr Colour tail_fill = ink::faint(ink::blue, 0.13);
 constexpr Colour core_fill = ink::faint(ink::blue, 0.34);
@@ -95,18 +99,6 @@ bool is_constant(const uncertainty::Histogram& histogram) {
   const double width = histogram.width * static_cast<double>(histogram.counts.size());
   return width <= 1e-9 * std::abs(histogram.lower);
 }
-
-struct Range {
-  double low = 0.0;
-  double high = 0.0;
-
-  void see(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  double size() const { return high - low; }
-  bool has(double x) const { return x >= low && x <= high; }
-};
 
 /// Histogram and value always; brackets and limits up to the width of these on each side, so that they cannot squeeze
 /// the histogram to nothing.
@@ -183,8 +175,8 @@ void draw_bracket_end(Operations& operations, double value, const Place& place, 
   constexpr double head_half_width = 1.7;
   const double x = place.x(value);
   if (x >= place.left && x <= place.right) {
-    operations.push_back(
-        plot::line({x, y - cap_half_height}, {x, y + cap_half_height}, ink::solid(stroke.colour, stroke.width)));
+    operations.push_back(plot::line({x, y - bracket_cap_half_height}, {x, y + bracket_cap_half_height},
+                                    ink::solid(stroke.colour, stroke.width)));
     return;
   }
   const double tip = x < place.left ? place.left : place.right;
@@ -207,18 +199,6 @@ void draw_brackets(Operations& operations, const Panel& panel, const Place& plac
   }
 }
 
-Text label(plot::Runs runs, Point at, double size, Anchor anchor, Colour colour = ink::black) {
-  return {.runs = std::move(runs), .at = at, .size = size, .colour = colour, .anchor = anchor, .degrees = 0.0};
-}
-
-double widest_label(const plot::Ticks& ticks, NumberStyle style) {
-  double widest = 0.0;
-  for (double tick : ticks.major)
-    widest =
-        std::max(widest, text_width({plot::plain(plot::tick_label(tick, ticks.decimals, style))}, ink::tick_text_size));
-  return widest;
-}
-
 /// As many as leave room between their labels; at least the fewest there are.
 plot::Ticks ticks_for(const Range& shown, NumberStyle style) {
   constexpr double label_gap = 8.0;
@@ -226,7 +206,7 @@ plot::Ticks ticks_for(const Range& shown, NumberStyle style) {
     plot::Ticks ticks = plot::divide(shown.low, shown.high, wanted, plot::Division::decimal);
     const double pitch =
         ticks.major.size() < 2 ? panel_width : panel_width * (ticks.major[1] - ticks.major[0]) / shown.size();
-    if (widest_label(ticks, style) + label_gap <= pitch) return ticks;
+    if (plot::widest_label(ticks, style) + label_gap <= pitch) return ticks;
   }
   return plot::divide(shown.low, shown.high, 1.0, plot::Division::decimal);
 }
@@ -239,14 +219,15 @@ void draw_axis(Operations& operations, const Place& place, const plot::AxisUnit&
   double taken = -1.0;
   for (double tick : ticks.major) {
     const double x = place.x(tick * unit.native);
-    operations.push_back(plot::line({x, place.bottom}, {x, place.bottom + tick_length}, ink::solid(ink::black, 0.6)));
+    operations.push_back(
+        plot::line({x, place.bottom}, {x, place.bottom + panel_tick_length}, ink::solid(ink::black, 0.6)));
     plot::Runs runs = {plot::plain(plot::tick_label(tick, ticks.decimals, options.numbers))};
     const double half = text_width(runs, ink::tick_text_size) / 2.0;
     const double middle = std::clamp(x, half + 0.5, plot::plate_width - half - 0.5);
     if (middle - half < taken || half > panel_width / 2.0) continue;
     taken = middle + half + 2.0;
     operations.push_back(
-        label(std::move(runs), {middle, place.bottom + tick_length + 7.5}, ink::tick_text_size, Anchor::middle));
+        label(std::move(runs), {middle, place.bottom + panel_tick_length + 7.5}, ink::tick_text_size, Anchor::middle));
   }
 }
 
@@ -346,18 +327,19 @@ std::optional<Figure> distribution_figure(const Subject& subject, const Options&
   const plot::AxisUnit unit = plot::deviation_axis_unit(kind, options.unit, largest_magnitude(panels, options));
   Figure figure{.width = plot::plate_width, .height = 0.0, .title = {}, .description = {}, .operations = {}};
   const std::string words = translated(subject.assessment.label, options);
-  double top = plot::draw_label(figure.operations, words, edge, plot::plate_width - 2.0 * edge);
-  top += draw_legend(figure.operations, legend_of(panels, subject, options), {edge, top}, plot::plate_width - edge);
+  double top = plot::draw_label(figure.operations, words, panel_margin, plot::plate_width - 2.0 * panel_margin);
+  top += draw_legend(figure.operations, legend_of(panels, subject, options), {panel_margin, top},
+                     plot::plate_width - panel_margin);
   const plot::Runs scale_note = plot::joined({plot::plain(translated("Scales", options) + " / ")}, unit.name);
   figure.operations.push_back(
-      label(scale_note, {plot::plate_width - edge, top + 6.0}, ink::tick_text_size, Anchor::end, ink::grey));
+      label(scale_note, {plot::plate_width - panel_margin, top + 6.0}, ink::tick_text_size, Anchor::end, ink::grey));
   top += 10.0;
   std::size_t rows_of_brackets = 0;
   for (const Panel& panel : panels) rows_of_brackets = std::max(rows_of_brackets, panel.brackets.size());
   const double brackets_height = bracket_row * static_cast<double>(rows_of_brackets);
-  const double pitch = title_height + brackets_height + plot_height + axis_height + row_gap;
+  const double pitch = title_height + brackets_height + plot_height + panel_axis_height + row_gap;
   for (std::size_t k = 0; k < panels.size(); ++k) {
-    const Point corner{edge + static_cast<double>(k % columns) * (panel_width + column_gap),
+    const Point corner{panel_margin + static_cast<double>(k % columns) * (panel_width + panel_gap),
                        top + static_cast<double>(k / columns) * pitch};
     draw_panel(figure.operations, panels[k], corner, brackets_height, unit, subject, options);
   }

@@ -10,68 +10,68 @@ using iso230_2::AxisParameters;
 using iso230_2::Evaluation;
 using iso230_2::PositionResult;
 
-/// A stretch of the deviation axis at one target.
-struct Stretch {
+/// Of the deviation axis at one target.
+struct DeviationSpan {
   double low = 0.0;
   double high = 0.0;
 };
 
-std::optional<Stretch> mean_of(const PositionResult& p, Direction direction) {
+std::optional<DeviationSpan> mean_of(const PositionResult& p, Direction direction) {
   const auto value = mean(p, direction);
   if (!value) return std::nullopt;
-  return Stretch{value->in_native(), value->in_native()};
+  return DeviationSpan{value->in_native(), value->in_native()};
 }
 
-std::optional<Stretch> band_of(const PositionResult& p, Direction direction) {
-  auto stretch = mean_of(p, direction);
-  if (!stretch) return std::nullopt;
+std::optional<DeviationSpan> band_of(const PositionResult& p, Direction direction) {
+  auto span = mean_of(p, direction);
+  if (!span) return std::nullopt;
   const double half = half_band(p, direction);
-  return Stretch{stretch->low - half, stretch->high + half};
+  return DeviationSpan{span->low - half, span->high + half};
 }
 
 /// The two means of a target, lower one first.
-std::optional<Stretch> reversal_of(const PositionResult& p) {
+std::optional<DeviationSpan> reversal_of(const PositionResult& p) {
   if (!p.reversal) return std::nullopt;
   const auto [low, high] = std::minmax({p.mean_up->in_native(), p.mean_down->in_native()});
-  return Stretch{low, high};
+  return DeviationSpan{low, high};
 }
 
 /// 3.20: the widest of both bands and of the stretch from the upper mean's upper boundary to the lower
 /// mean's lower boundary (which the wider band can exceed).
-std::optional<Stretch> repeatability_of(const PositionResult& p) {
+std::optional<DeviationSpan> repeatability_of(const PositionResult& p) {
   const auto up = band_of(p, Direction::up);
   const auto down = band_of(p, Direction::down);
   if (!up || !down) return up ? up : down;
   const bool up_is_upper = p.reversal->in_native() >= 0.0;
-  const Stretch across = up_is_upper ? Stretch{down->low, up->high} : Stretch{up->low, down->high};
+  const DeviationSpan across = up_is_upper ? DeviationSpan{down->low, up->high} : DeviationSpan{up->low, down->high};
   return std::max({across, *up, *down},
-                  [](const Stretch& a, const Stretch& b) { return a.high - a.low < b.high - b.low; });
+                  [](const DeviationSpan& a, const DeviationSpan& b) { return a.high - a.low < b.high - b.low; });
 }
 
 class Hull {
  public:
-  void see(std::size_t target, const std::optional<Stretch>& stretch) {
-    if (!stretch) return;
-    if (!extent_) extent_ = at(target, *stretch);
-    if (stretch->low < extent_->low.in_native()) {
-      extent_->low = Deviation::native(stretch->low);
+  void see(std::size_t target, const std::optional<DeviationSpan>& span) {
+    if (!span) return;
+    if (!extent_) extent_ = at(target, *span);
+    if (span->low < extent_->low.in_native()) {
+      extent_->low = Deviation::native(span->low);
       extent_->low_at = target;
     }
-    if (stretch->high > extent_->high.in_native()) {
-      extent_->high = Deviation::native(stretch->high);
+    if (span->high > extent_->high.in_native()) {
+      extent_->high = Deviation::native(span->high);
       extent_->high_at = target;
     }
   }
-  void see_wider(std::size_t target, const std::optional<Stretch>& stretch) {
-    if (stretch && (!extent_ || stretch->high - stretch->low > extent_->high.in_native() - extent_->low.in_native())) {
-      extent_ = at(target, *stretch);
+  void see_wider(std::size_t target, const std::optional<DeviationSpan>& span) {
+    if (span && (!extent_ || span->high - span->low > extent_->high.in_native() - extent_->low.in_native())) {
+      extent_ = at(target, *span);
     }
   }
   std::optional<Extent> extent() const { return extent_; }
 
  private:
-  static Extent at(std::size_t target, const Stretch& stretch) {
-    return {Deviation::native(stretch.low), Deviation::native(stretch.high), target, target};
+  static Extent at(std::size_t target, const DeviationSpan& span) {
+    return {Deviation::native(span.low), Deviation::native(span.high), target, target};
   }
   std::optional<Extent> extent_;
 };
@@ -104,7 +104,7 @@ constexpr Definition definitions[] = {
      [](Hull& h, std::size_t i, const PositionResult& p) { h.see(i, mean_of(p, Direction::down)); }},
     {&AxisParameters::M,
      [](Hull& h, std::size_t i, const PositionResult& p) {
-       if (p.mean) h.see(i, Stretch{p.mean->in_native(), p.mean->in_native()});
+       if (p.mean) h.see(i, DeviationSpan{p.mean->in_native(), p.mean->in_native()});
      }},
     {&AxisParameters::R, [](Hull& h, std::size_t i, const PositionResult& p) { h.see_wider(i, repeatability_of(p)); }},
     {&AxisParameters::R_up,

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/report/figures/axis_measures.h"
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/label.h"
 #include "axiometry/report/text_layout.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/standards/test_standard.h"
@@ -12,13 +14,7 @@
 namespace axiometry::report::plot {
 namespace {
 
-constexpr double axis_width = 0.6;
-constexpr double tick_length = 3.0;
 constexpr double number_gap = 2.5;  // between numbers of targets
-
-Text label(Runs runs, Point at, double size, Anchor anchor, Colour colour = ink::black) {
-  return {.runs = std::move(runs), .at = at, .size = size, .colour = colour, .anchor = anchor, .degrees = 0.0};
-}
 
 void draw_tick_labels(Operations& operations, const Plate& plate, const PlateLayout& layout) {
   const NumberStyle style = plate.options.numbers;
@@ -40,13 +36,13 @@ void draw_tick_labels(Operations& operations, const Plate& plate, const PlateLay
 
 void draw_titles(Operations& operations, const Plate& plate, const PlateLayout& layout) {
   constexpr double longest_name = 220.0;
-  constexpr double below_plot = 24.5;
+  constexpr double base_line = 24.5;
   const std::string& name = plate.test.metadata.axis.name;
   const std::string what =
       translated(is_diagonal(plate.test.metadata.axis) ? "Position along the diagonal" : "Position", plate.options);
   const std::string position = name.empty() ? what : what + " " + shortened(name, longest_name, ink::text_size);
   operations.push_back(label(joined({plain(position + " / ")}, layout.x_unit.name),
-                             {(layout.left + layout.right) / 2.0, layout.bottom + below_plot}, ink::text_size,
+                             {(layout.left + layout.right) / 2.0, layout.bottom + base_line}, ink::text_size,
                              Anchor::middle));
   Text deviation = label(joined({plain(translated("Deviation", plate.options) + " / ")}, layout.y_unit.name),
                          {9.5, (layout.top + layout.bottom) / 2.0}, ink::text_size, Anchor::middle);

@@ -22,7 +22,7 @@ using plot::Sight;
 using plot::Window;
 namespace ink = plot::ink;
 
-constexpr double edge = 3.0;
+constexpr double frame_margin = 3.0;
 constexpr double view_beside = 62.0;  // of the parallel projection, for labels
 constexpr double view_above = 22.0;   // of it, above and below
 constexpr double view_tallest = 250.0;
@@ -34,7 +34,7 @@ constexpr double between_y = 34.0;    // holds the name of the lower view
 constexpr double plan_margin = 9.0;   // about what a view shows
 constexpr double below_plans = 42.0;  // two rows of dimension lines
 constexpr double first_row = 14.0;    // of a dimension line from the view
-constexpr double row_pitch = 13.0;
+constexpr double dimension_row_pitch = 13.0;
 constexpr double name_size = 7.0;
 constexpr double number_size = 6.5;
 constexpr double smallest_view = 24.0;  // height or width of what is flat, points
@@ -84,9 +84,9 @@ Text level_text(std::string text, Point at, double size, Colour colour, Anchor a
   return {.runs = {plot::plain(text)}, .at = at, .size = size, .colour = colour, .anchor = anchor, .degrees = 0.0};
 }
 
-class Drawing {
+class LayoutDrawing {
  public:
-  Drawing(const Layout& layout, const Options& options)
+  LayoutDrawing(const Layout& layout, const Options& options)
       : layout_(plot::drawable(layout)), options_(options), measured_(measured_box(layout_)) {}
 
   Figure draw() {
@@ -94,7 +94,7 @@ class Drawing {
     y = draw_plans(y);
     y += plot::draw_legend(operations_, legend(), {plans_left, y}, plot::plate_width - plans_left - plans_right);
     return {.width = plot::plate_width,
-            .height = y + edge,
+            .height = y + frame_margin,
             .title = layout_.title,
             .description = layout_.description,
             .operations = std::move(operations_)};
@@ -114,7 +114,7 @@ class Drawing {
         .window = shown,
         .corner = {(plot::plate_width - shown.width() * scale) / 2.0, top + (height - shown.height() * scale) / 2.0},
         .points_per_mm = scale};
-    const Box frame{edge, top + edge, plot::plate_width - edge, top + height - edge};
+    const Box frame{frame_margin, top + frame_margin, plot::plate_width - frame_margin, top + height - frame_margin};
     plot::LabelPlaces labels(frame);
     draw_triad(labels, sight, {32.0, top + height - 28.0});
     plot::draw_scene(operations_, labels, layout_, view, {.stands = true, .station = translated("station", options_)});
@@ -156,7 +156,7 @@ class Drawing {
     const double y1 = top + 12.0 + plan_margin;
     const double y2 = y1 + above.height() * scale + 2.0 * plan_margin + between_y;
     const double bottom = y2 + front.height() * scale + plan_margin + below_plans;
-    const Box frame{edge, top, plot::plate_width - edge, bottom};
+    const Box frame{frame_margin, top, plot::plate_width - frame_margin, bottom};
     plot::LabelPlaces numbers(frame);
     draw_plan({plot::from_above, above, {x1, y1}, scale}, "From above (XY)", {1}, {}, numbers);
     draw_plan({plot::from_front, front, {x1, y2}, scale}, "From the front (XZ)", {2}, {0}, numbers);
@@ -232,7 +232,7 @@ class Drawing {
     };
     if (station_is_measured(axis)) {
       row(measured_.lowest_mm, layout_.stations_mm.front());
-      y += row_pitch;
+      y += dimension_row_pitch;
     }
     row(measured_.lowest_mm, measured_.highest_mm);
     for (Vector3 end : {measured_.lowest_mm, measured_.highest_mm})
@@ -260,7 +260,7 @@ class Drawing {
     };
     if (station_is_measured(axis)) {
       column(measured_.lowest_mm, layout_.stations_mm.front());
-      x -= row_pitch;
+      x -= dimension_row_pitch;
     }
     column(measured_.lowest_mm, measured_.highest_mm);
     for (Vector3 end : {measured_.lowest_mm, measured_.highest_mm}) {
@@ -306,6 +306,6 @@ class Drawing {
 
 }  // namespace
 
-Figure layout_figure(const Layout& layout, const Options& options) { return Drawing(layout, options).draw(); }
+Figure layout_figure(const Layout& layout, const Options& options) { return LayoutDrawing(layout, options).draw(); }
 
 }  // namespace axiometry::report

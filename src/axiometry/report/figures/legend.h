@@ -9,6 +9,9 @@
 
 namespace axiometry::report::plot {
 
+/// Where label and legend begin: about where the plot below them does, which depends on its tick labels.
+inline constexpr double header_left = 30.0;
+
 /// One entry: a short sample of what is drawn, and what it is.
 struct LegendEntry {
   std::optional<Stroke> line;

@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "axiometry/report/figures/chart.h"
+#include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
+#include "axiometry/report/figures/range.h"
 #include "axiometry/report/figures/series_pens.h"
 #include "axiometry/report/translated.h"
 
@@ -16,12 +18,13 @@ namespace {
 using plot::Chart;
 using plot::ChartAxis;
 using plot::ChartRange;
+using plot::header_left;
 using plot::LegendEntry;
 using plot::Operations;
+using plot::Range;
 namespace ink = plot::ink;
 
-constexpr double left_of_legend = 30.0;
-constexpr double chart_height = 190.0;
+constexpr double distance_chart_height = 190.0;
 constexpr double between = 8.0;
 constexpr double largest = 1e12;         // µm or °: beyond it a diagram would say nothing
 constexpr double fewest_decades = 1e-5;  // of the highest value, shown at most
@@ -30,21 +33,6 @@ const Stroke instrument_line{.colour = ink::grey, .width = 0.9, .dashes = {2.0, 
 bool can_be_drawn(double distance, double value) {
   return std::isfinite(distance) && distance > 0.0 && std::isfinite(value) && std::abs(value) < largest;
 }
-
-/// The least and the largest of what is drawn.
-class Seen {
- public:
-  void add(double x) {
-    low_ = std::min(low_, x);
-    high_ = std::max(high_, x);
-  }
-  bool any() const { return low_ <= high_; }
-  ChartRange range() const { return {low_, high_}; }
-
- private:
-  double low_ = std::numeric_limits<double>::infinity();
-  double high_ = -std::numeric_limits<double>::infinity();
-};
 
 template <typename Use>
 void for_each_value(const DistanceSubject& subject, const Use& use) {
@@ -61,9 +49,9 @@ ChartRange decades(ChartRange range) {
 }
 
 ChartAxis distance_axis(const DistanceSubject& subject, const Options& options) {
-  Seen seen;
-  for_each_value(subject, [&](double distance, double) { seen.add(distance); });
-  const ChartRange range = seen.any() ? decades(seen.range()) : ChartRange{10.0, 1000.0};
+  Range seen;
+  for_each_value(subject, [&](double distance, double) { seen.see(distance); });
+  const ChartRange range = seen.any() ? decades(ChartRange{seen.low, seen.high}) : ChartRange{10.0, 1000.0};
   return {.low = range.low,
           .high = range.high,
           .unit = plot::position_axis_unit(AxisKind::linear, range.high),
@@ -73,11 +61,11 @@ ChartAxis distance_axis(const DistanceSubject& subject, const Options& options) 
 
 /// Of magnitudes, which may be 0 at the reference: what lies below the range is not drawn.
 ChartAxis magnitude_axis(const DistanceSubject& subject, std::string title) {
-  Seen seen;
+  Range seen;
   for_each_value(subject, [&](double, double value) {
-    if (value != 0.0) seen.add(std::abs(value));
+    if (value != 0.0) seen.see(std::abs(value));
   });
-  ChartRange range = seen.any() ? seen.range() : ChartRange{0.01, 1.0};
+  ChartRange range = seen.any() ? ChartRange{seen.low, seen.high} : ChartRange{0.01, 1.0};
   range.low = std::max(range.low, range.high * fewest_decades);
   range = decades(range);
   return {.low = range.low,
@@ -156,10 +144,10 @@ void draw_instrument(Operations& operations, const Chart& chart, const RangingUn
 Figure station_angle_figure(const DistanceSubject& subject, const Options& options) {
   Figure figure = begun(subject);
   double top =
-      plot::draw_legend(figure.operations, legend(subject), {left_of_legend, 0.0}, plot::plate_width - left_of_legend);
+      plot::draw_legend(figure.operations, legend(subject), {header_left, 0.0}, plot::plate_width - header_left);
   ChartAxis angle = magnitude_axis(subject, translated("Angle α", options));
   angle.unit = {1.0, {plot::plain("°")}};
-  figure.height = top + between + chart_height + 30.0;
+  figure.height = top + between + distance_chart_height + 30.0;
   const Chart chart = plot::draw_chart(figure.operations, distance_axis(subject, options), angle, top + between,
                                        figure.height, options.numbers);
   for (std::size_t k = 0; k < subject.curves.size(); ++k) draw_curve(figure.operations, chart, subject, k, magnitude);
@@ -175,25 +163,26 @@ Figure length_difference_figure(const DistanceSubject& subject, const std::optio
                        .band = std::nullopt,
                        .mark = std::nullopt,
                        .text = translated({plot::italic("U"), plot::plain(" of the instrument")}, options)});
-  double top = plot::draw_legend(figure.operations, entries, {left_of_legend, 0.0}, plot::plate_width - left_of_legend);
+  double top = plot::draw_legend(figure.operations, entries, {header_left, 0.0}, plot::plate_width - header_left);
   top += between;
 
-  Seen seen;
-  seen.add(0.0);
-  for_each_value(subject, [&](double, double value) { seen.add(value); });
-  const ChartRange range = plot::with_room(seen.range());
+  Range seen;
+  seen.see(0.0);
+  for_each_value(subject, [&](double, double value) { seen.see(value); });
+  const ChartRange range = plot::with_room(ChartRange{seen.low, seen.high});
   const double most = std::max(std::abs(range.low), std::abs(range.high));
   const ChartAxis linear{.low = range.low,
                          .high = range.high,
                          .unit = plot::deviation_axis_unit(AxisKind::linear, options.unit, most),
                          .title = translated("Length difference Δd", options)};
   const ChartAxis distance = distance_axis(subject, options);
-  const Chart upper = plot::draw_chart(figure.operations, distance, linear, top, top + chart_height, options.numbers);
+  const Chart upper =
+      plot::draw_chart(figure.operations, distance, linear, top, top + distance_chart_height, options.numbers);
   for (std::size_t k = 0; k < subject.curves.size(); ++k)
     draw_curve(figure.operations, upper, subject, k, [](double value) { return value; });
-  top += chart_height + between;
+  top += distance_chart_height + between;
 
-  figure.height = top + chart_height + 30.0;
+  figure.height = top + distance_chart_height + 30.0;
   const Chart lower =
       plot::draw_chart(figure.operations, distance, magnitude_axis(subject, translated("Magnitude |Δd|", options)), top,
                        figure.height, options.numbers);

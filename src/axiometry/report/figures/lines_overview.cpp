@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "axiometry/report/figures/chart.h"
+#include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/series_pens.h"
 #include "axiometry/report/translated.h"
@@ -18,12 +19,12 @@ namespace {
 using plot::Chart;
 using plot::ChartAxis;
 using plot::ChartRange;
+using plot::header_left;
 using plot::LegendEntry;
 using plot::Operations;
 namespace ink = plot::ink;
 
-constexpr double left_of_legend = 30.0;
-constexpr double chart_height = 240.0;
+constexpr double overview_height = 240.0;
 
 struct Mean {
   double distance_mm = 0.0;
@@ -111,8 +112,8 @@ Figure lines_overview_figure(const LinesSubject& subject, const Options& options
     all.push_back(means_of(line));
   }
   const double top =
-      plot::draw_legend(figure.operations, entries, {left_of_legend, 0.0}, plot::plate_width - left_of_legend) + 8.0;
-  figure.height = top + chart_height;
+      plot::draw_legend(figure.operations, entries, {header_left, 0.0}, plot::plate_width - header_left) + 8.0;
+  figure.height = top + overview_height;
   const ChartRange x = plot::with_room(range_of(all, &Mean::distance_mm), 0.02);
   const ChartRange y = plot::with_room(range_of(all, &Mean::deviation_um));
   const ChartAxis distance{

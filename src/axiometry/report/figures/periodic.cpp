@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "axiometry/report/figures/chart.h"
+#include "axiometry/report/figures/dimension_line.h"
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
+#include "axiometry/report/figures/range.h"
 #include "axiometry/report/periodic.h"
 #include "axiometry/report/translated.h"
 
@@ -19,26 +21,16 @@ using iso230_2::PeriodicPoint;
 using plot::Chart;
 using plot::ChartAxis;
 using plot::ChartRange;
+using plot::header_left;
 using plot::LegendEntry;
 using plot::Operations;
+using plot::polyline;
+using plot::Range;
 namespace ink = plot::ink;
 
 constexpr double figure_height = 205.0;
-constexpr double header_left = 30.0;
 constexpr double legend_gap = 2.0;
 constexpr std::size_t most_dots = 20000;  // beyond, a line shows as much and makes no file of many MB
-
-struct Seen {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  void see(double x) { low = std::min(low, x), high = std::max(high, x); }
-  ChartRange range() const { return plot::with_room({low, high}); }
-  double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
-};
-
-Path polyline(std::vector<Point> points, const Stroke& stroke) {
-  return {.points = std::move(points), .closed = false, .stroke = stroke, .fill = ink::none};
-}
 
 const Stroke removed_line{.colour = ink::black, .width = 0.9, .dashes = {5.0, 2.2}};
 const Stroke curve_line = ink::solid(ink::black, 1.0);
@@ -46,13 +38,13 @@ const Stroke level_line{.colour = ink::grey, .width = 0.7, .dashes = {3.0, 1.8}}
 const Stroke marked_line = ink::solid(ink::black, 0.7);
 
 /// The figures of one direction.
-class Drawing {
+class PeriodicDrawing {
  public:
-  Drawing(const PeriodicSubject& subject, const PeriodicDirection& direction, const Options& options)
+  PeriodicDrawing(const PeriodicSubject& subject, const PeriodicDirection& direction, const Options& options)
       : subject_(subject), d_(direction), options_(options), kind_(subject.test.metadata.axis.kind) {}
 
   Figure deviations() const {
-    Seen x, y;
+    Range x, y;
     for (const PeriodicPoint& p : d_.points) {
       x.see(p.target.in_native());
       y.see(p.deviation.in_native());
@@ -70,7 +62,7 @@ class Drawing {
   }
 
   Figure residuals() const {
-    Seen x, y;
+    Range x, y;
     for (const PeriodicPoint& p : d_.points) {
       x.see(p.target.in_native());
       y.see(without_line(p));
@@ -91,7 +83,7 @@ class Drawing {
   Figure folded() const {
     const double period = d_.period.value.in_native();
     const double first = d_.origin.in_native();
-    Seen y;
+    Range y;
     for (const PeriodicPoint& p : d_.points) y.see(without_line(p));
     const auto curve = sampled_curve(first, first + period);
     for (const Point& p : curve) y.see(p.y);
@@ -116,7 +108,7 @@ class Drawing {
     const double shortest = lines.back().period.in_native(), longest = lines.front().period.in_native();
     // Beyond the travel a sinusoid and the line are nearly the same, and its amplitude may be anything.
     const double travel = d_.points.back().target.in_native() - d_.points.front().target.in_native();
-    Seen y;
+    Range y;
     y.see(0.0);
     const double amplitude = d_.harmonics.front().amplitude.value.in_native();
     y.see(amplitude);
@@ -158,7 +150,7 @@ class Drawing {
     return plot::draw_chart(figure.operations, x, y, top + legend_gap, figure_height, options_.numbers);
   }
 
-  ChartAxis position_axis(const Seen& x) const {
+  ChartAxis position_axis(const Range& x) const {
     const std::string& name = subject_.test.metadata.axis.name;
     const ChartRange range = plot::with_room({x.low, x.high}, 0.02);
     return {.low = range.low,
@@ -169,8 +161,8 @@ class Drawing {
             .division = kind_ == AxisKind::rotary ? plot::Division::angular : plot::Division::decimal};
   }
 
-  ChartAxis deviation_axis(const Seen& y, std::string_view title) const {
-    const ChartRange range = y.range();
+  ChartAxis deviation_axis(const Range& y, std::string_view title) const {
+    const ChartRange range = plot::with_room({y.low, y.high});
     return {.low = range.low,
             .high = range.high,
             .unit = plot::deviation_axis_unit(kind_, options_.unit, y.magnitude()),
@@ -316,7 +308,7 @@ class Drawing {
 std::vector<Figure> periodic_figures(const PeriodicSubject& subject, const Options& options) {
   std::vector<Figure> figures;
   for (const PeriodicDirection& direction : subject.result.directions) {
-    const Drawing drawing(subject, direction, options);
+    const PeriodicDrawing drawing(subject, direction, options);
     for (Figure figure : {drawing.deviations(), drawing.residuals(), drawing.folded(), drawing.spectrum()}) {
       figure.title = fmt::format("Figure {}. {}", figures.size() + 1, figure.title);
       figures.push_back(std::move(figure));

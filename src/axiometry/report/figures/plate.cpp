@@ -7,6 +7,7 @@
 #include "axiometry/report/figures/curves.h"
 #include "axiometry/report/figures/frame.h"
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate_layout.h"
 #include "axiometry/report/text_layout.h"
 #include "axiometry/report/translated.h"
@@ -14,28 +15,12 @@
 namespace axiometry::report::plot {
 namespace {
 
-// About where the plot begins; that depends on its tick labels.
-constexpr double header_left = 30.0;
 constexpr double extension_overshoot = 2.0;  // beyond the dimension line
 constexpr double extension_gap = 2.6;        // from the point that is measured
 constexpr double margin_label_gap = 2.6;     // between a margin label and its line
 
 DimensionLine dimension_line(const PlateLayout& layout, const Extent& extent, double x) {
   return {.x = x, .top = layout.deviation_y(extent.high), .bottom = layout.deviation_y(extent.low)};
-}
-
-/// A line of its own above everything else; returns its height.
-double draw_label(Operations& operations, std::string_view label) {
-  if (label.empty()) return 0.0;
-  constexpr double bold_is_wider = 1.1;
-  const std::string text = shortened(label, (plate_width - header_left) / bold_is_wider, ink::text_size);
-  operations.push_back(Text{.runs = {{.text = text, .bold = true}},
-                            .at = {header_left, 9.0},
-                            .size = ink::text_size,
-                            .colour = ink::black,
-                            .anchor = Anchor::start,
-                            .degrees = 0.0});
-  return 13.0;
 }
 
 void draw_at_targets(Operations& operations, const Plate& plate, const PlateLayout& layout) {
@@ -132,7 +117,8 @@ void draw_at_margin(Operations& operations, const Plate& plate, const PlateLayou
 Figure draw(const Plate& plate) {
   Figure figure{.width = plate_width, .height = plate_height, .title = {}, .description = {}, .operations = {}};
   Operations& operations = figure.operations;
-  double header = draw_label(operations, translated(plate.label, plate.options));
+  double header =
+      draw_label(operations, translated(plate.label, plate.options), header_left, plate_width - header_left);
   header += draw_legend(operations, legend_of(plate), {header_left, header}, plate_width - header_left);
   const PlateLayout layout = lay_out(plate, header);
   draw_grid(operations, layout);

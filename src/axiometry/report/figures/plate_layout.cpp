@@ -3,17 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "axiometry/report/figures/axis_measures.h"
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/range.h"
 
 namespace axiometry::report::plot {
 namespace {
 
-constexpr double edge = 2.0;
-constexpr double title_size_and_gap = 13.0;
-constexpr double tick_and_gap = 6.0;
-constexpr double below_plot = 29.0;
 constexpr double index_row = 9.0;
 constexpr double callout_row = 11.0;
 constexpr double target_inset = 16.0;       // of the first and last target, for their dimension lines
@@ -23,18 +20,6 @@ constexpr double margin_pitch = 17.0;
 constexpr double margin_edge = 7.0;
 constexpr double y_tick_count = 8.0;
 constexpr double data_inset = 10.0;  // points between the data and the plot's upper and lower edge
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void see(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  double size() const { return high - low; }
-  double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
-};
 
 Range deviation_range(const Plate& plate) {
   Range range;
@@ -63,14 +48,6 @@ Range shown_range(Range range) {
   if (is_flat || to_zero <= range.size()) range.see(0.0);
   if (range.size() <= 0.0) range = {-1.0, 1.0};
   return range;
-}
-
-double widest_label(const Ticks& ticks, NumberStyle style) {
-  double widest = 0.0;
-  for (const double tick : ticks.major) {
-    widest = std::max(widest, text_width({plain(tick_label(tick, ticks.decimals, style))}, ink::tick_text_size));
-  }
-  return widest;
 }
 
 /// As many ticks as leave room between their labels.
@@ -127,7 +104,7 @@ int lay_out_callouts(PlateLayout& layout, const Plate& plate) {
     layout.dimension_x.push_back(x);
     requests.push_back({x, text_width(dimension.label, ink::text_size), on_left});
   }
-  layout.callouts = place_callouts(requests, layout.left - title_size_and_gap, plate_width - edge);
+  layout.callouts = place_callouts(requests, layout.left - title_room, plate_width - figure_edge);
   int rows = 0;
   for (const CalloutPlace& place : layout.callouts) rows = std::max(rows, place.row + 1);
   return rows;
@@ -143,8 +120,8 @@ PlateLayout lay_out(const Plate& plate, double header_height) {
   layout.y_unit = deviation_axis_unit(plate.test.metadata.axis.kind, plate.options.unit, data.magnitude());
   const double y_native = layout.y_unit.native;
   const Ticks first_ticks = divide(data.low / y_native, data.high / y_native, y_tick_count, Division::decimal);
-  layout.left = edge + title_size_and_gap + widest_label(first_ticks, plate.options.numbers) + tick_and_gap;
-  layout.right = plate_width - edge;
+  layout.left = figure_edge + title_room + widest_label(first_ticks, plate.options.numbers) + tick_and_gap;
+  layout.right = plate_width - figure_edge;
   if (!plate.at_margin.empty()) {
     const double lines = static_cast<double>(plate.at_margin.size() - 1);
     layout.right = plate_width - margin_edge - first_margin_line - lines * margin_pitch;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/label.h"
 #include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/scale.h"
@@ -16,11 +17,12 @@
 namespace axiometry::report {
 namespace {
 
+using plot::label;
 using plot::Operations;
 namespace ink = plot::ink;
 
-constexpr double left_edge = 46.0;    // room for the times
-constexpr double right_edge = 440.0;  // beyond it the names of the runs
+constexpr double plot_left = 46.0;    // room for the times
+constexpr double plot_right = 440.0;  // beyond it the names of the runs
 constexpr double names_at = 446.0;
 constexpr double head = 16.0;  // the numbers of the targets
 constexpr double foot = 30.0;  // positions and their unit
@@ -34,10 +36,6 @@ constexpr double least_gap = 0.1;            // between the lines of targets, wh
 constexpr std::size_t most_readings = 1500;  // that are drawn as dots
 constexpr std::size_t most_legs = 20'000;    // beyond which a picture would be a black box of many megabytes
 constexpr double pad = 0.03;                 // of the reach, beside it
-
-Text label(plot::Runs runs, Point at, double size, Anchor anchor, Colour colour = ink::black) {
-  return {.runs = std::move(runs), .at = at, .size = size, .colour = colour, .anchor = anchor, .degrees = 0.0};
-}
 
 /// Where the axis is when; times in s.
 struct Station {
@@ -83,20 +81,20 @@ std::string name_of(const Plan& plan, const Leg& leg) {
   return "";
 }
 
-class Drawing {
+class ProgrammeDrawing {
  public:
-  Drawing(const Plan& plan, double acceleration, const Options& options)
+  ProgrammeDrawing(const Plan& plan, double acceleration, const Options& options)
       : plan_(plan), options_(options), legs_(legs_of(plan, acceleration)) {
     const auto [lowest, highest] = reach(plan);
     low_ = lowest.in_native();
     high_ = highest.in_native();
     const double room = pad * (high_ - low_);
-    x_ = {low_ - room, high_ + room, left_edge, right_edge};
+    x_ = {low_ - room, high_ + room, plot_left, plot_right};
   }
 
   Figure draw() {
     const double top =
-        plot::draw_label(operations_, translated(cycle_label(plan_.cycle), options_), 0.0, right_edge) + head;
+        plot::draw_label(operations_, translated(cycle_label(plan_.cycle), options_), 0.0, plot_right) + head;
     const double height = std::clamp(height_per_move * static_cast<double>(legs_.size()), least_height, most_height);
     y_ = {0.0, legs_.back().leave, top + 5.0, top + height - 5.0};
     top_ = top;
@@ -150,7 +148,7 @@ class Drawing {
                                   Anchor::middle, ink::grey));
       free_from = x + number_width;
     }
-    operations_.push_back(label({plot::italic("i")}, {left_edge - 6.0, top_ - 4.0}, ink::text_size, Anchor::end));
+    operations_.push_back(label({plot::italic("i")}, {plot_left - 6.0, top_ - 4.0}, ink::text_size, Anchor::end));
   }
 
   void draw_times() {
@@ -159,11 +157,11 @@ class Drawing {
     const plot::Ticks ticks = plot::divide(0.0, legs_.back().leave / unit, 6.0, plot::Division::decimal);
     for (double t : ticks.major) {
       const double y = y_(t * unit);
-      operations_.push_back(plot::line({left_edge - 3.0, y}, {left_edge, y}, ink::solid(ink::black, 0.6)));
+      operations_.push_back(plot::line({plot_left - 3.0, y}, {plot_left, y}, ink::solid(ink::black, 0.6)));
       operations_.push_back(label({plot::plain(plot::tick_label(t, ticks.decimals, options_.numbers))},
-                                  {left_edge - 6.0, y + 2.5}, ink::tick_text_size, Anchor::end));
+                                  {plot_left - 6.0, y + 2.5}, ink::tick_text_size, Anchor::end));
     }
-    operations_.push_back(plot::line({left_edge, top_}, {left_edge, bottom_}, ink::solid(ink::black, 0.6)));
+    operations_.push_back(plot::line({plot_left, top_}, {plot_left, bottom_}, ink::solid(ink::black, 0.6)));
     Text title = label({plot::plain(translated(minutes ? "Time / min" : "Time / s", options_))},
                        {10.0, 0.5 * (top_ + bottom_)}, ink::text_size, Anchor::middle);
     title.degrees = 90.0;
@@ -182,9 +180,9 @@ class Drawing {
       operations_.push_back(label({plot::plain(plot::tick_label(x, ticks.decimals, options_.numbers))},
                                   {at, bottom_ + 11.0}, ink::tick_text_size, Anchor::middle));
     }
-    operations_.push_back(plot::line({left_edge, bottom_}, {right_edge, bottom_}, ink::solid(ink::black, 0.6)));
+    operations_.push_back(plot::line({plot_left, bottom_}, {plot_right, bottom_}, ink::solid(ink::black, 0.6)));
     operations_.push_back(label(plot::joined({plot::plain(translated("Position", options_) + " / ")}, unit.name),
-                                {0.5 * (left_edge + right_edge), bottom_ + 22.0}, ink::text_size, Anchor::middle));
+                                {0.5 * (plot_left + plot_right), bottom_ + 22.0}, ink::text_size, Anchor::middle));
   }
 
   static Stroke pen(const Leg& leg) {
@@ -196,7 +194,7 @@ class Drawing {
     if (legs_.size() > most_legs) {
       operations_.push_back(
           label({plot::plain(translated(fmt::format("{} moves: too many to draw", legs_.size()), options_))},
-                {0.5 * (left_edge + right_edge), 0.5 * (top_ + bottom_)}, ink::text_size, Anchor::middle, ink::grey));
+                {0.5 * (plot_left + plot_right), 0.5 * (top_ + bottom_)}, ink::text_size, Anchor::middle, ink::grey));
       return;
     }
     const bool dots = approaches(plan_).size() <= most_readings;
@@ -262,7 +260,7 @@ class Drawing {
               direction == Direction::up ? "Approach ↑ and reading" : "Approach ↓ and reading");
     entry(ink::extension_grey, false, "Way without reading");
     entries.push_back({std::nullopt, ink::grid_grey, std::nullopt, {plot::plain(translated("Overrun", options_))}});
-    plot::draw_legend(operations_, entries, {left_edge, bottom_ + foot}, right_edge - left_edge);
+    plot::draw_legend(operations_, entries, {plot_left, bottom_ + foot}, plot_right - plot_left);
   }
 
   const Plan& plan_;
@@ -277,7 +275,7 @@ class Drawing {
 }  // namespace
 
 Figure programme_figure(const Plan& plan, double acceleration, const Options& options) {
-  return Drawing(plan, acceleration, options).draw();
+  return ProgrammeDrawing(plan, acceleration, options).draw();
 }
 
 }  // namespace axiometry::report

@@ -8,6 +8,7 @@
 
 #include "axiometry/report/figures/chart.h"
 #include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/legend.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/translated.h"
 
@@ -19,7 +20,7 @@ using plot::ChartAxis;
 namespace ink = plot::ink;
 
 constexpr double farthest = 6.0;
-constexpr double chart_height = 170.0;
+constexpr double histogram_height = 170.0;
 constexpr double below_chart = 30.0;
 const Stroke bell_line = ink::solid(ink::black, 1.0);
 
@@ -73,8 +74,10 @@ std::optional<Figure> residual_figure(std::span<const double> normalised, const 
                                                   .band = std::nullopt,
                                                   .mark = std::nullopt,
                                                   .text = {plot::plain(translated("as stated", options))}}};
-  const double top = plot::draw_legend(figure.operations, legend, {30.0, 0.0}, plot::plate_width - 30.0) + 8.0;
-  figure.height = top + chart_height + below_chart;
+  const double top =
+      plot::draw_legend(figure.operations, legend, {plot::header_left, 0.0}, plot::plate_width - plot::header_left) +
+      8.0;
+  figure.height = top + histogram_height + below_chart;
   const ChartAxis x{.low = -bars.half,
                     .high = bars.half,
                     .unit = {1.0, {plot::plain(translated("standard uncertainty", options))}},

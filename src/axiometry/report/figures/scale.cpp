@@ -6,6 +6,7 @@
 #include <span>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/report/figures/ink.h"
 
 namespace axiometry::report::plot {
 namespace {
@@ -113,6 +114,14 @@ std::string tick_label(double value, int decimals, NumberStyle style) {
     text.insert(at, thin_space);
   }
   return text;
+}
+
+double widest_label(const Ticks& ticks, NumberStyle style) {
+  double widest = 0.0;
+  for (const double tick : ticks.major) {
+    widest = std::max(widest, text_width({plain(tick_label(tick, ticks.decimals, style))}, ink::tick_text_size));
+  }
+  return widest;
 }
 
 }  // namespace axiometry::report::plot

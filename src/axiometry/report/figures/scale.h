@@ -50,4 +50,7 @@ Ticks divide(double low, double high, double wanted, Division division);
 /// "12 500" with thin spaces from five digits on, the decimal mark of the style, a true minus sign.
 std::string tick_label(double value, int decimals, NumberStyle style);
 
+/// Width of the widest label of the major ticks in the size of tick labels, points.
+double widest_label(const Ticks& ticks, NumberStyle style);
+
 }  // namespace axiometry::report::plot
