@@ -12,16 +12,15 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/standards/iso230_2_programme.h"
 #include "axiometry/standards/reading_change.h"
+#include "axiometry/standards/usual_expansion.h"
 
 namespace axiometry::iso230_2 {
 namespace {
 
 constexpr double um_per_mm = 1000.0;
-constexpr double reference_temperature = 20.0;
-constexpr double per_um_per_m = 1e-6;
-constexpr double nearest_share = 0.1;    // of the interval that a calibrated position may be off its target
-constexpr double equal_interval = 1e-3;  // of the interval
+constexpr double nearest_share = 0.1;  // of the interval that a calibrated position may be off its target
 
 /// Four decimals at most.
 std::string mm(double x) { return format_exact(std::round(x * 1e4) / 1e4) + " mm"; }
@@ -33,7 +32,7 @@ struct ArtefactTemperature {
   std::size_t sensors = 0;
 
   double strain(double share) const {
-    return expansion * per_um_per_m * (start + share * (end - start) - reference_temperature);
+    return expansion * strain_per_um_per_m * (start + share * (end - start) - reference_temperature);
   }
 };
 

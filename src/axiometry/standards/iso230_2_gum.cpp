@@ -15,8 +15,6 @@
 namespace axiometry::iso230_2 {
 namespace {
 
-constexpr double mm_per_m = 1000.0;
-
 double squared(double x) { return x * x; }
 
 /// The derivatives of a parameter at one target, by direction.
@@ -40,9 +38,9 @@ std::vector<TargetTerms> by_target(Gradient gradient) {
 }
 
 /// One parameter against all sources.
-class Budget {
+class ParameterBudget {
  public:
-  Budget(const GumModel& model, const Series& series, const Evaluation& evaluation, Gradient gradient)
+  ParameterBudget(const GumModel& model, const Series& series, const Evaluation& evaluation, Gradient gradient)
       : model_(model), series_(series), positions_(evaluation.positions), terms_(by_target(std::move(gradient))) {
     for (const TargetTerms& t : terms_)
       lever_m_ += (t.by_mean[0] + t.by_mean[1]) * positions_[t.target].target.in_native() / mm_per_m;
@@ -201,7 +199,7 @@ std::vector<GumSource> list_sources(const GumModel& model) {
 }
 
 /// The budget of one parameter; its uncertainty is 0 when no source acts on it.
-GumParameter propagate_parameter(const GumModel& model, const Budget& budget) {
+GumParameter propagate_parameter(const GumModel& model, const ParameterBudget& budget) {
   GumParameter result;
   ComponentSum sum;
   bool correlated = false;
@@ -313,7 +311,8 @@ Result<std::optional<GumUncertainty>> gum(const Metadata& metadata, const Series
   for (std::size_t k = 0; k < std::size(parameters); ++k) {
     const ParameterInfo& info = parameters[k];
     if (!(evaluation.parameters.*info.member)) continue;
-    GumParameter parameter = propagate_parameter(model, Budget(model, series, evaluation, std::move(gradients[k])));
+    GumParameter parameter =
+        propagate_parameter(model, ParameterBudget(model, series, evaluation, std::move(gradients[k])));
     if (parameter.uncertainty.u.in_native() == 0.0) continue;
     parameter.parameter = &info;
     parameter.value = *(evaluation.parameters.*info.member);

@@ -13,6 +13,7 @@
 namespace axiometry::iso230_2 {
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
+inline constexpr double mm_per_m = 1000.0;
 
 /// A component: its standard uncertainty and degrees of freedom.
 struct Component {

@@ -9,8 +9,6 @@
 namespace axiometry::iso230_2 {
 namespace {
 
-constexpr double mm_per_m = 1000.0;
-
 /// What eq. 8 needs at one target in one direction.
 struct Cell {
   std::size_t target = 0;

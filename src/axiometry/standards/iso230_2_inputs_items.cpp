@@ -24,7 +24,7 @@ using uncertainty::Distribution;
 using uncertainty::Normal;
 using uncertainty::Uniform;
 
-constexpr double absurd = 1e9;  // µm/m, a device that knows nothing
+constexpr double absurd_scale = 1e9;  // µm/m, a device that knows nothing
 
 constexpr std::array catalogue = {
     KnownInput{"machine_expansion", "α", "Expansion coefficient of the machine", "17, A.7", Effect::machine_expansion,
@@ -74,7 +74,7 @@ std::optional<Sourced> sourced(const std::optional<ExpansionCoefficient>& x, std
 }
 
 /// The largest departure from 20 °C that sensors of this role have shown, with its sign.
-std::optional<Sourced> sensor_difference(const Environment& environment, std::string_view role) {
+std::optional<Sourced> sourced_from_sensors(const Environment& environment, std::string_view role) {
   const auto largest = largest_sensor_difference(environment, role);
   return largest ? std::optional(Sourced{*largest, "largest of the sensors"}) : std::nullopt;
 }
@@ -91,7 +91,7 @@ struct ThermalItems {
 
 std::optional<Sourced> difference_of(const std::optional<TemperatureDifference>& given, const Environment& environment,
                                      std::string_view role) {
-  return given ? std::optional(Sourced{given->in_kelvin(), ""}) : sensor_difference(environment, role);
+  return given ? std::optional(Sourced{given->in_kelvin(), ""}) : sourced_from_sensors(environment, role);
 }
 
 ThermalItems machine_items(const Metadata& metadata) {
@@ -138,7 +138,7 @@ std::string_view title_with_artefact(std::string_view key) {
 }
 
 /// Whether somebody asked for an uncertainty: sensors and coefficients alone are items of clause 8.1.
-bool any_given(const Metadata& metadata) {
+bool uncertainty_asked_for(const Metadata& metadata) {
   const AnnexAInputs& annex = metadata.uncertainty;
   const GumInputs& gum = metadata.gum;
   return annex.device_calibration || annex.device_calibration_per_length || annex.device_error_range ||
@@ -250,7 +250,7 @@ class Collector {
     const AnnexAInputs& annex = metadata_.uncertainty;
     if (annex.device_calibration) {
       const double sd = annex.device_calibration->in_native() / 2.0 / length_m;
-      if (sd <= absurd)
+      if (sd <= absurd_scale)
         add("device", valid(Normal{0.0, sd}), "over L");
       else
         note(fmt::format("The calibration of the device is left out: at L = {} m it has no sensible value", length_m));
@@ -334,7 +334,7 @@ UncertaintyInput make_input(const KnownInput& known, AxisKind kind, Distribution
 
 UncertaintyInputs inputs_of_items(const Metadata& metadata, const Series& series) {
   Collector collector(metadata, {});
-  if (!any_given(metadata)) return std::move(collector).take();
+  if (!uncertainty_asked_for(metadata)) return std::move(collector).take();
   const auto& length = metadata.uncertainty.length;
   const double length_m = (length ? length->in_mm() : series.travel_native()) / 1000.0;
   if (metadata.axis.kind == AxisKind::linear) {

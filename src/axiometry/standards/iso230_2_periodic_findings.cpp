@@ -10,14 +10,14 @@
 #include <optional>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/standards/iso230_2_programme.h"
 
 namespace axiometry::iso230_2 {
 namespace {
 
 constexpr double enough_periods = 2.0;
 constexpr double enough_targets = 4.0;
-constexpr double equal_interval = 1e-3;  // of the interval
-constexpr double forgiven = 1e-9;        // of counts: targets are rounded
+constexpr double forgiven = 1e-9;  // of counts: targets are rounded
 
 /// At most so many digits, as a person would write it.
 std::string figure(double x, int digits = 4) { return fmt::format("{:.{}g}", x, digits); }
@@ -25,9 +25,10 @@ std::string figure(double x, int digits = 4) { return fmt::format("{:.{}g}", x, 
 /// Four decimals at most, without zeros at the end.
 std::string place(double x) { return format_exact(std::round(x * 1e4) / 1e4); }
 
-class Findings {
+/// Of one direction.
+class DirectionFindings {
  public:
-  Findings(const Test& test, const PeriodicDirection& d)
+  DirectionFindings(const Test& test, const PeriodicDirection& d)
       : metadata_(test.metadata),
         d_(d),
         unit_(metadata_.axis.kind == AxisKind::linear ? " mm" : "°"),
@@ -152,7 +153,7 @@ class Findings {
 std::vector<Finding> periodic_findings(const Test& test, std::span<const PeriodicDirection> directions) {
   std::vector<Finding> all;
   const bool both = directions.size() > 1;
-  for (const PeriodicDirection& d : directions) Findings(test, d).add(all, both);
+  for (const PeriodicDirection& d : directions) DirectionFindings(test, d).add(all, both);
   if (both)
     all.push_back(
         {"Annex C", Severity::note, "found readings from both directions, expected one: each is evaluated for itself"});

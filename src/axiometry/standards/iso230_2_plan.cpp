@@ -20,8 +20,8 @@ constexpr double overrun_least = 1.0;   // mm or °
 constexpr double overrun_usual = 10.0;  // up to which 1 % of the travel is enough
 constexpr double overrun_share = 0.1;   // of the travel, for the sake of the feed
 constexpr double shift_at_ends = 0.05;  // of the measurement travel
-constexpr double targets_per_period = 8.0;
-constexpr double periods = 3.0;
+constexpr double targets_per_period_usual = 8.0;
+constexpr double periods_usual = 3.0;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What the request leaves open, chosen; numbers in mm or °.
@@ -308,9 +308,9 @@ Result<Plan> plan_for_period(const Frame& frame, const PlanRequest& request) {
   if (!(room >= 2.0 * period))
     return fail(fmt::format("found room for {} about {}, expected two periods of {} at least", frame.text(room),
                             frame.text(middle), frame.text(period)));
-  const double length = std::min(periods * period, room);
+  const double length = std::min(periods_usual * period, room);
   TargetGrid grid;
-  const double wanted = request.interval ? request.interval->in_native() : period / targets_per_period;
+  const double wanted = request.interval ? request.interval->in_native() : period / targets_per_period_usual;
   const double count = request.count ? static_cast<double>(*request.count) : std::ceil(length / wanted - 1e-9) + 1.0;
   AXIOMETRY_TRY_VOID(check_count(frame, {Position::native(0.0), Position::native(length)}, count));
   grid.count = std::max<std::size_t>(static_cast<std::size_t>(count), 2);

@@ -18,10 +18,10 @@ namespace {
 using rules::Case;
 
 constexpr std::size_t most_readings = 20'000'000;
-constexpr double slack = 1e-6;              // mm or °
-constexpr double least_phases = 0.25;       // of the period: fewer are missed by chance of five targets in 2 % of plans
-constexpr double periods_at_least = 2.0;    // Annex C
-constexpr double targets_per_period = 4.0;  // Annex C: half the period is the limit, where nothing can be told
+constexpr double position_slack = 1e-6;   // mm or °
+constexpr double least_phases = 0.25;     // of the period: fewer are missed by chance of five targets in 2 % of plans
+constexpr double periods_at_least = 2.0;  // Annex C
+constexpr double targets_per_period_least = 4.0;  // Annex C: half the period is the limit, where nothing can be told
 
 std::string position_text(const Plan& plan, double x) { return rules::position_text(plan.axis.kind, x); }
 
@@ -33,10 +33,10 @@ std::optional<Finding> reach_within_travel(const Plan& plan) {
   const auto [lowest, highest] = reach(plan);
   const Axis& axis = plan.axis;
   std::string ends;
-  if (axis.travel_begin && lowest.in_native() < axis.travel_begin->in_native() - slack)
+  if (axis.travel_begin && lowest.in_native() < axis.travel_begin->in_native() - position_slack)
     ends = fmt::format("the overrun at {} below the axis travel from {}", position_text(plan, lowest.in_native()),
                        position_text(plan, axis.travel_begin->in_native()));
-  if (axis.travel_end && highest.in_native() > axis.travel_end->in_native() + slack)
+  if (axis.travel_end && highest.in_native() > axis.travel_end->in_native() + position_slack)
     ends += fmt::format("{}the overrun at {} above the axis travel to {}", ends.empty() ? "" : " and ",
                         position_text(plan, highest.in_native()), position_text(plan, axis.travel_end->in_native()));
   if (ends.empty()) return std::nullopt;
@@ -121,7 +121,7 @@ std::optional<Finding> period_given(const Plan& plan) {
 std::optional<Finding> period_covered(const Plan& plan) {
   if (period_given(plan)) return std::nullopt;
   const double period = plan.axis.expected_period->in_native();
-  if (travel_of(plan) >= periods_at_least * period - slack) return std::nullopt;
+  if (travel_of(plan) >= periods_at_least * period - position_slack) return std::nullopt;
   return rules::departure("Annex C", fmt::format("found targets over {}, expected at least two periods of {}",
                                                  position_text(plan, travel_of(plan)), position_text(plan, period)));
 }
@@ -130,7 +130,7 @@ std::optional<Finding> period_resolved(const Plan& plan) {
   if (period_given(plan)) return std::nullopt;
   const double period = plan.axis.expected_period->in_native();
   const double p = travel_of(plan) / static_cast<double>(std::max<std::size_t>(plan.targets.size(), 2) - 1);
-  if (p <= period / targets_per_period + slack) return std::nullopt;
+  if (p <= period / targets_per_period_least + position_slack) return std::nullopt;
   return rules::departure(
       "Annex C", fmt::format("found a mean interval of {}, expected one well below the period of {}: a quarter at most",
                              position_text(plan, p), position_text(plan, period)));
@@ -170,7 +170,7 @@ constexpr rules::Rule* programme_rules[] = {
     rules::step_cycle,
 };
 
-class Findings {
+class PlanFindings {
  public:
   void add(std::optional<Finding> finding) {
     if (finding) list_.push_back(*std::move(finding));
@@ -208,7 +208,7 @@ class Findings {
 /// Of a further plan without the acceleration, which the plan it belongs to was judged with.
 std::vector<Finding> findings_of(const Plan& plan, std::optional<double> acceleration) {
   const bool further = !acceleration;
-  Findings findings;
+  PlanFindings findings;
   for (PlanRule* rule : common_rules)
     if (!further || rule == reach_within_travel) findings.add(rule(plan));
   if (acceleration) findings.add(feed_reached(plan, *acceleration));

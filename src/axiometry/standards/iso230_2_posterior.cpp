@@ -11,14 +11,14 @@ namespace axiometry::iso230_2 {
 namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-constexpr Direction both[] = {Direction::up, Direction::down};
+constexpr Direction both_directions[] = {Direction::up, Direction::down};
 
 constexpr std::size_t cells_for_run_shifts = 3;  // with fewer, a shift of the run and scatter look alike
 constexpr int sweeps = 20;                       // leave 1e-20 with a tenth of the readings missing
 constexpr double least_run_sd = 0.1;             // of what noise alone would show, to ten times what was seen
 constexpr double most_run_sd = 10.0;
 constexpr std::size_t run_grid_size = 24;
-constexpr double exact_from = 1e-12;  // of the variance of δ, below which other noise is none
+constexpr double negligible_share = 1e-12;  // of the variance of δ, below which other noise is none
 
 double square(double x) { return x * x; }
 
@@ -52,7 +52,7 @@ ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noi
   own_variance_ = (1.0 - std::abs(r)) * square(noise.target) + square(noise.target_direction);
   down_sign_ = r < 0.0 ? -1.0 : 1.0;
   exact_ = noise.reading == 0.0 && noise.run == 0.0 && noise.target == 0.0 && noise.target_direction == 0.0;
-  for (Direction direction : both) {
+  for (Direction direction : both_directions) {
     for (std::size_t i = 0; i < targets_; ++i) {
       Cell cell{static_cast<std::size_t>(direction) * targets_ + i, i, series.count(i, direction), 0.0, {}, {}};
       if (cell.count == 0) continue;
@@ -234,7 +234,7 @@ void ReadingPosterior::share_means(State& state) const {
   for (std::size_t c = 0; c < cells_.size() && shared_variance_ > 0.0; ++c) {
     for (std::size_t t = 0; t < state.trials; ++t) {
       // Means without any noise of their own (n = 1, or all readings alike) tell δ all but exactly.
-      const double own = std::max(of_mean(c, state.sd(c)[t]) + own_variance_, exact_from * shared_variance_);
+      const double own = std::max(of_mean(c, state.sd(c)[t]) + own_variance_, negligible_share * shared_variance_);
       const double weight = 1.0 / own;
       precision[cells_[c].target * state.trials + t] += weight;
       pull[cells_[c].target * state.trials + t] += sign_of(c) * weight * (cells_[c].mean - state.mean(c)[t]);

@@ -49,6 +49,10 @@ inline constexpr Position long_axis_interval = Position::native(250.0);
 /// Bound of the random part r of a target when no periodic error is expected: ±30 % of the interval p (5.2).
 inline constexpr double random_part = 0.3;
 
+/// Targets whose steps depart from the mean interval by no more than this part of it are equally spaced: the random
+/// part is too small to sample a periodic error.
+inline constexpr double equal_interval = 1e-3;
+
 /// Two positions nearer than this are the same (mm or °), as for targets and sampling points of the compensation.
 inline constexpr Position same_position = Position::native(1e-3);
 

@@ -13,7 +13,6 @@
 namespace axiometry::iso230_2::rules {
 namespace {
 
-constexpr double equal_interval = 1e-3;   // of the interval: r below this samples no periodic error
 constexpr std::size_t named_at_most = 5;  // of a list in a message
 
 bool many_approaches(Programme p) { return required_approaches(p) > 1; }

@@ -17,7 +17,7 @@ constexpr std::uint64_t of_posterior = 0;
 constexpr std::uint64_t of_sampling = of_posterior + ReadingPosterior::streams;
 constexpr std::uint64_t first_of_inputs = of_sampling + 1;  // and after them the errors of targets
 
-constexpr double per_um_per_m = 1e-3;  // µm of deviation per mm of position
+constexpr double m_per_mm = 1e-3;
 
 /// Known noise: inputs of one effect add up in quadrature.
 ReadingNoise noise_of(const UncertaintyInputs& inputs, const TrialModelOptions& options) {
@@ -123,7 +123,7 @@ std::vector<double> TrialModel::length_errors(std::uint64_t place) const {
   std::vector<double> errors(chunk);
   for (const LengthError& error : length_errors_) {
     const std::vector<double> drawn = draw(error, place);
-    for (std::size_t t = 0; t < chunk; ++t) errors[t] += drawn[t] * per_um_per_m;
+    for (std::size_t t = 0; t < chunk; ++t) errors[t] += drawn[t] * m_per_mm;
   }
   return errors;
 }

@@ -22,9 +22,9 @@ namespace {
 constexpr double expanded_per_range = 0.6;
 // Half of the above: the cosine error of a misalignment R over L is R²/2L.
 constexpr double expanded_per_squared_misalignment = 0.3;
-constexpr double length_limit_m = 2.0;  // A.2.6 holds up to here
-constexpr double absurd = 1e100;        // µm or ″
-constexpr double length_short_m = 0.3;  // A.2.3 warns below
+constexpr double length_limit_m = 2.0;        // A.2.6 holds up to here
+constexpr double absurd_uncertainty = 1e100;  // µm or ″
+constexpr double length_short_m = 0.3;        // A.2.3 warns below
 
 /// A number that enters a formula, and where it came from when nobody gave it.
 struct Known {
@@ -62,14 +62,14 @@ Input first_of(std::initializer_list<Input> sources) {
 }
 
 /// Largest |T − 20 °C| that the sensors of one role have shown.
-Input sensor_difference(const Environment& environment, std::string_view role) {
+Input largest_of_sensors(const Environment& environment, std::string_view role) {
   const auto largest = largest_sensor_difference(environment, role);
   return largest ? Input(Known{*largest, "largest of the sensors"}) : std::nullopt;
 }
 
 /// Whether anything of Annex A was given. L alone says nothing about an uncertainty, and what has no clause
 /// belongs to other methods.
-bool any_given(const Metadata& metadata) {
+bool annex_a_given(const Metadata& metadata) {
   return std::ranges::any_of(metadata_fields(),
                              [&](const Field& field) {
                                return field.key.starts_with("uncertainty.") && field.key != "uncertainty.length_mm" &&
@@ -105,9 +105,9 @@ Contributor product(Contributor contributor, double factor, std::initializer_lis
 }
 
 /// Builds the budget and remembers what had to be assumed.
-class Budget {
+class AnnexABudget {
  public:
-  Budget(const Metadata& metadata, const Series& series)
+  AnnexABudget(const Metadata& metadata, const Series& series)
       : metadata_(metadata), in_(metadata.uncertainty), targets_(series.targets()), station_(station_offset(metadata)) {
     linear_ = metadata.axis.kind == AxisKind::linear;
     artefact_ = artefact_takes_place_of_device(metadata);
@@ -129,7 +129,7 @@ class Budget {
  private:
   /// Lengths next to nothing or beyond the solar system would end in infinities.
   void leave_out_absurd(Contributor& row) {
-    if (!row.U || row.U->in_native() <= absurd) return;
+    if (!row.U || row.U->in_native() <= absurd_uncertainty) return;
     notes_.push_back(fmt::format("{} is left out: at L = {} m it has no sensible value", row.symbol, length_m()));
     row.U.reset();
   }
@@ -260,7 +260,7 @@ class Budget {
     if (!linear_) return row;
     return expansion_term(
         row, "machine tool", in_.machine_expansion_range,
-        first_of({given(in_.machine_temperature_difference), sensor_difference(metadata_.environment, "machine")}));
+        first_of({given(in_.machine_temperature_difference), largest_of_sensors(metadata_.environment, "machine")}));
   }
 
   Contributor e_device() {
@@ -277,7 +277,7 @@ class Budget {
     if (!linear_ || !(in_.device_temperature_difference || in_.device_expansion_range || expands)) return row;
     return expansion_term(
         row, artefact_ ? "artefact" : "measuring device", in_.device_expansion_range,
-        first_of({given(in_.device_temperature_difference), sensor_difference(metadata_.environment, "equipment")}));
+        first_of({given(in_.device_temperature_difference), largest_of_sensors(metadata_.environment, "equipment")}));
   }
 
   Contributor expansion_term(const Contributor& row, std::string_view whose,
@@ -376,8 +376,8 @@ std::vector<std::string> general_notes(const AnnexA& annex, const Metadata& meta
 }  // namespace
 
 std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, const Evaluation& evaluation) {
-  if (!any_given(metadata)) return std::nullopt;
-  Budget budget(metadata, series);
+  if (!annex_a_given(metadata)) return std::nullopt;
+  AnnexABudget budget(metadata, series);
   AnnexA result;
   result.budget = budget.rows();
   if (std::ranges::none_of(result.budget, [](const Contributor& row) { return row.U.has_value(); }))

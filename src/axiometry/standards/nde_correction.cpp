@@ -13,14 +13,12 @@
 #include "axiometry/standards/reading_change.h"
 #include "axiometry/standards/sensor_mean.h"
 #include "axiometry/standards/test_course.h"
+#include "axiometry/standards/usual_expansion.h"
 
 namespace axiometry {
 namespace {
 
 using Part = AppliedExpansionCorrection::Part;
-
-constexpr double reference_temperature = 20.0;
-constexpr double per_um_per_m = 1e-6;
 
 Part part_of(const SensorMean& mean, ExpansionCoefficient expansion) {
   return {expansion, mean.start, mean.end, mean.sensors};
@@ -61,7 +59,8 @@ Result<std::optional<Part>> equipment_part(const Metadata& metadata) {
 double strain(const Part& part, double time) {
   const double start = part.start.in_celsius();
   const double temperature = start + time * (part.end.in_celsius() - start);
-  return part.expansion.in_um_per_m_K() * per_um_per_m * (temperature - reference_temperature);
+  return part.expansion.in_um_per_m_K() * iso230_2::strain_per_um_per_m *
+         (temperature - iso230_2::reference_temperature);
 }
 
 /// What is added to a reading at a displayed length from the datum, µm.

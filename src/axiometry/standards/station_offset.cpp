@@ -21,13 +21,13 @@ using uncertainty::Distribution;
 constexpr double um_per_mm = 1000.0;
 constexpr double largest_mm = 1e6;  // of an uncertainty: beyond, somebody mixed up units
 
-constexpr std::size_t nodes = 64;
+constexpr std::size_t quarter_turn_nodes = 64;
 
 /// w/u1² at the middle of each part of a quarter turn.
-std::array<double, nodes> weights_of(double ratio) {
-  std::array<double, nodes> weights;
-  for (std::size_t k = 0; k < nodes; ++k) {
-    const double theta = (static_cast<double>(k) + 0.5) / nodes * std::numbers::pi / 2.0;
+std::array<double, quarter_turn_nodes> weights_of(double ratio) {
+  std::array<double, quarter_turn_nodes> weights;
+  for (std::size_t k = 0; k < quarter_turn_nodes; ++k) {
+    const double theta = (static_cast<double>(k) + 0.5) / quarter_turn_nodes * std::numbers::pi / 2.0;
     const double c = std::cos(theta), s = ratio * std::sin(theta);
     weights[k] = c * c + s * s;
   }
@@ -99,7 +99,7 @@ double offset_squared_quantile(const StationOffset& offset, double p) {
   const double larger = offset.larger_mm;
   if (larger == 0.0) return 0.0;
   const double ratio = offset.smaller_mm / larger;
-  const std::array<double, nodes> weights = weights_of(ratio);
+  const std::array<double, quarter_turn_nodes> weights = weights_of(ratio);
   // Between the quantiles of χ²₁ and χ²₂; Newton's steps on F − p, halved where they leave the bracket.
   const double z = numeric::normal_quantile((1.0 + p) / 2.0);
   double low = z * z * (1.0 - 1e-12), high = -2.0 * std::log1p(-p) * (1.0 + 1e-12);
@@ -107,7 +107,7 @@ double offset_squared_quantile(const StationOffset& offset, double p) {
   for (int step = 0; step < 100; ++step) {
     double tail = 0.0, density = 0.0;
     for (const double w : weights) {
-      const double e = std::exp(-q / (2.0 * w)) / nodes;
+      const double e = std::exp(-q / (2.0 * w)) / quarter_turn_nodes;
       tail += e;
       density += e / (2.0 * w);
     }

@@ -15,6 +15,7 @@ namespace axiometry::iso230_2 {
 inline constexpr double expansion_usual = 12.0;        ///< α, µm/(m·°C), Table A.2
 inline constexpr double expansion_range_usual = 2.0;   ///< R(α), µm/(m·°C), A.2.4.3
 inline constexpr double reference_temperature = 20.0;  ///< °C
+inline constexpr double strain_per_um_per_m = 1e-6;    ///< a strain of 1 µm/m as a number
 
 /// The largest departure from 20 °C, in °C and with its sign, that the sensors of a role have shown at start or end,
 /// the first of several that are alike. Absent without any.

@@ -6,6 +6,8 @@
 #include <map>
 #include <tuple>
 
+#include "axiometry/tracking/median.h"
+
 namespace axiometry::tracking {
 namespace {
 
@@ -18,13 +20,6 @@ constexpr std::size_t votes_most = 100;
 constexpr std::size_t jumps_most = 1000;
 
 using Key = std::tuple<std::size_t, Direction, std::size_t, Direction>;  // from target, direction, to target, direction
-
-double median(std::vector<double> x) {
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::ranges::nth_element(x, middle);
-  if (x.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(x.begin(), middle));
-}
 
 Direction other(Direction d) { return d == Direction::up ? Direction::down : Direction::up; }
 
@@ -189,20 +184,20 @@ Thresholds thresholds(const Steps& steps, std::optional<double> given_mm) {
 }
 
 /// What is left of a step that is a jump, and from what size on it is one.
-struct Found {
+struct FoundJump {
   double size_mm = 0.0;  // 0: no jump
   double limit_mm = 0.0;
 };
 
 /// Whether the second takes back the first.
-bool cancels(const Found& a, const Found& b) {
+bool cancels(const FoundJump& a, const FoundJump& b) {
   const double left = std::abs(a.size_mm + b.size_mm);
   return b.size_mm != 0.0 && left < 0.5 * std::max(std::abs(a.size_mm), std::abs(b.size_mm)) &&
          left <= std::max(a.limit_mm, b.limit_mm);
 }
 
 /// The largest first, so that what it does to the votes on others is gone before they are judged.
-std::vector<Found> jumps_of(Steps& steps, const Thresholds& limits) {
+std::vector<FoundJump> jumps_of(Steps& steps, const Thresholds& limits) {
   for (std::size_t found = 0; found < jumps_most; ++found) {
     std::optional<std::size_t> largest;
     double excess = 1.0;
@@ -217,7 +212,7 @@ std::vector<Found> jumps_of(Steps& steps, const Thresholds& limits) {
     if (!largest) break;
     steps.mark(*largest);
   }
-  std::vector<Found> jumps(steps.count());  // judged again now that no jump has a vote
+  std::vector<FoundJump> jumps(steps.count());  // judged again now that no jump has a vote
   for (std::size_t k = 0; k < steps.count(); ++k) {
     if (!steps.jumped(k)) continue;
     const Left left = steps.left(k);
@@ -234,7 +229,7 @@ Jumps find_jumps(std::span<const LineSample> samples, std::span<const Position> 
   const Thresholds limits = thresholds(steps, threshold_mm);
   Jumps jumps;
   jumps.threshold_mm = limits.strong_mm;
-  const std::vector<Found> found = jumps_of(steps, limits);
+  const std::vector<FoundJump> found = jumps_of(steps, limits);
   bool first = true;  // of its segment
   for (std::size_t k = 0; k < found.size(); ++k) {
     const bool single = first;

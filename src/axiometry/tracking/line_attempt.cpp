@@ -4,27 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "axiometry/tracking/line_geometry.h"
+#include "axiometry/tracking/machine_axes.h"
 #include "axiometry/tracking/obstacles.h"
 #include "axiometry/tracking/visibility.h"
 
 namespace axiometry::tracking {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
-constexpr double slack_deg = 1e-7;
 constexpr double slack_mm = 1e-9;  // a station on the limit of a travel is in it
-constexpr std::array<char, 3> axis_names = {'X', 'Y', 'Z'};
-
-bool moves(Vector3 direction, std::size_t k) { return std::abs(direction[k]) > 1e-9; }
 
 std::string octant_of(Vector3 direction) {
   std::string text;
-  for (std::size_t k = 0; k < 3; ++k) text += !moves(direction, k) ? "0" : direction[k] > 0.0 ? "+" : "−";
+  for (std::size_t k = 0; k < 3; ++k) text += !axis_moves(direction, k) ? "0" : direction[k] > 0.0 ? "+" : "−";
   return text;
 }
 
@@ -61,7 +56,7 @@ std::optional<std::string> off_travels(const TrackingSetup& setup, Vector3 direc
   std::string reasons;
   for (std::size_t k = 0; k < 3; ++k) {
     const double q = setup.station.position_mm[k] - setup.tool_offset_mm[k];
-    if (moves(direction, k) ||
+    if (axis_moves(direction, k) ||
         (q >= setup.travel.lowest_mm[k] - slack_mm && q <= setup.travel.highest_mm[k] + slack_mm))
       continue;
     reasons += (reasons.empty() ? "" : "; ") + outside_text(setup, k);
@@ -73,7 +68,7 @@ std::optional<std::string> off_travels(const TrackingSetup& setup, Vector3 direc
 Piece in_travels(const TrackingSetup& setup, Vector3 direction) {
   Piece piece{{0.0, "the station"}, {std::numeric_limits<double>::infinity(), ""}};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!moves(direction, k)) continue;
+    if (!axis_moves(direction, k)) continue;
     const double q = setup.station.position_mm[k] - setup.tool_offset_mm[k];
     const bool up = direction[k] > 0.0;
     const double enter = ((up ? setup.travel.lowest_mm[k] : setup.travel.highest_mm[k]) - q) / direction[k];
@@ -142,7 +137,7 @@ Attempt refused(Attempt attempt, Stage stage, std::string reason) {
 double incidence_deg(Vector3 direction, Vector3 reflector_axis) {
   const double length = norm(reflector_axis);
   if (!(length > 0.0)) return 0.0;
-  return std::acos(std::clamp(-dot(direction, reflector_axis) / length, -1.0, 1.0)) * degrees;
+  return std::acos(std::clamp(-dot(direction, reflector_axis) / length, -1.0, 1.0)) * deg_per_rad;
 }
 
 std::vector<Vector3> line_directions(const TrackingSetup& setup, std::string_view id, DiagonalRule rule) {
@@ -176,13 +171,14 @@ Attempt attempt_line(const TrackingSetup& setup, std::string_view id, Vector3 di
   Piece piece = in_travels(setup, direction);
   if (piece.length() <= 0.0)
     return refused(attempt, Stage::past_travels, "the line from the station leads past the travels");
-  const double elevation = std::asin(std::clamp(direction.z, -1.0, 1.0)) * degrees;
-  if (elevation < limits.elevation_lowest_deg - slack_deg || elevation > limits.elevation_highest_deg + slack_deg)
+  const double elevation = std::asin(std::clamp(direction.z, -1.0, 1.0)) * deg_per_rad;
+  if (elevation < limits.elevation_lowest_deg - limit_slack_deg ||
+      elevation > limits.elevation_highest_deg + limit_slack_deg)
     return refused(attempt, Stage::elevation,
                    fmt::format("its beam has an elevation of {:.1f}°, the instrument takes {:.1f}° to {:.1f}°",
                                elevation, limits.elevation_lowest_deg, limits.elevation_highest_deg));
   if (const double incidence = incidence_deg(direction, limits.reflector_axis);
-      incidence > limits.incidence_most_deg + slack_deg)
+      incidence > limits.incidence_most_deg + limit_slack_deg)
     return refused(attempt, Stage::incidence,
                    fmt::format("its beam comes {:.1f}° off the axis of the reflector, which takes {:.1f}°: turn the "
                                "reflector towards the station",

@@ -15,6 +15,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/tracking/one_line.h"
+#include "axiometry/tracking/reading_name.h"
 #include "axiometry/tracking/reading_order.h"
 #include "axiometry/tracking/seven_lines.h"
 
@@ -22,11 +23,6 @@ namespace axiometry::tracking {
 namespace {
 
 constexpr double length_limit_mm = 1e6;  // a kilometre, beyond any instrument
-
-std::string named(const LengthReading& r) {
-  return fmt::format("target {}{} run {} of line {}", r.approach.target + 1, arrow(r.approach.direction),
-                     r.approach.run + 1, r.line);
-}
 
 using Numbers = std::map<std::string, std::size_t>;
 
@@ -57,10 +53,10 @@ Result<void> check_readings(const TrackingPlan& plan, std::span<const LengthRead
       return fail(fmt::format("found a length at target {} of line {}, expected 1 to {}", r.approach.target + 1, r.line,
                               own.targets.size()));
     if (!(std::abs(r.length_difference_mm) <= length_limit_mm))
-      return fail(
-          fmt::format("found a length of {} mm at {}, expected one up to 1e6 mm", r.length_difference_mm, named(r)));
+      return fail(fmt::format("found a length of {} mm at {}, expected one up to 1e6 mm", r.length_difference_mm,
+                              reading_name_with_line(r)));
     if (!seen.emplace(line->second, r.approach.target, r.approach.direction, r.approach.run).second)
-      return fail(fmt::format("found {} twice, expected each reading once", named(r)));
+      return fail(fmt::format("found {} twice, expected each reading once", reading_name_with_line(r)));
   }
   return {};
 }

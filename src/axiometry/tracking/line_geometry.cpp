@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "axiometry/base/number_text.h"
 
@@ -14,7 +13,6 @@ namespace {
 
 constexpr double nearest_mm = 1.0;       // within it a direction of the beam has no meaning
 constexpr double steepest_cosine = 0.5;  // 60°
-constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 
 std::unexpected<Error> passes_by(const TrackingLine& line, const LineGeometry& geometry) {
   return fail(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,8 @@
 
 /// A planned line as the station sees it.
 namespace axiometry::tracking {
+
+inline constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 
 struct LineGeometry {
   Vector3 direction;                 ///< of the reflector, where position grows; of length 1

@@ -7,11 +7,10 @@
 #include <string>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/tracking/machine_axes.h"
 
 namespace axiometry::tracking {
 namespace {
-
-constexpr const char* axis_names[] = {"X", "Y", "Z"};
 
 std::string capitals(std::string text) {
   for (char& c : text)
@@ -19,9 +18,9 @@ std::string capitals(std::string text) {
   return text;
 }
 
-std::string place_text(Vector3 p) {
-  return fmt::format("({}, {}, {}) mm", format_exact(std::round(p.x * 1e3) / 1e3),
-                     format_exact(std::round(p.y * 1e3) / 1e3), format_exact(std::round(p.z * 1e3) / 1e3));
+std::string station_text(Vector3 p) {
+  return fmt::format("({}, {}, {}) mm", format_exact(rounded_to_um(p.x)), format_exact(rounded_to_um(p.y)),
+                     format_exact(rounded_to_um(p.z)));
 }
 
 Axis axis_of(const LineDescription& d) {
@@ -41,7 +40,7 @@ Axis axis_of(const LineDescription& d) {
   axis.measurement_line = planned.measurement_line;
   if (axis.measurement_line.empty())
     axis.measurement_line =
-        fmt::format("away from a tracking interferometer at {}", place_text(d.setup.station.position_mm));
+        fmt::format("away from a tracking interferometer at {}", station_text(d.setup.station.position_mm));
   return axis;
 }
 
@@ -51,9 +50,9 @@ std::string resting_axes(const Axis& axis) {
   if (!line) return "";
   std::string text;
   for (std::size_t k = 0; k < 3; ++k)
-    if (std::abs(line->direction[k]) <= 1e-9)
+    if (!axis_moves(line->direction, k))
       text += fmt::format("{}{} = {} mm", text.empty() ? "" : "; ", axis_names[k],
-                          format_exact(std::round(line->origin_mm[k] * 1e3) / 1e3));
+                          format_exact(rounded_to_um(line->origin_mm[k])));
   return text.empty() ? "none" : text;
 }
 

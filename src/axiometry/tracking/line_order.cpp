@@ -8,17 +8,17 @@ namespace axiometry::tracking {
 namespace {
 
 constexpr std::size_t most_exact = 12;  // 4096 subsets of 12 × 12 steps
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_way_yet = std::numeric_limits<double>::infinity();
 
 /// least[set][last]: the cheapest way over just this set that ends at `last`.
 std::vector<std::size_t> exact_order(const std::vector<std::vector<double>>& costs) {
   const std::size_t n = costs.size(), sets = std::size_t{1} << n;
-  std::vector<std::vector<double>> least(sets, std::vector<double>(n, infinity));
+  std::vector<std::vector<double>> least(sets, std::vector<double>(n, no_way_yet));
   std::vector<std::vector<std::size_t>> before(sets, std::vector<std::size_t>(n, n));
   for (std::size_t k = 0; k < n; ++k) least[std::size_t{1} << k][k] = 0.0;
   for (std::size_t set = 1; set < sets; ++set)
     for (std::size_t last = 0; last < n; ++last) {
-      if (least[set][last] == infinity) continue;
+      if (least[set][last] == no_way_yet) continue;
       for (std::size_t next = 0; next < n; ++next) {
         const std::size_t grown = set | std::size_t{1} << next;
         const double cost = least[set][last] + costs[last][next];

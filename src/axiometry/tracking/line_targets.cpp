@@ -9,6 +9,7 @@
 
 #include "axiometry/standards/iso230_2_programme.h"
 #include "axiometry/standards/iso230_6.h"
+#include "axiometry/tracking/machine_axes.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -26,15 +27,13 @@ double rounded(double x, double step) {
 
 Vector3 rounded(Vector3 v, double step) { return {rounded(v.x, step), rounded(v.y, step), rounded(v.z, step)}; }
 
-bool moves(Vector3 direction, std::size_t k) { return std::abs(direction[k]) > 1e-9; }
-
-std::size_t first_moving(Vector3 direction) { return moves(direction, 0) ? 0 : moves(direction, 1) ? 1 : 2; }
+std::size_t first_moving(Vector3 direction) { return axis_moves(direction, 0) ? 0 : axis_moves(direction, 1) ? 1 : 2; }
 
 /// Positions between which the axes are in their travels.
 iso230_2::Stretch within_travels(const TravelBox& travel, const SpatialLine& line) {
   double low = -std::numeric_limits<double>::infinity(), high = -low;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!moves(line.direction, k)) continue;
+    if (!axis_moves(line.direction, k)) continue;
     const double a = (travel.lowest_mm[k] - line.origin_mm[k]) / line.direction[k];
     const double b = (travel.highest_mm[k] - line.origin_mm[k]) / line.direction[k];
     low = std::max(low, std::min(a, b));
@@ -109,7 +108,7 @@ LineTask diagonal_task(const TrackingSetup& setup, const std::string& id, Vector
 std::optional<Position> period_along(Vector3 direction, const std::array<std::optional<Position>, 3>& periods) {
   std::optional<Position> longest;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!moves(direction, k) || !periods[k]) continue;
+    if (!axis_moves(direction, k) || !periods[k]) continue;
     const Position along = Position::native(periods[k]->in_native() / std::abs(direction[k]));
     longest = longest ? std::max(*longest, along) : along;
   }

@@ -11,13 +11,13 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/tracking/machine_axes.h"
 #include "axiometry/tracking/station_fit.h"
 #include "axiometry/tracking/visibility.h"
 
 namespace axiometry::tracking {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr std::size_t least_count = 6, most_count = 50;
 
 /// Small is good: the logarithm of the largest amplification, and a quarter of that of the condition of eq. 14, so that
@@ -70,8 +70,6 @@ std::string kind_of(std::string_view reason) {
   return kind;
 }
 
-double rounded(double x) { return std::round(x * 1000.0) / 1000.0; }
-
 /// A grid over the travels, 2 % of each left free at its ends.
 Candidates candidates_of(const TrackingSetup& setup, int steps) {
   Candidates result;
@@ -87,7 +85,7 @@ Candidates candidates_of(const TrackingSetup& setup, int steps) {
     for (int j = 0; j < last(1); ++j)
       for (int k = 0; k < last(2); ++k) {
         Vector3 p = Vector3{place(0, i), place(1, j), place(2, k)} + setup.tool_offset_mm;
-        p = {rounded(p.x), rounded(p.y), rounded(p.z)};
+        p = {rounded_to_um(p.x), rounded_to_um(p.y), rounded_to_um(p.z)};
         auto reason = hidden_because(setup, p);
         if (!reason) reason = blocked_because(setup, p, p);
         if (!reason) {

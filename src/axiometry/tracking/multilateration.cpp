@@ -12,9 +12,8 @@
 #include "axiometry/tracking/range_solution.h"
 
 namespace axiometry::tracking {
+namespace detail {
 namespace {
-
-using namespace detail;  // NOLINT: the internals of this very function
 
 /// One call of multilaterate().
 class Multilateration {
@@ -274,6 +273,7 @@ class Multilateration {
 };
 
 }  // namespace
+}  // namespace detail
 
 std::optional<std::size_t> points_least(std::size_t stations, ScaleModel scale) {
   if (stations < 4) return std::nullopt;
@@ -285,8 +285,8 @@ std::optional<std::size_t> points_least(std::size_t stations, ScaleModel scale) 
 Result<MultilaterationFit> multilaterate(std::span<const Vector3> nominal_mm, std::size_t stations,
                                          std::span<const RangeReading> readings,
                                          const MultilaterationOptions& options) {
-  const RangeInput input{nominal_mm, stations, readings, options};
-  return Multilateration(input).carry_out();
+  const detail::RangeInput input{nominal_mm, stations, readings, options};
+  return detail::Multilateration(input).carry_out();
 }
 
 }  // namespace axiometry::tracking

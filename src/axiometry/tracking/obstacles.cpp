@@ -12,17 +12,17 @@ constexpr int section_steps = 64;   // 0.618⁶⁴ = 4e-14 of the segment
 constexpr int triangle_steps = 44;  // 0.618⁴⁴ = 6e-10 of its sides; squared in number of evaluations
 constexpr int bisection_steps = 60;
 
-double distance_to(const BoxObstacle& box, Vector3 p) {
+double distance_to_shape(const BoxObstacle& box, Vector3 p) {
   Vector3 outside;
   for (std::size_t k = 0; k < 3; ++k) outside[k] = std::max({box.lowest_mm[k] - p[k], p[k] - box.highest_mm[k], 0.0});
   return norm(outside);
 }
 
-double distance_to(const SphereObstacle& sphere, Vector3 p) {
+double distance_to_shape(const SphereObstacle& sphere, Vector3 p) {
   return std::max(distance(p, sphere.centre_mm) - sphere.radius_mm, 0.0);
 }
 
-double distance_to(const CylinderObstacle& cylinder, Vector3 p) {
+double distance_to_shape(const CylinderObstacle& cylinder, Vector3 p) {
   const Vector3 r = p - cylinder.base_mm;
   const double beside = std::max(std::hypot(r.x, r.y) - cylinder.radius_mm, 0.0);
   const double beyond = std::max({-r.z, r.z - cylinder.height_mm, 0.0});
@@ -76,7 +76,7 @@ double crossing(const Function& f, double near, double far, double limit) {
 }  // namespace
 
 double distance_to(const Obstacle& obstacle, Vector3 point_mm) {
-  return std::visit([&](const auto& shape) { return distance_to(shape, point_mm); }, obstacle.shape);
+  return std::visit([&](const auto& shape) { return distance_to_shape(shape, point_mm); }, obstacle.shape);
 }
 
 double distance_to(const Obstacle& obstacle, Vector3 a_mm, Vector3 b_mm) {

@@ -16,6 +16,8 @@
 #include "axiometry/tracking/line_geometry.h"
 #include "axiometry/tracking/line_metadata.h"
 #include "axiometry/tracking/line_slope.h"
+#include "axiometry/tracking/median.h"
+#include "axiometry/tracking/reading_name.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -24,16 +26,6 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 constexpr double um_per_mm = 1000.0;
 constexpr double beyond_machines_mm = 1.0;  // no machine stands that far from where its scale puts it
 constexpr double oblique_deg = 1.0;         // a straightness error of 10 µm then counts with 0.2 µm
-
-double median(std::vector<double> x) {
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::ranges::nth_element(x, middle);
-  return *middle;
-}
-
-std::string named(const LengthReading& r) {
-  return fmt::format("target {}{} run {}", r.approach.target + 1, arrow(r.approach.direction), r.approach.run + 1);
-}
 
 /// The way of one line from lengths to deviations.
 class Course {
@@ -140,10 +132,10 @@ class Course {
       if (const double way = position(used[i]) - position(used[i - 1]); way != 0.0)
         slopes.push_back((mm(used[i]) - mm(used[i - 1])) / way);
     if (slopes.empty()) return {};
-    const double slope = median(std::move(slopes));
+    const double slope = upper_median(std::move(slopes));
     std::vector<double> left;
     for (const std::size_t k : used) left.push_back(mm(k) - slope * position(k));
-    const double level = median(left);
+    const double level = upper_median(left);
     const auto off = [&](double x) { return std::abs(x - level); };
     const auto worst = std::ranges::max_element(left, {}, off) - left.begin();
     const double limit = std::max(beyond_machines_mm, in_.options.break_threshold_mm.value_or(0.0));
@@ -154,7 +146,7 @@ class Course {
         "machine exceeds: the lengths stand in another order or belong to another plan, or the beam was broken more "
         "often "
         "than its readings tell (state it in a column segment)",
-        in_.line.id, format_fixed(found, 3), named(reading(used[static_cast<std::size_t>(worst)])),
+        in_.line.id, format_fixed(found, 3), reading_name(reading(used[static_cast<std::size_t>(worst)])),
         format_exact(limit)));
   }
 
@@ -229,7 +221,7 @@ class Course {
     record.details.push_back({"Dead path of the first stretch", format_exact(dead_path_mm_) + " mm"});
     for (std::size_t s = 1; s < stretches_; ++s)
       record.details.push_back(
-          {fmt::format("Stretch {}, from reading {} ({})", s + 1, first_of(s) + 1, named(reading(first_of(s)))),
+          {fmt::format("Stretch {}, from reading {} ({})", s + 1, first_of(s) + 1, reading_name(reading(first_of(s)))),
            format_exact(fit_.stretches[s].shift_mm) + " mm more"});
     return record;
   }
@@ -262,13 +254,13 @@ class Course {
            fmt::format("line {}: the lengths jump by {} mm before reading {} ({}) and stay there, more than {} mm "
                        "that no machine does: the beam was broken; the readings from there on have a dead path of "
                        "their own",
-                       in_.line.id, format_fixed(jump.size_mm, 4), jump.before + 1, named(reading(jump.before)),
+                       in_.line.id, format_fixed(jump.size_mm, 4), jump.before + 1, reading_name(reading(jump.before)),
                        format_fixed(jumps_.threshold_mm, 3))});
     for (const Jump& jump : jumps_.outliers) {
       std::string message = fmt::format(
           "reading {} ({}) lies {} mm from where its neighbours say and the next one does not: kept as it "
           "is, and in all results",
-          jump.before + 1, named(reading(jump.before)), format_fixed(jump.size_mm, 4));
+          jump.before + 1, reading_name(reading(jump.before)), format_fixed(jump.size_mm, 4));
       outcome.line.test.provenance.remarks.push_back({false, message});
       outcome.findings.push_back({true, fmt::format("line {}: {}", in_.line.id, message)});
     }
@@ -303,7 +295,7 @@ class Course {
       if (path.readings != 1 || stretches_ == 1) continue;
       const std::string message = fmt::format(
           "reading {} ({}) alone has a dead path of its own, so that it tells nothing of the machine: take it again",
-          path.first_reading + 1, named(reading(path.first_reading)));
+          path.first_reading + 1, reading_name(reading(path.first_reading)));
       outcome.line.test.provenance.remarks.push_back({false, message});
       outcome.findings.push_back({true, fmt::format("line {}: {}", in_.line.id, message)});
     }

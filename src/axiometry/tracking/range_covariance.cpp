@@ -3,14 +3,14 @@
 
 #include <Eigen/Dense>
 
+#include "axiometry/tracking/range_eigen.h"
+
 namespace axiometry::tracking::detail {
 namespace {
 
 using Dense = Eigen::MatrixXd;
 using PointGauge = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 7>;
 using GaugeSquare = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 7>;
-
-Eigen::Vector3d eigen(Vector3 v) { return {v.x, v.y, v.z}; }
 
 /// What a translation, a turn and a change of size about `centre` do to something at `at`.
 PointGauge gauge_at(Vector3 at, Vector3 centre, double length_mm, bool with_size) {

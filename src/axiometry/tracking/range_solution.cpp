@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "axiometry/tracking/range_eigen.h"
+
 namespace axiometry::tracking::detail {
 namespace {
 
@@ -20,9 +22,6 @@ RangeState moved(const RangeProblem& problem, const RangeState& state, std::span
   for (std::size_t k = 0; k < next.dead.size(); ++k) next.dead[k] += y[layout.segment_column(k)];
   return next;
 }
-
-Eigen::Vector3d eigen(Vector3 v) { return {v.x, v.y, v.z}; }
-Vector3 vector(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Eigen::Vector3d mean_of(std::span<const Vector3> points) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();

@@ -8,14 +8,13 @@
 #include <cmath>
 #include <limits>
 
+#include "axiometry/tracking/range_eigen.h"
+
 namespace axiometry::tracking::detail {
 namespace {
 
 constexpr std::size_t linear_most = 4000;  // readings that a start is found from
 constexpr std::size_t search_most = 400;   // likewise when many starts are tried
-
-Eigen::Vector3d eigen(Vector3 v) { return {v.x, v.y, v.z}; }
-Vector3 vector(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 /// Some of the readings, spread evenly.
 std::vector<std::size_t> sample(std::size_t count, std::size_t most) {

@@ -13,6 +13,8 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/tracking/line_geometry.h"
+#include "axiometry/tracking/median.h"
+#include "axiometry/tracking/reading_name.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -24,7 +26,7 @@ constexpr double exact_mm = 0.1;          // to which a jump must be an interval
 constexpr double shown_many = 1.0 / 3.0;  // of the steps that do not fit: then nothing does
 
 /// A reading, or an approach that a reading may belong to.
-struct Place {
+struct ReadingPlace {
   std::size_t line = 0;
   double distance_mm = 0.0;
   double tolerance_mm = 0.0;  // of a change of length at this line
@@ -56,7 +58,7 @@ Result<Lines> lines_of(const TrackingPlan& plan) {
 /// Lengths in an order, at places that they may have been taken at.
 class Order {
  public:
-  Order(std::vector<double> lengths, std::vector<Place> places)
+  Order(std::vector<double> lengths, std::vector<ReadingPlace> places)
       : lengths_(std::move(lengths)), places_(std::move(places)) {}
 
   struct Steps {
@@ -172,12 +174,12 @@ class Order {
   }
 
   std::vector<double> lengths_;
-  std::vector<Place> places_;
+  std::vector<ReadingPlace> places_;
 };
 
-std::vector<Place> places_of(const Lines& lines, std::span<const LengthReading> readings,
-                             const std::map<std::string, std::size_t>& numbers) {
-  std::vector<Place> places;
+std::vector<ReadingPlace> places_of(const Lines& lines, std::span<const LengthReading> readings,
+                                    const std::map<std::string, std::size_t>& numbers) {
+  std::vector<ReadingPlace> places;
   for (const LengthReading& r : readings) {
     const std::size_t line = numbers.at(r.line);
     places.push_back({line, lines.geometry[line].distances_mm[r.approach.target], lines.tolerance_mm[line]});
@@ -191,11 +193,6 @@ std::map<std::string, std::size_t> line_numbers(const TrackingPlan& plan) {
   return numbers;
 }
 
-std::string named(const LengthReading& r) {
-  return fmt::format("target {}{} run {} of line {}", r.approach.target + 1, arrow(r.approach.direction),
-                     r.approach.run + 1, r.line);
-}
-
 std::string_view one_or_more(std::ptrdiff_t count, std::string_view one, std::string_view more) {
   return count == 1 ? one : more;
 }
@@ -204,16 +201,10 @@ std::string_view one_or_more(std::ptrdiff_t count, std::string_view one, std::st
 std::string told(const Order::Loss& loss, const LengthReading& at) {
   const std::ptrdiff_t count = std::abs(loss.shift);
   return fmt::format("from reading {} on ({}) the lengths fit the approaches {} {}, as if {} {} {} before it",
-                     loss.from + 1, named(at), count, loss.shift > 0 ? "later" : "earlier", count,
+                     loss.from + 1, reading_name_with_line(at), count, loss.shift > 0 ? "later" : "earlier", count,
                      one_or_more(count, "reading", "readings"),
                      loss.shift > 0 ? one_or_more(count, "was missing", "were missing")
                                     : one_or_more(count, "had been taken too many", "had been taken too many"));
-}
-
-double median(std::vector<double> x) {
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::ranges::nth_element(x, middle);
-  return *middle;
 }
 
 /// What a factor between lengths and distances is likely to come from.
@@ -236,7 +227,7 @@ std::string_view reason_for(double factor) {
 
 Result<void> check_scale(const std::string& line, std::vector<double> ratios) {
   if (ratios.empty()) return {};
-  const double factor = median(std::move(ratios));
+  const double factor = upper_median(std::move(ratios));
   if (std::abs(factor - 1.0) <= scale_most) return {};
   if (std::abs(factor + 1.0) <= scale_most)
     return fail(fmt::format(
@@ -250,7 +241,7 @@ Result<void> check_scale(const std::string& line, std::vector<double> ratios) {
 
 /// Factors of the changes of length over those of the distances.
 Result<void> check_scales(const TrackingPlan& plan, std::span<const LengthReading> readings,
-                          const std::vector<Place>& places) {
+                          const std::vector<ReadingPlace>& places) {
   std::vector<std::vector<double>> ratios(plan.lines.size());
   for (std::size_t j = 0; j + 1 < readings.size(); ++j) {
     if (places[j].line != places[j + 1].line) continue;
@@ -301,7 +292,7 @@ Result<std::vector<LengthReading>> assign_in_order(const TrackingPlan& plan, std
 
 Result<void> check_order(const TrackingPlan& plan, std::span<const LengthReading> readings, bool in_program_order) {
   AXIOMETRY_TRY(const Lines lines, lines_of(plan));
-  const std::vector<Place> places = places_of(lines, readings, line_numbers(plan));
+  const std::vector<ReadingPlace> places = places_of(lines, readings, line_numbers(plan));
   AXIOMETRY_TRY_VOID(check_scales(plan, readings, places));
   std::vector<double> lengths;
   for (const LengthReading& r : readings) lengths.push_back(r.length_difference_mm);
@@ -323,7 +314,7 @@ Result<void> check_order(const TrackingPlan& plan, std::span<const LengthReading
         "found lengths that do not fit the order of the plan, expected one for each approach: {}, and others again "
         "from reading {} on ({})",
         told(course.changes[0], readings[course.changes[0].from]), course.changes[1].from + 1,
-        named(readings[course.changes[1].from])));
+        reading_name_with_line(readings[course.changes[1].from])));
   if (static_cast<double>(given.unfit) > std::max(2.0, shown_many * static_cast<double>(given.compared)))
     return fail(fmt::format(
         "found {} of {} changes of length from reading to reading that do not fit the targets, expected nearly all to: "

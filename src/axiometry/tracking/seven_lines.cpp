@@ -22,14 +22,14 @@ bool better(const Attempt& a, const Attempt& b) {
   return a.interval.length_mm() > b.interval.length_mm() + same_length_mm;
 }
 
-std::string place_text(Vector3 v) {
+std::string components_text(Vector3 v) {
   return fmt::format("({}, {}, {})", format_exact(v.x), format_exact(v.y), format_exact(v.z));
 }
 
 Result<void> check_place(std::string_view what, Vector3 place) {
   if (is_finite(place) && norm(place) <= farthest_mm) return {};
   return fail(
-      fmt::format("found {} {}, expected finite coordinates within {} mm", what, place_text(place), farthest_mm));
+      fmt::format("found {} {}, expected finite coordinates within {} mm", what, components_text(place), farthest_mm));
 }
 
 Result<void> check_limits(const TrackerLimits& limits) {
@@ -44,8 +44,8 @@ Result<void> check_limits(const TrackerLimits& limits) {
   if (!(limits.incidence_most_deg > 0.0 && limits.incidence_most_deg <= 180.0))
     return fail(fmt::format("found a largest incidence of {}°, expected 0 to 180", limits.incidence_most_deg));
   if (!is_finite(limits.reflector_axis) || !(norm(limits.reflector_axis) > 0.0))
-    return fail(
-        fmt::format("found the axis of the reflector {}, expected a direction", place_text(limits.reflector_axis)));
+    return fail(fmt::format("found the axis of the reflector {}, expected a direction",
+                            components_text(limits.reflector_axis)));
   for (const auto& [what, x] :
        {std::pair("safe radius", limits.safe_radius_mm), std::pair("least length of a line", limits.line_least_mm)})
     if (!(x >= 0.0 && x <= farthest_mm))

@@ -17,7 +17,7 @@ namespace {
 
 constexpr Eigen::Index unknowns = 6;
 constexpr std::size_t scales = 3;  // the first of them
-constexpr std::array<std::string_view, 6> ids = {"e_x", "e_y", "e_z", "C0Y", "B0Z", "A0Z"};
+constexpr std::array<std::string_view, 6> parameter_ids = {"e_x", "e_y", "e_z", "C0Y", "B0Z", "A0Z"};
 
 // 0.1 µm/m in the slopes would be 1 mm/m in a combination that is weaker: no axis is so bad, nothing is told.
 constexpr double weakest = 1e-4;
@@ -101,7 +101,7 @@ void note_limits(Squareness& result, std::span<const LineSlope> slopes) {
 
 Squareness estimate_squareness(std::span<const LineSlope> slopes, double common_scale_um_per_m) {
   Squareness result;
-  for (std::size_t k = 0; k < ids.size(); ++k) result.terms[k].id = ids[k];
+  for (std::size_t k = 0; k < parameter_ids.size(); ++k) result.terms[k].id = parameter_ids[k];
   if (slopes.empty()) return result;
 
   const auto count = static_cast<Eigen::Index>(slopes.size());

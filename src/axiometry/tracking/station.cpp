@@ -21,18 +21,6 @@ constexpr double absurd_distance_mm = 100'000.0;  // no tracking instrument reac
 constexpr double catalogue_range_mm = 20'000.0;   // of the instrument of the paper (Table 1)
 constexpr double harmful_offset_mm = 1.0;         // what the paper calls harmless is less than this
 
-double mean(std::span<const double> values) {
-  double sum = 0.0;
-  for (double x : values) sum += x;
-  return sum / static_cast<double>(values.size());
-}
-
-double rms(std::span<const double> values) {
-  double squares = 0.0;
-  for (double x : values) squares += x * x;
-  return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
 std::vector<Vector3> first_starts(const LinearSolution& linear, const StationOptions& options) {
   std::vector<Vector3> first;
   if (linear.fit.numerical_rank == 5) first.push_back(linear.fit.station_mm);
@@ -142,7 +130,7 @@ void add_distance_findings(std::span<const double> distances_mm, std::vector<Fin
 
 Result<void> check_reading(std::span<const LocationPoint> points, const StationOptions& options,
                            const RefinedSolution& refined) {
-  const double misfit = rms(refined.fit.residuals_mm);
+  const double misfit = root_mean_square(refined.fit.residuals_mm);
   const double far = std::ranges::max(refined.distances_mm);
   if (refined.fit.degrees_of_freedom > 0 && misfit > absurd_error_mm)
     if (const std::string reading = better_reading(points, options, misfit); !reading.empty())

@@ -18,22 +18,17 @@ namespace {
 constexpr double limit_mm = 1e9;  // the Plan's own limit of coordinates
 constexpr std::size_t most_pairs_from = 5000;
 
-using Place = std::tuple<long long, long long, long long>;
-Place place_of(Vector3 p) {
+/// In whole µm.
+using PlaceUm = std::tuple<long long, long long, long long>;
+PlaceUm place_um(Vector3 p) {
   return {std::llround(p.x * 1000.0), std::llround(p.y * 1000.0), std::llround(p.z * 1000.0)};
 }
 
-double rms(std::span<const double> values) {
-  double squares = 0.0;
-  for (double x : values) squares += x * x;
-  return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
-struct Reading {
+struct OtherReading {
   double factor;
   std::string_view words;
 };
-constexpr Reading readings[] = {
+constexpr OtherReading other_readings[] = {
     {1e-3, "in µm"},
     {1e3, "in m"},
     {1e-6, "in nm"},
@@ -44,6 +39,18 @@ constexpr Reading readings[] = {
 };
 
 }  // namespace
+
+double mean(std::span<const double> values) {
+  double sum = 0.0;
+  for (double x : values) sum += x;
+  return sum / static_cast<double>(values.size());
+}
+
+double root_mean_square(std::span<const double> values) {
+  double squares = 0.0;
+  for (double x : values) squares += x * x;
+  return std::sqrt(squares / static_cast<double>(values.size()));
+}
 
 std::string shown_chi_squared(double x) { return x < 1e4 ? format_fixed(x, 1) : fmt::format("{:.2e}", x); }
 std::string shown_mm(double x) { return format_fixed(x, std::abs(x) < 1e6 ? 4 : 0) + " mm"; }
@@ -84,8 +91,8 @@ Result<void> check_points(std::span<const LocationPoint> points, const StationOp
 }
 
 std::size_t different_points(std::span<const LocationPoint> points) {
-  std::vector<Place> places;
-  for (const LocationPoint& p : points) places.push_back(place_of(p.at_mm));
+  std::vector<PlaceUm> places;
+  for (const LocationPoint& p : points) places.push_back(place_um(p.at_mm));
   std::ranges::sort(places);
   return static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
 }
@@ -98,9 +105,9 @@ void add_count_findings(std::span<const LocationPoint> points, const StationOpti
         {different < 5, fmt::format("found {} different points, expected 6 or more: {}", different,
                                     different == 4 ? "nothing checks the station, and eq. 14 cannot be solved"
                                                    : "nothing checks eq. 14, one equation the refined station")});
-  std::map<Place, std::size_t> first;
+  std::map<PlaceUm, std::size_t> first;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto [found, is_new] = first.emplace(place_of(points[i].at_mm), i);
+    const auto [found, is_new] = first.emplace(place_um(points[i].at_mm), i);
     if (is_new) continue;
     const std::size_t k = found->second;
     const double gap = points[i].length_difference_mm - points[k].length_difference_mm;
@@ -159,7 +166,7 @@ Result<void> check_triangles(std::span<const LocationPoint> points, const Statio
 
 std::string better_reading(std::span<const LocationPoint> points, const StationOptions& options, double rms_mm) {
   if (different_points(points) < 5 || points.size() > most_pairs_from) return "";
-  for (const Reading& reading : readings) {
+  for (const OtherReading& reading : other_readings) {
     std::vector<LocationPoint> other(points.begin(), points.end());
     for (LocationPoint& p : other) p.length_difference_mm *= reading.factor;
     const LinearSolution linear = solve_linear(other);
@@ -172,7 +179,8 @@ std::string better_reading(std::span<const LocationPoint> points, const StationO
     // fit no better by being read smaller still
     double longest = 0.0;
     for (const LocationPoint& p : other) longest = std::max(longest, std::abs(p.length_difference_mm));
-    if (rms(solution.fit.residuals_mm) < std::min(rms_mm / 100.0, longest / 1000.0)) return std::string(reading.words);
+    if (root_mean_square(solution.fit.residuals_mm) < std::min(rms_mm / 100.0, longest / 1000.0))
+      return std::string(reading.words);
   }
   return "";
 }
@@ -180,14 +188,14 @@ std::string better_reading(std::span<const LocationPoint> points, const StationO
 double machine_error_mm(const RefinedFit& fit) {
   if (fit.degrees_of_freedom == 0) return 0.0;
   const double ratio = fit.chi_squared / static_cast<double>(fit.degrees_of_freedom);
-  return std::sqrt(std::max(0.0, ratio - 1.0)) * rms(fit.sigma_mm);
+  return std::sqrt(std::max(0.0, ratio - 1.0)) * root_mean_square(fit.sigma_mm);
 }
 
 void add_scatter_findings(const RefinedSolution& solution, std::vector<Finding>& findings) {
   const RefinedFit& fit = solution.fit;
   const std::size_t nu = fit.degrees_of_freedom;
   if (nu == 0) return;
-  const double misfit = rms(fit.residuals_mm);
+  const double misfit = root_mean_square(fit.residuals_mm);
   if (fit.chance < 0.001) {
     const double ratio = fit.chi_squared / static_cast<double>(nu);
     const double machine = machine_error_mm(fit);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +12,9 @@
 
 /// The two estimators of station.h, each for itself.
 namespace axiometry::tracking {
+
+/// Below this share of the largest a singular value is nothing but rounding.
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Eq. 14 solved. Of four points it has no solution, but the two candidates that fit them.
 struct LinearSolution {

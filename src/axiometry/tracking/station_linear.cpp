@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "axiometry/base/contract.h"
 #include "axiometry/tracking/station_fit.h"
@@ -13,7 +12,6 @@
 namespace axiometry::tracking {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 
 /// Points and lengths about their means, in units of the rms radius.

@@ -2,7 +2,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "axiometry/base/contract.h"
 #include "axiometry/tracking/chi_squared.h"
@@ -11,7 +10,6 @@
 namespace axiometry::tracking {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double far_away = 1e6;  // radii: there the beams are parallel, and nothing draws a start back
 
 Vector3 centre_of(std::span<const LocationPoint> points) {

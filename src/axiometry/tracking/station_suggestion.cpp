@@ -87,7 +87,7 @@ class Judge {
   std::vector<Vector3> axes_;
 };
 
-struct Found {
+struct ScoredPlace {
   Vector3 place;
   Score score;
 };
@@ -138,7 +138,8 @@ Vector3 off_the_limits(const Region& region, Vector3 place, const std::array<boo
 }
 
 /// Steps along the axes, halved when none of them gains.
-Found refined(Judge& judge, const Region& region, Found best, Vector3 step, const std::array<bool, 3>& may_move) {
+ScoredPlace refined(Judge& judge, const Region& region, ScoredPlace best, Vector3 step,
+                    const std::array<bool, 3>& may_move) {
   while (std::max({step.x, step.y, step.z}) >= smallest_step_mm) {
     bool gained = false;
     for (std::size_t k = 0; k < 3; ++k)
@@ -166,23 +167,24 @@ StationSuggestion suggest_station(const TrackingSetup& setup, std::span<const st
   const Vector3 given = setup.station.position_mm;
   const auto& may_move = freedom.may_move;
   const int divisions = may_move[2] ? divisions_space : divisions_flat;
-  const Found as_given{given, judge.of(given)};
-  std::vector<Found> found = {as_given};
+  const ScoredPlace as_given{given, judge.of(given)};
+  std::vector<ScoredPlace> found = {as_given};
   for (double x : coordinates(region, given, 0, may_move[0], divisions))
     for (double y : coordinates(region, given, 1, may_move[1], divisions))
       for (double z : coordinates(region, given, 2, may_move[2], divisions)) {
         const Vector3 place = off_the_limits(region, {x, y, z}, may_move);
         found.push_back({place, judge.of(place)});
       }
-  const auto rank = [](const Found& one) {
+  const auto rank = [](const ScoredPlace& one) {
     return std::tuple(one.score.lines, one.score.shortest, one.score.total);  // exact: an order that sorting can trust
   };
   std::ranges::stable_sort(found, std::ranges::greater{}, rank);
-  Found best = as_given;
+  ScoredPlace best = as_given;
   if (found.front().score.above(best.score)) best = found.front();
   const Vector3 step = 1.0 / divisions * (region.highest - region.lowest);
   for (std::size_t k = 0; k < std::min(refined_starts, found.size()); ++k)
-    if (const Found one = refined(judge, region, found[k], step, may_move); one.score.above(best.score)) best = one;
+    if (const ScoredPlace one = refined(judge, region, found[k], step, may_move); one.score.above(best.score))
+      best = one;
   return {.position_mm = best.place,
           .lines = best.score.lines,
           .shortest_mm = best.score.shortest,

@@ -13,12 +13,6 @@
 namespace axiometry::tracking {
 namespace {
 
-double mean(std::span<const double> values) {
-  double sum = 0.0;
-  for (double x : values) sum += x;
-  return sum / static_cast<double>(values.size());
-}
-
 bool is_cone(const RefinedSolution& refined) {
   const double length = mean(refined.distances_mm);
   const double hidden = 2.0 * std::sqrt(2.0 * mean(refined.fit.sigma_mm) / length);

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>
 #include <set>
 
+#include "axiometry/tracking/machine_axes.h"
 #include "axiometry/tracking/visibility.h"
 
 namespace axiometry::tracking {
@@ -16,9 +16,7 @@ namespace {
 
 constexpr int grid_divisions = 6;         // of each travel
 constexpr double beside_sphere_mm = 5.0;  // beyond the safe radius
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double rounded(double x) { return std::round(x * 1000.0) / 1000.0; }
+constexpr double not_reached = std::numeric_limits<double>::infinity();
 
 /// Way points of the axes, first and last included.
 using Way = std::vector<Vector3>;
@@ -54,7 +52,7 @@ class Search {
   /// each step are looked at while searching; the way found is judged exactly.
   std::optional<Way> around(bool keep_beam) const {
     const std::size_t count = levels_[0].size() * levels_[1].size() * levels_[2].size();
-    std::vector<double> cost(count, infinity);
+    std::vector<double> cost(count, not_reached);
     std::vector<std::size_t> before(count, count);
     using Entry = std::pair<double, std::size_t>;  // ties by the number of the node: the same way every time
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -75,7 +73,7 @@ class Search {
         open.emplace(sum + distance(place(next), to_), next);
       }
     }
-    if (cost[end] == infinity) return std::nullopt;
+    if (cost[end] == not_reached) return std::nullopt;
     Way way;
     for (std::size_t node = end; node != count; node = before[node]) way.push_back(place(node));
     std::ranges::reverse(way);
@@ -102,8 +100,8 @@ class Search {
     const double station = setup_.station.position_mm[k] - setup_.tool_offset_mm[k];
     const double beside = setup_.limits.safe_radius_mm + beside_sphere_mm;
     std::set<double> found = {from_[k], to_[k], low, high};
-    for (int i = 1; i < grid_divisions; ++i) found.insert(rounded(low + i * (high - low) / grid_divisions));
-    for (double x : {rounded(station - beside), rounded(station + beside)})
+    for (int i = 1; i < grid_divisions; ++i) found.insert(rounded_to_um(low + i * (high - low) / grid_divisions));
+    for (double x : {rounded_to_um(station - beside), rounded_to_um(station + beside)})
       if (x > low && x < high) found.insert(x);
     return {found.begin(), found.end()};
   }

@@ -6,18 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "axiometry/tracking/line_geometry.h"
 #include "axiometry/tracking/obstacles.h"
 
 namespace axiometry::tracking {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
-constexpr double slack_deg = 1e-7;
 constexpr double same_place_mm = 1e-9;
 
-double angle_deg(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * degrees; }
+double angle_deg(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * deg_per_rad; }
 
 /// Least and largest cosine between a direction of length 1 and r(τ) = a + τ(b − a), which is not 0. Its derivative is
 /// 0 at one τ at most, because the squares of τ in it cancel.
@@ -54,16 +52,16 @@ std::optional<std::string> out_of_range(const TrackerLimits& limits, double near
 std::optional<std::string> out_of_sight(const TrackerLimits& limits, Vector3 a, Vector3 b) {
   const Cosines up = cosines({0.0, 0.0, 1.0}, a, b);
   const double lowest = 90.0 - angle_deg(up.least), highest = 90.0 - angle_deg(up.largest);
-  if (lowest < limits.elevation_lowest_deg - slack_deg)
+  if (lowest < limits.elevation_lowest_deg - limit_slack_deg)
     return fmt::format("the beam at an elevation of {:.1f}°, below the lowest of {:.1f}°", lowest,
                        limits.elevation_lowest_deg);
-  if (highest > limits.elevation_highest_deg + slack_deg)
+  if (highest > limits.elevation_highest_deg + limit_slack_deg)
     return fmt::format("the beam at an elevation of {:.1f}°, above the highest of {:.1f}°", highest,
                        limits.elevation_highest_deg);
   const double length = norm(limits.reflector_axis);
   if (!(length > 0.0)) return std::nullopt;
   const double incidence = angle_deg(cosines(-1.0 / length * limits.reflector_axis, a, b).least);
-  if (incidence > limits.incidence_most_deg + slack_deg)
+  if (incidence > limits.incidence_most_deg + limit_slack_deg)
     return fmt::format("the beam {:.1f}° off the axis of the reflector, which takes {:.1f}°", incidence,
                        limits.incidence_most_deg);
   return std::nullopt;

@@ -26,6 +26,8 @@ inline constexpr double beam_margin_mm = 5.0;
 
 /// Places within this of a limit are on it: programs are written to 0.001 mm.
 inline constexpr double limit_slack_mm = 1e-6;
+/// Likewise of angles.
+inline constexpr double limit_slack_deg = 1e-7;
 
 /// Least distance of a point to the segment from a to b.
 double distance_to_segment(Vector3 point_mm, Vector3 a_mm, Vector3 b_mm);
