@@ -22,6 +22,7 @@ function(axiometry_settings)
       # Half of the time to compile goes into asking of every pointer whether it is null or misaligned. The first ends
       # under the sanitizer of addresses as well; both are asked by clang of all that reads foreign bytes (preset fuzz).
       add_compile_options(-fno-sanitize=null,alignment)
+      add_compile_options(-Wno-maybe-uninitialized) # said of variants that the sanitizers keep from being seen through
     endif()
   endif()
 endfunction()
@@ -49,15 +50,33 @@ function(axiometry_library target export_name)
   target_compile_features(${target} PUBLIC cxx_std_23)
 endfunction()
 
-# axiometry_precompile(TARGET [HEADER...]): the headers that most sources of the target include, and these, compiled
-# once. Sources never rely on it: without the option it does nothing.
-function(axiometry_precompile target)
-  if(AXIOMETRY_PRECOMPILED_HEADERS)
-    target_precompile_headers(
-      ${target} PRIVATE <algorithm> <array> <cmath> <expected> <functional> <map> <optional> <span> <sstream> <string>
-      <string_view> <variant> <vector> <fmt/format.h> ${PROJECT_SOURCE_DIR}/src/axiometry/model/test.h
-      ${PROJECT_SOURCE_DIR}/src/axiometry/base/json.h ${ARGN})
+# axiometry_together(TARGET [HEADERS header...] [APART folder...]): compiles once what is common: the headers that most
+# sources of the target include, and these; and the sources of each folder as one, so that a template is instantiated
+# once for all of them. For that a name of an anonymous namespace stands for one thing in its folder. Folders whose
+# sources give their own meaning to the same names, such as the read() of every format, stay APART. Sources never rely
+# on it: without the option it does nothing.
+function(axiometry_together target)
+  if(NOT AXIOMETRY_TOGETHER)
+    return()
   endif()
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;APART")
+  target_precompile_headers(
+    ${target} PRIVATE <algorithm> <array> <cmath> <expected> <functional> <map> <optional> <span> <sstream> <string>
+    <string_view> <variant> <vector> <fmt/format.h> ${PROJECT_SOURCE_DIR}/src/axiometry/model/test.h
+    ${PROJECT_SOURCE_DIR}/src/axiometry/base/json.h ${arg_HEADERS})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # What is said of names of the file before, and of headers, which these sources are not.
+  target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(folder ${source} ABSOLUTE)
+    get_filename_component(folder ${folder} DIRECTORY)
+    file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
+    if(source MATCHES "\\.cpp$" AND NOT folder IN_LIST arg_APART AND folder MATCHES "^(src|apps|tests)")
+      string(MAKE_C_IDENTIFIER ${folder} folder)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+    endif()
+  endforeach()
 endfunction()
 
 # axiometry_descriptor_table(TARGET FOLDER TYPE HEADER): every .cpp of the folder that contains a line
