@@ -51,13 +51,41 @@ def check_code(name, text):
                 yield f"{name}:{number}: {what}"
 
 
+def types_defined(lines):
+    """Types with linkage that lines of clang-format's shape define at namespace level: (qualified name, line number)."""
+    namespaces = []
+    for number, line in enumerate(lines, 1):
+        if opened := re.match(r"namespace(?: ([\w:]+))? \{", line):
+            namespaces.append(opened[1])
+        elif line.startswith("}  // namespace"):
+            namespaces.pop()
+        elif (defined := re.match(r"(?:struct|class|enum class) ([\w:]+)(?=[ {])[^;()]*\{", line)) and None not in namespaces:
+            yield "::".join([*namespaces, defined[1]]), number
+
+
+class OneDefinition:
+    """Two types of one name are no error to compiler and linker, but each file may get the functions of the other."""
+
+    def __init__(self):
+        self.places = {}
+
+    def check(self, name, text):
+        for defined, number in types_defined(text.splitlines()):
+            place = self.places.setdefault(defined, f"{name}:{number}")
+            if place != f"{name}:{number}":
+                yield f"{name}:{number}: {defined} is another type than that of {place}"
+
+
 def problems():
+    one_definition = OneDefinition()
     for path in tracked_files():
         if not path.is_file():
             continue
         name = path.relative_to(ROOT).as_posix()
         if path.suffix in CODE:
-            yield from check_code(name, path.read_text(encoding="utf-8"))
+            text = path.read_text(encoding="utf-8")
+            yield from check_code(name, text)
+            yield from one_definition.check(name, text)
         if path.suffix in CODE and path.stem != path.stem.lower():
             yield f"{name}: file names are snake_case"
 
