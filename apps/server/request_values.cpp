@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "axiometry/app/given_text.h"
-#include "axiometry/app/test_state.h"
+#include "axiometry/base/iso_date.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "multipart.h"
@@ -69,7 +69,7 @@ Result<std::optional<std::int64_t>> whole_of(const Request& request, std::string
 
 Result<std::string> date_of(const Request& request, std::string_view name) {
   const std::string text(request.parameter(name).value_or(""));
-  if (!text.empty() && app::iso_date(text) != text)
+  if (!text.empty() && iso_date(text) != text)
     return fail(fmt::format("found {}={}, expected a date such as 2026-01-31", name, text::quoted(text)));
   return text;
 }

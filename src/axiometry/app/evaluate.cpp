@@ -141,8 +141,20 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
 
 }  // namespace
 
+bool states_calibration(const Equipment& component) {
+  return !component.certificate.empty() || !component.calibrated_on.empty() || !component.calibration_due.empty();
+}
+
 Result<Test> prepare_test(Test test, const EvaluateOptions& options) {
   AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options.metadata));
+  for (const EquipmentCalibration& known : options.calibrations) {
+    if (known.component >= test.metadata.equipment.size()) continue;
+    Equipment& component = test.metadata.equipment[known.component];
+    if (states_calibration(component)) continue;
+    component.certificate = known.certificate;
+    component.calibrated_on = known.calibrated_on;
+    component.calibration_due = known.calibration_due;
+  }
   if (options.artefact.value_or(!test.metadata.artefact.calibrated_positions.empty())) {
     AXIOMETRY_TRY(test, iso230_2::apply_artefact(std::move(test)));
   }

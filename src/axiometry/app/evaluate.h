@@ -28,6 +28,14 @@ struct UncertaintyOptions {
   iso230_2::MonteCarloOptions trials;
 };
 
+/// What is known of the calibration of one component of the test equipment beside the test itself.
+struct EquipmentCalibration {
+  std::size_t component = 0;  ///< its place in the list of equipment, from 0
+  std::string certificate;
+  std::string calibrated_on;
+  std::string calibration_due;
+};
+
 struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
   std::string profile;                                        ///< file of an import profile to read after; or empty
@@ -37,6 +45,8 @@ struct EvaluateOptions {
   /// Whether the readings are indicated positions of an artefact's probing (standards/iso230_2_artefact.h). When not
   /// said: where the test states the artefact's calibrated positions.
   std::optional<bool> artefact{};
+  /// For components of which neither the file nor `metadata` states a calibration.
+  std::vector<EquipmentCalibration> calibrations{};
   ToleranceOptions tolerance;
   UncertaintyOptions uncertainty;
   /// Whether the tests of a file of many are stated in full: every finding, and the hash of the file by a
@@ -53,9 +63,12 @@ struct Evaluated {
   std::optional<AppliedBand> tolerance_band;  ///< of the tolerance table, when there is one
 };
 
-/// Metadata over what the file says, then what is done to the readings: the artefact's calibrated positions, the
-/// corrections that are asked for. Fails on a key or value that the vocabulary does not allow and on what cannot be
-/// done.
+/// Whether the test itself says how a component of its equipment was calibrated.
+bool states_calibration(const Equipment& component);
+
+/// Metadata over what the file says, calibrations, then what is done to the readings: the artefact's calibrated
+/// positions, the corrections that are asked for. Fails on a key or value that the vocabulary does not allow, and on
+/// what cannot be done.
 Result<Test> prepare_test(Test test, const EvaluateOptions& options);
 
 /// prepare_test(), then assessment and verdicts. Fails on a key or value that the vocabulary does not allow, on a

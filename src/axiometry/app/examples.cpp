@@ -109,15 +109,24 @@ store::Machine machine_record(const ExampleMachine& machine) {
           .notes = "A simulated machine, to look at"};
 }
 
-store::Instrument laser() {
+struct ExampleCalibration {
+  std::string_view certificate;
+  std::string_view on;
+  std::string_view due;
+};
+constexpr ExampleCalibration calibrations[] = {{"VI-2024-0108", "2024-01-11", "2025-01-11"},
+                                               {"VI-2025-0127", "2025-01-09", "2026-01-09"},
+                                               {"VI-2026-0113", "2026-01-13", "2027-01-13"}};
+
+store::Instrument laser(const ExampleCalibration& calibration) {
   return {
       .role = "Laser interferometer",
       .manufacturer = "Virtual Instruments",
       .type = "VI-80",
       .serial_number = "80-1147",
-      .certificate = "VI-2026-0113",
-      .calibrated_on = "2026-01-13",
-      .calibration_due = "2027-01-13",
+      .certificate = std::string(calibration.certificate),
+      .calibrated_on = std::string(calibration.on),
+      .calibration_due = std::string(calibration.due),
       .inputs = {{"uncertainty.device_calibration_um_per_m", "0.4"}, {"uncertainty.device_expansion_um_per_m_C", "0"}},
       .notes = "A simulated instrument; its inputs go into every test that names it"};
 }
@@ -144,7 +153,7 @@ Result<Plan> plan_of(const ExampleTest& test) {
 
 Items metadata_of(const ExampleTest& test) {
   const ExampleMachine& machine = test.machine;
-  const store::Instrument instrument = laser();
+  const store::Instrument instrument = laser(calibrations[0]);
   Items items = {
       {"test.report_number", std::string(test.number)},
       {"test.date", std::string(test.date)},
@@ -211,10 +220,20 @@ Result<bool> is_empty(const store::Store& archive) {
   return counts.machines + counts.instruments + counts.plans + counts.tests + counts.documents == 0;
 }
 
+/// The instrument of all tests, calibrated anew every year.
+Result<void> add_laser(store::Store& archive, const store::By& by) {
+  AXIOMETRY_TRY(auto kept, archive.add(laser(calibrations[0]), by));
+  for (const ExampleCalibration& calibration : std::span(calibrations).subspan(1)) {
+    const store::By sender{by.actor, fmt::format("calibrated on {}", calibration.on)};
+    AXIOMETRY_TRY(kept, archive.change(kept.id, kept.version, laser(calibration), sender));
+  }
+  return {};
+}
+
 /// Machines with what no file says of them, an axis with its limits, and the instrument.
 Result<void> add_example_equipment(store::Store& archive) {
   const store::By by{"examples", "loaded into an empty archive"};
-  AXIOMETRY_TRY_VOID(archive.add(laser(), by));
+  AXIOMETRY_TRY_VOID(add_laser(archive, by));
   const auto add = [&](const ExampleMachine& machine, std::vector<store::Axis> axes) -> Result<void> {
     AXIOMETRY_TRY(const auto added, archive.add(machine_record(machine), by));
     for (store::Axis& axis : axes) {

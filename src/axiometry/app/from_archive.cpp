@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "axiometry/app/given_text.h"
+#include "axiometry/base/iso_date.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/json_members.h"
 #include "axiometry/model/fields.h"
@@ -63,6 +64,52 @@ std::vector<InstrumentInputs> inputs_of(const KnownInstruments& known, const Met
   return found;
 }
 
+/// A component of the test equipment as an instrument; nothing of a line that identifies none.
+std::optional<store::Instrument> instrument_of(const Equipment& component) {
+  if (component.serial_number.empty() && component.manufacturer.empty() && component.type.empty()) return {};
+  store::Instrument instrument;
+  instrument.role = report::printable(component.role);
+  instrument.manufacturer = report::printable(component.manufacturer);
+  instrument.type = report::printable(component.type);
+  instrument.serial_number = report::printable(component.serial_number);
+  instrument.certificate = report::printable(component.certificate);
+  instrument.calibrated_on = iso_date(component.calibrated_on);
+  instrument.calibration_due = iso_date(component.calibration_due);
+  return instrument;
+}
+
+bool has_calibration(const store::Instrument& instrument) {
+  return !instrument.certificate.empty() || !instrument.calibrated_on.empty() || !instrument.calibration_due.empty();
+}
+
+/// The version with the newest calibration that is not after this day, "2014-05-15"; else the last.
+const store::Versioned<store::Instrument>* calibrated_by(const KnownInstruments& versions, const std::string& day) {
+  const store::Versioned<store::Instrument>* newest = nullptr;
+  const auto since = [](const auto& version) { return iso_date(version.value.calibrated_on); };
+  for (const auto& version : versions)
+    if (!since(version).empty() && since(version) <= day && (newest == nullptr || since(*newest) <= since(version)))
+      newest = &version;
+  if (newest != nullptr) return newest;
+  return versions.empty() ? nullptr : &versions.back();
+}
+
+Result<std::vector<KnownCalibration>> calibrations_of(const store::Store& store, const Metadata& metadata) {
+  std::vector<KnownCalibration> known;
+  for (std::size_t k = 0; k < metadata.equipment.size(); ++k) {
+    const auto stated = instrument_of(metadata.equipment[k]);
+    if (!stated || states_calibration(metadata.equipment[k])) continue;
+    AXIOMETRY_TRY(const auto instrument, store.known(*stated));
+    if (!instrument) continue;
+    AXIOMETRY_TRY(const KnownInstruments versions, store.versions<store::Instrument>(instrument->id));
+    const auto* version = calibrated_by(versions, iso_date(metadata.conditions.date));
+    if (version == nullptr || !has_calibration(version->value)) continue;
+    known.push_back({version->id,
+                     version->version,
+                     {k, version->value.certificate, version->value.calibrated_on, version->value.calibration_due}});
+  }
+  return known;
+}
+
 using KnownAxis = std::optional<store::Versioned<store::Axis>>;
 
 std::optional<AxisLimits> limits_of(const KnownAxis& axis) {
@@ -82,6 +129,23 @@ Result<InstrumentInputs> inputs_from(const Value& value) {
   AXIOMETRY_TRY(inputs.inputs, changes_from(*texts));
   AXIOMETRY_TRY_VOID(members.finish());
   return inputs;
+}
+
+Result<KnownCalibration> calibration_from(const Value& value) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "calibration"));
+  KnownCalibration known;
+  AXIOMETRY_TRY(const Value* component, members.required("component"));
+  AXIOMETRY_TRY(const store::Id number, given_number("component", *component));
+  known.calibration.component = static_cast<std::size_t>(number - 1);
+  AXIOMETRY_TRY(const Value* id, members.required("instrument"));
+  AXIOMETRY_TRY(known.instrument, given_number("instrument", *id));
+  AXIOMETRY_TRY(const Value* version, members.required("version"));
+  AXIOMETRY_TRY(known.version, given_version("version", *version));
+  AXIOMETRY_TRY_VOID(members.take("certificate", known.calibration.certificate));
+  AXIOMETRY_TRY_VOID(members.take("calibrated_on", known.calibration.calibrated_on));
+  AXIOMETRY_TRY_VOID(members.take("calibration_due", known.calibration.calibration_due));
+  AXIOMETRY_TRY_VOID(members.finish());
+  return known;
 }
 
 Result<AxisLimits> axis_limits_from(const Value& value) {
@@ -145,6 +209,16 @@ json::Value to_json(const FromArchive& taken) {
     row.add("name", inputs.name);
     row.add("inputs", to_json(inputs.inputs));
   }
+  Value& calibrations = object.add("calibrations", Value::array());
+  for (const KnownCalibration& known : taken.calibrations) {
+    Value& row = calibrations.push(Value::object());
+    row.add("component", static_cast<double>(known.calibration.component + 1));
+    row.add("instrument", static_cast<double>(known.instrument));
+    row.add("version", known.version);
+    row.add("certificate", known.calibration.certificate);
+    row.add("calibrated_on", known.calibration.calibrated_on);
+    row.add("calibration_due", known.calibration.calibration_due);
+  }
   Value& axis = object.add("axis", Value());
   if (!taken.axis) return object;
   axis = Value::object();
@@ -163,6 +237,13 @@ Result<FromArchive> from_archive_of(const json::Value& value) {
     AXIOMETRY_TRY(InstrumentInputs inputs, inputs_from(item));
     taken.instruments.push_back(std::move(inputs));
   }
+  if (const Value* calibrations = members.optional("calibrations")) {  // versions of before have none
+    AXIOMETRY_TRY(const auto* rows, formats::items_in(*calibrations, "calibrations"));
+    for (const Value& row : *rows) {
+      AXIOMETRY_TRY(KnownCalibration known, calibration_from(row));
+      taken.calibrations.push_back(std::move(known));
+    }
+  }
   if (const Value* axis = members.optional("axis")) {
     AXIOMETRY_TRY(taken.axis, axis_limits_from(*axis));
   }
@@ -179,15 +260,8 @@ std::string instrument_name(const store::Instrument& instrument) {
 
 std::vector<store::Instrument> instruments_of(const Metadata& metadata) {
   std::vector<store::Instrument> instruments;
-  for (const Equipment& e : metadata.equipment) {
-    store::Instrument instrument;
-    instrument.role = report::printable(e.role);
-    instrument.manufacturer = report::printable(e.manufacturer);
-    instrument.type = report::printable(e.type);
-    instrument.serial_number = report::printable(e.serial_number);
-    if (!e.serial_number.empty() || !e.manufacturer.empty() || !e.type.empty())
-      instruments.push_back(std::move(instrument));
-  }
+  for (const Equipment& component : metadata.equipment)
+    if (auto instrument = instrument_of(component)) instruments.push_back(*std::move(instrument));
   return instruments;
 }
 
@@ -212,7 +286,8 @@ Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& m
   const bool linked_equipment = links && !concerns(changes, "equipment");
   AXIOMETRY_TRY(const KnownInstruments instruments,
                 linked_equipment ? linked_instruments(store, links->instruments) : found_instruments(store, metadata));
-  FromArchive taken{.instruments = inputs_of(instruments, metadata, changes), .axis = {}};
+  FromArchive taken{.instruments = inputs_of(instruments, metadata, changes), .calibrations = {}, .axis = {}};
+  AXIOMETRY_TRY(taken.calibrations, calibrations_of(store, metadata));
   const bool linked_axis = links && links->axis && !concerns(changes, "machine.") && !concerns(changes, "axis.");
   if (linked_axis) {
     AXIOMETRY_TRY(auto axis, store.get<store::Axis>(*links->axis));
@@ -231,6 +306,7 @@ EvaluateOptions with_archive(EvaluateOptions options, const Changes& changes, co
   }
   const auto items = metadata_items(changes);
   options.metadata.insert(options.metadata.end(), items.begin(), items.end());
+  for (const KnownCalibration& known : taken.calibrations) options.calibrations.push_back(known.calibration);
   if (!taken.axis) return options;
   for (const store::Limit& limit : taken.axis->limits)
     if (const auto* parameter = iso230_2::find_parameter(limit.parameter))

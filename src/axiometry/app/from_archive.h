@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "axiometry/app/evaluate.h"
 #include "axiometry/app/test_options.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
@@ -24,6 +25,14 @@ struct InstrumentInputs {
   Changes inputs;
 };
 
+/// The calibration of a component of the test equipment, of the instrument's version whose calibration was the newest
+/// on the day of the test; of the newest version where that day or every calibration's is not known.
+struct KnownCalibration {
+  store::Id instrument = 0;
+  int version = 0;
+  EquipmentCalibration calibration;
+};
+
 /// Limits of the axis; they apply where nothing else sets a limit.
 struct AxisLimits {
   store::Id axis = 0;
@@ -33,6 +42,7 @@ struct AxisLimits {
 
 struct FromArchive {
   std::vector<InstrumentInputs> instruments;
+  std::vector<KnownCalibration> calibrations{};
   std::optional<AxisLimits> axis;
 };
 
@@ -66,7 +76,7 @@ struct ArchiveLinks {
 Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& metadata, const Changes& changes,
                                     const std::optional<ArchiveLinks>& links = {});
 
-/// The options with what was taken: inputs of instruments, then the changes, then the limits of the axis.
+/// The options with what was taken: inputs of instruments, then the changes, calibrations and the limits of the axis.
 EvaluateOptions with_archive(EvaluateOptions options, const Changes& changes, const FromArchive& taken);
 
 }  // namespace axiometry::app

@@ -12,10 +12,6 @@
 /// An evaluated test as the archive keeps it.
 namespace axiometry::app {
 
-/// "2014-05-15" of what begins like that, of "15.05.2014" and of "2014/5/15"; nothing of other text and of a day that
-/// does not exist. A date that may be read in two ways, "05/06/2014", is other text.
-std::string iso_date(std::string_view text);
-
 /// Every parameter that exists, with U where one was estimated (k = 2, of Annex A, else of the GUM; else half of the
 /// symmetric interval of the Monte Carlo method), and with its limit and verdict where there is one.
 std::vector<store::Figure> figures_of(const Evaluated& evaluated);

@@ -8,18 +8,6 @@
 namespace axiometry::app {
 namespace {
 
-TEST(IsoDate, ReadsWhatIsCertainAndNothingElse) {
-  EXPECT_EQ(iso_date("2014-05-15"), "2014-05-15");
-  EXPECT_EQ(iso_date("2014-05-15T09:30:00Z"), "2014-05-15");
-  EXPECT_EQ(iso_date(" 5.3.2026 "), "2026-03-05");
-  EXPECT_EQ(iso_date("2014/5/15 10:00"), "2014-05-15");
-  EXPECT_EQ(iso_date("05/06/2014"), "");
-  EXPECT_EQ(iso_date("2014-02-30"), "");
-  EXPECT_EQ(iso_date("spring 2014"), "");
-  EXPECT_EQ(iso_date("None: simulated"), "");
-  EXPECT_EQ(iso_date(""), "");
-}
-
 TEST(TestOptions, ComeBackAsTheyWereWritten) {
   TestOptions options;
   options.monte_carlo = true;
@@ -93,6 +81,7 @@ TEST(Limits, RefuseParametersAndSizesThatNoAxisHas) {
 TEST(FromArchive, ComesBackAsItWasWritten) {
   FromArchive taken;
   taken.instruments = {{3, 2, "Laser", {{"uncertainty.misalignment_mm", "1"}}}};
+  taken.calibrations = {{3, 1, {0, "C-1", "2026-01-13", "2027-01-13"}}};
   taken.axis = AxisLimits{4, 1, {{"A", 10.0}}};
   const auto back = from_archive_of(to_json(taken));
   ASSERT_TRUE(back) << back.error().to_string();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/workbench.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -245,6 +246,53 @@ TEST_F(TheWorkbench, TakesInputsFromTheInstrumentWhereNobodyStatesThem) {
   Draft draft;
   draft.changes = {{"uncertainty.instrument_resolution", ""}};
   EXPECT_THAT(workbench.draft(id, draft)->from_archive.instruments, IsEmpty());
+}
+
+TEST_F(TheWorkbench, StatesTheCalibrationThatHeldOnTheDayOfTheTest) {
+  store::Instrument laser;
+  laser.manufacturer = "Example Instruments";
+  laser.type = "LI-1";
+  laser.serial_number = "1234";
+  laser.certificate = "C-2014";
+  laser.calibrated_on = "2014-01-10";
+  laser.calibration_due = "2015-01-10";
+  const auto added = store.add(laser, me);
+  ASSERT_TRUE(added);
+  laser.certificate = "C-2026";
+  laser.calibrated_on = "2026-01-13";
+  laser.calibration_due = "2027-01-13";
+  ASSERT_TRUE(store.change(added->id, 1, laser, me));
+  const auto id = keep(example_table2);
+  const auto certificate_on = [&](const std::string& day) {
+    Draft draft;
+    draft.changes = {{"test.date", day}};
+    const auto outcome = workbench.draft(id, draft);
+    const auto& taken = outcome->from_archive.calibrations;
+    return taken.size() == 1 ? taken.front().calibration.certificate : "";
+  };
+  EXPECT_EQ(certificate_on("2014-05-15"), "C-2014");
+  EXPECT_EQ(certificate_on("2026-05-15"), "C-2026");
+  EXPECT_EQ(certificate_on("2026-01-13"), "C-2026") << "the day of the calibration itself";
+  EXPECT_EQ(certificate_on("2010-05-15"), "C-2026") << "before any: the last, and a finding says so";
+  Draft draft;
+  draft.changes = {{"equipment", "laser | Example Instruments | LI-1 | 1234 | of the file"}};
+  EXPECT_THAT(workbench.draft(id, draft)->from_archive.calibrations, IsEmpty());
+  draft.changes = {{"test.date", "2016-05-15"}};
+  EXPECT_THAT(json::dump(workbench.draft(id, draft)->result), HasSubstr("(due on 2015-01-10)"));
+}
+
+TEST_F(TheWorkbench, KeepsTheCalibrationThatAFileStatesWithTheInstrumentItBrings) {
+  std::string file(example_table2);
+  const std::string_view laser = "\"serial_number\": \"1234\"";
+  file.replace(file.find(laser), laser.size(),
+               fmt::format("{}, \"certificate\": \"C-2014\", \"calibrated_on\": \"10.1.2014\"", laser));
+  keep(file);
+  const auto instruments = store.all<store::Instrument>();
+  ASSERT_TRUE(instruments);
+  const auto kept = std::ranges::find(*instruments, "1234", [](const auto& i) { return i.value.serial_number; });
+  ASSERT_NE(kept, instruments->end());
+  EXPECT_EQ(kept->value.certificate, "C-2014");
+  EXPECT_EQ(kept->value.calibrated_on, "2014-01-10");
 }
 
 TEST_F(TheWorkbench, ReportsAVersionWithTheInputsOfItsDayAlthoughTheInstrumentHasChanged) {

@@ -214,7 +214,9 @@ std::string field_text(const Field& field, const FieldValue& value) {
       std::string result;
       for (const auto& record : std::get<Records>(value)) {
         if (!result.empty()) result += "; ";
-        for (std::size_t c = 0; c < record.size(); ++c) result += (c == 0 ? "" : " | ") + cell_text(record[c]);
+        std::size_t last = record.size();
+        while (last > 1 && !field.columns[last - 1].shown_empty && cell_text(record[last - 1]).empty()) --last;
+        for (std::size_t c = 0; c < last; ++c) result += (c == 0 ? "" : " | ") + cell_text(record[c]);
       }
       return result;
     }

@@ -22,8 +22,9 @@ enum class FieldType { text, number, boolean, choice, numbers, records };
 struct RecordColumn {
   std::string_view key;
   std::string_view title;
-  FieldType type;         ///< text or number
-  std::string_view unit;  ///< of a number
+  FieldType type;           ///< text or number
+  std::string_view unit;    ///< of a number
+  bool shown_empty = true;  ///< whether a report shows it where no record states it
 };
 
 using Cell = std::variant<std::monostate, std::string, double>;

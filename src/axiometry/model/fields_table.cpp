@@ -21,6 +21,9 @@ constexpr RecordColumn equipment_columns[] = {
     {"manufacturer", "Manufacturer", FieldType::text, ""},
     {"type", "Type", FieldType::text, ""},
     {"serial_number", "Serial number", FieldType::text, ""},
+    {"certificate", "Certificate", FieldType::text, "", false},
+    {"calibrated_on", "Calibrated on", FieldType::text, "", false},
+    {"calibration_due", "Calibration due", FieldType::text, "", false},
 };
 constexpr RecordColumn distribution_columns[] = {
     {"input", "Input", FieldType::text, ""},
@@ -37,14 +40,16 @@ struct EquipmentAccess {
   static FieldValue get(const Metadata& m) {
     Records records;
     for (const Equipment& e : m.equipment)
-      records.push_back({text_cell(e.role), text_cell(e.manufacturer), text_cell(e.type), text_cell(e.serial_number)});
+      records.push_back({text_cell(e.role), text_cell(e.manufacturer), text_cell(e.type), text_cell(e.serial_number),
+                         text_cell(e.certificate), text_cell(e.calibrated_on), text_cell(e.calibration_due)});
     return records.empty() ? FieldValue{} : FieldValue(std::move(records));
   }
   static void put(Metadata& m, const FieldValue& value) {
     m.equipment.clear();
     if (const auto* records = std::get_if<Records>(&value))
       for (const auto& r : *records)
-        m.equipment.push_back({text_of(r[0]), text_of(r[1]), text_of(r[2]), text_of(r[3])});
+        m.equipment.push_back(
+            {text_of(r[0]), text_of(r[1]), text_of(r[2]), text_of(r[3]), text_of(r[4]), text_of(r[5]), text_of(r[6])});
   }
 };
 
@@ -120,6 +125,8 @@ constexpr std::array fields = {
                                             "Date of the test, ISO 8601 preferred."),
     text_field<TestText<&Conditions::inspector>>("test.inspector", "Name of inspector", "8.1", Wanted::always,
                                                  "Who made the test."),
+    text_field<TestText<&Conditions::laboratory>>("test.laboratory", "Laboratory", "", Wanted::no,
+                                                  "Laboratory or company that vouches for the report."),
     text_field<TestText<&Conditions::customer>>("test.customer", "Customer", "", Wanted::no,
                                                 "For whom the test was made."),
     text_field<TestText<&Conditions::purpose>>("test.purpose", "Purpose", "", Wanted::no,

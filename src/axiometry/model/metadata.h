@@ -27,6 +27,9 @@ struct Equipment {
   std::string manufacturer;
   std::string type;
   std::string serial_number;
+  std::string certificate{};      ///< of its calibration
+  std::string calibrated_on{};    ///< date
+  std::string calibration_due{};  ///< date until which the calibration holds
 };
 
 /// One temperature sensor: role "machine" (representative of the machine), "equipment" or "air".
@@ -84,6 +87,7 @@ enum class TestCycle { standard, step, pilgrim, unidirectional, user_defined };
 struct TestConditions {
   std::string date;
   std::string inspector;
+  std::string laboratory;  ///< or company: who vouches for the report
   std::string customer;
   std::string report_number;
   std::string purpose;  ///< "acceptance", "reverification", …

@@ -56,6 +56,7 @@ constexpr Row every_rule[] = {
     {items_of_identification},
     {equipment_identified},
     {sensors_complete},
+    {equipment_calibrated},
     {line_in_space},
     {uncertainty_stated},
     {station_stated},

@@ -66,6 +66,7 @@ Rule step_cycle;                // Annex B
 Rule parameters_not_applicable;      // 6.2
 Rule items_of_identification;        // 8.1
 Rule equipment_identified;           // 8.1
+Rule equipment_calibrated;           // 8.2.1
 Rule sensors_complete;               // 8.1
 Rule uncertainty_stated;             // 8.2.1
 Rule repeatability_below_variation;  // A.2.6

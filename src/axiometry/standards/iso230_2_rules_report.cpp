@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "axiometry/base/iso_date.h"
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2_rules.h"
@@ -114,6 +115,24 @@ std::optional<Finding> equipment_identified(const Case& c) {
   }
   if (incomplete.empty()) return std::nullopt;
   return missing("8.1", fmt::format("found test equipment not fully identified: {}", fmt::join(incomplete, "; ")));
+}
+
+std::optional<Finding> equipment_calibrated(const Case& c) {
+  const std::string day = iso_date(c.metadata.conditions.date);
+  if (day.empty()) return std::nullopt;
+  std::vector<std::string> outside;
+  for (std::size_t k = 0; k < c.metadata.equipment.size(); ++k) {
+    const Equipment& e = c.metadata.equipment[k];
+    const std::string name = e.role.empty() ? fmt::format("component {}", k + 1) : e.role;
+    const std::string due = iso_date(e.calibration_due);
+    const std::string calibrated = iso_date(e.calibrated_on);
+    if (!due.empty() && due < day) outside.push_back(fmt::format("{} (due on {})", name, due));
+    if (!calibrated.empty() && calibrated > day)
+      outside.push_back(fmt::format("{} (calibrated later, on {})", name, calibrated));
+  }
+  if (outside.empty()) return std::nullopt;
+  return note("8.2.1", fmt::format("found a test on {}, when the calibration of its equipment did not hold: {}", day,
+                                   fmt::join(outside, "; ")));
 }
 
 std::optional<Finding> sensors_complete(const Case& c) {

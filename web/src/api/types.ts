@@ -112,17 +112,19 @@ export interface Evaluated {
   milliseconds: number;                    // the evaluation took
 }
 
-/** Inputs of instruments and limits of the axis that took part because neither file nor changes state them. */
+/** Inputs of instruments that neither the file nor the changes state, calibrations that held on the day of the test, and
+ *  limits of the axis where nothing else sets any (their judgements have the source "axis"). They are kept with a version
+ *  as they were on its day. */
 export interface FromArchive {
   instruments: { instrument: number; version: number; name: string; inputs: Changes }[];
+  calibrations: Calibration[];
   axis: { axis: number; version: number; limits: Limit[] } | null;
 }
 
-/** Inputs of instruments that neither the file nor the changes state, and limits of the axis where nothing else sets any
- *  (their judgements have the source "axis"). They are kept with a version as they were on its day. */
-export interface FromArchive {
-  instruments: { instrument: number; version: number; name: string; inputs: Changes }[];
-  axis: { axis: number; version: number; limits: Limit[] } | null;
+/** Of a component of the test equipment, by its place in the list from 1. */
+export interface Calibration {
+  component: number; instrument: number; version: number;
+  certificate: string; calibrated_on: string; calibration_due: string;
 }
 
 /** How a test is evaluated, beside its metadata. */

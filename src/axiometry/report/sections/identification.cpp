@@ -91,7 +91,12 @@ std::size_t decimals_of(const Records& records, std::size_t column, const Option
 
 Table record_table(const Field& field, const Records& records, const Options& options) {
   Table table;
-  for (const RecordColumn& column : field.columns) {
+  std::vector<std::size_t> shown;
+  for (std::size_t c = 0; c < field.columns.size(); ++c) {
+    const RecordColumn& column = field.columns[c];
+    const auto states = [c](const auto& record) { return !std::holds_alternative<std::monostate>(record[c]); };
+    if (!column.shown_empty && std::ranges::none_of(records, states)) continue;
+    shown.push_back(c);
     std::string head(column.title);
     if (!column.unit.empty()) head += fmt::format(", {}", column.unit);
     table.columns.push_back({plain(head), column.type == FieldType::number ? Align::decimal : Align::start,
@@ -99,8 +104,7 @@ Table record_table(const Field& field, const Records& records, const Options& op
   }
   for (const auto& record : records) {
     std::vector<TableCell> row;
-    for (std::size_t c = 0; c < record.size(); ++c)
-      row.push_back(record_cell(record[c], decimals_of(records, c, options), options));
+    for (const std::size_t c : shown) row.push_back(record_cell(record[c], decimals_of(records, c, options), options));
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -30,8 +30,10 @@ constexpr std::pair<std::string_view, std::string_view> identity_fields[] = {{"M
                                                                              {"Report number", "test.report_number"}};
 
 /// What an auditor looks for next; left out where it was not given.
-constexpr std::pair<std::string_view, std::string_view> further_identity_fields[] = {
-    {"Customer", "test.customer"}, {"Location", "machine.location"}, {"Inspector", "test.inspector"}};
+constexpr std::pair<std::string_view, std::string_view> further_identity_fields[] = {{"Laboratory", "test.laboratory"},
+                                                                                     {"Customer", "test.customer"},
+                                                                                     {"Location", "machine.location"},
+                                                                                     {"Inspector", "test.inspector"}};
 
 /// "Example Instruments, LI-1, 1234": the artefact, or the first of the equipment.
 RichText instrument_of(const Metadata& metadata) {

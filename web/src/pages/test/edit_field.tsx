@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useRef, useState } from 'preact/hooks';
-import type { Field as FieldInfo, Vocabulary } from '../../api/types';
+import type { Calibration, Field as FieldInfo, Vocabulary } from '../../api/types';
 import { Field } from '../../components/field';
 import { texts } from '../../i18n/texts';
 import { decimal } from '../../settings';
@@ -14,6 +14,7 @@ const t = texts({
   no: ['no', 'nein'],
   file_says: ['In the file: {value}', 'In der Datei: {value}'],
   instrument_says: ['From {name}: {value}', 'Von {name}: {value}'],
+  archive_says: ['Calibration from the archive: {value}', 'Kalibrierung aus dem Archiv: {value}'],
   axis_says: ['Limit of the axis: {value}', 'Grenzwert der Achse: {value}'],
   file_silent: ['Not in the file', 'Nicht in der Datei'],
   undo: ['Undo', 'Zurücknehmen'],
@@ -66,10 +67,18 @@ function origin_of(state: TestState, field: FieldInfo, stated: string, changed: 
   const taken = state.evaluated.value.from_archive;
   const instrument = taken?.instruments.find((one) => one.inputs[field.key] !== undefined);
   if (instrument && !changed) return t('instrument_says', { name: instrument.name, value: shown(field, instrument.inputs[field.key] as string, vocabulary) });
+  const calibrations = field.key === 'equipment' ? (taken?.calibrations ?? []) : [];
+  if (calibrations.length > 0 && !changed) return t('archive_says', { value: calibrations.map(calibration_text).join('; ') });
   const limit = taken?.axis?.limits.find((one) => field.key === `tolerance.${one.parameter}`);
   if (limit && stated === '' && !changed) return t('axis_says', { value: shown(field, String(limit.value), vocabulary) });
   if (!changed) return null;
   return stated === '' ? t('file_silent') : t('file_says', { value: shown(field, stated, vocabulary) });
+}
+
+/** "VI-2026-0113, 2026-01-13 – 2027-01-13". */
+function calibration_text({ certificate, calibrated_on, calibration_due }: Calibration): string {
+  const days = [calibrated_on, calibration_due].some((day) => day !== '') ? `${calibrated_on || '…'} – ${calibration_due || '…'}` : '';
+  return [certificate, days].filter((part) => part !== '').join(', ');
 }
 
 function shown(field: FieldInfo, text: string, vocabulary: Vocabulary): string {

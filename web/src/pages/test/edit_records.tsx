@@ -8,6 +8,7 @@ import { records_of, records_text } from './field_value';
 const t = texts({
   add: ['Add a row', 'Zeile hinzufügen'],
   remove: ['Remove row {row}', 'Zeile {row} entfernen'],
+  row: ['{title}, row {row}', '{title}, Zeile {row}'],
   cell: ['{column}, row {row}', '{column}, Zeile {row}'],
 });
 
@@ -18,7 +19,7 @@ interface Props {
   change: (text: string) => void;
 }
 
-/** A list of records as a small table; rows in which nothing stands yet are only on the screen. */
+/** A list of records, each in a frame; rows in which nothing stands yet are only on the screen. */
 export function EditRecords({ ids, field, text, change }: Props) {
   const shown = (rows: string[][]) => rows.map((row) => row.map((cell, i) => (field.columns[i]?.type === 'number' && parsed(cell) !== null ? marked(cell) : cell)));
   const [rows, set_rows] = useState(shown(records_of(field, text)));
@@ -31,35 +32,21 @@ export function EditRecords({ ids, field, text, change }: Props) {
   };
   return (
     <div class="records">
-      {rows.length > 0 && (
-        <div class="table-frame">
-          <table>
-            <thead>
-              <tr>
-                {field.columns.map((column) => <th key={column.key} scope="col">{column.title}{column.unit !== '' && `, ${column.unit}`}</th>)}
-                <td />
-              </tr>
-            </thead>
-            <tbody>
-              {rows.map((row, r) => (
-                <tr key={r}>
-                  {field.columns.map((column, c) => (
-                    <td key={column.key}>
-                      <input type="text" value={row[c]} size={column.type === 'number' ? 6 : 12} autoComplete="off"
-                             aria-label={t('cell', { column: column.title, row: r + 1 })} aria-invalid={ids['aria-invalid']}
-                             onInput={(event) => {
-                               const next = event.currentTarget.value;
-                               put(rows.map((other, i) => (i === r ? other.map((cell, k) => (k === c ? next : cell)) : other)));
-                             }} />
-                    </td>
-                  ))}
-                  <td><button type="button" class="plain" aria-label={t('remove', { row: r + 1 })} onClick={() => put(rows.filter((_, i) => i !== r))}>×</button></td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
+      {rows.map((row, r) => (
+        <div key={r} class="record" role="group" aria-label={t('row', { title: field.title, row: r + 1 })}>
+          {field.columns.map((column, c) => (
+            <label key={column.key}>
+              <span class="quiet small">{column.title}{column.unit !== '' && `, ${column.unit}`}</span>
+              <input type="text" value={row[c]} autoComplete="off" aria-label={t('cell', { column: column.title, row: r + 1 })} aria-invalid={ids['aria-invalid']}
+                     onInput={(event) => {
+                       const next = event.currentTarget.value;
+                       put(rows.map((other, i) => (i === r ? other.map((cell, k) => (k === c ? next : cell)) : other)));
+                     }} />
+            </label>
+          ))}
+          <button type="button" class="plain" aria-label={t('remove', { row: r + 1 })} onClick={() => put(rows.filter((_, i) => i !== r))}>×</button>
         </div>
-      )}
+      ))}
       <button {...ids} type="button" class="small" aria-label={`${t('add')}: ${field.title}`} onClick={() => set_rows([...rows, field.columns.map(() => '')])}>{t('add')}</button>
     </div>
   );

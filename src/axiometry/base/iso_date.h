@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// Dates as people write them.
+namespace axiometry {
+
+/// "2014-05-15" of what begins like that, of "15.05.2014" and of "2014/5/15"; nothing of other text and of a day that
+/// does not exist. A date that may be read in two ways, "05/06/2014", is other text.
+std::string iso_date(std::string_view text);
+
+}  // namespace axiometry
