@@ -72,9 +72,6 @@ std::optional<store::Instrument> instrument_of(const Equipment& component) {
   instrument.manufacturer = report::printable(component.manufacturer);
   instrument.type = report::printable(component.type);
   instrument.serial_number = report::printable(component.serial_number);
-  instrument.certificate = report::printable(component.certificate);
-  instrument.calibrated_on = iso_date(component.calibrated_on);
-  instrument.calibration_due = iso_date(component.calibration_due);
   return instrument;
 }
 
@@ -82,30 +79,78 @@ bool has_calibration(const store::Instrument& instrument) {
   return !instrument.certificate.empty() || !instrument.calibrated_on.empty() || !instrument.calibration_due.empty();
 }
 
-/// The version with the newest calibration that is not after this day, "2014-05-15"; else the last.
-const store::Versioned<store::Instrument>* calibrated_by(const KnownInstruments& versions, const std::string& day) {
-  const store::Versioned<store::Instrument>* newest = nullptr;
-  const auto since = [](const auto& version) { return iso_date(version.value.calibrated_on); };
-  for (const auto& version : versions)
-    if (!since(version).empty() && since(version) <= day && (newest == nullptr || since(*newest) <= since(version)))
-      newest = &version;
-  if (newest != nullptr) return newest;
-  return versions.empty() ? nullptr : &versions.back();
+/// Whether two versions tell of one calibration: the later one then mends what the earlier one said of it.
+bool same_calibration(const store::Instrument& a, const store::Instrument& b) {
+  if (!a.certificate.empty() && a.certificate == b.certificate) return true;
+  if (!a.calibrated_on.empty()) return a.calibrated_on == b.calibrated_on;
+  return b.calibrated_on.empty() && a.certificate.empty() && b.certificate.empty();
 }
 
-Result<std::vector<KnownCalibration>> calibrations_of(const store::Store& store, const Metadata& metadata) {
+/// The calibrations that an instrument has had, each as it was told last.
+KnownInstruments calibrations_in(const KnownInstruments& versions) {
+  KnownInstruments all;
+  for (const auto& version : versions) {
+    if (!has_calibration(version.value)) continue;
+    const auto mended =
+        std::ranges::find_if(all, [&](const auto& before) { return same_calibration(before.value, version.value); });
+    if (mended != all.end()) all.erase(mended);
+    all.push_back(version);
+  }
+  return all;
+}
+
+/// The newest calibration that is not later than this day, "2014-05-15". Where it did not hold any more, or where there
+/// is none, one of an unknown day; the last of all where the day of the test is not known.
+const store::Versioned<store::Instrument>* calibration_on(const std::string& day,
+                                                          const KnownInstruments& calibrations) {
+  const store::Versioned<store::Instrument>* newest = nullptr;
+  const store::Versioned<store::Instrument>* undated = nullptr;
+  for (const auto& one : calibrations) {
+    const std::string since = iso_date(one.value.calibrated_on);
+    if (since.empty()) undated = &one;
+    if (since.empty() || since > day) continue;
+    if (newest == nullptr || iso_date(newest->value.calibrated_on) <= since) newest = &one;
+  }
+  if (day.empty()) return calibrations.empty() ? nullptr : &calibrations.back();
+  const std::string due = newest == nullptr ? "" : iso_date(newest->value.calibration_due);
+  const bool holds = newest != nullptr && (due.empty() || due >= day);
+  return holds || undated == nullptr ? newest : undated;
+}
+
+/// The instrument that each component is: the one it is linked with, else the one that the archive would link it with.
+Result<std::vector<std::optional<store::Id>>> instruments_by_component(const store::Store& store,
+                                                                       const Metadata& metadata,
+                                                                       const std::vector<store::Id>& linked) {
+  const bool by_place = instruments_of(metadata).size() == linked.size();
+  std::vector<std::optional<store::Id>> all;
+  std::size_t identified = 0;
+  for (const Equipment& component : metadata.equipment) {
+    auto& found = all.emplace_back();
+    const auto stated = instrument_of(component);
+    if (!stated) continue;
+    if (by_place) {
+      found = linked[identified++];
+      continue;
+    }
+    AXIOMETRY_TRY(const auto known, store.known(*stated));
+    if (known) found = known->id;
+  }
+  return all;
+}
+
+Result<std::vector<KnownCalibration>> calibrations_of(const store::Store& store, const Metadata& metadata,
+                                                      const std::vector<store::Id>& linked) {
+  AXIOMETRY_TRY(const auto instruments, instruments_by_component(store, metadata, linked));
+  const std::string day = iso_date(metadata.conditions.date);
   std::vector<KnownCalibration> known;
-  for (std::size_t k = 0; k < metadata.equipment.size(); ++k) {
-    const auto stated = instrument_of(metadata.equipment[k]);
-    if (!stated || states_calibration(metadata.equipment[k])) continue;
-    AXIOMETRY_TRY(const auto instrument, store.known(*stated));
-    if (!instrument) continue;
-    AXIOMETRY_TRY(const KnownInstruments versions, store.versions<store::Instrument>(instrument->id));
-    const auto* version = calibrated_by(versions, iso_date(metadata.conditions.date));
-    if (version == nullptr || !has_calibration(version->value)) continue;
-    known.push_back({version->id,
-                     version->version,
-                     {k, version->value.certificate, version->value.calibrated_on, version->value.calibration_due}});
+  for (std::size_t k = 0; k < instruments.size(); ++k) {
+    if (!instruments[k] || states_calibration(metadata.equipment[k])) continue;
+    AXIOMETRY_TRY(const KnownInstruments versions, store.versions<store::Instrument>(*instruments[k]));
+    const KnownInstruments calibrations = calibrations_in(versions);
+    const auto* held = calibration_on(day, calibrations);
+    if (held == nullptr) continue;
+    const store::Instrument& told = held->value;
+    known.push_back({held->id, held->version, {k, told.certificate, told.calibrated_on, told.calibration_due}});
   }
   return known;
 }
@@ -287,7 +332,8 @@ Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& m
   AXIOMETRY_TRY(const KnownInstruments instruments,
                 linked_equipment ? linked_instruments(store, links->instruments) : found_instruments(store, metadata));
   FromArchive taken{.instruments = inputs_of(instruments, metadata, changes), .calibrations = {}, .axis = {}};
-  AXIOMETRY_TRY(taken.calibrations, calibrations_of(store, metadata));
+  AXIOMETRY_TRY(taken.calibrations,
+                calibrations_of(store, metadata, linked_equipment ? links->instruments : std::vector<store::Id>()));
   const bool linked_axis = links && links->axis && !concerns(changes, "machine.") && !concerns(changes, "axis.");
   if (linked_axis) {
     AXIOMETRY_TRY(auto axis, store.get<store::Axis>(*links->axis));

@@ -25,8 +25,9 @@ struct InstrumentInputs {
   Changes inputs;
 };
 
-/// The calibration of a component of the test equipment, of the instrument's version whose calibration was the newest
-/// on the day of the test; of the newest version where that day or every calibration's is not known.
+/// The calibration of a component of the test equipment that held on the day of the test, and the version of the
+/// instrument that tells of it. The newest before that day where none held any more; the last where that day is not
+/// known.
 struct KnownCalibration {
   store::Id instrument = 0;
   int version = 0;

@@ -5,6 +5,7 @@
 
 #include "axiometry/app/evaluate.h"
 #include "axiometry/app/given_text.h"
+#include "axiometry/base/iso_date.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/json_members.h"
 
@@ -86,6 +87,12 @@ Result<void> take_edit(JsonMembers& members, const Value& object, Edit<Thing>& e
   AXIOMETRY_TRY_VOID(take_text(members, object, "reason", edit.reason, &given_line));
   for (const char* name : {"id", "version", "change", "axes", "tests", "latest_test"}) members.pass_over(name);
   return members.finish();
+}
+
+Result<void> check_date(const Value& object, std::string_view name, const std::string& text) {
+  if (text.empty() || iso_date(text) == text) return {};
+  const std::string found = fmt::format("found {} = {}, expected a date such as 2026-01-31", name, text::quoted(text));
+  return at_member(object, name, Error{found, {}, {}});
 }
 
 /// Inputs that set_field_text() takes on a linear or on a rotary axis.
@@ -210,6 +217,8 @@ Result<Edit<store::Instrument>> instrument_from(const json::Value& value) {
   Edit<store::Instrument> edit;
   store::Instrument& instrument = edit.value;
   AXIOMETRY_TRY_VOID(take_lines<store::Instrument>(members, value, instrument, instrument_lines));
+  AXIOMETRY_TRY_VOID(check_date(value, "calibrated_on", instrument.calibrated_on));
+  AXIOMETRY_TRY_VOID(check_date(value, "calibration_due", instrument.calibration_due));
   if (const Value* inputs = members.optional("inputs")) {
     AXIOMETRY_TRY(instrument.inputs, changes_from(*inputs));
     AXIOMETRY_TRY_VOID(check_inputs(instrument.inputs, *inputs));

@@ -273,26 +273,42 @@ TEST_F(TheWorkbench, StatesTheCalibrationThatHeldOnTheDayOfTheTest) {
   EXPECT_EQ(certificate_on("2014-05-15"), "C-2014");
   EXPECT_EQ(certificate_on("2026-05-15"), "C-2026");
   EXPECT_EQ(certificate_on("2026-01-13"), "C-2026") << "the day of the calibration itself";
-  EXPECT_EQ(certificate_on("2010-05-15"), "C-2026") << "before any: the last, and a finding says so";
+  EXPECT_EQ(certificate_on("2010-05-15"), "") << "before any: none is known";
+  EXPECT_EQ(certificate_on("last spring"), "C-2026") << "the last";
   Draft draft;
   draft.changes = {{"equipment", "laser | Example Instruments | LI-1 | 1234 | of the file"}};
   EXPECT_THAT(workbench.draft(id, draft)->from_archive.calibrations, IsEmpty());
   draft.changes = {{"test.date", "2016-05-15"}};
-  EXPECT_THAT(json::dump(workbench.draft(id, draft)->result), HasSubstr("(due on 2015-01-10)"));
+  EXPECT_THAT(json::dump(workbench.draft(id, draft)->result),
+              HasSubstr("Laser interferometer (2014-01-10 – 2015-01-10)"));
 }
 
-TEST_F(TheWorkbench, KeepsTheCalibrationThatAFileStatesWithTheInstrumentItBrings) {
-  std::string file(example_table2);
-  const std::string_view laser = "\"serial_number\": \"1234\"";
-  file.replace(file.find(laser), laser.size(),
-               fmt::format("{}, \"certificate\": \"C-2014\", \"calibrated_on\": \"10.1.2014\"", laser));
-  keep(file);
-  const auto instruments = store.all<store::Instrument>();
-  ASSERT_TRUE(instruments);
-  const auto kept = std::ranges::find(*instruments, "1234", [](const auto& i) { return i.value.serial_number; });
-  ASSERT_NE(kept, instruments->end());
-  EXPECT_EQ(kept->value.certificate, "C-2014");
-  EXPECT_EQ(kept->value.calibrated_on, "2014-01-10");
+TEST_F(TheWorkbench, TakesACalibrationAsItWasToldLast) {
+  store::Instrument laser;
+  laser.manufacturer = "Example Instruments";
+  laser.type = "LI-1";
+  laser.serial_number = "1234";
+  laser.certificate = "C-2012";
+  laser.calibrated_on = "2014-05-10";
+  laser.calibration_due = "2015-05-10";
+  auto kept = store.add(laser, me);
+  ASSERT_TRUE(kept);
+  laser.calibrated_on = "2012-05-10";  // a typing error of the year
+  laser.calibration_due = "2013-05-10";
+  kept = store.change(kept->id, kept->version, laser, me);
+  ASSERT_TRUE(kept);
+  const auto id = keep(example_table2);  // of 2014-05-15
+  const auto outcome = workbench.draft(id, {});
+  ASSERT_TRUE(outcome);
+  ASSERT_EQ(outcome->from_archive.calibrations.size(), 1u);
+  EXPECT_EQ(outcome->from_archive.calibrations.front().calibration.calibrated_on, "2012-05-10");
+  EXPECT_THAT(json::dump(outcome->result), HasSubstr("Laser interferometer (2012-05-10 – 2013-05-10)"));
+  laser.certificate = "C-2014";
+  laser.calibrated_on = "";
+  laser.calibration_due = "2015-12-31";
+  ASSERT_TRUE(store.change(kept->id, kept->version, laser, me));
+  EXPECT_EQ(workbench.draft(id, {})->from_archive.calibrations.front().calibration.certificate, "C-2014")
+      << "rather one of an unknown day than one that did not hold any more";
 }
 
 TEST_F(TheWorkbench, ReportsAVersionWithTheInputsOfItsDayAlthoughTheInstrumentHasChanged) {

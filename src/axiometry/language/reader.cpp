@@ -85,8 +85,12 @@ Reader::Found Reader::known(std::string_view text, int depth) {
   if (is_quoted(text)) return std::string(text);
   if (const auto literal = book_.literal(with_blanks(text))) return packed(*literal);
   if (auto found = by_sentence(text, depth)) return found;  // before patterns, which would try them all for the rest
+  const bool is_sentence = is_upper(text.front()) && text.back() == '.';
+  if (is_sentence)
+    if (auto found = variant(text, depth)) return found;
   if (auto found = whole(text, depth)) return found;
-  if (auto found = variant(text, depth)) return found;
+  if (!is_sentence)
+    if (auto found = variant(text, depth)) return found;
   return by_item(text, depth);
 }
 
@@ -102,12 +106,17 @@ Reader::Found Reader::variant(std::string_view text, int depth) {
   const bool stop = text.size() > 1 && text.back() == '.';
   std::string inner(stop ? text.substr(0, text.size() - 1) : text);
   const auto ended = [&](std::string found) { return stop ? found + "." : found; };
+  if (is_upper(inner[0])) {
+    // "Found … ." is a phrase that begins small; as it stands it could only fit one that begins with a place.
+    std::string small = inner;
+    small[0] = static_cast<char>(inner[0] - 'A' + 'a');
+    if (stop)
+      if (const auto literal = book_.literal(with_blanks(inner))) return ended(packed(*literal));
+    if (auto found = whole(small, depth)) return ended(capitalised(*std::move(found)));
+  }
   if (stop)
     if (auto found = whole(inner, depth)) return ended(*std::move(found));
-  if (is_upper(inner[0])) {
-    inner[0] = static_cast<char>(inner[0] - 'A' + 'a');
-    if (auto found = whole(inner, depth)) return ended(capitalised(*std::move(found)));
-  } else if (is_lower(inner[0])) {
+  if (is_lower(inner[0])) {
     inner[0] = static_cast<char>(inner[0] - 'a' + 'A');
     if (auto found = whole(inner, depth)) return ended(*std::move(found));
   }

@@ -342,6 +342,21 @@ TEST(GermanReport, KeepsWhatTheUserWrote) {
     EXPECT_THAT(html, Not(HasSubstr(word)));
 }
 
+TEST(GermanReport, TellsEquipmentThatWasOutOfCalibration) {
+  axiometry::Test test = table2::complete_test();
+  test.metadata.conditions.date = "2014-05-15";
+  test.metadata.equipment = {{"Laser", "M", "", "9", "C", "2012-01-01", "2013-01-01"},
+                             {"", "M", "T", "8", "C", "2015-01-01", ""}};
+  Reported report = reported(std::move(test));
+  report.options = in_german;
+  const std::string html = report.written("html");
+  for (const char* words : {"Prüfung am 2014-05-15, an dem die Kalibrierung ihrer Messmittel nicht galt",
+                            "Laser (2012-01-01 – 2013-01-01); T (2015-01-01 – …)",
+                            "Messmittel nicht vollständig bezeichnet: Laser ohne Typ"})
+    EXPECT_THAT(html, HasSubstr(words));
+  EXPECT_THAT(html, Not(HasSubstr("Found ")));
+}
+
 TEST(GermanReport, IsMarkedAsGerman) {
   Reported report = reported_table2();
   report.options = in_german;

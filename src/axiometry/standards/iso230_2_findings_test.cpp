@@ -260,14 +260,13 @@ TEST(Findings, TellEquipmentWhoseCalibrationDidNotHoldOnTheDayOfTheTest) {
   axiometry::Test test = table2::complete_test();
   test.metadata.conditions.date = "2026-03-05";
   test.metadata.equipment = {{"laser", "Maker", "L", "1", "C-1", "2025-03-05", "2026-03-05"}};
-  EXPECT_EQ(finding(assess(test), "8.2.1", "equipment did not hold"), "") << "the last day counts";
+  EXPECT_EQ(finding(assess(test), "8.2.1", "out of calibration"), "") << "the last day counts";
   test.metadata.equipment.front().calibration_due = "04.03.2026";
-  EXPECT_THAT(finding(assess(test), "8.2.1", "equipment did not hold"),
-              HasSubstr("laser (due on 2026-03-04)"));
+  EXPECT_THAT(finding(assess(test), "8.2.1", "out of calibration"), HasSubstr("laser (2025-03-05 – 2026-03-04)"));
   test.metadata.equipment.front() = {"laser", "Maker", "L", "1", "C-2", "2026-03-06", "2027-03-06"};
-  EXPECT_THAT(finding(assess(test), "8.2.1", "equipment did not hold"), HasSubstr("calibrated later, on 2026-03-06"));
+  EXPECT_THAT(finding(assess(test), "8.2.1", "out of calibration"), HasSubstr("laser (2026-03-06 – 2027-03-06)"));
   test.metadata.conditions.date = "spring";
-  EXPECT_EQ(finding(assess(test), "8.2.1", "equipment did not hold"), "") << "a day that nobody knows";
+  EXPECT_EQ(finding(assess(test), "8.2.1", "out of calibration"), "") << "a day that nobody knows";
 }
 
 TEST(Findings, TellCyclesThatAreNotTheStandardOne) {

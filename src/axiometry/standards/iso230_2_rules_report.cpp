@@ -121,17 +121,17 @@ std::optional<Finding> equipment_calibrated(const Case& c) {
   const std::string day = iso_date(c.metadata.conditions.date);
   if (day.empty()) return std::nullopt;
   std::vector<std::string> outside;
-  for (std::size_t k = 0; k < c.metadata.equipment.size(); ++k) {
-    const Equipment& e = c.metadata.equipment[k];
-    const std::string name = e.role.empty() ? fmt::format("component {}", k + 1) : e.role;
+  for (const Equipment& e : c.metadata.equipment) {
+    const std::string from = iso_date(e.calibrated_on);
     const std::string due = iso_date(e.calibration_due);
-    const std::string calibrated = iso_date(e.calibrated_on);
-    if (!due.empty() && due < day) outside.push_back(fmt::format("{} (due on {})", name, due));
-    if (!calibrated.empty() && calibrated > day)
-      outside.push_back(fmt::format("{} (calibrated later, on {})", name, calibrated));
+    if (from <= day && (due.empty() || due >= day)) continue;
+    std::string name = e.role;
+    for (const std::string* other : {&e.type, &e.manufacturer, &e.serial_number})
+      if (name.empty()) name = *other;
+    outside.push_back(fmt::format("{} ({} – {})", name, from.empty() ? "…" : from, due.empty() ? "…" : due));
   }
   if (outside.empty()) return std::nullopt;
-  return note("8.2.1", fmt::format("found a test on {}, when the calibration of its equipment did not hold: {}", day,
+  return note("8.2.1", fmt::format("found a test on {}, when its equipment was out of calibration: {}", day,
                                    fmt::join(outside, "; ")));
 }
 

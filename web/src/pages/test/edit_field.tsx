@@ -68,17 +68,17 @@ function origin_of(state: TestState, field: FieldInfo, stated: string, changed: 
   const instrument = taken?.instruments.find((one) => one.inputs[field.key] !== undefined);
   if (instrument && !changed) return t('instrument_says', { name: instrument.name, value: shown(field, instrument.inputs[field.key] as string, vocabulary) });
   const calibrations = field.key === 'equipment' ? (taken?.calibrations ?? []) : [];
-  if (calibrations.length > 0 && !changed) return t('archive_says', { value: calibrations.map(calibration_text).join('; ') });
+  if (calibrations.length > 0) return t('archive_says', { value: calibrations.map(calibration_text).join('; ') });
   const limit = taken?.axis?.limits.find((one) => field.key === `tolerance.${one.parameter}`);
   if (limit && stated === '' && !changed) return t('axis_says', { value: shown(field, String(limit.value), vocabulary) });
   if (!changed) return null;
   return stated === '' ? t('file_silent') : t('file_says', { value: shown(field, stated, vocabulary) });
 }
 
-/** "VI-2026-0113, 2026-01-13 – 2027-01-13". */
-function calibration_text({ certificate, calibrated_on, calibration_due }: Calibration): string {
+/** "1: VI-2026-0113, 2026-01-13 – 2027-01-13", of the first component. */
+function calibration_text({ component, certificate, calibrated_on, calibration_due }: Calibration): string {
   const days = [calibrated_on, calibration_due].some((day) => day !== '') ? `${calibrated_on || '…'} – ${calibration_due || '…'}` : '';
-  return [certificate, days].filter((part) => part !== '').join(', ');
+  return `${component}: ${[certificate, days].filter((part) => part !== '').join(', ')}`;
 }
 
 function shown(field: FieldInfo, text: string, vocabulary: Vocabulary): string {

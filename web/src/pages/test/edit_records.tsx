@@ -9,7 +9,6 @@ const t = texts({
   add: ['Add a row', 'Zeile hinzufügen'],
   remove: ['Remove row {row}', 'Zeile {row} entfernen'],
   row: ['{title}, row {row}', '{title}, Zeile {row}'],
-  cell: ['{column}, row {row}', '{column}, Zeile {row}'],
 });
 
 interface Props {
@@ -37,7 +36,7 @@ export function EditRecords({ ids, field, text, change }: Props) {
           {field.columns.map((column, c) => (
             <label key={column.key}>
               <span class="quiet small">{column.title}{column.unit !== '' && `, ${column.unit}`}</span>
-              <input type="text" value={row[c]} autoComplete="off" aria-label={t('cell', { column: column.title, row: r + 1 })} aria-invalid={ids['aria-invalid']}
+              <input type="text" value={row[c]} autoComplete="off" aria-invalid={ids['aria-invalid']}
                      onInput={(event) => {
                        const next = event.currentTarget.value;
                        put(rows.map((other, i) => (i === r ? other.map((cell, k) => (k === c ? next : cell)) : other)));

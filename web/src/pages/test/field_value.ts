@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values of metadata as text: as `--set` takes them (decimal point, one record per line), and as people type them.
-import type { Field } from '../../api/types';
+import type { Evaluated, Field } from '../../api/types';
 import { marked, parsed } from '../../numbers';
 
 type Rows = Record<string, unknown>[];
@@ -15,7 +15,8 @@ function value_at(metadata: Record<string, unknown>, key: string): unknown {
   return value;
 }
 
-const cell_text = (cell: unknown): string => (cell === null || cell === undefined ? '' : String(cell));
+/** A vertical bar or a line break would end a cell. */
+const cell_text = (cell: unknown): string => (cell === null || cell === undefined ? '' : String(cell).replace(/[|\r\n]+/g, ' '));
 
 /** A field's value as a change would state it; "" where there is none. */
 export function stated_text(field: Field, metadata: Record<string, unknown>): string {
@@ -25,6 +26,15 @@ export function stated_text(field: Field, metadata: Record<string, unknown>): st
   if (!Array.isArray(value)) return String(value);
   if (field.type !== 'records') return value.map(String).join(' ');
   return (value as Rows).map((row) => field.columns.map((column) => cell_text(row[column.key])).join(' | ')).join('\n');
+}
+
+/** The metadata of an evaluation without what the archive lent: as file and changes state them. */
+export function as_stated({ result, from_archive }: Evaluated): Record<string, unknown> {
+  const lent = new Set((from_archive?.calibrations ?? []).map((one) => one.component));
+  if (lent.size === 0) return result.metadata;
+  const rows = (result.metadata['equipment'] ?? []) as Rows;
+  const equipment = rows.map((row, i) => (lent.has(i + 1) ? { ...row, certificate: '', calibrated_on: '', calibration_due: '' } : row));
+  return { ...result.metadata, equipment };
 }
 
 function plain_number(typed: string): string {
@@ -60,11 +70,10 @@ export function records_of(field: Field, text: string): string[][] {
   });
 }
 
-/** A vertical bar or a line break would end a cell. */
 export function records_text(field: Field, rows: string[][]): string {
   const written = rows.map((row) =>
     row.map((cell, i) => {
-      const one = cell.replace(/[|\r\n]+/g, ' ').trim();
+      const one = cell_text(cell).trim();
       return field.columns[i]?.type === 'number' ? plain_number(one) : one;
     }),
   );

@@ -5,7 +5,7 @@ import { ApiError, query, send } from '../../api/client';
 import type { Changes, Evaluated, Field, Options, Test } from '../../api/types';
 import { decimal } from '../../settings';
 import { keep_draft, kept_draft } from './draft_store';
-import { same_value, stated_text } from './field_value';
+import { as_stated, same_value, stated_text } from './field_value';
 import { shared } from './shared';
 
 export const same_changes = (a: Changes, b: Changes): boolean => {
@@ -86,7 +86,7 @@ export class TestState {
     this.faults.value = {};
     this.failure.value = null;
     this.restored.value = false;
-    this.stated.value = test.result.metadata;
+    this.stated.value = as_stated(test);
     if (Object.keys(test.changes).length > 0) void this.ask_what_the_file_says();
   }
 
@@ -100,7 +100,7 @@ export class TestState {
     const { id, options } = this.test.value;
     try {
       const bare = await send<Evaluated>('POST', test_path(id, '/evaluate'), { changes: {}, options: quick(options) });
-      this.stated.value = bare.result.metadata;
+      this.stated.value = as_stated(bare);
     } catch {
       // Then changes cannot be told from the file's values; everything else works.
     }
