@@ -119,7 +119,7 @@ def answers_within(clients, seconds):
 
 def who_leaves_gives_up_the_place(server, checks):
     """A line that is filled and left by its clients is empty for the next."""
-    clients = [send_heavy(server, 1000 + i) for i in range(120)]
+    clients = [send_heavy(server, 1000 + i) for i in range(400)]
     refused = [answer for answer in answers_within(clients, 2.0) if b" 503 " in answer]
     checks.that("a full line refuses", len(refused) > 20, len(refused))
     checks.that("and says when to come again", all(b"Retry-After: 10\r\n" in answer for answer in refused), refused[:1])
