@@ -228,11 +228,23 @@ TEST_F(TheWorkbench, ShowsCorrectedReadingsBesideThoseThatWereMeasured) {
   EXPECT_NE(test->outcome.readings.reading(0, Direction::up, 4)->in_native(), -1.9);
 }
 
-TEST_F(TheWorkbench, TakesInputsFromTheInstrumentWhereNobodyStatesThem) {
+/// The interferometer that the file of Table 2 names.
+store::Instrument laser_of_table2() {
   store::Instrument laser;
   laser.manufacturer = "Example Instruments";
   laser.type = "LI-1";
   laser.serial_number = "1234";
+  return laser;
+}
+
+void calibrate(store::Instrument& instrument, const EquipmentCalibration& calibration) {
+  instrument.certificate = calibration.certificate;
+  instrument.calibrated_on = calibration.calibrated_on;
+  instrument.calibration_due = calibration.calibration_due;
+}
+
+TEST_F(TheWorkbench, TakesInputsFromTheInstrumentWhereNobodyStatesThem) {
+  store::Instrument laser = laser_of_table2();
   laser.inputs = {{"uncertainty.instrument_resolution", "0.5"}, {"uncertainty.misalignment_mm", "100"}};
   ASSERT_TRUE(store.add(laser, me));
   const auto id = keep(example_table2);
@@ -249,18 +261,11 @@ TEST_F(TheWorkbench, TakesInputsFromTheInstrumentWhereNobodyStatesThem) {
 }
 
 TEST_F(TheWorkbench, StatesTheCalibrationThatHeldOnTheDayOfTheTest) {
-  store::Instrument laser;
-  laser.manufacturer = "Example Instruments";
-  laser.type = "LI-1";
-  laser.serial_number = "1234";
-  laser.certificate = "C-2014";
-  laser.calibrated_on = "2014-01-10";
-  laser.calibration_due = "2015-01-10";
+  store::Instrument laser = laser_of_table2();
+  calibrate(laser, {0, "C-2014", "2014-01-10", "2015-01-10"});
   const auto added = store.add(laser, me);
   ASSERT_TRUE(added);
-  laser.certificate = "C-2026";
-  laser.calibrated_on = "2026-01-13";
-  laser.calibration_due = "2027-01-13";
+  calibrate(laser, {0, "C-2026", "2026-01-13", "2027-01-13"});
   ASSERT_TRUE(store.change(added->id, 1, laser, me));
   const auto id = keep(example_table2);
   const auto certificate_on = [&](const std::string& day) {
@@ -284,13 +289,8 @@ TEST_F(TheWorkbench, StatesTheCalibrationThatHeldOnTheDayOfTheTest) {
 }
 
 TEST_F(TheWorkbench, TakesACalibrationAsItWasToldLast) {
-  store::Instrument laser;
-  laser.manufacturer = "Example Instruments";
-  laser.type = "LI-1";
-  laser.serial_number = "1234";
-  laser.certificate = "C-2012";
-  laser.calibrated_on = "2014-05-10";
-  laser.calibration_due = "2015-05-10";
+  store::Instrument laser = laser_of_table2();
+  calibrate(laser, {0, "C-2012", "2014-05-10", "2015-05-10"});
   auto kept = store.add(laser, me);
   ASSERT_TRUE(kept);
   laser.calibrated_on = "2012-05-10";  // a typing error of the year
@@ -312,10 +312,7 @@ TEST_F(TheWorkbench, TakesACalibrationAsItWasToldLast) {
 }
 
 TEST_F(TheWorkbench, ReportsAVersionWithTheInputsOfItsDayAlthoughTheInstrumentHasChanged) {
-  store::Instrument laser;
-  laser.serial_number = "1234";
-  laser.manufacturer = "Example Instruments";
-  laser.type = "LI-1";
+  store::Instrument laser = laser_of_table2();
   laser.inputs = {{"uncertainty.instrument_resolution", "0.5"}};
   const auto added = store.add(laser, me);
   ASSERT_TRUE(added);
