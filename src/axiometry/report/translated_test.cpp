@@ -342,6 +342,14 @@ TEST(GermanReport, KeepsWhatTheUserWrote) {
     EXPECT_THAT(html, Not(HasSubstr(word)));
 }
 
+TEST(GermanReport, TellsWhereLimitsComeFrom) {
+  using enum iso230_2::ToleranceSource;
+  for (const auto source : {axis, table, test, user}) {
+    const std::string words = fmt::format("Limits: A, R from the {}.", source_title(source));
+    EXPECT_TRUE(language::is_known(words, german)) << words;
+  }
+}
+
 TEST(GermanReport, TellsEquipmentThatWasOutOfCalibration) {
   axiometry::Test test = table2::complete_test();
   test.metadata.conditions.date = "2014-05-15";
