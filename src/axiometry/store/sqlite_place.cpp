@@ -137,27 +137,31 @@ bool begins_as_database(const std::string& path) {
          std::string_view(head.data(), head.size()) == magic;
 }
 
-/// 1: an archive; 0: an empty database, which may become one. Nothing is written.
-Result<bool> is_archive(const std::string& file, const std::string& path, Mode mode) {
+/// Whether it is an archive, or else an empty database, which may become one. All is read at one moment, that of the
+/// connection's transaction: another program may just be making the archive.
+Result<bool> is_archive(SqliteConnection& connection) {
+  AXIOMETRY_TRY(const Rows id, connection.query("PRAGMA application_id"));
+  AXIOMETRY_TRY(const Rows tables, connection.query("SELECT count(*) FROM sqlite_master"));
+  if (id[0].integer(0) == application_id) return true;
+  if (id[0].integer(0) == 0 && tables[0].integer(0) == 0) return false;
+  return fail(ErrorKind::bad_input,
+              fmt::format("found a SQLite database of another program (application id {:#x}), expected a store",
+                          id[0].integer(0)));
+}
+
+/// Likewise of a file that may be anything. Nothing is written.
+Result<bool> look_for_archive(const std::string& path, Mode mode) {
   AXIOMETRY_TRY(SqliteDatabase database, opened(path, mode == Mode::immutable ? mode : Mode::reading));
   SqliteConnection connection(std::move(database));
-  const auto id = connection.query("PRAGMA application_id");
-  const auto tables = connection.query("SELECT count(*) FROM sqlite_master");
-  for (const auto* answer : {&id, &tables}) {
-    if (*answer) continue;
-    if (answer->error().kind == ErrorKind::damaged && begins_as_database(path))
-      return fail_at(file, ErrorKind::damaged,
-                     "found a damaged SQLite database, cut off or overwritten in part, expected a whole one: leave it "
-                     "as it is and restore a backup into a new file");
-    if (answer->error().kind == ErrorKind::damaged)
-      return fail_at(file, ErrorKind::bad_input, "found a file that is no SQLite database, expected a store");
-    return std::unexpected(in_store(answer->error(), file));
-  }
-  if ((*id)[0].integer(0) == application_id) return true;
-  if ((*id)[0].integer(0) == 0 && (*tables)[0].integer(0) == 0) return false;
-  return fail_at(file, ErrorKind::bad_input,
-                 fmt::format("found a SQLite database of another program (application id {:#x}), expected a store",
-                             (*id)[0].integer(0)));
+  AXIOMETRY_TRY_VOID(connection.begin_read());
+  const Rollback rollback(connection);
+  auto archive = is_archive(connection);
+  if (archive || archive.error().kind != ErrorKind::damaged) return archive;
+  if (begins_as_database(path))
+    return fail(ErrorKind::damaged,
+                "found a damaged SQLite database, cut off or overwritten in part, expected a whole one: leave it as it "
+                "is and restore a backup into a new file");
+  return fail(ErrorKind::bad_input, "found a file that is no SQLite database, expected a store");
 }
 
 /// Changing the journal does not wait for others by itself.
@@ -176,17 +180,22 @@ Result<void> write_ahead(SqliteConnection& connection) {
   }
 }
 
-Result<void> prepare(const std::string& path) {
+/// Only an empty database gets our mark, and only one program gives it.
+Result<void> mark(SqliteConnection& connection) {
+  AXIOMETRY_TRY_VOID(connection.begin_write());
+  Rollback rollback(connection);
+  AXIOMETRY_TRY(const bool marked, is_archive(connection));
+  if (marked) return {};
+  AXIOMETRY_TRY_VOID(connection.script(fmt::format("PRAGMA application_id = {}", application_id)));
+  AXIOMETRY_TRY_VOID(connection.commit());
+  rollback.release();
+  return {};
+}
+
+Result<void> prepare(const std::string& path, bool archive) {
   AXIOMETRY_TRY(SqliteDatabase database, opened(path, Mode::writing));
   SqliteConnection connection(std::move(database));
-  AXIOMETRY_TRY(const Rows id, connection.query("PRAGMA application_id"));
-  if (id[0].integer(0) == 0) {
-    AXIOMETRY_TRY_VOID(connection.begin_write());
-    Rollback rollback(connection);
-    AXIOMETRY_TRY_VOID(connection.script(fmt::format("PRAGMA application_id = {}", application_id)));
-    AXIOMETRY_TRY_VOID(connection.commit());
-    rollback.release();
-  }
+  if (!archive) AXIOMETRY_TRY_VOID(mark(connection));
   return write_ahead(connection);
 }
 
@@ -212,12 +221,13 @@ Result<std::unique_ptr<Place>> sqlite_place(const std::string& file, const Openi
     if (!found) return std::unexpected(in_store(std::move(found).error(), file));
     mode = *found;
   }
-  auto archive = is_archive(file, path, mode);
+  auto archive = look_for_archive(path, mode);
   if (!archive) return std::unexpected(in_store(std::move(archive).error(), file));
   if (!*archive && (mode != Mode::writing || !opening.create))
     return fail_at(file, ErrorKind::not_found, "found an empty file, expected a store");
   if (mode == Mode::writing)
-    if (const auto prepared = prepare(path); !prepared) return std::unexpected(in_store(prepared.error(), file));
+    if (const auto prepared = prepare(path, *archive); !prepared)
+      return std::unexpected(in_store(prepared.error(), file));
   return std::make_unique<SqlitePlace>(file, path, mode, why_not);
 }
 
