@@ -94,6 +94,10 @@ constexpr Phrase rows[] = {
      "uneven steps to tell them apart",
      "gleichabständige Zielpositionen (alle {0}): eine Periode von {1} und eine von {2} ergeben dieselben Messwerte; "
      "erwartet: ungleiche Schritte, um sie zu unterscheiden"},
+    {"found nearly the same reversal error at every target, {0#} on average, without which {1#} would be {2#} instead "
+     "of {3#}; such a reversal error comes from play or from its compensation, and nothing of it is removed",
+     "an allen Zielpositionen nahezu dieselbe Umkehrspanne, im Mittel {0}, ohne die {1} {2} statt {3} wäre; sie stammt "
+     "von Spiel oder von dessen Kompensation, und nichts davon ist abgezogen"},
     {"found no calibrated positions of the artefact, expected artefact.calibrated_positions, one per target",
      "keine kalibrierten Positionen des Prüfkörpers; erwartet: artefact.calibrated_positions, eine je Zielposition"},
     {"found no reading at {0}, expected one from every approach", "kein Messwert an {0}; erwartet: einer je Anfahrt"},

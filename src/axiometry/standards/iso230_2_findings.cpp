@@ -36,6 +36,7 @@ constexpr Row every_rule[] = {
     {both_ends_from_both_sides, may_depart},
     {targets_within_axis_travel},
     {part_of_axis_travel},
+    {same_reversal_everywhere},
     {readings_repeat_exactly},
     {straight_slope},
     {temperature_without_correction, may_depart},
@@ -78,6 +79,11 @@ Case make_case(const Metadata& metadata, const Series& series, const Evaluation&
 }
 
 std::string figure(double x) { return format_exact(std::round(x * 1000.0) / 1000.0); }
+
+std::string size_text(double x) {
+  const double power = std::pow(10.0, std::max(0, decimals_for(std::abs(x), 3)));
+  return (x < 0.0 ? "−" : "") + format_exact(std::round(std::abs(x) * power) / power);
+}
 
 std::string position_text(AxisKind kind, double position) {
   return figure(position) + (kind == AxisKind::linear ? " mm" : "°");

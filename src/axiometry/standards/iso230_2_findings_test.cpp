@@ -209,6 +209,19 @@ TEST(Findings, SeeAnOrderedProgressionFromRunToRun) {
   EXPECT_EQ(finding(assessed(table2::series()), "4.3"), "");
 }
 
+TEST(Findings, MentionAReversalErrorThatIsTheSameEverywhere) {
+  EXPECT_THAT(finding(assessed(table2::series()), "3.17"),
+              HasSubstr("note: found nearly the same reversal error at every target, −3.71 µm on average, without "
+                        "which R would be 2.99 µm instead of 6.55 µm;"));
+  std::vector<RunDeviations> up = runs(1, 5);
+  std::vector<RunDeviations> down = up;
+  for (double& x : down[0]) x += 40.0;
+  EXPECT_THAT(finding(assessed(make_series(half_metre, up, down)), "3.17"), HasSubstr("without which E would be"));
+  down[0][2] -= 20.0;  // at one target only half of it
+  EXPECT_EQ(finding(assessed(make_series(half_metre, up, down)), "3.17"), "");
+  EXPECT_EQ(finding(assessed(proper(half_metre)), "3.17"), "");
+}
+
 TEST(Findings, MentionAStraightSlopeAndAStrangeLackOfScatter) {
   std::vector<RunDeviations> sloping = runs(5, 5);
   for (auto& run : sloping)

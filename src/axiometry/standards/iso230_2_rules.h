@@ -42,6 +42,7 @@ using Rule = std::optional<Finding>(const Case&);
 Rule both_ends_from_both_sides;       // 3.2
 Rule targets_within_axis_travel;      // 3.2
 Rule part_of_axis_travel;             // 3.2
+Rule same_reversal_everywhere;        // 3.17
 Rule readings_repeat_exactly;         // 3.18
 Rule straight_slope;                  // 3.24
 Rule temperature_without_correction;  // 4.1
@@ -78,6 +79,9 @@ Rule station_stated;  // 8.2.1
 
 /// At most three decimals, no trailing zeros: "1744.209", "0.1".
 std::string figure(double x);
+/// Of a deviation, to three significant digits or to the unit, without trailing zeros and with a true minus sign:
+/// "0.0213", "−2554".
+std::string size_text(double x);
 /// "1744.209 mm", "315°".
 std::string position_text(AxisKind kind, double position);
 std::string position_text(const Case& c, double position);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "axiometry/base/text.h"
+#include "axiometry/standards/iso230_2_reversal.h"
 #include "axiometry/standards/iso230_2_rules.h"
 #include "axiometry/standards/iso230_2_slope.h"
 #include "axiometry/standards/usual_expansion.h"
@@ -139,8 +140,27 @@ std::optional<Finding> straight_slope(const Case& c) {
       "3.24",
       fmt::format("found a straight slope of {} µm/m, without which E would be {} µm instead of {} µm; such a slope "
                   "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
-                  figure(1000.0 * slope->per_position_native), figure(slope->remainder.in_native()), figure(E),
+                  size_text(1000.0 * slope->per_position_native), size_text(slope->remainder.in_native()), size_text(E),
                   is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
+}
+
+std::optional<Finding> same_reversal_everywhere(const Case& c) {
+  const auto with_both = std::ranges::count_if(
+      c.evaluation.positions, [](const PositionResult& position) { return position.reversal.has_value(); });
+  if (with_both < 4) return std::nullopt;
+  const auto common = common_reversal(c.evaluation.positions);
+  const AxisParameters& p = c.evaluation.parameters;
+  if (common->remainder.in_native() > 0.3 * p.B->in_native()) return std::nullopt;
+  const bool repeated = p.R.has_value();
+  const double measured = (repeated ? p.R : p.E)->in_native();
+  const double without = (repeated ? common->without.R : common->without.E)->in_native();
+  if (without > 0.75 * measured) return std::nullopt;
+  const std::string_view unit = deviation_unit(c.kind());
+  return note("3.17", fmt::format("found nearly the same reversal error at every target, {} {} on average, without "
+                                  "which {} would be {} {} instead of {} {}; such a reversal error comes from play or "
+                                  "from its compensation, and nothing of it is removed",
+                                  size_text(p.B_mean->in_native()), unit, repeated ? "R" : "E", size_text(without),
+                                  unit, size_text(measured), unit));
 }
 
 std::optional<Finding> temperature_without_correction(const Case& c) {
@@ -201,7 +221,7 @@ std::optional<Finding> ordered_progression(const Case& c) {
       fmt::format("found {} of {} targets and directions {} from run to run, by {} {} on average from the first run to "
                   "the last, expected no ordered progression: a sign that the machine was not thermally stable",
                   ordered, cells, up ? "rising" : "falling",
-                  figure(std::abs(up ? rise : fall) / static_cast<double>(ordered)), deviation_unit(c.kind())));
+                  size_text(std::abs(up ? rise : fall) / static_cast<double>(ordered)), deviation_unit(c.kind())));
 }
 
 }  // namespace axiometry::iso230_2::rules
