@@ -205,7 +205,7 @@ struct Setter {
     if (section.blocks.empty()) return 0.0;
     const Block& first = section.blocks.front();
     if (const auto* figure = std::get_if<Figure>(&first)) return height_of(*figure);
-    if (const auto* table = std::get_if<Table>(&first)) return beginning_height(*table);
+    if (const auto* table = std::get_if<Table>(&first)) return beginning_height(*table, typesetter);
     const auto groups = leading_facts(section.blocks);
     return groups.size() > 1 ? columns_for(groups).height : least_beginning;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "axiometry/report/pdf_palette.h"
 
@@ -63,6 +64,20 @@ struct Grid {
   std::vector<std::size_t> fraction;  ///< longest_fraction() of each column
 };
 
+/// Room for the head of each group above its columns.
+void widen_for_groups(const Table& table, const Measure& m, const Typesetter& typesetter, std::vector<double>& widths) {
+  std::size_t first = 0;
+  for (const ColumnGroup& group : table.groups) {
+    const std::span columns = std::span(widths).subspan(first, group.columns);
+    const double between = 2.0 * m.padding * static_cast<double>(columns.size() - 1);
+    const double own = std::accumulate(columns.begin(), columns.end(), between);
+    const double lacking = group.head.empty() ? 0.0 : typesetter.width(group.head, {m.size, true}) - own;
+    if (lacking > 0.0)
+      for (double& width : columns) width += lacking / static_cast<double>(columns.size());
+    first += group.columns;
+  }
+}
+
 std::vector<double> natural_widths(const Table& table, const Measure& m, const Typesetter& typesetter) {
   std::vector<double> widths;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -75,6 +90,7 @@ std::vector<double> natural_widths(const Table& table, const Measure& m, const T
     }
     widths.push_back(widest + 0.5);  // so that rounding wraps no line
   }
+  widen_for_groups(table, m, typesetter, widths);
   return widths;
 }
 
@@ -215,18 +231,20 @@ void place_notes(const Table& table, const Typesetter& typesetter, PageFlow& flo
 
 }  // namespace
 
-double beginning_height(const Table& table) {
+double beginning_height(const Table& table, const Typesetter& typesetter) {
   const Measure m = sizes(table, 1.0);
   const double row = 1.2 * m.size + 2.0 * m.row_gap;
   const double head = 2.0 * caption_size + (table.groups.empty() ? 1.5 : 3.0) * row;
   const double all = head + static_cast<double>(table.rows.size()) * row;
-  return all < undivided_table ? all : head + rows_at_least * row;
+  if (all >= undivided_table) return head + rows_at_least * row;
+  const double notes = notes_height(table, typesetter);
+  return notes < notes_with_the_last_row ? all + notes : all;
 }
 
 void set_table(const Table& table, const Typesetter& typesetter, PageFlow& flow) {
   const Grid grid = grid_for(table, typesetter);
   const Measure& m = grid.measure;
-  flow.need(beginning_height(table));
+  flow.need(beginning_height(table, typesetter));
   if (!table.caption.empty()) {
     place_row(flow, {{typesetter.set(table.caption, {caption_size, true, ink}, body_width), margin_side}});
     flow.advance(5.0);
