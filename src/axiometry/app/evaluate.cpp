@@ -139,6 +139,17 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
   return {};
 }
 
+/// A limit of the test that a person has put over what its file says does not come from that file.
+void mark_entered(std::vector<iso230_2::Tolerance>& tolerances,
+                  std::span<const std::pair<std::string, std::string>> entries) {
+  for (iso230_2::Tolerance& tolerance : tolerances) {
+    if (tolerance.source != iso230_2::ToleranceSource::test) continue;
+    const std::string key = fmt::format("tolerance.{}", tolerance.parameter->key);
+    const auto entry = std::ranges::find(entries, key, &std::pair<std::string, std::string>::first);
+    if (entry != entries.end()) tolerance.source = iso230_2::ToleranceSource::entered;
+  }
+}
+
 }  // namespace
 
 bool states_calibration(const Equipment& component) {
@@ -166,6 +177,7 @@ Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso23
   iso230_2::Assessment assessment = iso230_2::assess(test, depth);
   const iso230_2::AxisParameters& measured = assessment.evaluation.parameters;
   AXIOMETRY_TRY(Requirements demanded, requirements_for(test, measured, options.tolerance));
+  mark_entered(demanded.tolerances, options.metadata);
   AXIOMETRY_TRY_VOID(add_uncertainty(assessment, test, options.uncertainty));
   std::vector<iso230_2::Judgement> judgements;
   if (!demanded.tolerances.empty())

@@ -63,6 +63,7 @@ constexpr Phrase rows[] = {
     {"tolerance {0#}", "Grenzwert {0}"},
     {"value", "Wert"},
     {"value ± {0#} ({1#} = 2)", "Wert ± {0} ({1} = 2)"},
+    {"value ± {0#} ({1#} = 2, {2})", "Wert ± {0} ({1} = 2, {2})"},
     {"{0#} = {1#} of {2#}, {3}", "{0} = {1} von {2}, {3}"},
     {"{0#} interval", "{0}-Intervall"},
     {"{0#} measured {1#}, mean {2#}, interval {3#} to {4#}", "{0} gemessen {1}, Mittelwert {2}, Intervall {3} bis {4}"},

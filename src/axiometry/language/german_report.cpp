@@ -193,6 +193,7 @@ constexpr Phrase rows[] = {
     {"{0#} from each direction", "{0} aus jeder Richtung"},
     {"{0#} from the command line", "{0} von der Befehlszeile"},
     {"{0#} from the command line {1#}", "{0} von der Befehlszeile {1}"},
+    {"{0#} from the entries made for this test", "{0} aus den Eingaben zu dieser Prüfung"},
     {"{0#} from the file of the test", "{0} aus der Datei der Prüfung"},
     {"{0#} from the file of the test {1#}", "{0} aus der Datei der Prüfung {1}"},
     {"{0#} from the limits of the axis", "{0} aus den Grenzwerten der Achse"},

@@ -195,6 +195,7 @@ std::string_view source_title(iso230_2::ToleranceSource source) {
     case iso230_2::ToleranceSource::axis: return "limits of the axis";
     case iso230_2::ToleranceSource::table: return "tolerance table";
     case iso230_2::ToleranceSource::test: return "file of the test";
+    case iso230_2::ToleranceSource::entered: return "entries made for this test";
     case iso230_2::ToleranceSource::user: return "command line";
   }
   return "";

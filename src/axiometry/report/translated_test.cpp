@@ -344,7 +344,7 @@ TEST(GermanReport, KeepsWhatTheUserWrote) {
 
 TEST(GermanReport, TellsWhereLimitsComeFrom) {
   using enum iso230_2::ToleranceSource;
-  for (const auto source : {axis, table, test, user}) {
+  for (const auto source : {axis, table, test, entered, user}) {
     const std::string words = fmt::format("Limits: A, R from the {}.", source_title(source));
     EXPECT_TRUE(language::is_known(words, german)) << words;
   }

@@ -68,6 +68,7 @@ std::string_view tolerance_source_key(ToleranceSource source) {
     case ToleranceSource::axis: return "axis";
     case ToleranceSource::table: return "table";
     case ToleranceSource::test: return "test";
+    case ToleranceSource::entered: return "entered";
     case ToleranceSource::user: return "user";
   }
   return "";

@@ -17,13 +17,14 @@ namespace axiometry::iso230_2 {
 
 /// Who set a limit, in rising precedence.
 enum class ToleranceSource {
-  axis,   ///< what the archive says of the axis, where nobody else sets a limit
-  table,  ///< a file of tolerance tables, by name and travel
-  test,   ///< the test's own file
-  user,   ///< the command line
+  axis,     ///< what the archive says of the axis, where nobody else sets a limit
+  table,    ///< a file of tolerance tables, by name and travel
+  test,     ///< the test's own file
+  entered,  ///< stated of the test by a person, over what its file says
+  user,     ///< asked of every test that is evaluated: the command line
 };
 
-std::string_view tolerance_source_key(ToleranceSource source);  ///< "axis", "table", "test", "user"
+std::string_view tolerance_source_key(ToleranceSource source);  ///< "axis", "table", "test", "entered", "user"
 
 /// A limit for one parameter, in its deviation unit; an upper limit of the magnitude, since B̄ is signed.
 struct Tolerance {

@@ -211,7 +211,8 @@ class Legend {
     name({plot::plain(text)});
   }
 
-  void value(bool with_uncertainty) {
+  /// With the interval where there is one; `method` of all intervals, empty where they differ.
+  void value(bool with_uncertainty, std::string_view method) {
     const double middle = y_ - 2.5;
     if (with_uncertainty) {
       operations_.push_back(plot::line({x_, middle}, {x_ + sample_width, middle}, ink::solid(ink::black, 0.9)));
@@ -224,7 +225,8 @@ class Legend {
                                .fill = ink::black,
                                .stroke = ink::solid(ink::white, 0.5)});
     if (with_uncertainty) {
-      name({plot::plain("value ± "), plot::italic("U"), plot::plain(" ("), plot::italic("k"), plot::plain(" = 2)")});
+      name({plot::plain("value ± "), plot::italic("U"), plot::plain(" ("), plot::italic("k"),
+            plot::plain(fmt::format(" = 2{}{})", method.empty() ? "" : ", ", method))});
     } else {
       name({plot::plain("value")});
     }
@@ -252,6 +254,18 @@ class Legend {
   double x_ = bar_left;
 };
 
+/// How U was found where it was found in one way for all.
+std::string_view common_method(const std::vector<Bar>& bars) {
+  std::string_view common;
+  for (const Bar& bar : bars) {
+    if (!bar.judgement.uncertainty) continue;
+    const std::string_view method = method_title(bar.judgement.uncertainty->method);
+    if (!common.empty() && common != method) return "";
+    common = method;
+  }
+  return common;
+}
+
 void draw_legend(Operations& operations, const std::vector<Bar>& bars, double base_line, const Options& options) {
   Legend legend(operations, base_line, options);
   const auto undecided_possible = [](const Bar& bar) { return !bar.band || *bar.band > 0.0; };
@@ -260,7 +274,7 @@ void draw_legend(Operations& operations, const std::vector<Bar>& bars, double ba
   if (std::ranges::any_of(bars, undecided_possible)) legend.zone(Zone::undecided, "undecided");
   if (any_band) legend.zone(Zone::rejected, "does not conform");
   legend.limit();
-  legend.value(std::ranges::any_of(bars, [](const Bar& bar) { return bar.U.has_value(); }));
+  legend.value(std::ranges::any_of(bars, [](const Bar& bar) { return bar.U.has_value(); }), common_method(bars));
 }
 
 std::string description(const std::vector<Bar>& bars, const Subject& subject, const Options& options) {

@@ -14,6 +14,7 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::Judgement;
+using iso230_2::UncertaintyMethod;
 using uncertainty::Verdict;
 
 constexpr std::size_t values_named = 3;  // on the first page; all of them stand in the table of decisions
@@ -116,7 +117,7 @@ RichText origin_text(std::string_view origin) {
 RichText origins_of_limits(std::span<const Judgement> judgements) {
   using enum iso230_2::ToleranceSource;
   RichText text;
-  for (const auto source : {axis, table, test, user}) {
+  for (const auto source : {axis, table, test, entered, user}) {
     RichText symbols;
     std::string_view origin;
     for (const Judgement& judgement : judgements) {
@@ -132,15 +133,18 @@ RichText origins_of_limits(std::span<const Judgement> judgements) {
   return joined({text, plain(".")});
 }
 
-/// "A = (9.6 ± 4.3) µm; tolerance 10 µm"
+/// "A = (9.6 ± 4.3) µm; tolerance 10 µm". A U that is not that of the table of parameters says which one it is.
 RichText value_and_tolerance(const Judgement& judgement, const Subject& subject, const Options& options) {
   const AxisKind kind = subject.test.metadata.axis.kind;
   const ShownParameter shown = show_judged(judgement, subject.assessment, kind, options);
   const std::string unit = (shown.unit == "″" || shown.unit == "°" ? "" : "\u00a0") + std::string(shown.unit);
   const std::string value = shown.U.empty() ? shown.value : fmt::format("({} ± {})", shown.value, shown.U);
+  const bool of_annex_a = shown.U.empty() || judgement.uncertainty->method == UncertaintyMethod::annex_a;
+  const std::string method = of_annex_a ? "" : fmt::format(" ({})", method_title(judgement.uncertainty->method));
   const double limit = judgement.tolerance.limit.in_native() * parameter_scale(kind, options.unit).per_native;
-  return joined({symbol(judgement.tolerance.parameter->symbol),
-                 plain(fmt::format(" = {}{}; tolerance {}{}", value, unit, shown_short(limit, options), unit))});
+  return joined(
+      {symbol(judgement.tolerance.parameter->symbol),
+       plain(fmt::format(" = {}{}{}; tolerance {}{}", value, unit, method, shown_short(limit, options), unit))});
 }
 
 /// Of the parameters with the verdict of the whole, so that it can be weighed at a glance.
