@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 #include "axiometry/base/json.h"
@@ -15,6 +16,7 @@
 #include "axiometry/store/sqlite_connection.h"
 #include "axiometry/store/store_state.h"
 #include "axiometry/store/system_error.h"
+#include "axiometry/store/verification.h"
 
 namespace axiometry::store {
 namespace {
@@ -34,13 +36,27 @@ std::unexpected<Error> fail_exists(const std::string& file) {
       Error{"found a file of this name, expected none: a backup never replaces one", file, {}, ErrorKind::conflict});
 }
 
+/// Without ever replacing a file of that name. Where the system cannot promise that, an empty file claims the name
+/// first.
+bool renamed_to_new(const std::string& from, const std::string& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno != EINVAL && errno != ENOSYS) return false;
+  const int claimed = ::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (claimed < 0) return false;
+  ::close(claimed);
+  if (::rename(from.c_str(), to.c_str()) == 0) return true;
+  const int code = errno;
+  ::unlink(to.c_str());
+  errno = code;
+  return false;
+}
+
 /// A new neighbour of the file that shall appear whole; gone again unless it gets the name.
 class Neighbour {
  public:
   static Result<Neighbour> make(const std::string& file) {
-    static std::atomic<unsigned> count = 0;
-    const std::string name = fmt::format("{}.part-{}-{}", file, ::getpid(), count++);
-    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    std::string name = file + ".part-XXXXXX";
+    const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
     if (descriptor < 0) return fail_backup(file, "make a backup there");
     ::close(descriptor);
     return Neighbour(file, name);
@@ -58,9 +74,12 @@ class Neighbour {
   Result<void> take_name() const {
     if (!synced(name_, O_RDONLY)) return fail_backup(file_, "write the backup to the disk");
     if (::link(name_.c_str(), file_.c_str()) != 0) {
-      if (errno == EEXIST || files::exists(file_)) return fail_exists(file_);
+      if (errno == EEXIST) return fail_exists(file_);
       // A file system without links (FAT).
-      if (::rename(name_.c_str(), file_.c_str()) != 0) return fail_backup(file_, "give the backup its name");
+      if (!renamed_to_new(name_, file_)) {
+        if (errno == EEXIST) return fail_exists(file_);
+        return fail_backup(file_, "give the backup its name");
+      }
     }
     const std::string folder = files::absolute(file_).parent_path().string();
     if (!synced(folder, O_RDONLY | O_DIRECTORY)) return fail_backup(file_, "write the folder of the backup");
@@ -125,6 +144,16 @@ Result<void> check_empty(Connection& connection) {
   return {};
 }
 
+Result<void> check_whole(const Verification& verification, const std::string& backup_file) {
+  if (verification.problems.empty()) return {};
+  return std::unexpected(Error{fmt::format("found a damaged backup ({} problems; the first: {}), expected one that is "
+                                           "whole",
+                                           verification.problems.size(), verification.problems[0]),
+                               backup_file,
+                               {},
+                               ErrorKind::damaged});
+}
+
 Error in_file(Error error, const std::string& file) {
   if (error.file.empty()) error.file = file;
   return error;
@@ -153,17 +182,11 @@ Result<void> Store::backup(const std::string& file) const {
 Result<Counts> Store::restore(const std::string& backup_file, std::string_view address) {
   if (is_postgresql(backup_file)) return fail("found the address of a server as a backup, expected a file");
   AXIOMETRY_TRY(const std::unique_ptr<Store> from, open(backup_file, {.create = false, .read_only = true}));
-  AXIOMETRY_TRY(const Verification verification, from->verify());
-  if (!verification.problems.empty())
-    return std::unexpected(Error{fmt::format("found a damaged backup ({} problems; the first: {}), expected one that "
-                                             "is whole",
-                                             verification.problems.size(), verification.problems[0]),
-                                 backup_file,
-                                 {},
-                                 ErrorKind::damaged});
-  AXIOMETRY_TRY(const std::unique_ptr<Store> to, open(address));
-  const auto copied = from->state_->read([&](Connection& source) {
-    return to->state_->write([&](Connection& target) -> Result<void> {
+  return from->state_->read([&](Connection& source) -> Result<Counts> {
+    AXIOMETRY_TRY(const Verification verification, verify_archive(source));
+    AXIOMETRY_TRY_VOID(check_whole(verification, backup_file));
+    AXIOMETRY_TRY(const std::unique_ptr<Store> to, open(address));
+    const auto filled = to->state_->write([&](Connection& target) -> Result<void> {
       AXIOMETRY_TRY_VOID(check_empty(target));
       AXIOMETRY_TRY_VOID(copy_rows(source, target));
       json::Value detail = json::Value::object();
@@ -173,9 +196,9 @@ Result<Counts> Store::restore(const std::string& backup_file, std::string_view a
       AXIOMETRY_TRY_VOID(record(target, change_now({"restore", ""}), {"store.restored", "store", detail}));
       return target.run("ANALYZE");
     });
+    if (!filled) return std::unexpected(in_file(filled.error(), to->state_->info.location));
+    return to->counts();
   });
-  if (!copied) return std::unexpected(in_file(copied.error(), to->state_->info.location));
-  return to->counts();
 }
 
 }  // namespace axiometry::store

@@ -153,8 +153,9 @@ Result<void> PostgresqlConnection::begin_read() { return script("BEGIN ISOLATION
 
 Result<void> PostgresqlConnection::begin_write() {
   AXIOMETRY_TRY_VOID(script("BEGIN ISOLATION LEVEL READ COMMITTED READ WRITE"));
-  // One writer at a time per schema, so that ids have no gaps. Given up with the transaction.
-  const auto locked = run("SELECT pg_advisory_xact_lock(1098410351, hashtext(current_setting('search_path')))");
+  // One writer at a time per schema, however its path is spelt, so that ids have no gaps. Given up with the
+  // transaction.
+  const auto locked = run(fmt::format("SELECT pg_advisory_xact_lock(1098410351, hashtext({}))", first_schema_of_path));
   if (!locked) rollback();
   return locked;
 }

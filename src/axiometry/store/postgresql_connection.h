@@ -17,6 +17,10 @@ struct PostgresqlCloser {
 using PostgresqlSession = std::unique_ptr<PGconn, PostgresqlCloser>;
 using PostgresqlAnswer = std::unique_ptr<PGresult, PostgresqlCloser>;
 
+/// SQL for the first name of the search path, quoted: the schema that tables are made in, also before it exists.
+inline constexpr const char* first_schema_of_path =
+    "quote_ident(trim(BOTH ' \"' FROM split_part(current_setting('search_path'), ',', 1)))";
+
 class PostgresqlConnection final : public Connection {
  public:
   explicit PostgresqlConnection(PostgresqlSession session) : session_(std::move(session)) {}

@@ -103,8 +103,7 @@ Result<void> make_schema(Connection& connection) {
   // Two who do this at once would otherwise meet each other's half-made schema.
   AXIOMETRY_TRY_VOID(connection.begin_write());
   Rollback rollback(connection);
-  AXIOMETRY_TRY(const Rows name, connection.query("SELECT quote_ident(trim(BOTH ' \"' FROM split_part("
-                                                  "current_setting('search_path'), ',', 1)))"));
+  AXIOMETRY_TRY(const Rows name, connection.query(fmt::format("SELECT {}", first_schema_of_path)));
   AXIOMETRY_TRY_VOID(connection.run(fmt::format("CREATE SCHEMA IF NOT EXISTS {}", name[0].text(0))));
   AXIOMETRY_TRY_VOID(connection.commit());
   rollback.release();

@@ -17,6 +17,8 @@ ErrorKind kind_of(sqlite3* database) {
   const int system_error = sqlite3_system_errno(database);
   const bool no_room = system_error == ENOSPC || system_error == EDQUOT;
   switch (sqlite3_errcode(database)) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED: return ErrorKind::unavailable;  // the number of the system is that of an earlier failure
     case SQLITE_FULL: return ErrorKind::full;
     case SQLITE_READONLY:
     case SQLITE_PERM: return ErrorKind::read_only;
@@ -93,6 +95,13 @@ Error sqlite_error(sqlite3* database) {
   return {message_of(database, kind), {}, {}, kind};
 }
 
+std::unexpected<Error> fail_moved() {
+  return fail(
+      ErrorKind::unavailable,
+      "found the store's file removed or replaced while it is in use, expected it in its place; nothing was written: "
+      "put it back, or begin again with the one that is there");
+}
+
 Result<SqliteDatabase> open_sqlite(const std::string& name, int flags) {
   sqlite3* opened = nullptr;
   const int code = sqlite3_open_v2(name.c_str(), &opened, flags | SQLITE_OPEN_NOMUTEX, nullptr);
@@ -143,7 +152,13 @@ Result<void> SqliteConnection::script(const std::string& sql) {
   return {};
 }
 
-Result<void> SqliteConnection::begin_read() { return run("BEGIN"); }
+Result<void> SqliteConnection::begin_read() {
+  if (expected_ && file_stamp(expected_->path) != expected_->stamp) {
+    stale_ = true;
+    return fail(ErrorKind::unavailable, "found the store changed by another program, expected it unchanged");
+  }
+  return run("BEGIN");
+}
 
 /// SQLite would go on writing into a file that has no name any more, and what was said to be kept would be gone with
 /// this program.
@@ -153,10 +168,7 @@ Result<void> SqliteConnection::begin_write() {
   if (sqlite3_file_control(database_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &moved) != SQLITE_OK || moved == 0)
     return {};
   rollback();
-  return fail(
-      ErrorKind::unavailable,
-      "found the store's file removed or replaced while it is in use, expected it in its place: nothing of this "
-      "was kept; put it back or begin again with the one that is there");
+  return fail_moved();
 }
 
 Result<void> SqliteConnection::commit() { return run("COMMIT"); }

@@ -5,10 +5,12 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "axiometry/store/connection.h"
+#include "axiometry/store/sqlite_file.h"
 
 namespace axiometry::store {
 
@@ -22,6 +24,9 @@ using SqliteStatement = std::unique_ptr<sqlite3_stmt, SqliteCloser>;
 /// What SQLite says about its last failure, with the kind that store.h promises.
 Error sqlite_error(sqlite3* database);
 
+/// The file of the archive is not where it was, or another one is.
+std::unexpected<Error> fail_moved();
+
 /// `name` may be a URI ("file:…?immutable=1").
 Result<SqliteDatabase> open_sqlite(const std::string& name, int flags);
 
@@ -34,16 +39,27 @@ class SqliteConnection final : public Connection {
   Result<void> begin_write() override;
   Result<void> commit() override;
   void rollback() override;
-  bool alive() const override { return true; }
+  bool alive() const override { return !stale_; }
   bool is_sqlite() const override { return true; }
   sqlite3* database() const { return database_.get(); }
+
+  /// The database was opened as one that nobody changes. When its file has changed all the same, the connection is of
+  /// no use any more.
+  void expect_unchanged(std::string path, const FileStamp& stamp) { expected_ = {std::move(path), stamp}; }
 
  private:
   Result<Rows> execute(std::string_view sql, std::span<const Parameter> parameters) override;
   Result<sqlite3_stmt*> prepared(std::string_view sql);
 
+  struct Expected {
+    std::string path;
+    FileStamp stamp;
+  };
+
   SqliteDatabase database_;
   std::map<std::string, SqliteStatement, std::less<>> statements_;  // by their SQL; before the database is closed
+  std::optional<Expected> expected_;
+  bool stale_ = false;
 };
 
 }  // namespace axiometry::store

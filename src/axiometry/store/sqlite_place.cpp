@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <string_view>
 #include <system_error>
 #include <thread>
 
-#include "axiometry/base/text.h"
 #include "axiometry/store/place.h"
 #include "axiometry/store/sqlite_connection.h"
-#include "axiometry/store/system_error.h"
+#include "axiometry/store/sqlite_file.h"
 
 namespace axiometry::store {
 namespace {
@@ -26,36 +17,20 @@ namespace files = std::filesystem;
 
 constexpr std::int64_t application_id = 0x4178'696F;  // "Axio", in bytes 68 to 71 of the file
 
-enum class Mode {
-  writing,
-  reading,    // beside others who may write
-  immutable,  // nobody can write, and not even SQLite's own files can be made beside it
-};
-
-class SqlitePlace final : public Place {
- public:
-  SqlitePlace(std::string file, std::string path, Mode mode, std::string why_not)
-      : file_(std::move(file)), path_(std::move(path)), mode_(mode), why_not_(std::move(why_not)) {}
-
-  Result<std::unique_ptr<Connection>> connect() const override;
-  Info info() const override {
-    return {.kind = "sqlite", .location = file_, .schema = 0, .writable = mode_ == Mode::writing, .why_not = why_not_};
-  }
-
- private:
-  std::string file_;
-  std::string path_;  // absolute
-  Mode mode_;
-  std::string why_not_;
-};
+using OpenedSqlite = std::unique_ptr<SqliteConnection>;
 
 Error in_store(Error error, const std::string& file) {
-  error.file = file;
+  if (error.file.empty()) error.file = file;
   return error;
 }
 
 std::unexpected<Error> fail_at(const std::string& file, ErrorKind kind, std::string message) {
   return std::unexpected(Error{std::move(message), file, {}, kind});
+}
+
+Result<OpenedSqlite> opened(const std::string& name, int flags) {
+  AXIOMETRY_TRY(SqliteDatabase database, open_sqlite(name, flags));
+  return std::make_unique<SqliteConnection>(std::move(database));
 }
 
 /// As SQLite's URI, where '?', '#' and '%' have a meaning.
@@ -64,77 +39,6 @@ std::string immutable_uri(const std::string& path) {
   for (const char c : path)
     uri += c == '?' || c == '#' || c == '%' ? fmt::format("%{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
   return uri + "?immutable=1";
-}
-
-Result<SqliteDatabase> opened(const std::string& path, Mode mode) {
-  switch (mode) {
-    case Mode::writing: return open_sqlite(path, SQLITE_OPEN_READWRITE);
-    case Mode::reading: return open_sqlite(path, SQLITE_OPEN_READONLY);
-    case Mode::immutable: break;
-  }
-  return open_sqlite(immutable_uri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
-}
-
-Result<std::unique_ptr<Connection>> SqlitePlace::connect() const {
-  auto database = opened(path_, mode_);
-  if (!database) return std::unexpected(in_store(std::move(database).error(), file_));
-  auto connection = std::make_unique<SqliteConnection>(*std::move(database));
-  const auto set = connection->script(
-      "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL; PRAGMA cache_size = -32000; PRAGMA temp_store = MEMORY; "
-      "PRAGMA journal_size_limit = 67108864");
-  if (!set) return std::unexpected(in_store(set.error(), file_));
-  return connection;
-}
-
-/// New for its owner only, in a folder that is made if need be.
-Result<void> make_file(const std::string& file, const std::string& path) {
-  std::error_code error;
-  const files::path folder = files::path(path).parent_path();
-  files::create_directories(folder, error);
-  if (error) {
-    errno = error.value();
-    return std::unexpected(system_error(file, fmt::format("make the folder {}", text::quoted(folder.string()))));
-  }
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (descriptor < 0 && errno != EEXIST) return std::unexpected(system_error(file, "make the store"));
-  if (descriptor >= 0) ::close(descriptor);
-  return {};
-}
-
-/// Why the file cannot be written, or nothing.
-std::string obstacle(const std::string& path) {
-  const auto said = [](std::string_view what) {
-    return errno == EROFS ? std::string("its file system is mounted read-only")
-                          : fmt::format("{} cannot be written: {}", what, std::strerror(errno));
-  };
-  if (::access(path.c_str(), W_OK) != 0) return said("the file");
-  if (::access(files::path(path).parent_path().c_str(), W_OK) != 0) return said("its folder");
-  return "";
-}
-
-/// How it can be read: with SQLite's files beside it where these are or can be made, else as it is, if that is all.
-Result<Mode> mode_for_reading(const std::string& file, const std::string& path) {
-  AXIOMETRY_TRY(SqliteDatabase database, opened(path, Mode::reading));
-  SqliteConnection connection(std::move(database));
-  const auto read = connection.query("SELECT count(*) FROM sqlite_master");
-  if (read || read.error().kind == ErrorKind::damaged) return Mode::reading;
-  std::error_code error;
-  const auto waiting = files::file_size(path + "-wal", error);
-  if (!error && waiting > 0)
-    return fail_at(file, ErrorKind::unavailable,
-                   "found changes in the file beside it (-wal) that cannot be merged where nothing can be written, "
-                   "expected a copy of both files in a place that can be written");
-  return Mode::immutable;
-}
-
-/// By its first sixteen bytes, the name of the format.
-bool begins_as_database(const std::string& path) {
-  constexpr std::string_view magic("SQLite format 3\0", 16);
-  std::array<char, magic.size()> head{};
-  std::ifstream stream(path, std::ios::binary);
-  stream.read(head.data(), head.size());
-  return stream.gcount() == static_cast<std::streamsize>(head.size()) &&
-         std::string_view(head.data(), head.size()) == magic;
 }
 
 /// Whether it is an archive, or else an empty database, which may become one. All is read at one moment, that of the
@@ -150,9 +54,7 @@ Result<bool> is_archive(SqliteConnection& connection) {
 }
 
 /// Likewise of a file that may be anything. Nothing is written.
-Result<bool> look_for_archive(const std::string& path, Mode mode) {
-  AXIOMETRY_TRY(SqliteDatabase database, opened(path, mode == Mode::immutable ? mode : Mode::reading));
-  SqliteConnection connection(std::move(database));
+Result<bool> look_for_archive(SqliteConnection& connection, const std::string& path) {
   AXIOMETRY_TRY_VOID(connection.begin_read());
   const Rollback rollback(connection);
   auto archive = is_archive(connection);
@@ -162,6 +64,38 @@ Result<bool> look_for_archive(const std::string& path, Mode mode) {
                 "found a damaged SQLite database, cut off or overwritten in part, expected a whole one: leave it as it "
                 "is and restore a backup into a new file");
   return fail(ErrorKind::bad_input, "found a file that is no SQLite database, expected a store");
+}
+
+/// Likewise where it may be written. What a program that was killed has begun to write, only one that may write can
+/// take back.
+Result<bool> look_before_writing(const std::string& path) {
+  AXIOMETRY_TRY(const OpenedSqlite reading, opened(path, SQLITE_OPEN_READONLY));
+  auto archive = look_for_archive(*reading, path);
+  if (archive || archive.error().kind != ErrorKind::read_only) return archive;
+  AXIOMETRY_TRY(const OpenedSqlite writing, opened(path, SQLITE_OPEN_READWRITE));
+  return look_for_archive(*writing, path);
+}
+
+/// Beside others who may write. Where SQLite's own files can neither be found nor made beside it, the file as it is
+/// now: the connection knows when it has changed.
+Result<OpenedSqlite> opened_for_reading(const std::string& path) {
+  AXIOMETRY_TRY(OpenedSqlite connection, opened(path, SQLITE_OPEN_READONLY));
+  if (const auto read = connection->query("SELECT count(*) FROM sqlite_master"); !read) {
+    const int code = sqlite3_errcode(connection->database());
+    if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) return connection;  // look_for_archive() tells which
+    if (code != SQLITE_CANTOPEN && code != SQLITE_READONLY) return std::unexpected(read.error());
+  } else {
+    return connection;
+  }
+  const auto stamp = file_stamp(path);
+  if (!stamp) return fail(ErrorKind::not_found, "found no such file, expected a store");
+  if (stamp->size_of_log > 0)
+    return fail(ErrorKind::unavailable,
+                "found changes in the file beside it (-wal) that cannot be merged where nothing can be written, "
+                "expected a copy of both files in a place that can be written");
+  AXIOMETRY_TRY(connection, opened(immutable_uri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI));
+  connection->expect_unchanged(path, *stamp);
+  return connection;
 }
 
 /// Changing the journal does not wait for others by itself.
@@ -192,11 +126,65 @@ Result<void> mark(SqliteConnection& connection) {
   return {};
 }
 
-Result<void> prepare(const std::string& path, bool archive) {
-  AXIOMETRY_TRY(SqliteDatabase database, opened(path, Mode::writing));
-  SqliteConnection connection(std::move(database));
-  if (!archive) AXIOMETRY_TRY_VOID(mark(connection));
-  return write_ahead(connection);
+class SqlitePlace final : public Place {
+ public:
+  /// `why_not` it can be written; empty where it can.
+  SqlitePlace(std::string file, std::string path, std::string why_not)
+      : file_(std::move(file)), path_(std::move(path)), why_not_(std::move(why_not)) {}
+
+  Result<std::unique_ptr<Connection>> connect() const override {
+    auto connection = connected();
+    if (!connection) return std::unexpected(in_store(std::move(connection).error(), file_));
+    return *std::move(connection);
+  }
+  Info info() const override {
+    return {.kind = "sqlite", .location = file_, .schema = 0, .writable = writable(), .why_not = why_not_};
+  }
+
+  /// Finds an archive in the file, or makes an empty one where that is allowed.
+  Result<void> prepare(bool create);
+
+ private:
+  bool writable() const { return why_not_.empty(); }
+  Result<OpenedSqlite> connected() const;
+  /// Another file that took the name later would be opened with what is still to be written into the first one.
+  Result<void> is_in_place() const;
+
+  std::string file_;
+  std::string path_;  // absolute
+  std::string why_not_;
+  std::optional<FileStamp> first_;  // as it was when it was prepared
+};
+
+Result<void> SqlitePlace::prepare(bool create) {
+  AXIOMETRY_TRY(const bool archive, [&]() -> Result<bool> {
+    if (writable()) return look_before_writing(path_);
+    AXIOMETRY_TRY(const OpenedSqlite connection, opened_for_reading(path_));
+    return look_for_archive(*connection, path_);
+  }());
+  if (!archive && !(writable() && create)) return fail(ErrorKind::not_found, "found an empty file, expected a store");
+  if (writable()) {
+    AXIOMETRY_TRY(const OpenedSqlite connection, opened(path_, SQLITE_OPEN_READWRITE));
+    if (!archive) AXIOMETRY_TRY_VOID(mark(*connection));
+    AXIOMETRY_TRY_VOID(write_ahead(*connection));
+  }
+  first_ = file_stamp(path_);
+  return {};
+}
+
+Result<void> SqlitePlace::is_in_place() const {
+  const auto now = file_stamp(path_);
+  return now && first_ && now->is_same_file(*first_) ? Result<void>() : fail_moved();
+}
+
+Result<OpenedSqlite> SqlitePlace::connected() const {
+  AXIOMETRY_TRY_VOID(is_in_place());
+  AXIOMETRY_TRY(OpenedSqlite connection, writable() ? opened(path_, SQLITE_OPEN_READWRITE) : opened_for_reading(path_));
+  AXIOMETRY_TRY_VOID(connection->script(
+      "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL; PRAGMA cache_size = -32000; PRAGMA temp_store = MEMORY; "
+      "PRAGMA journal_size_limit = 67108864"));
+  AXIOMETRY_TRY_VOID(is_in_place());
+  return connection;
 }
 
 }  // namespace
@@ -214,21 +202,11 @@ Result<std::unique_ptr<Place>> sqlite_place(const std::string& file, const Openi
   } else if (!files::is_regular_file(status)) {
     return fail_at(file, ErrorKind::bad_input, "found something that is no file, expected a store");
   }
-  const std::string why_not = opening.read_only ? "it was opened for reading only" : obstacle(path);
-  Mode mode = Mode::writing;
-  if (!why_not.empty()) {
-    auto found = mode_for_reading(file, path);
-    if (!found) return std::unexpected(in_store(std::move(found).error(), file));
-    mode = *found;
-  }
-  auto archive = look_for_archive(path, mode);
-  if (!archive) return std::unexpected(in_store(std::move(archive).error(), file));
-  if (!*archive && (mode != Mode::writing || !opening.create))
-    return fail_at(file, ErrorKind::not_found, "found an empty file, expected a store");
-  if (mode == Mode::writing)
-    if (const auto prepared = prepare(path, *archive); !prepared)
-      return std::unexpected(in_store(prepared.error(), file));
-  return std::make_unique<SqlitePlace>(file, path, mode, why_not);
+  auto place = std::make_unique<SqlitePlace>(
+      file, path, opening.read_only ? "it was opened for reading only" : obstacle_to_writing(path));
+  if (const auto prepared = place->prepare(opening.create); !prepared)
+    return std::unexpected(in_store(prepared.error(), file));
+  return place;
 }
 
 }  // namespace axiometry::store

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "axiometry/store/verification.h"
+
 #include <fmt/format.h>
 
 #include <map>
@@ -25,7 +27,6 @@ bool same(const Origin& origin, const TestHead& head) {
          origin.name_in_file == head.name_in_file && same(origin.received, head.received);
 }
 
-/// One reading of everything, in one moment.
 class Verifier {
  public:
   explicit Verifier(Connection& connection) : connection_(connection) {}
@@ -203,8 +204,10 @@ Result<void> Verifier::documents() {
 
 }  // namespace
 
+Result<Verification> verify_archive(Connection& connection) { return Verifier(connection).run(); }
+
 Result<Verification> Store::verify() const {
-  return state_->read([](Connection& connection) { return Verifier(connection).run(); });
+  return state_->read([](Connection& connection) { return verify_archive(connection); });
 }
 
 }  // namespace axiometry::store
