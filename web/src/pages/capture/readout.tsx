@@ -15,7 +15,7 @@ export function Readout({ capture, readings, targets, runs, unit, deviation_unit
   const target = due ? (due.position ?? targets[due.target - 1]) : undefined;
   const last = readings[readings.length - 1];
   return (
-    <section class={`panel readout ${now === null && is_over(capture) ? 'over' : ''}`} aria-label={t('position')}>
+    <section class={`panel readout ${now === null && is_over(capture) ? 'ended' : ''}`} aria-label={t('position')}>
       {now
         ? <Where position={now.position} unit={unit} rest={now.at_rest} />
         : !is_over(capture) && <p class="where motion">{t('no_position')}</p>}
