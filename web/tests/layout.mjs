@@ -63,12 +63,12 @@ export const layout = {
       }
   },
 
-  async 'a capture that runs fits on a phone and a tablet, and a figure that cannot be given yet is a dash'(world) {
+  async 'a capture that runs fits the screen with what fills in, and a figure that cannot be given yet is a dash'(world) {
     const { id: plan } = await world.plan('Quick', { dwell_s: 1, runs: 40, targets: 5, feed: 10000, to: 4000 });
     const { id } = await world.api('POST', '/api/captures', { plan, source: 'simulator', layout: '', options: { speed: '10', preset: 'good', seed: '1' } });
     const pages = [];
     for (const locale of ['en-GB', 'de-DE'])
-      for (const width of [390, 820, 1024]) pages.push([`${locale}, ${width} px`, await world.page({ width, height: 844, locale })]);
+      for (const width of [390, 820, 1024, 1600]) pages.push([`${locale}, ${width} px`, await world.page({ width, height: 844, locale })]);
     for (const [, page] of pages) await page.goto(`/captures/${id}`);
     for (const done of [/\b[1-9]\d* (of|von) 400/, /\b[1-9]\d+ (of|von) 400/])
       for (const [name, page] of pages) {
@@ -78,6 +78,12 @@ export const layout = {
           .map((one) => one.className || one.tagName));
         assert.deepEqual(outside, [], name);
         assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), name);
+        const due_in_sight = await page.evaluate(() => {
+          const due = document.querySelector('.filling td.due')?.getBoundingClientRect();
+          const frame = document.querySelector('.filling .table-frame').getBoundingClientRect();
+          return !due || (due.left >= frame.left && due.right <= frame.right);
+        });
+        assert.ok(due_in_sight, `${name}: what fills in is out of sight`);
         const figures = await page.locator('.so-far dd').evaluateAll((all) => all.map((one) => one.firstChild.textContent.trim()));
         assert.ok(figures.every((text) => /^(–|[\d.,\u2212]+)$/.test(text)), `${name}: ${figures}`);
       }

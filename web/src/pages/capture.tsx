@@ -2,15 +2,15 @@
 import { useState } from 'preact/hooks';
 import { ApiError, send } from '../api/client';
 import { use_get } from '../api/use';
-import type { Capture, Evaluated, Plan } from '../api/types';
+import type { Capture, Plan } from '../api/types';
 import { Dialog } from '../components/dialog';
 import { FailureNotice } from '../components/failure';
-import { ParameterSymbol } from '../components/symbol';
-import { absent, fixed, marked, position_unit, unit_sign, when } from '../numbers';
+import { fixed, position_unit, unit_sign, when } from '../numbers';
 import { settled } from './plan/form';
 import { LiveChart, LiveTable } from './capture/filling';
-import { is_over, use_live, use_screen_on, type Reading } from './capture/live';
+import { directions_of, is_over, use_live, use_screen_on, type Reading } from './capture/live';
 import { Readout } from './capture/readout';
+import { SoFar } from './capture/so_far';
 import { t } from './capture/texts';
 import './capture.css';
 
@@ -27,6 +27,7 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
     readings, targets: capture?.targets ?? plan.data?.targets ?? [], unit: position_unit(capture?.kind ?? 'linear'), deviation_unit,
     runs: Math.max(runs_of(plan.data, capture), ...readings.map(({ run }) => run)),
   };
+  const directions = directions_of(capture?.approaches ?? 0, shared.targets.length, shared.runs);
   return (
     <>
       <header class="page-head">
@@ -45,10 +46,10 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
           <Readout capture={capture} {...shared} />
           <LiveChart {...shared} due={capture.due} />
           <aside class="stack">
-            <SoFar evaluated={capture.so_far} />
+            <SoFar evaluated={capture.so_far} directions={directions} running={running} runs={shared.runs} />
             <Events capture={capture} />
           </aside>
-          <LiveTable {...shared} due={capture.due} approaches={capture.approaches} />
+          <LiveTable {...shared} due={capture.due} directions={directions} />
         </div>
       )}
       <Said readings={readings} unit={deviation_unit} />
@@ -116,31 +117,6 @@ function Ending({ capture, again }: { capture: Capture; again: () => void }) {
       {capture.test !== null && <a class="button primary" href={`/tests/${capture.test}`}>{t('to_test')}</a>}
     </div>
   );
-}
-
-const first_looked_at = ['A', 'E', 'R', 'B'];
-
-function SoFar({ evaluated }: { evaluated: Evaluated | null }) {
-  return (
-    <section class="panel" aria-labelledby="so-far">
-      <h2 id="so-far">{t('parameters')}</h2>
-      {evaluated === null ? <p class="quiet">{t('too_early')}</p> : (
-        <dl class="so-far">
-          {evaluated.shown.filter(({ parameter }) => first_looked_at.includes(parameter)).map((one) => (
-            <div key={one.parameter}>
-              <dt><ParameterSymbol parameter={one.parameter} /></dt>
-              <dd class="number">{/\d/.test(one.value) ? <>{marked(one.value)} <span class="unit">{one.unit}</span></> : <Missing why={one.value} />}</dd>
-            </div>
-          ))}
-        </dl>
-      )}
-    </section>
-  );
-}
-
-/** A parameter that needs more runs than there are: no figure, and the reason where there is room for words. */
-function Missing({ why }: { why: string }) {
-  return <>{absent} <span class="unit">{why}</span></>;
 }
 
 function Events({ capture }: { capture: Capture }) {

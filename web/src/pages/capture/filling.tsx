@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Targets filling in: the curve of each run as it comes, and all readings as a table.
-import { useMemo } from 'preact/hooks';
+import type { RefObject } from 'preact';
+import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import type { Capture } from '../../api/types';
 import { Chart, type ChartSeries } from '../../components/chart';
 import { absent, fixed } from '../../numbers';
-import type { Reading } from './live';
+import type { Direction, Reading } from './live';
 import { arrow } from './readout';
 import { t } from './texts';
 
 interface Props { readings: Reading[]; targets: number[]; runs: number; unit: string; deviation_unit: string; due: Capture['due'] }
 
-const directions = ['up', 'down'] as const;
+const both = ['up', 'down'] as const;
 type Cells = Map<string, Reading>;
-const key = (direction: 'up' | 'down', run: number, target: number): string => `${direction} ${run} ${target}`;
+const key = (direction: Direction, run: number, target: number): string => `${direction} ${run} ${target}`;
 
 /** By approach: one that was read again is the later one. */
 const cells_of = (readings: Reading[]): Cells => new Map(readings.map((one) => [key(one.direction, one.run, one.target), one]));
@@ -22,7 +23,7 @@ export function LiveChart({ readings, targets, runs, unit, deviation_unit }: Pro
     const cells = cells_of(readings);
     const latest = readings[readings.length - 1];
     const all: ChartSeries[] = [];
-    for (const direction of directions)
+    for (const direction of both)
       for (let run = 1; run <= runs; run++)
         all.push({
           key: `${direction} ${run}`, label: `${t('run')} ${run} ${arrow(direction)}`,
@@ -43,15 +44,26 @@ export function LiveChart({ readings, targets, runs, unit, deviation_unit }: Pro
   );
 }
 
-export function LiveTable({ readings, targets, runs, unit, deviation_unit, due, approaches }: Props & { approaches: number }) {
+/** Where not all runs have room beside each other, the one that fills in is scrolled into sight as it begins. */
+function use_due_in_sight(frame: RefObject<HTMLDivElement | null>, due: Capture['due']): void {
+  useLayoutEffect(() => {
+    const cell = frame.current?.querySelector('td.due')?.getBoundingClientRect();
+    if (!frame.current || !cell) return;
+    const { left } = frame.current.getBoundingClientRect();
+    frame.current.scrollLeft += (cell.left + cell.right) / 2 - left - frame.current.clientWidth / 2;
+  }, [due?.run, due?.direction]);
+}
+
+export function LiveTable({ readings, targets, runs, unit, deviation_unit, due, directions }: Props & { directions: readonly Direction[] }) {
+  const frame = useRef<HTMLDivElement>(null);
+  use_due_in_sight(frame, due);
   const cells = cells_of(readings);
   const latest = readings[readings.length - 1];
-  const used = approaches > targets.length * runs ? directions : directions.slice(0, 1);
-  const columns = used.flatMap((direction) => Array.from({ length: runs }, (_, i) => ({ direction, run: i + 1 })));
+  const columns = directions.flatMap((direction) => Array.from({ length: runs }, (_, i) => ({ direction, run: i + 1 })));
   return (
     <section class="panel flush filling">
       <header><h2 id="filling">{t('readings')} <span class="quiet small">/ {deviation_unit}</span></h2></header>
-      <div class="table-frame" role="region" aria-labelledby="filling" tabIndex={0}>
+      <div class="table-frame" role="region" aria-labelledby="filling" tabIndex={0} ref={frame}>
         <table>
           <thead>
             <tr>

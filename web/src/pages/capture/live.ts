@@ -5,7 +5,12 @@ import { ApiError, get } from '../../api/client';
 import type { Capture } from '../../api/types';
 
 export type Reading = Capture['readings'][number];
+export type Direction = Reading['direction'];
 export const is_over = (capture: Capture): boolean => ['complete', 'stopped', 'failed', 'interrupted'].includes(capture.state);
+
+/** In which the targets are approached: as many approaches as targets and runs leave one direction only. */
+export const directions_of = (approaches: number, targets: number, runs: number): readonly Direction[] =>
+  approaches > targets * runs ? ['up', 'down'] : ['up'];
 
 export interface Live {
   capture: Capture | null;
