@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a user chooses for this browser: language, decimal mark, theme, and the name that changes are made under.
-import { effect, signal, type Signal } from '@preact/signals';
+import { computed, effect, signal, type Signal } from '@preact/signals';
 
 export type Language = 'en' | 'de';
 export type Theme = 'system' | 'light' | 'dark';
@@ -42,6 +42,9 @@ const dark_system = window.matchMedia('(prefers-color-scheme: dark)');
 const system_is_dark = signal(dark_system.matches);
 dark_system.addEventListener('change', (event) => (system_is_dark.value = event.matches));
 
+/** The theme on the screen, whether or not the page is printed just now. */
+export const screen_theme = computed<'light' | 'dark'>(() => (theme.value === 'system' ? (system_is_dark.value ? 'dark' : 'light') : theme.value));
+
 /** The theme that is shown; charts and figures that are pictures ask for it. */
 export const shown_theme = signal<'light' | 'dark'>('light');
 
@@ -51,7 +54,7 @@ window.addEventListener('beforeprint', () => (printing.value = true));
 window.addEventListener('afterprint', () => (printing.value = false));
 
 effect(() => {
-  shown_theme.value = printing.value ? 'light' : theme.value === 'system' ? (system_is_dark.value ? 'dark' : 'light') : theme.value;
+  shown_theme.value = printing.value ? 'light' : screen_theme.value;
   document.documentElement.dataset['theme'] = shown_theme.value;
   document.documentElement.lang = language.value;
 });

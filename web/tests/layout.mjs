@@ -109,6 +109,26 @@ export const layout = {
     assert.ok(found.over <= 0, `the chart is ${found.over} px wider than its place`);
   },
 
+  async 'on paper a plan is its figure for white, its whole program and no form, with nothing fetched meanwhile'(world) {
+    const { id } = await world.plan();
+    const page = await world.page({ theme: 'dark' });
+    await page.goto(`/plans/${id}`);
+    await shows(page.locator('.listing'), /G1 X/);
+    const on_paper = page.locator('.drawn.only-print');
+    await on_paper.waitFor({ state: 'attached' });
+    assert.ok(!(await on_paper.isVisible()), 'the figure for paper is on the screen');
+    const fetched = [];
+    page.on('request', (request) => fetched.push(request.url()));
+    await page.emulateMedia({ media: 'print' });
+    await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+    await settle(page);
+    assert.deepEqual(fetched.filter((url) => !url.startsWith('data:')), []);
+    assert.deepEqual(await page.locator('.drawn').evaluateAll((all) => all.map((one) => one.checkVisibility())), [false, true]);
+    for (const gone of ['.plan-form', 'main button', 'main input']) assert.equal(await page.locator(gone).locator('visible=true').count(), 0, gone);
+    const cut = await page.locator('.listing').evaluate((box) => box.scrollHeight - box.clientHeight);
+    assert.ok(cut <= 0, `${cut} px of the program are not on the paper`);
+  },
+
   async 'on a phone three tests are compared without scrolling sideways, differences below the values'(world) {
     const ids = [await world.kept(), await world.kept(bare, 'bare.json'), await world.kept(example, 'again.json')];
     const page = await world.page({ width: 390, height: 844 });

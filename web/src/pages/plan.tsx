@@ -8,7 +8,7 @@ import type { Machine, Plan, PlanDraft, PlanRequest, Vocabulary } from '../api/t
 import { FailureNotice } from '../components/failure';
 import { position_unit } from '../numbers';
 import { place } from '../router';
-import { decimal, language, shown_theme } from '../settings';
+import { decimal, language, screen_theme } from '../settings';
 import { PlanFields } from './plan/fields';
 import { form_of, new_form, request_of, settled, type PlanForm } from './plan/form';
 import { Keep, PlanFile } from './plan/keep';
@@ -18,12 +18,15 @@ import { t } from './plan/texts';
 import './plan.css';
 
 /** How figures of the server look like the page around them. */
-const look = () => ({ decimal: decimal.value, theme: shown_theme.value });
+const look = () => query({ decimal: decimal.value, theme: screen_theme.value });
+
+/** Paper is white: beside a dark page its figures are asked for a second time, as nothing is fetched while a page prints. */
+const look_on_paper = () => (screen_theme.value === 'light' ? null : query({ decimal: decimal.value, theme: 'light' }));
 
 /** A new plan, or one of the store to look at and go on with. */
 export function PlanPage({ parts }: { parts: Record<string, string> }) {
   const id = parts['id'] ?? null;
-  const plan = use_get<Plan>(id === null ? null : `/api/plans/${id}${query(look())}`);
+  const plan = use_get<Plan>(id === null ? null : `/api/plans/${id}${look()}`);
   const machines = use_get<{ machines: Machine[] }>('/api/machines');
   const vocabulary = use_get<Vocabulary>('/api/vocabulary');
   const wanted_axis = id === null ? place.value.query.get('axis') : null;
@@ -52,7 +55,10 @@ function Editor({ kept, keep, machines, vocabulary, axis }: EditorProps) {
   const [form, set_form] = useState<PlanForm>(() => first_form(kept, machines, axis));
   const [touched, set_touched] = useState(false);
   const { request, faults } = request_of(form);
-  const draft = use_posted<PlanDraft>(`/api/plans/draft${query(look())}`, request === null ? null : { request }, as_json);
+  const draft = use_posted<PlanDraft>(`/api/plans/draft${look()}`, request === null ? null : { request }, as_json);
+  const paper = look_on_paper();
+  const drawn = draft.data?.request ?? null; // with its seed, so that both figures are of one plan
+  const on_paper = use_posted<PlanDraft>(`/api/plans/draft${paper ?? ''}`, paper === null || drawn === null ? null : { request: drawn }, as_json);
   const shown = draft.data ?? kept;
   const unit = position_unit(form.kind);
   const title = form.title.trim() === '' ? usual_title(form, unit) : form.title.trim();
@@ -73,11 +79,11 @@ function Editor({ kept, keep, machines, vocabulary, axis }: EditorProps) {
           keep(plan);
         }} />
       <div class="planner">
-        <section class="panel" aria-label={t('plan')}>
+        <section class="panel no-print" aria-label={t('plan')}>
           <PlanFields {...{ form, change, machines, vocabulary }} faults={faults ?? {}}
             chosen={shown ? settled(shown.plan) : null} />
         </section>
-        <PlanView draft={shown} unit={unit} title={title} vocabulary={vocabulary} plan={null}
+        <PlanView draft={shown} on_paper={paper === null ? null : on_paper.data} unit={unit} title={title} vocabulary={vocabulary} plan={null}
           request={draft.data && !draft.error ? (draft.of as { request: PlanRequest }).request : (kept?.request ?? null)}
           failure={draft.error && <FailureNotice error={draft.error} retry={draft.again} />}
           note={(draft.error || faults) && <p class="quiet small">{t('last_good')}</p>} />
@@ -103,6 +109,8 @@ const usual_title = (form: PlanForm, unit: string): string =>
 
 /** A plan that came as a file: shown, not edited. */
 function WholePlan({ plan, vocabulary }: { plan: Plan; vocabulary: Vocabulary | null }) {
+  const paper = look_on_paper();
+  const on_paper = use_get<Plan>(paper === null ? null : `/api/plans/${plan.id}${paper}`);
   const kind = (plan.plan as { axis?: { kind?: 'linear' | 'rotary' } } | null)?.axis?.kind ?? 'linear';
   return (
     <>
@@ -121,7 +129,8 @@ function WholePlan({ plan, vocabulary }: { plan: Plan; vocabulary: Vocabulary | 
       </header>
       <p class="notice">{t('whole_plan')}</p>
       <div class="planner whole">
-        <PlanView draft={plan} unit={position_unit(kind)} title={plan.title} vocabulary={vocabulary} plan={plan.plan} request={null} />
+        <PlanView draft={plan} on_paper={paper === null ? null : on_paper.data} unit={position_unit(kind)} title={plan.title}
+          vocabulary={vocabulary} plan={plan.plan} request={null} />
       </div>
     </>
   );
@@ -129,6 +138,7 @@ function WholePlan({ plan, vocabulary }: { plan: Plan; vocabulary: Vocabulary | 
 
 interface ViewProps {
   draft: PlanDraft | null;
+  on_paper: PlanDraft | null; // its figures for white, where those of `draft` are for a dark page
   unit: string;
   title: string;
   vocabulary: Vocabulary | null;
@@ -139,15 +149,16 @@ interface ViewProps {
 }
 
 /** What comes of a plan: programme, part program and targets, of one of its tests where it has several. */
-function PlanView({ draft, unit, title, vocabulary, request, plan, failure, note }: ViewProps) {
+function PlanView({ draft, on_paper, unit, title, vocabulary, request, plan, failure, note }: ViewProps) {
   const [wanted, set_wanted] = useState(1);
   const parts = draft?.parts ?? [];
   const part = parts[wanted - 1] ?? parts[0] ?? null;
+  const figure_on_paper = on_paper && (on_paper.parts?.[(part?.part ?? 1) - 1]?.figure_svg ?? on_paper.figure_svg);
   return (
     <>
       <div class="stack">
         {failure}
-        {draft && <Outcome draft={draft} unit={unit} part={part} choose={set_wanted}>{note}</Outcome>}
+        {draft && <Outcome draft={draft} figure_on_paper={figure_on_paper} unit={unit} part={part} choose={set_wanted}>{note}</Outcome>}
         {vocabulary && draft && <ProgramPanel request={request} plan={plan} part={part?.part ?? 1} name={title} vocabulary={vocabulary} />}
       </div>
       {draft && <TargetTable targets={part?.targets ?? draft.targets} unit={unit} />}

@@ -45,21 +45,21 @@ export function LiveChart({ readings, targets, runs, unit, deviation_unit }: Pro
 }
 
 /** Where not all runs have room beside each other, the one that fills in is scrolled into sight as it begins. */
-function use_due_in_sight(frame: RefObject<HTMLDivElement | null>, due: Capture['due']): void {
+function use_due_in_sight(frame: RefObject<HTMLDivElement | null>, due: Capture['due'], columns: number): void {
   useLayoutEffect(() => {
     const cell = frame.current?.querySelector('td.due')?.getBoundingClientRect();
     if (!frame.current || !cell) return;
     const { left } = frame.current.getBoundingClientRect();
     frame.current.scrollLeft += (cell.left + cell.right) / 2 - left - frame.current.clientWidth / 2;
-  }, [due?.run, due?.direction]);
+  }, [due?.run, due?.direction, columns]);
 }
 
 export function LiveTable({ readings, targets, runs, unit, deviation_unit, due, directions }: Props & { directions: readonly Direction[] }) {
-  const frame = useRef<HTMLDivElement>(null);
-  use_due_in_sight(frame, due);
   const cells = cells_of(readings);
   const latest = readings[readings.length - 1];
   const columns = directions.flatMap((direction) => Array.from({ length: runs }, (_, i) => ({ direction, run: i + 1 })));
+  const frame = useRef<HTMLDivElement>(null);
+  use_due_in_sight(frame, due, columns.length);
   return (
     <section class="panel flush filling">
       <header><h2 id="filling">{t('readings')} <span class="quiet small">/ {deviation_unit}</span></h2></header>

@@ -63,12 +63,12 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
   return (
     <>
       <header class="plan-head">
-        <h1 tabIndex={-1}>{kept ? kept.title : t('new_plan')}</h1>
-        <label class="title">
+        <h1 tabIndex={-1}>{kept ? kept.title : t('new_plan')}{!kept && <span class="only-print">: {title}</span>}</h1>
+        <label class="title no-print">
           <span class="quiet small">{t('title')}</span>
           <input value={form.title} placeholder={title} autocomplete="off" onInput={(event) => rename(event.currentTarget.value)} />
         </label>
-        <div class="row">
+        <div class="row no-print">
           <button type="button" class="primary" disabled={request === null || busy || (kept !== null && !touched)} onClick={() => save(kept)}>
             {kept ? t('save_version', { n: kept.version + 1 }) : t('save')}
           </button>

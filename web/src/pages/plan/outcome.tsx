@@ -8,11 +8,14 @@ import { settled } from './form';
 import { t } from './texts';
 
 /** What a plan comes to: the figures first, then what the standard says, then the way of the axis in the chosen test. */
-export function Outcome({ draft, unit, part, choose, children }:
-  { draft: PlanDraft; unit: string; part: PlanPart | null; choose: (part: number) => void; children?: ComponentChildren }) {
+export function Outcome({ draft, figure_on_paper, unit, part, choose, children }: {
+  draft: PlanDraft; figure_on_paper: string | null; unit: string; part: PlanPart | null;
+  choose: (part: number) => void; children?: ComponentChildren;
+}) {
   const chosen = settled(draft.plan);
   const targets = part?.targets ?? draft.targets;
   const runs = part?.runs ?? chosen?.runs ?? 0;
+  const alt = t('figure_of', { n: targets.length, runs });
   return (
     <section class="panel outcome" aria-label={t('programme')}>
       <div class="row spread">
@@ -34,7 +37,8 @@ export function Outcome({ draft, unit, part, choose, children }:
       {draft.findings.length > 0 && <FindingList findings={draft.findings} />}
       <PartChoice parts={draft.parts ?? []} part={part} choose={choose} />
       <div class="drawn-frame" role="group" aria-label={t('way')} tabIndex={0}>
-        <img class="drawn" src={picture(part?.figure_svg ?? draft.figure_svg)} alt={t('figure_of', { n: targets.length, runs })} />
+        <img class={`drawn ${figure_on_paper ? 'no-print' : ''}`} src={picture(part?.figure_svg ?? draft.figure_svg)} alt={alt} />
+        {figure_on_paper && <img class="drawn only-print" src={picture(figure_on_paper)} alt={alt} />}
       </div>
       {children}
     </section>
@@ -78,7 +82,7 @@ export function TargetTable({ targets, unit }: { targets: number[]; unit: string
     <section class="panel flush targets">
       <header>
         <h2>{t('targets')}</h2>
-        <CopyButton label={t('copy_targets')} text={() => targets.map((target) => shortest(target, 6).replace('\u2212', '-')).join('\n')} />
+        <div class="no-print"><CopyButton label={t('copy_targets')} text={() => targets.map((target) => shortest(target, 6).replace('\u2212', '-')).join('\n')} /></div>
       </header>
       <div class="table-frame" role="region" aria-label={t('targets')} tabIndex={0}>
         <table>

@@ -49,8 +49,8 @@ export function ProgramPanel({ request, plan, part, name, vocabulary }:
   return (
     <section class="panel program" aria-labelledby="program-title">
       <header>
-        <h2 id="program-title">{t('program')}</h2>
-        <div class="row">
+        <h2 id="program-title">{t('program')}<span class="only-print">: {chosen?.title}</span></h2>
+        <div class="row no-print">
           <CopyButton text={() => program.data ?? ''} />
           <button type="button" disabled={program.data === null || program.error !== null}
             onClick={() => offer(new Blob([program.data ?? ''], { type: 'text/plain' }), file)}>
@@ -58,7 +58,7 @@ export function ProgramPanel({ request, plan, part, name, vocabulary }:
           </button>
         </div>
       </header>
-      <div class="options">
+      <div class="options no-print">
         <Field label={t('control')}>
           {(ids) => (
             <select {...ids} value={dialect} onChange={(event) => choose(event.currentTarget.value)}>
@@ -71,7 +71,7 @@ export function ProgramPanel({ request, plan, part, name, vocabulary }:
       {program.error && <FailureNotice error={program.error} retry={program.again} />}
       {program.data !== null && <ProgramText text={program.data} stale={program.error !== null} />}
       {chosen && chosen.manual !== '' && (
-        <details>
+        <details class="no-print">
           <summary>{t('manual')}</summary>
           <div class="manual" lang="en"><Markdown source={chosen.manual} /></div>
         </details>
