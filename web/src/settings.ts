@@ -49,7 +49,7 @@ export const screen_theme = computed<'light' | 'dark'>(() => (theme.value === 's
 export const shown_theme = signal<'light' | 'dark'>('light');
 
 // Paper is white: charts and figures are drawn for it while the page is printed.
-const printing = signal(false);
+export const printing = signal(false);
 window.addEventListener('beforeprint', () => (printing.value = true));
 window.addEventListener('afterprint', () => (printing.value = false));
 

@@ -6,6 +6,8 @@ import { settle } from './pages.mjs';
 import { example, shows } from './world.mjs';
 
 const bare = fileURLToPath(new URL('../../examples/simulated-backlash.json', import.meta.url));
+/** Readings in one direction of approach, which are marked in the list. */
+const one_way = ['target_mm,direction,run,deviation_um', ...[1, 2, 3, 4, 5].flatMap((run) => [0, 100, 200, 300, 400].map((x) => `${x},up,${run},${run + x / 100}`))].join('\n');
 
 export const layout = {
   async 'on a tablet the list of tests shows every column'(world) {
@@ -46,6 +48,20 @@ export const layout = {
         assert.equal(await frame.evaluate((box) => box.scrollWidth - box.clientWidth), 0, `${locale}, ${width} px`);
         for (const seen of ['tbody .mark svg', 'tbody .plus-minus', 'tbody input'])
           assert.ok(await frame.locator(seen).first().evaluate((one) => one.getBoundingClientRect().width >= 10), `${locale}, ${width} px: ${seen}`);
+      }
+  },
+
+  async 'a long title is cut after two lines, and no verdict of the list is out of sight because of it'(world) {
+    await world.kept(example, `${'Werkzeugmaschine_Halle_2_Achse_X_'.repeat(4)}.json`);
+    await world.api('POST', '/api/tests', one_way, { 'X-File-Name': 'one_way.csv' });
+    for (const locale of ['en-GB', 'de-DE'])
+      for (const width of [390, 900, 1280]) {
+        const page = await world.page({ width, height: 844, locale });
+        await page.goto('/');
+        await settle(page);
+        assert.equal(await page.locator('.test-list .table-frame').evaluate((box) => box.scrollWidth - box.clientWidth), 0, `${locale}, ${width} px`);
+        const heights = await page.locator('.test-list .title > a').evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
+        assert.ok(Math.max(...heights) < 45, `${locale}, ${width} px: titles of ${heights} px`);
       }
   },
 
@@ -140,5 +156,13 @@ export const layout = {
     assert.equal(await frame.evaluate((box) => box.scrollWidth - box.clientWidth), 0);
     await page.setViewportSize({ width: 900, height: 844 });
     await page.waitForFunction(() => document.querySelectorAll('.side-by-side tbody tr:first-child td').length === 5);
+    // The names of the curves stand beside the chart or right below it, and the table below both.
+    for (const width of [390, 900, 1100, 1600]) {
+      await page.setViewportSize({ width, height: 844 });
+      const [chart, names, parameters] = await page.locator('.curves, .chosen, .parameters-table').evaluateAll((all) =>
+        all.map((one) => one.getBoundingClientRect()).map(({ top, bottom }) => ({ top, bottom })));
+      assert.ok(width < 1100 ? names.top >= chart.bottom : names.top === chart.top, `${width} px: names at ${names.top}`);
+      assert.ok(parameters.top >= chart.bottom && parameters.top >= names.bottom, `${width} px: parameters at ${parameters.top}`);
+    }
   },
 };

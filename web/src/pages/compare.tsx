@@ -5,6 +5,7 @@ import { use_get } from '../api/use';
 import type { Test, Vocabulary } from '../api/types';
 import { Chart, Swatch, type ChartPlace } from '../components/chart';
 import { FailureNotice } from '../components/failure';
+import { narrow } from '../components/narrow';
 import { VerdictMark } from '../components/verdict';
 import { texts } from '../i18n/texts';
 import { fixed, position_unit, shortest, unit_sign } from '../numbers';
@@ -75,26 +76,26 @@ export function ComparePage() {
       <h1 tabIndex={-1}>{t('title')}</h1>
       {loaded.filter(({ error }) => error !== null).map(({ id, error }) => error && <FailureNotice key={id} error={error} />)}
       {choice.tests.length === 0 && <p class="quiet">{t('empty')}</p>}
-      <div class="compare">
-        <div class="stack">
-          {alike.length > 0 && <Overlay tests={alike} choice={choice} hidden={hidden} />}
-          {others.map((test) => <p key={test.id} class="notice caution">{t('other_unit', { title: test.title, unit: unit_sign(test.result.unit) })}</p>)}
-          {tests.length > 0 && <SideBySide tests={[...alike, ...others]} vocabulary={vocabulary} />}
-        </div>
-        <div class="stack">
-          {tests.length > 0 && (
-            <section class="panel chosen">
-              <header><h2>{t('tests')}</h2></header>
-              <ol>
-                {[...alike, ...others].map((test, n) => (
-                  <Chosen key={test.id} test={test} n={n} shown={!hidden.has(test.id)} toggle={() => toggle(test.id)} remove={() => remove(test.id)}
-                          refer={() => put({ ...choice, tests: [test.id, ...choice.tests.filter((id) => id !== test.id)] })} />
-                ))}
-              </ol>
-            </section>
-          )}
-          <Picker chosen={choice.tests} first={first} add={(id) => put({ ...choice, tests: [...choice.tests, id] })} />
-        </div>
+      <div class={`compare ${tests.length === 0 ? 'empty' : ''}`}>
+        {tests.length > 0 && (
+          <div class="stack curves">
+            <Overlay tests={alike} choice={choice} hidden={hidden} />
+            {others.map((test) => <p key={test.id} class="notice caution">{t('other_unit', { title: test.title, unit: unit_sign(test.result.unit) })}</p>)}
+          </div>
+        )}
+        {tests.length > 0 && (
+          <section class="panel chosen">
+            <header><h2>{t('tests')}</h2></header>
+            <ol>
+              {[...alike, ...others].map((test, n) => (
+                <Chosen key={test.id} test={test} n={n} shown={!hidden.has(test.id)} toggle={() => toggle(test.id)} remove={() => remove(test.id)}
+                        refer={() => put({ ...choice, tests: [test.id, ...choice.tests.filter((id) => id !== test.id)] })} />
+              ))}
+            </ol>
+          </section>
+        )}
+        {tests.length > 0 && <SideBySide tests={[...alike, ...others]} vocabulary={vocabulary} />}
+        <Picker chosen={choice.tests} first={first} add={(id) => put({ ...choice, tests: [...choice.tests, id] })} />
       </div>
     </>
   );
@@ -113,14 +114,18 @@ function Chosen({ test, n, shown, toggle, remove, refer }: {
       </label>
       <div>
         <a href={`/tests/${test.id}`}>{title}</a> {test.verdict !== null && <VerdictMark verdict={test.verdict} short />}
-        <div class="small quiet">{facts.map((fact, i) => <span key={i}>{i > 0 && ' · '}<span class="fact">{fact}</span></span>)}</div>
+        {' '}
         {n === 0 ? <span class="small is-reference">{t('is_reference')}</span>
           : <button type="button" class="link small no-print" aria-label={t('reference_of', { title })} onClick={refer}>{t('reference')}</button>}
+        <div class="small quiet">{facts.map((fact, i) => <span key={i}>{i > 0 && ' · '}<span class="fact">{fact}</span></span>)}</div>
       </div>
       <button type="button" class="plain small no-print" aria-label={t('remove', { title })} onClick={remove}>×</button>
     </li>
   );
 }
+
+/** More curves have more room, about as much as their names take beside them. */
+const chart_height = (curves: number): number => (curves > 5 && !narrow.value ? 520 : 440);
 
 function Overlay({ tests, choice, hidden }: { tests: readonly Test[]; choice: Choice; hidden: ReadonlySet<number> }) {
   const list = tests.map((test) => `${test.id}:${test.version}`).join();
@@ -142,7 +147,7 @@ function Overlay({ tests, choice, hidden }: { tests: readonly Test[]; choice: Ch
           </label>
         </div>
       </header>
-      <Chart {...model} name={t('name')} height={440} tip={(at) => <Tip model={model} tests={tests} at={at} />} spoken={(at) => spoken(model, tests, at)} />
+      <Chart {...model} name={t('name')} height={chart_height(tests.length)} tip={(at) => <Tip model={model} tests={tests} at={at} />} spoken={(at) => spoken(model, tests, at)} />
     </section>
   );
 }

@@ -28,7 +28,7 @@ export function Picker({ chosen, first, add }: { chosen: readonly number[]; firs
   }, [typed]);
   const axis = text === '' ? (first?.axis?.id ?? null) : null;
   const page = use_get<TestPage>(`/api/tests${query({ text, axis, limit: 20 })}`);
-  if (chosen.length >= 8) return <p class="small quiet">{t('full')}</p>;
+  if (chosen.length >= 8) return <p class="small quiet full no-print">{t('full')}</p>;
   const rows = (page.data?.tests ?? []).filter((row) => !chosen.includes(row.id)).slice(0, 12);
   return (
     <section class="panel picker no-print" aria-label={t('add')}>

@@ -8,6 +8,7 @@ import { ParameterSymbol } from '../../components/symbol';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
 import { absent, decimals_of, fixed, parsed } from '../../numbers';
+import { printing } from '../../settings';
 import { all_parameters, main_parameters } from '../test/figures_text';
 import { look_of } from './curves';
 
@@ -15,16 +16,19 @@ const t = texts({
   title: ['Parameters side by side', 'Kennwerte nebeneinander'],
   parameter: ['Parameter', 'Kennwert'],
   value: ['Value ± U', 'Wert ± U'],
-  difference: ['Difference', 'Unterschied'],
+  difference: ['Difference', 'Differenz'],
   first: ['reference', 'Bezug'],
   beyond: ['larger than the combined uncertainty', 'größer als die kombinierte Unsicherheit'],
   within: ['within the combined uncertainty', 'innerhalb der kombinierten Unsicherheit'],
   unknown: ['no uncertainty is stated', 'ohne Angabe der Unsicherheit'],
   better: ['smaller', 'kleiner'],
   worse: ['larger', 'größer'],
-  legend: ['Differences to the first test. Strong with ▲ or ▼: larger than the combined uncertainty √(U₁² + U₂²). Quiet: within it. With a question mark: a test states no uncertainty. Errors that both tests have in common would make the true bound smaller.',
-           'Unterschiede zur ersten Prüfung. Fett mit ▲ oder ▼: größer als die kombinierte Unsicherheit √(U₁² + U₂²). Blass: innerhalb. Mit Fragezeichen: eine Prüfung gibt keine Unsicherheit an. Gemeinsame Fehler beider Prüfungen würden die wahre Schranke verkleinern.'],
+  legend: ['Differences to the first test. Strong: larger than the combined uncertainty √(U₁² + U₂²), with ▲ or ▼ where the parameter has no sign of its own. Quiet: within it. With a question mark: a test states no uncertainty. Errors that both tests have in common would make the true bound smaller.',
+           'Differenzen zur ersten Prüfung. Fett: größer als die kombinierte Unsicherheit √(U₁² + U₂²), mit ▲ oder ▼ bei Kennwerten ohne eigenes Vorzeichen. Blass: innerhalb. Mit Fragezeichen: eine Prüfung gibt keine Unsicherheit an. Gemeinsame Fehler beider Prüfungen würden die wahre Schranke verkleinern.'],
 });
+
+const most_beside_on_paper = 3;  // tests whose differences stand in columns of their own
+const longest_on_a_line = 18;  // letters of a title that is not broken
 
 interface Cell { value: number; text: string; U: number | null; U_text: string }
 
@@ -42,17 +46,18 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
   if (!reference) return null;
   const decimals = most_decimals(tests.flatMap((test) => test.shown.map((row) => row.value)));
   const main = main_parameters(reference.result);
+  const stacked = narrow.value || (printing.value && tests.length > most_beside_on_paper);
   return (
-    <section class="panel flush">
+    <section class={`panel flush parameters-table ${tests.length > 5 ? 'many' : ''}`}>
       <header><h2>{t('title')}</h2></header>
       <div class="table-frame" tabIndex={0} role="region" aria-label={t('title')}>
-        <table class="side-by-side">
+        <table class={`side-by-side ${stacked ? 'stacked' : ''}`}>
           <thead>
             <tr>
-              <th scope="col" rowSpan={2}><span class={narrow.value ? 'visually-hidden' : ''}>{t('parameter')}</span></th>
+              <th scope="col" rowSpan={2}><span class={stacked ? 'visually-hidden' : ''}>{t('parameter')}</span></th>
               {tests.map((test, n) => (
-                <th key={test.id} scope="colgroup" colSpan={n === 0 || narrow.value ? 1 : 2} class="test-name">
-                  <Swatch series={look_of(n)} /> {test.title}
+                <th key={test.id} scope="colgroup" colSpan={n === 0 || stacked ? 1 : 2} class="test-name">
+                  <span class={test.title.length <= longest_on_a_line ? 'one-line' : ''}><Swatch series={look_of(n)} /> {test.title}</span>
                 </th>
               ))}
             </tr>
@@ -60,7 +65,7 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
               {tests.map((test, n) => (
                 <Fragment key={test.id}>
                   <th scope="col" class="number value">{t('value')}</th>
-                  {n > 0 && !narrow.value && <th scope="col" class="number">{t('difference')}</th>}
+                  {n > 0 && !stacked && <th scope="col" class="number">{t('difference')}</th>}
                 </Fragment>
               ))}
             </tr>
@@ -72,10 +77,10 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
                 {tests.map((test, n) => (
                   <Fragment key={test.id}>
                     <td class="number value">
-                      <Value test={test} parameter={parameter} decimals={decimals} />
-                      {n > 0 && narrow.value && <div class="below"><Difference to={reference} test={test} parameter={parameter} column={decimals} /></div>}
+                      <Value test={test} parameter={parameter} decimals={decimals} stacked={stacked} />
+                      {n > 0 && stacked && <div class="below"><Difference to={reference} test={test} parameter={parameter} column={decimals} /></div>}
                     </td>
-                    {n > 0 && !narrow.value && <td class="number"><Difference to={reference} test={test} parameter={parameter} column={decimals} /></td>}
+                    {n > 0 && !stacked && <td class="number"><Difference to={reference} test={test} parameter={parameter} column={decimals} /></td>}
                   </Fragment>
                 ))}
               </tr>
@@ -88,7 +93,7 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
   );
 }
 
-function Value({ test, parameter, decimals }: { test: Test; parameter: Parameter; decimals: number }) {
+function Value({ test, parameter, decimals, stacked }: { test: Test; parameter: Parameter; decimals: number; stacked: boolean }) {
   const cell = cell_of(test, parameter);
   const shown = test.shown.find((row) => row.parameter === parameter);
   if (cell === null) return <>{absent}</>;
@@ -96,9 +101,9 @@ function Value({ test, parameter, decimals }: { test: Test; parameter: Parameter
   return (
     <>
       <Aligned text={cell.text} decimals={decimals} />
-      {!narrow.value && uncertainty}
+      {!stacked && uncertainty}
       <span class="slot">{shown && shown.limit !== null && <VerdictMark verdict={shown.verdict} short />}</span>
-      {narrow.value && uncertainty}
+      {stacked && uncertainty}
     </>
   );
 }
@@ -106,17 +111,18 @@ function Value({ test, parameter, decimals }: { test: Test; parameter: Parameter
 function Difference({ to, test, parameter, column }: { to: Test; test: Test; parameter: Parameter; column: number }) {
   const [a, b] = [cell_of(to, parameter), cell_of(test, parameter)];
   if (a === null || b === null || to.result.unit !== test.result.unit) return <>{absent}</>;
+  // Only the mean reversal has a sign, which a mark for larger and smaller would contradict.
   // Rounded numbers are subtracted only on the screen: the difference is that of the exact values.
   const difference = b.value - a.value;
-  const larger = Math.abs(b.value) - Math.abs(a.value);
+  const change = parameter === 'B_mean' ? null : difference < 0 ? { sign: '▼', word: t('better') } : { sign: '▲', word: t('worse') };
   const figure = `${difference > 0 ? '+' : ''}${fixed(difference, Math.min(decimals_of(a.text), decimals_of(b.text)))}`;
   const text = <Aligned text={figure} decimals={column} />;
-  if (a.U === null || b.U === null) return <span title={t('unknown')}>{text}<span class="sign quiet">?<span class="visually-hidden"> {t('unknown')}</span></span></span>;
+  if (a.U === null || b.U === null) return <span class="unsure" title={t('unknown')}>{text}<span class="sign quiet">?<span class="visually-hidden"> {t('unknown')}</span></span></span>;
   const beyond = Math.abs(difference) > Math.hypot(a.U, b.U);
   if (!beyond) return <span class="quiet" title={t('within')}>{text}<span class="sign" /><span class="visually-hidden"> {t('within')}</span></span>;
   return (
-    <strong title={`${t(larger < 0 ? 'better' : 'worse')}; ${t('beyond')}`}>
-      {text}<span class="sign" aria-hidden="true">{larger < 0 ? '▼' : '▲'}</span><span class="visually-hidden"> {t('beyond')}</span>
+    <strong title={`${change ? `${change.word}; ` : ''}${t('beyond')}`}>
+      {text}<span class="sign" aria-hidden="true">{change?.sign}</span><span class="visually-hidden"> {t('beyond')}</span>
     </strong>
   );
 }
