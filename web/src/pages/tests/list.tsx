@@ -75,13 +75,13 @@ function columns(rows: readonly TestRow[]): Column<TestRow>[] {
     } },
     { key: 'title', head: t('test'), order: 'title', row_head: true, class: 'title', cell: (row) => (
       <>
-        <a href={`/tests/${row.id}`}>{row.title || row.file_name}</a>
+        <a href={`/tests/${row.id}`} title={row.title || row.file_name}>{row.title || row.file_name}</a>
         {row.withdrawn && <> <span class="tag">{t('withdrawn_tag')}</span></>}
         <span class="only-narrow quiet small">
           {[row.machine?.name, row.axis?.name].filter(Boolean).join(', ')}
-          {' '}<span class="number-text">{row.measured_on} ({unit_sign(row.unit)})</span>
+          {' '}<span class="number-text">{row.measured_on}</span> ({unit_sign(row.unit)})
         </span>
-        {row.label !== '' && <> <span class="tag" title={row.label}>{row.label}</span></>}
+        {row.label !== '' && <> <span class="tag" title={row.label}>{t('not_for_acceptance')}</span></>}
       </>
     ) },
     { key: 'machine', head: t('machine'), order: 'machine', class: 'wide-only', cell: (row) => (row.machine ? <a class="quiet-link" href={`/machines/${row.machine.id}`}>{row.machine.name}</a> : absent) },

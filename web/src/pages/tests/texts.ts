@@ -56,6 +56,7 @@ export const t = texts({
   all: ['all', 'alle'],
   withdrawn: ['Withdrawn too', 'Auch zurückgezogene'],
   withdrawn_tag: ['withdrawn', 'zurückgezogen'],
+  not_for_acceptance: ['not for acceptance', 'nicht für die Abnahme'],
   conforms: ['conforms', 'konform'],
   does_not: ['does not conform', 'nicht konform'],
   undecided: ['undecided', 'unentschieden'],
