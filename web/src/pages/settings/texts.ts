@@ -37,7 +37,7 @@ export const t = texts({
     '{machines} {machines|machine|machines}, {axes} {axes|axis|axes}, {instruments} {instruments|instrument|instruments}, {plans} {plans|plan|plans}, {tests} {tests|test|tests}, {documents} {documents|document|documents}, {size}',
     '{machines} {machines|Maschine|Maschinen}, {axes} {axes|Achse|Achsen}, {instruments} Messmittel, {plans} {plans|Prüfplan|Prüfpläne}, {tests} {tests|Prüfung|Prüfungen}, {documents} {documents|Dokument|Dokumente}, {size}',
   ],
-  upload: ['Largest file', 'Größte Datei'],
+  upload: ['Largest file accepted', 'Größte Datei, die angenommen wird'],
   licence: ['Licence', 'Lizenz'],
   licence_text: ['Apache 2.0; bundled libraries under the', 'Apache 2.0; mitgelieferte Bibliotheken unter der'],
   licence_link: ['MIT licence', 'MIT-Lizenz'],
