@@ -8,7 +8,7 @@ export function Banners() {
   const why = why_read_only();
   return (
     <div class="banners no-print" aria-live="polite">
-      {!reachable.value && <p class="notice caution">{t('lost')}</p>}
+      {!reachable.value && <p class="notice caution lost">{t('lost')}</p>}
       {reachable.value && why !== null && <p class="notice caution">{t('read_only', { why: why === '' ? '' : `: ${why}` })}</p>}
     </div>
   );

@@ -11,6 +11,7 @@ export const offline = {
     await world.server.stop('SIGKILL');
     await page.getByLabel('Dwell (s)').fill('8');
     await shows(page.getByRole('alert').first(), 'does not answer');
+    assert.equal(await page.locator('.notice').locator('visible=true').count(), 1, 'that the program is gone is said once');
     await page.getByRole('button', { name: 'Save version 2' }).click();
     await shows(page.getByRole('alert').first(), 'does not answer');
     await world.back();

@@ -3,7 +3,10 @@ import type { ApiError } from '../api/client';
 import { texts } from '../i18n/texts';
 
 const t = texts({
-  offline: ['The workbench does not answer. Is the program still running?', 'Die Werkbank antwortet nicht. Läuft das Programm noch?'],
+  offline: [
+    'The workbench does not answer. Is the program still running? The connection is tried again every two seconds.',
+    'Die Werkbank antwortet nicht. Läuft das Programm noch? Die Verbindung wird alle zwei Sekunden neu versucht.',
+  ],
   conflict: ['Somebody else was first', 'Jemand war schneller'],
   read_only: ['This store can be read, not written', 'Dieses Archiv kann nur gelesen werden'],
   full: ['No room: nothing of this was kept', 'Kein Platz: nichts davon wurde gespeichert'],
@@ -17,7 +20,7 @@ export function FailureNotice({ error, retry }: { error: ApiError; retry?: () =>
   const heading =
     error.kind === 'conflict' || error.kind === 'read_only' || error.kind === 'full' || error.kind === 'not_found' ? t(error.kind) : null;
   return (
-    <div class="notice bad" role="alert">
+    <div class={`notice bad ${error.kind === 'offline' ? 'offline' : ''}`} role="alert">
       {heading && <p class="heading">{heading}</p>}
       <p>
         {error.kind === 'offline' ? t('offline') : error.message}

@@ -39,7 +39,7 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
       </header>
       {live.error && <FailureNotice error={live.error} />}
       {plan.error && <FailureNotice error={plan.error} retry={plan.reload} />}
-      {live.lost && <p class="notice caution" role="status">{t('lost')}</p>}
+      {live.lost && <p class="notice caution offline" role="status">{t('lost')}</p>}
       {capture && is_over(capture) && <Ending capture={capture} again={() => set_turn(turn + 1)} />}
       {capture && shared.targets.length > 0 && (
         <div class="live">
