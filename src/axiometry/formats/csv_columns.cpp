@@ -7,6 +7,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/generic_heads.h"
 
 namespace axiometry::formats {
 namespace {
@@ -99,11 +100,11 @@ constexpr std::string_view ignored_words[] = {
     // Computed from the readings: computed again here.
     "mean", "average", "avg", "std", "stdev", "stddev", "sigma", "s", "min", "max", "minimum", "maximum", "median",
     "range", "sum", "total", "mittel", "mittelwert", "standardabweichung", "streuung", "summe"};
-constexpr std::string_view up_header_words[] = {"up",  "forward",  "fwd",       "positive", "hin",
-                                                "vor", "vorwärts", "vorwaerts", "positiv"};
-constexpr std::string_view down_header_words[] = {"down", "backward", "bwd",       "back",        "reverse",
-                                                  "rev",  "negative", "neg",       "zurück",      "zurueck",
-                                                  "rück", "rueck",    "rückwärts", "rueckwaerts", "negativ"};
+constexpr std::string_view up_header_words[] = {"up",        "forward", "fwd", "positive", "auf",       "aufwärts",
+                                                "aufwaerts", "hin",     "vor", "vorwärts", "vorwaerts", "positiv"};
+constexpr std::string_view down_header_words[] = {
+    "down",    "backward", "bwd",    "back",    "reverse", "rev",   "negative",  "neg",         "ab",
+    "abwärts", "abwaerts", "zurück", "zurueck", "rück",    "rueck", "rückwärts", "rueckwaerts", "negativ"};
 
 template <std::size_t n>
 bool is_in(const std::string& word, const std::string_view (&list)[n]) {
@@ -185,10 +186,10 @@ Column column_from(const CsvCell& cell) {
   if (read_as_wide(column, words)) return column;
   column.direction.reset();
   read_as_long(column, words);
-  // "deviation_furlong": the last word is meant as a unit when the others alone make sense.
+  // "deviation_furlong": the last word is meant as a unit when the others alone make sense; "run 1 aller" has none.
   if (column.role == ColumnRole::unknown && parts.unit.empty() && words.size() > 1) {
     const std::size_t mark = cell.text.find_last_of("_ /-");
-    if (mark != std::string::npos) {
+    if (mark != std::string::npos && !generic::direction_word(cell.text.substr(mark + 1))) {
       Column shorter = column_from({cell.text.substr(0, mark), cell.column});
       if (shorter.role == ColumnRole::reading || shorter.role == ColumnRole::target) {
         shorter.name = cell.text;

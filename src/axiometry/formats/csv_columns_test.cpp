@@ -63,15 +63,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Name{"5", "reading 5"}, Name{"Run +1 (um)", "reading up 1 um"}, Name{"Run -2", "reading down 2"},
                     Name{"Run 1 (+)", "reading up 1"}, Name{"Run 1 (-) [um]", "reading down 1 um"}));
 
-INSTANTIATE_TEST_SUITE_P(German, ColumnNames,
-                         testing::Values(Name{"Sollposition [mm]", "target mm"}, Name{"Soll (mm)", "target mm"},
-                                         Name{"Istposition [mm]", "reading position mm"},
-                                         Name{"Abweichung [µm]", "reading um"}, Name{"Richtung", "direction"},
-                                         Name{"Lauf", "run"}, Name{"Zyklus Nr", "run"}, Name{"Datum", "ignored"},
-                                         Name{"Lauf 1 +", "reading up 1"}, Name{"Lauf 2 - [µm]", "reading down 2 um"},
-                                         Name{"Vorwärts 3 [µm]", "reading up 3 um"},
-                                         Name{"zurück 1 (µm)", "reading down 1 um"},
-                                         Name{"Mittelwert [µm]", "ignored um"}));
+INSTANTIATE_TEST_SUITE_P(
+    German, ColumnNames,
+    testing::Values(Name{"Sollposition [mm]", "target mm"}, Name{"Soll (mm)", "target mm"},
+                    Name{"Istposition [mm]", "reading position mm"}, Name{"Abweichung [µm]", "reading um"},
+                    Name{"Richtung", "direction"}, Name{"Lauf", "run"}, Name{"Zyklus Nr", "run"},
+                    Name{"Datum", "ignored"}, Name{"Lauf 1 +", "reading up 1"},
+                    Name{"Lauf 2 - [µm]", "reading down 2 um"}, Name{"Lauf 1 auf", "reading up 1"},
+                    Name{"Lauf 2 ab [µm]", "reading down 2 um"}, Name{"Vorwärts 3 [µm]", "reading up 3 um"},
+                    Name{"zurück 1 (µm)", "reading down 1 um"}, Name{"Mittelwert [µm]", "ignored um"}));
 
 INSTANTIATE_TEST_SUITE_P(Computed, ColumnNames,
                          testing::Values(Name{"Mean (um)", "ignored um"}, Name{"mean up_um", "ignored um"},

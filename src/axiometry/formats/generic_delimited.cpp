@@ -18,6 +18,7 @@ namespace {
 using namespace generic;
 
 constexpr std::size_t fewest_rows = 5;
+constexpr std::size_t fewest_targets_of_runs = 3;  // in a wide table, whose names say more than those of a long one
 constexpr std::size_t fewest_runs_across = 2;
 
 void decide_text(Draft& draft, const DecodedText& decoded) {
@@ -118,20 +119,30 @@ Result<void> check_numbers(const Draft& draft) {
   return {};
 }
 
+/// Whether names give several columns of readings their runs or directions.
+bool names_runs(const Draft& draft) {
+  return std::ranges::count_if(draft.guess.profile.columns,
+                               [](const ImportColumn& c) { return c.run || c.direction; }) > 1;
+}
+
 Result<Guess> guess_text(const DecodedText& decoded) {
   const std::vector<PlainLine> lines = lines_of(decoded.text);
   AXIOMETRY_TRY(Draft draft, draft_of(decoded, lines));
   const bool transposed = decide_transposed(draft);
   if (!transposed) take_header_from_rows(draft);
-  const std::size_t fewest = transposed ? fewest_runs_across + 1 : fewest_rows;
-  if (draft.shape.row_count < fewest)
+  const auto check_rows = [&](std::size_t fewest) -> Result<void> {
+    if (draft.shape.row_count >= fewest) return {};
     return fail(fmt::format("found a table of {}, expected at least {}", counted(draft.shape.row_count, "row"), fewest),
                 {draft.shape.first_line, 1});
-  if (!transposed) {
+  };
+  if (transposed) {
+    AXIOMETRY_TRY_VOID(check_rows(fewest_runs_across + 1));
+  } else {
     draft.guess.names = draft.shape.names;
     draft.guess.profile.columns.assign(draft.shape.columns, {});
     for (std::size_t c = 0; c < draft.shape.names.size(); ++c) draft.column(c).name = draft.shape.names[c];
     decide_columns(draft);
+    AXIOMETRY_TRY_VOID(check_rows(names_runs(draft) ? fewest_targets_of_runs : fewest_rows));
     AXIOMETRY_TRY_VOID(check_numbers(draft));
     decide_units(draft);
     decide_rules(draft);

@@ -107,6 +107,29 @@ const Language languages[] = {
     {"回数", "方向", "目標位置（mm）", "誤差（µm）", "実測位置（mm）", "往路", "復路"},
 };
 
+TEST(GenericDelimited, TakesNoDirectionInTheNameOfARunForAUnit) {
+  std::vector<std::pair<std::string, std::string>> words{{"auf", "ab"}, {"vor", "rück"}, {"hin", "zurück"}};
+  for (const Language& l : languages) words.emplace_back(l.up, l.down);
+  for (const auto& [up, down] : words)
+    for (const std::string_view run : {"Lauf", "Run"}) {
+      const std::string bytes = fmt::format(
+          "Soll [mm];{0} 1 {1};{0} 1 {2};{0} 2 {1};{0} 2 {2}\n0;0,1;1,2;0,2;1,1\n100;0,5;1,9;0,6;1,8\n"
+          "200;0,9;2,2;1,0;2,1\n",
+          run, up, down);
+      EXPECT_EQ(question_in(bytes).substr(0, 13), "reading_unit:") << bytes;
+      const auto format = recognise(bytes);
+      const auto test = format ? (*format)->read(bytes) : std::unexpected(format.error());
+      ASSERT_FALSE(test) << bytes;
+      EXPECT_EQ(test.error().message.find("unknown unit"), std::string::npos) << test.error().message;
+      auto profile = guess(bytes)->profile;
+      profile.reading_unit = find_unit("um");
+      const auto read = read_with(profile, bytes);
+      ASSERT_TRUE(read) << read.error().to_string() << "\n" << bytes;
+      EXPECT_EQ(read->series.reading(1, Direction::up, 1)->in_native(), 0.6);
+      EXPECT_EQ(read->series.reading(2, Direction::down, 0)->in_native(), 2.2);
+    }
+}
+
 TEST(GenericDelimited, ReadsNamesInManyLanguagesWithAnyDelimiterAndDecimalMark) {
   for (const Language& l : languages)
     for (const std::string delimiter : {";", "\t", ","})

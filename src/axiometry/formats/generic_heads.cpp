@@ -91,16 +91,27 @@ constexpr std::string_view ignored_words[] = {
     "sum", "total", "mittel", "mittelwert", "standardabweichung", "streuung", "summe", "moyenne", "écart-type", "media",
     "promedio", "spannweite", "reversal", "umkehrspanne", "平均", "平均值", "标准差", "標準偏差"};
 constexpr std::string_view up_words[] = {
-    "up",       "forward",  "fwd",      "positive", "hin",     "vor",    "vorwärts", "vorwaerts",
-    "positiv",  "aufwärts", "aller",    "avant",    "montant", "montée", "positif",  "avanti",
-    "andata",   "positivo", "positiva", "adelante", "ida",     "subida", "avance",   "ascending",
-    "hinfahrt", "正向",     "正方向",   "去程",     "往路",    "正行程", "上行"};
+    "up",       "forward",   "fwd",      "positive", "hin",    "vor",     "vorwärts", "vorwaerts", "positiv",
+    "aufwärts", "aufwaerts", "hinweg",   "aller",    "avant",  "montant", "montée",   "positif",   "avanti",
+    "andata",   "positivo",  "positiva", "adelante", "ida",    "subida",  "avance",   "ascending", "hinfahrt",
+    "正向",     "正方向",    "去程",     "往路",     "正行程", "上行"};
 constexpr std::string_view down_words[] = {
-    "down",    "backward",   "bwd",      "back",      "reverse",     "rev",        "negative",  "neg",       "zurück",
-    "zurueck", "rück",       "rueck",    "rückwärts", "rueckwaerts", "negativ",    "abwärts",   "retour",    "arrière",
-    "arriere", "descendant", "descente", "négatif",   "negatif",     "indietro",   "ritorno",   "negativo",  "negativa",
-    "atrás",   "atras",      "vuelta",   "bajada",    "retroceso",   "descending", "rückfahrt", "backwards", "反向",
-    "负向",    "負方向",     "负方向",   "回程",      "復路",        "逆行程",     "下行"};
+    "down",     "backward", "bwd",       "back",       "reverse",   "rev",         "negative",   "neg",
+    "zurück",   "zurueck",  "rück",      "rueck",      "rückwärts", "rueckwaerts", "negativ",    "abwärts",
+    "abwaerts", "rückweg",  "rueckweg",  "retour",     "arrière",   "arriere",     "descendant", "descente",
+    "négatif",  "negatif",  "indietro",  "ritorno",    "negativo",  "negativa",    "atrás",      "atras",
+    "vuelta",   "bajada",   "retroceso", "descending", "rückfahrt", "backwards",   "反向",       "负向",
+    "負方向",   "负方向",   "回程",      "復路",       "逆行程",    "下行"};
+
+/// "Lauf 1 auf", "ab 2": a direction at the beginning or the end of a name only, since "auf 20 °C" is none.
+std::optional<Direction> direction_by_end(const std::vector<std::string>& words) {
+  if (words.empty()) return std::nullopt;
+  for (const std::string& word : {words.back(), words.front()}) {
+    if (word == "auf" || word == "hoch") return Direction::up;
+    if (word == "ab" || word == "runter") return Direction::down;
+  }
+  return std::nullopt;
+}
 
 /// Lower case of ASCII and of the letters of Latin-1.
 std::string lower(std::string_view s) {
@@ -221,7 +232,7 @@ std::optional<Direction> direction_word(std::string_view cell) {
   const bool up = find_any(word, up_words).has_value() || word.front() == "正" || word.front() == "往";
   const bool down = find_any(word, down_words).has_value() || word.front() == "负" || word.front() == "負" ||
                     word.front() == "反" || word.front() == "回";
-  if (up == down) return std::nullopt;
+  if (up == down) return direction_by_end(word);
   return up ? Direction::up : Direction::down;
 }
 
@@ -245,7 +256,8 @@ Head head_of(std::string_view raw) {
   const bool up = find_any(words, up_words).has_value();
   const bool down = find_any(words, down_words).has_value();
   if (up != down) head.direction = up ? Direction::up : Direction::down;
-  if (!up && !down) head.direction = direction_by_sign(plain);
+  if (!up && !down) head.direction = direction_by_end(words);
+  if (!up && !down && !head.direction) head.direction = direction_by_sign(plain);
   std::vector<std::string> numbers;
   std::ranges::copy_if(words, std::back_inserter(numbers), [](const std::string& w) { return is_digit(w.front()); });
   if (numbers.size() == 1)
