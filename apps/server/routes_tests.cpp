@@ -134,11 +134,12 @@ Result<Response> load_examples(Workbench& workbench, std::mutex& turn) {
 Result<Response> list_tests(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::TestFilter filter, filter_of(request));
   AXIOMETRY_TRY(const store::TestPage page, workbench.archive().tests(filter));
-  return json_response(app::to_json(page));
+  return json_response(app::to_json(page, reader));
 }
 
 Result<Response> one(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const auto version, version_of(request));
   return answer_test(workbench.test(id, version), request);
 }

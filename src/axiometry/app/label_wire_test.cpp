@@ -4,6 +4,7 @@
 
 #include "axiometry/app/periodic.h"
 #include "axiometry/app/wire.h"
+#include "axiometry/app/wire_workbench.h"
 #include "tests/support/series.h"
 
 namespace axiometry::app {
@@ -44,6 +45,18 @@ TEST(LabelOnTheWire, IsAMemberOfThePeriodicErrorsJson) {
   const auto value = to_json(EvaluatedPeriodic{test, result});
   ASSERT_NE(value.find("label"), nullptr);
   EXPECT_EQ(value.find("label")->text(), "pilgrim cycle, not for acceptance");
+}
+
+TEST(LabelOnTheWire, IsInTheReadersLanguageInTheListOfTests) {
+  store::TestPage page;
+  page.rows.emplace_back().label = "one direction of approach only, not for acceptance";
+  page.rows.emplace_back();
+  const auto label_in = [&](language::Language language, std::size_t row) {
+    return to_json(page, {.language = language}).find("tests")->items()[row].find("label")->text();
+  };
+  EXPECT_EQ(label_in(language::Language::german, 0), "nur eine Anfahrrichtung, nicht für die Abnahme");
+  EXPECT_EQ(label_in(language::Language::english, 0), page.rows.front().label);
+  EXPECT_EQ(label_in(language::Language::german, 1), "");
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ Value id_and_name(store::Id id, const std::string& name) {
   return object;
 }
 
-Value row_to_json(const store::TestRow& row) {
+Value row_to_json(const store::TestRow& row, const Reader& reader) {
   Value object = Value::object();
   object.add("id", id_value(row.id));
   object.add("version", row.version);
@@ -142,7 +142,7 @@ Value row_to_json(const store::TestRow& row) {
   object.add("conforming", row.conforming);
   object.add("withdrawn", row.withdrawn);
   object.add("verdict", text_or_null(row.verdict));
-  object.add("label", row.label);
+  object.add("label", row.label.empty() ? "" : language::translated(row.label, reader.language));
   object.add("figures", figures_to_json(row.figures));
   return object;
 }
@@ -275,10 +275,10 @@ json::Value to_json(const KeptTest& kept, const Reader& reader) {
   return object;
 }
 
-json::Value to_json(const store::TestPage& page) {
+json::Value to_json(const store::TestPage& page, const Reader& reader) {
   Value object = Value::object();
   Value& tests = object.add("tests", Value::array());
-  for (const store::TestRow& row : page.rows) tests.push(row_to_json(row));
+  for (const store::TestRow& row : page.rows) tests.push(row_to_json(row, reader));
   object.add("total", static_cast<double>(page.total));
   return object;
 }

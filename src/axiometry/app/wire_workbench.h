@@ -24,7 +24,7 @@ json::Value to_json(const Outcome& outcome, const Reader& reader);    ///< Evalu
 json::Value to_json(const Preview& preview, const Reader& reader);    ///< Preview
 json::Value to_json(const Received& received, const Reader& reader);  ///< Received
 json::Value to_json(const KeptTest& kept, const Reader& reader);      ///< Test
-json::Value to_json(const store::TestPage& page);
+json::Value to_json(const store::TestPage& page, const Reader& reader);
 json::Value to_json(const store::Document& document);
 json::Value to_json(const store::Change& change);
 json::Value figures_to_json(std::span<const store::Figure> figures);
