@@ -66,7 +66,9 @@ void print_items(const std::vector<formats::GuessDecision>& items) {
 
 /// The first rows below the names of the columns.
 void print_preview(const formats::Guess& guess) {
+  constexpr std::size_t most_rows = 6;
   std::vector<std::vector<std::string>> rows = guess.preview;
+  rows.resize(std::min(most_rows, rows.size()));
   if (!guess.names.empty()) rows.insert(rows.begin(), guess.names);
   constexpr std::size_t most_columns = 12;
   constexpr std::size_t widest = 24;

@@ -41,6 +41,15 @@ Result<std::string> sent_name(const Request& request) {
   return std::string();
 }
 
+Result<formats::ImportProfile> profile_in(std::string_view bytes) {
+  constexpr std::size_t limit = std::size_t{64} << 10;
+  if (bytes.size() > limit)
+    return fail(fmt::format("found an import profile of {} bytes, expected at most {}", bytes.size(), limit));
+  auto profile = formats::read_profile(bytes);
+  if (!profile) profile.error().file = "profile";
+  return profile;
+}
+
 }  // namespace
 
 Result<store::Id> id_of(const Request& request, std::string_view what) {
@@ -149,9 +158,16 @@ Result<std::vector<SentFile>> files_of(const Request& request) {
     return files;
   }
   AXIOMETRY_TRY(auto parts, form_parts(type, request.body));
-  for (FormPart& part : parts)
+  const FormPart* profile = nullptr;
+  for (FormPart& part : parts) {
     if (part.is_file) files.push_back({std::move(part.file_name), std::move(part.content_type), part.bytes});
+    if (!part.is_file && part.name == "profile") profile = &part;
+  }
   if (files.empty()) return fail("found a form without a file, expected at least one part with a file name");
+  if (profile == nullptr) return files;
+  if (files.size() > 1)
+    return fail(fmt::format("found an import profile beside {} files, expected one file", files.size()));
+  AXIOMETRY_TRY(files.front().profile, profile_in(profile->bytes));
   return files;
 }
 

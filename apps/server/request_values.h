@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "axiometry/app/wire_workbench.h"
+#include "axiometry/formats/import_profile.h"
 #include "axiometry/report/report.h"
 #include "axiometry/store/records.h"
 #include "http.h"
@@ -54,10 +55,12 @@ struct SentFile {
   std::string name;
   std::string media_type;
   std::string_view bytes;
+  std::optional<formats::ImportProfile> profile{};  ///< by which the only file of a form is to be read
 };
 
 /// The only file of the body, named by X-File-Name (percent-encoded), Content-Disposition or ?name=; or the files of
-/// multipart/form-data. Fails on a malformed name or form, and without a file.
+/// multipart/form-data, where a part "profile" without a file name may stand beside a single one. Fails on a malformed
+/// name or form, without a file, and on a profile of more than 64 KiB, beside several files, or as read_profile() does.
 Result<std::vector<SentFile>> files_of(const Request& request);
 /// The same of a single one.
 Result<SentFile> file_of(const Request& request);

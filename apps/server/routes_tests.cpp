@@ -88,10 +88,14 @@ Result<Response> answer_test(Result<app::KeptTest> kept, const Request& request,
   return json_response(app::to_json(test, reader), status);
 }
 
+app::Upload upload_of(const SentFile& file) {
+  return {.name = file.name, .bytes = file.bytes, .profile = file.profile};
+}
+
 Result<Response> preview(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const SentFile file, file_of(request));
-  AXIOMETRY_TRY(const app::Preview preview, workbench.preview({file.name, file.bytes}));
+  AXIOMETRY_TRY(const app::Preview preview, workbench.preview(upload_of(file)));
   return json_response(app::to_json(preview, reader));
 }
 
@@ -103,8 +107,8 @@ Result<Response> evaluate(const Workbench& workbench, const Request& request) {
     AXIOMETRY_TRY(const Value value, json::parse(*text));
     AXIOMETRY_TRY(draft, app::draft_from(value));
   }
-  AXIOMETRY_TRY(const app::Outcome outcome, workbench.evaluate({file.name, file.bytes}, draft,
-                                                               std::string(request.parameter("test").value_or(""))));
+  AXIOMETRY_TRY(const app::Outcome outcome,
+                workbench.evaluate(upload_of(file), draft, std::string(request.parameter("test").value_or(""))));
   return json_response(app::to_json(outcome, reader));
 }
 
@@ -113,7 +117,10 @@ Result<Response> receive(Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const auto plan, whole_of(request, "plan", store::id_max));
   AXIOMETRY_TRY(const auto files, files_of(request));
   std::vector<app::Upload> uploads;
-  for (const SentFile& file : files) uploads.push_back({file.name, file.bytes, plan});
+  for (const SentFile& file : files) {
+    uploads.push_back(upload_of(file));
+    uploads.back().plan = plan;
+  }
   AXIOMETRY_TRY(const app::Received received, workbench.receive(uploads, by_of(request)));
   Response response = json_response(app::to_json(received, reader), 201);
   response.headers.emplace_back("Location", fmt::format("/api/tests/{}", received.tests.front().id));
@@ -132,6 +139,7 @@ Result<Response> load_examples(Workbench& workbench, std::mutex& turn) {
 }
 
 Result<Response> list_tests(const Workbench& workbench, const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const store::TestFilter filter, filter_of(request));
   AXIOMETRY_TRY(const store::TestPage page, workbench.archive().tests(filter));
   return json_response(app::to_json(page, reader));
@@ -139,7 +147,6 @@ Result<Response> list_tests(const Workbench& workbench, const Request& request) 
 
 Result<Response> one(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
-  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const auto version, version_of(request));
   return answer_test(workbench.test(id, version), request);
 }

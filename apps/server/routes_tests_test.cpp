@@ -59,6 +59,25 @@ class Routes : public testing::Test {
   Router router;
 };
 
+TEST_F(Routes, SayWhereAnImportProfileIsWrong) {
+  const std::string rows = "0 1 2\n1 1 2\n2 1 2\n3 1 2\n4 1 2\n";
+  const auto refusal = [&](const std::string& profile, const std::string& more = {}) {
+    const std::string body = "--x\r\nContent-Disposition: form-data; name=\"profile\"\r\n\r\n" + profile +
+                             "\r\n--x\r\nContent-Disposition: form-data; name=\"file\"; filename=\"rows.dat\"\r\n\r\n" +
+                             rows + more + "\r\n--x--\r\n";
+    const Response response =
+        send("POST", "/api/preview", body, {}, {{"content-type", "multipart/form-data; boundary=x"}});
+    EXPECT_EQ(response.status, 422) << response.body;
+    return *json::parse(response.body)->find("error");
+  };
+  const Value unknown = refusal("{\"format\": \"axiometry-import-profile/1\",\n \"colums\": []}");
+  EXPECT_THAT(text(unknown, "message"), HasSubstr("perhaps \"columns\""));
+  EXPECT_EQ(text(unknown, "file"), "profile");
+  EXPECT_EQ(number(unknown, "line"), 2.0);
+  EXPECT_GT(number(unknown, "column"), 1.0);
+  EXPECT_THAT(text(refusal(std::string(70'000, ' ')), "message"), HasSubstr("70000 bytes, expected at most 65536"));
+}
+
 TEST_F(Routes, TakeAFileAndGiveItBack) {
   const Value received = upload();
   EXPECT_EQ(number(received, "id"), 1);

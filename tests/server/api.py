@@ -95,6 +95,39 @@ def service(play):
     play.expect(405, "PUT", "/api/health", {})
 
 
+def form(*parts):
+    """multipart/form-data of (head, bytes), and its header."""
+    lines = [b"--line\r\nContent-Disposition: form-data; " + head + b"\r\n\r\n" + content for head, content in parts]
+    return b"\r\n".join(lines) + b"\r\n--line--\r\n", {"Content-Type": "multipart/form-data; boundary=line"}
+
+
+def tables(play):
+    """A table that leaves something open, and what a person says about it."""
+    checks = play.checks
+    rows = "".join(f"{x} {x / 1000 - 1} {x / 1000 + 1}\n" for x in range(0, 600, 100)).encode()
+    file = (b'name="file"; filename="rows.dat"', rows)
+    asked = play.expect(200, "POST", "/api/preview", *form(file)).json()
+    checks.that("an open table is refused with its rows", asked["refused"] and len(asked["table"]["rows"]) == 6, asked)
+    checks.that("what is open is asked", len(asked["table"]["questions"]) > 0, asked["table"])
+    profile = {**asked["table"]["profile"], "target_unit": "mm", "reading_unit": "um", "direction": "names", "columns": [
+        {"role": "target"}, {"role": "deviation", "direction": "up"}, {"role": "deviation", "direction": "down"}]}
+
+    def said(members):
+        return (b'name="profile"', json.dumps(members).encode())
+    stated = play.expect(200, "POST", "/api/preview", *form(file, said(profile))).json()
+    checks.that("the answers open it", stated["refused"] is None and stated["tests"][0]["targets"] == 6, stated)
+    other = {**profile, "target_unit": "m"}
+    ids = [play.expect(201, "POST", "/api/tests", *form(file, said(one))).json()["id"] for one in (profile, other)]
+    for test, last in zip(ids, (500, 500_000)):
+        kept = play.expect(200, "GET", f"/api/tests/{test}").json()
+        checks.that("each test has its own profile", kept["readings"]["targets"][-1] == last, kept["readings"])
+        checks.that("the profile is told", kept["file"]["profile"]["direction"] == "names", kept["file"])
+        checks.that("its bytes are as they came", play.expect(200, "GET", f"/api/tests/{test}/raw").body == rows)
+    for wrong in (b"{", b'{"format": "axiometry-import-profile/1", "columns": [{"role": "x"}]}', b" " * 70_000):
+        play.expect(422, "POST", "/api/preview", *form(file, (b'name="profile"', wrong)))
+    play.expect(422, "POST", "/api/tests", *form(file, file, said(profile)))
+
+
 def tests(play):
     checks = play.checks
     play.expect(200, "GET", "/api/tests")
@@ -114,6 +147,8 @@ def tests(play):
         b"\r\n--line--\r\n"
     again = play.expect(201, "POST", "/api/tests", boundary, {"Content-Type": "multipart/form-data; boundary=line"})
     checks.that("the same bytes make another test", again.json()["id"] != test)
+
+    tables(play)
 
     kept = play.expect(200, "GET", f"/api/tests/{test}").json()
     checks.that("the name is as it was sent", kept["file"]["name"] == "Prüfung.json", kept["file"])

@@ -31,6 +31,19 @@ Result<void> refuse_others(std::string_view bytes, std::string_view head) {
   return {};
 }
 
+Result<Test> read_by_profile(std::string_view bytes, const formats::ImportProfile& profile) {
+  AXIOMETRY_TRY(Test test, formats::read_with(profile, bytes));
+  const auto unit = [](const formats::Unit* known) { return known == nullptr ? "–" : std::string(known->symbol); };
+  auto& remarks = test.provenance.remarks;
+  remarks.insert(
+      remarks.begin(),
+      {false, fmt::format("columns were read as stated with the file: targets in {}, readings in {}, direction "
+                          "of approach \"{}\", {}",
+                          unit(profile.target_unit), unit(profile.reading_unit), word_of(*profile.direction),
+                          profile.sign < 0.0 ? "readings of the other sign" : "readings as they stand")});
+  return test;
+}
+
 std::unexpected<Error> in_measured_file(Error error, const std::string& name) {
   error.file = name;
   return std::unexpected(std::move(error));
@@ -43,12 +56,22 @@ const Test* MeasuredFile::find(std::string_view name) const {
   return found == tests.end() ? nullptr : &found->test;
 }
 
-Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& name) {
+Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& name,
+                                   const std::optional<formats::ImportProfile>& profile) {
   if (bytes.empty()) return in_measured_file({"found an empty file, expected a measured test", {}, {}}, name);
+  MeasuredFile file{.sha256 = sha256(bytes), .size = bytes.size(), .format = {}, .tests = {}};
+  if (profile) {
+    auto test = read_by_profile(bytes, *profile);
+    if (!test) return in_measured_file(test.error(), name);
+    file.format = test->provenance.format = "generic";
+    test->provenance.file = name;
+    test->provenance.sha256 = file.sha256;
+    file.tests.push_back({"", *std::move(test)});
+    return file;
+  }
   Source source = Source::of_bytes(name, bytes);
   AXIOMETRY_TRY(const std::string_view head, source.head());
   if (auto test = refuse_others(bytes, head); !test) return in_measured_file(test.error(), name);
-  MeasuredFile file{.sha256 = sha256(bytes), .size = bytes.size(), .format = {}, .tests = {}};
   auto read = read_tests(source, [&](Test&& test, std::string&& own_name) -> Result<void> {
     if (file.tests.size() == tests_max)
       return fail(fmt::format("found more than {} tests in one file, expected several files", tests_max));
@@ -59,6 +82,14 @@ Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& na
   if (file.tests.empty()) return in_measured_file({"found no measured test, expected at least one", {}, {}}, name);
   file.format = file.tests.front().test.provenance.format;
   return file;
+}
+
+std::optional<formats::Guess> guess_measured(std::string_view bytes) {
+  constexpr std::size_t head = std::size_t{64} << 10;
+  if (formats::recognise_recording(bytes.substr(0, head))) return {};
+  auto found = formats::guess(bytes);
+  if (!found) return {};
+  return *std::move(found);
 }
 
 }  // namespace axiometry::app

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/formats/generic_delimited.h"
 #include "axiometry/model/test.h"
 
 /// A file of measured tests, read from bytes.
@@ -29,7 +31,12 @@ struct MeasuredFile {
 
 /// Whatever `axiometry evaluate` reads, recognised by its content and not by the name. Fails as the format does, with
 /// the name and the place; on a recording, a plan or a file of lines in space, saying what to do with it; and on more
-/// than 2000 tests.
-Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& name);
+/// than 2000 tests. With a profile: the one test that the table holds by it, and a remark that says so.
+Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& name,
+                                   const std::optional<formats::ImportProfile>& profile = {});
+
+/// What a person may be asked about a file that is no recording: the guess about the table in it. Nothing where there
+/// is no table.
+std::optional<formats::Guess> guess_measured(std::string_view bytes);
 
 }  // namespace axiometry::app

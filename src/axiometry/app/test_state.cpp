@@ -80,9 +80,10 @@ std::vector<store::Figure> figures_of(const Evaluated& evaluated) {
   return figures;
 }
 
-store::Evaluation evaluation_of(const Evaluated& evaluated, const TestOptions& options, const FromArchive& taken) {
-  Value kept = to_json(options);
-  kept.add("from_archive", to_json(taken));
+store::Evaluation evaluation_of(const Evaluated& evaluated, const KeptOptions& how) {
+  Value kept = to_json(how.options);
+  kept.add("from_archive", to_json(how.from_archive));
+  if (how.profile) kept.add("import_profile", formats::profile_to_json(*how.profile));
   store::Evaluation evaluation;
   evaluation.program = fmt::format("axiometry {}", version);
   evaluation.standard = edition_of(evaluated.test.metadata.axis);
@@ -97,8 +98,7 @@ store::Evaluation evaluation_of(const Evaluated& evaluated, const TestOptions& o
   return evaluation;
 }
 
-store::TestState state_of(const Evaluated& evaluated, const Changes& changes, const TestOptions& options,
-                          const FromArchive& taken) {
+store::TestState state_of(const Evaluated& evaluated, const Changes& changes, const KeptOptions& how) {
   const Metadata& metadata = evaluated.test.metadata;
   store::TestState state;
   state.machine = machine_of(metadata);
@@ -106,7 +106,7 @@ store::TestState state_of(const Evaluated& evaluated, const Changes& changes, co
   state.instruments = instruments_of(metadata);
   state.measured_on = iso_date(metadata.conditions.date);
   state.changes = json::dump(to_json(changes), 0);
-  state.evaluation = evaluation_of(evaluated, options, taken);
+  state.evaluation = evaluation_of(evaluated, how);
   return state;
 }
 
@@ -123,14 +123,17 @@ Result<KeptOptions> kept_options(const store::Evaluation& evaluation) {
   KeptOptions kept;
   Value options = Value::object();
   if (value->is(json::Kind::object)) {
-    for (const auto& [name, member] : value->members()) {
-      if (name != "from_archive") {
-        options.add(name, member);
-        continue;
-      }
-      auto taken = from_archive_of(member);
+    for (const auto& [name, member] : value->members())
+      if (name != "from_archive" && name != "import_profile") options.add(name, member);
+    if (const Value* member = value->find("from_archive")) {
+      auto taken = from_archive_of(*member);
       if (!taken) return damaged(taken.error());
       kept.from_archive = *std::move(taken);
+    }
+    if (const Value* member = value->find("import_profile")) {
+      auto profile = formats::read_profile(json::dump(*member));
+      if (!profile) return damaged(profile.error());
+      kept.profile = *std::move(profile);
     }
   }
   auto own = test_options_from(options);

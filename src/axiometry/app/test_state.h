@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "axiometry/app/evaluate.h"
 #include "axiometry/app/from_archive.h"
+#include "axiometry/formats/import_profile.h"
 #include "axiometry/store/store.h"
 
 /// An evaluated test as the archive keeps it.
@@ -16,21 +18,21 @@ namespace axiometry::app {
 /// symmetric interval of the Monte Carlo method), and with its limit and verdict where there is one.
 std::vector<store::Figure> figures_of(const Evaluated& evaluated);
 
+/// What `options` of a kept evaluation holds.
+struct KeptOptions {
+  TestOptions options{};
+  FromArchive from_archive{};
+  std::optional<formats::ImportProfile> profile{};  ///< by which the file is read, where it was received with one
+};
+
 /// What a version keeps of an evaluation: options, result, figures. `program` is this one.
-store::Evaluation evaluation_of(const Evaluated& evaluated, const TestOptions& options, const FromArchive& taken);
+store::Evaluation evaluation_of(const Evaluated& evaluated, const KeptOptions& how);
 
 /// The whole state but title and plan.
-store::TestState state_of(const Evaluated& evaluated, const Changes& changes, const TestOptions& options,
-                          const FromArchive& taken);
+store::TestState state_of(const Evaluated& evaluated, const Changes& changes, const KeptOptions& how);
 
 /// How a test is called to begin with: its report number, else its file, and its name where the file has many.
 std::string first_title(const Evaluated& evaluated);
-
-/// What `options` of a kept evaluation holds.
-struct KeptOptions {
-  TestOptions options;
-  FromArchive from_archive;
-};
 
 /// Fails with `damaged` on what evaluation_of() does not write.
 Result<KeptOptions> kept_options(const store::Evaluation& evaluation);

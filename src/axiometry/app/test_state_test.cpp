@@ -88,5 +88,21 @@ TEST(FromArchive, ComesBackAsItWasWritten) {
   EXPECT_EQ(json::dump(to_json(*back)), json::dump(to_json(taken)));
 }
 
+TEST(KeptOptions, HoldTheProfileOfATableAndNeedNone) {
+  store::Evaluation evaluation;
+  evaluation.options = R"({"methods": ["gum"], "from_archive": {"instruments": [], "calibrations": [], "axis": null}})";
+  const auto without = kept_options(evaluation);
+  ASSERT_TRUE(without) << without.error().to_string();
+  EXPECT_FALSE(without->profile);
+  evaluation.options =
+      R"({"import_profile": {"format": "axiometry-import-profile/1", "sign": -1,
+          "columns": [{"role": "target"}, {"role": "deviation"}]}})";
+  const auto with = kept_options(evaluation);
+  ASSERT_TRUE(with && with->profile) << with.error().to_string();
+  EXPECT_EQ(with->profile->sign, -1.0);
+  evaluation.options = R"({"import_profile": {"format": "axiometry-import-profile/2"}})";
+  EXPECT_EQ(kept_options(evaluation).error().kind, ErrorKind::damaged);
+}
+
 }  // namespace
 }  // namespace axiometry::app

@@ -12,6 +12,7 @@
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/json_members.h"
 #include "axiometry/report/report.h"
+#include "axiometry/report/utf8.h"
 
 namespace axiometry::app {
 namespace {
@@ -166,6 +167,27 @@ Value previewed_to_json(const PreviewedTest& test, const Reader& reader) {
   return object;
 }
 
+Value texts_to_json(std::span<const std::string> texts) {
+  Value list = Value::array();
+  for (const std::string& text : texts) list.push(report::printable(text));
+  return list;
+}
+
+Value table_to_json(const AskedTable& table, const Reader& reader) {
+  Value object = Value::object();
+  object.add("profile", formats::profile_to_json(table.profile));
+  Value& questions = object.add("questions", Value::array());
+  for (const formats::GuessDecision& question : table.questions) {
+    Value& row = questions.push(Value::object());
+    row.add("key", question.key);
+    row.add("text", language::translated(question.reason, reader.language, reader.numbers));
+  }
+  object.add("names", texts_to_json(table.names));
+  Value& rows = object.add("rows", Value::array());
+  for (const std::vector<std::string>& row : table.rows) rows.push(texts_to_json(row));
+  return object;
+}
+
 Value ids_to_json(std::span<const store::Id> ids) {
   Value list = Value::array();
   for (const store::Id id : ids) list.push(id_value(id));
@@ -179,6 +201,7 @@ Value kept_file_to_json(const KeptTest& kept) {
   file.add("size", kept.size);
   file.add("format", kept.record.format);
   file.add("name_in_file", kept.record.name_in_file);
+  file.add("profile", kept.profile ? formats::profile_to_json(*kept.profile) : Value());
   return file;
 }
 
@@ -230,6 +253,7 @@ json::Value to_json(const Preview& preview, const Reader& reader) {
   Value& tests = object.add("tests", Value::array());
   for (const PreviewedTest& test : preview.tests) tests.push(previewed_to_json(test, reader));
   object.add("same_content", ids_to_json(preview.same_content));
+  object.add("table", preview.table ? table_to_json(*preview.table, reader) : Value());
   return object;
 }
 

@@ -69,15 +69,15 @@ Result<IdsByContent> ids_by_content(const store::Store& store, std::span<const s
 
 /// A file that was read and evaluated, ready to be kept.
 Result<store::NewFile> incoming(State& state, const Upload& upload, std::optional<Outcome>& first) {
-  AXIOMETRY_TRY(const auto file, state.read(upload.bytes, upload.name));
+  AXIOMETRY_TRY(const auto file, state.read(upload.bytes, upload.name, upload.profile));
   AXIOMETRY_TRY(const std::string name, given_file_name(upload.name));
   store::NewFile all{.content = {file->sha256, name, file->format, std::string(upload.bytes)}, .tests = {}};
   for (const MeasuredTest& measured : file->tests) {
     AXIOMETRY_TRY(First evaluated, evaluate_first(state, measured, name));
     const Evaluated& e = evaluated.found.evaluated;
-    store::NewTest test{
-        .name_in_file = measured.name,
-        .state = state_of(e, evaluated.draft.changes, evaluated.draft.options, evaluated.found.from_archive)};
+    store::NewTest test{.name_in_file = measured.name,
+                        .state = state_of(e, evaluated.draft.changes,
+                                          {evaluated.draft.options, evaluated.found.from_archive, upload.profile})};
     test.state.title = first_title(e);
     test.state.plan = upload.plan;
     all.tests.push_back(std::move(test));
@@ -116,6 +116,14 @@ Result<Outcome> kept_outcome(State& state, const store::TestRecord& record, cons
                  .milliseconds = 0.0};
 }
 
+std::optional<AskedTable> asked_table(const Upload& upload) {
+  constexpr std::size_t columns_max = 200;  // more nobody goes through one by one
+  auto found = guess_measured(upload.bytes);
+  if (!found || found->profile.columns.size() > columns_max) return {};
+  return AskedTable{upload.profile.value_or(std::move(found->profile)), std::move(found->questions),
+                    std::move(found->names), std::move(found->preview)};
+}
+
 }  // namespace
 
 Workbench::Workbench(store::Store& store) : state_(std::make_unique<State>(store)) {}
@@ -129,7 +137,8 @@ Result<Preview> Workbench::preview(const Upload& upload) const {
   preview.size = upload.bytes.size();
   preview.sha256 = sha256(upload.bytes);
   AXIOMETRY_TRY(preview.same_content, ids_with(state_->store, preview.sha256));
-  const auto file = state_->read(upload.bytes, upload.name);
+  const auto file = state_->read(upload.bytes, upload.name, upload.profile);
+  if (!file || (*file)->format == "generic") preview.table = asked_table(upload);
   if (!file) {
     preview.refused = file.error();
     return preview;
@@ -175,7 +184,7 @@ Result<Received> Workbench::receive(std::span<const Upload> uploads, const store
 }
 
 Result<Outcome> Workbench::evaluate(const Upload& upload, const Draft& draft, const std::string& test_name) const {
-  AXIOMETRY_TRY(const auto file, state_->read(upload.bytes, upload.name));
+  AXIOMETRY_TRY(const auto file, state_->read(upload.bytes, upload.name, upload.profile));
   const Test* test = test_name.empty() && file->tests.size() == 1 ? &file->tests.front().test : file->find(test_name);
   if (test == nullptr)
     return fail(fmt::format("found a file of {} tests, expected one test or the name of one of them: {}{}",
@@ -202,8 +211,9 @@ Result<KeptTest> Workbench::revise(store::Id id, const Revision& revision, const
   AXIOMETRY_TRY(Test test, state_->measured(record));
   AXIOMETRY_TRY(Found found, state_->evaluate(std::move(test), revision.draft, links_of(record)));
   found.evaluated.name = record.name_in_file;
-  store::TestState state =
-      state_of(found.evaluated, revision.draft.changes, revision.draft.options, found.from_archive);
+  AXIOMETRY_TRY(KeptOptions before, kept_options(record.state.evaluation));
+  store::TestState state = state_of(found.evaluated, revision.draft.changes,
+                                    {revision.draft.options, found.from_archive, std::move(before.profile)});
   state.title = title.empty() ? record.state.title : title;
   state.plan = revision.plan ? revision.plan : record.state.plan;
   AXIOMETRY_TRY(const int version, state_->store.revise(id, revision.base_version, state, by));
@@ -230,6 +240,7 @@ Result<KeptTest> Workbench::test(store::Id id, std::optional<int> version) const
                 .instruments = {},
                 .documents = {},
                 .draft = std::move(draft),
+                .profile = std::move(options.profile),
                 .outcome = std::move(outcome)};
   AXIOMETRY_TRY(const auto file, state_->file_of(kept.record));
   kept.size = file->size;

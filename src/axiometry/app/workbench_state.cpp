@@ -90,20 +90,27 @@ Result<void> check_trials(const Series& series, const TestOptions& options) {
                   trials, targets, series.reading_count(), most));
 }
 
+/// The same bytes hold other tests by another profile.
+std::string file_key(const std::string& sha256, const std::optional<formats::ImportProfile>& profile) {
+  return profile ? sha256 + formats::write_profile(*profile) : sha256;
+}
+
 }  // namespace
 
-Result<std::shared_ptr<const MeasuredFile>> Workbench::State::read(std::string_view bytes, const std::string& name) {
+Result<std::shared_ptr<const MeasuredFile>> Workbench::State::read(
+    std::string_view bytes, const std::string& name, const std::optional<formats::ImportProfile>& profile) {
   AXIOMETRY_TRY(const std::string file_name, given_file_name(name));
-  AXIOMETRY_TRY(MeasuredFile file, read_measured(bytes, file_name));
+  AXIOMETRY_TRY(MeasuredFile file, read_measured(bytes, file_name, profile));
   auto shared = std::make_shared<const MeasuredFile>(std::move(file));
-  files.remember(shared->sha256, shared, shared->size);
+  files.remember(file_key(shared->sha256, profile), shared, shared->size);
   return shared;
 }
 
 Result<std::shared_ptr<const MeasuredFile>> Workbench::State::file_of(const store::TestRecord& record) {
-  if (auto known = files.find(record.sha256)) return known;
+  AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
+  if (auto known = files.find(file_key(record.sha256, kept.profile))) return known;
   AXIOMETRY_TRY(const store::Content content, store.content(record.sha256));
-  return read(content.bytes, record.file_name);
+  return read(content.bytes, record.file_name, kept.profile);
 }
 
 Result<Test> Workbench::State::measured(const store::TestRecord& record) {

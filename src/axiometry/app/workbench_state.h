@@ -24,12 +24,14 @@ struct Workbench::State {
   explicit State(store::Store& archive) : store(archive) {}
 
   store::Store& store;
-  Recent<std::string, MeasuredFile> files{std::size_t{64} << 20};  ///< by SHA-256; weighed by their bytes
+  Recent<std::string, MeasuredFile> files{std::size_t{64} << 20};  ///< by SHA-256 and profile; weighed by their bytes
   Recent<std::string, Evaluated> evaluations{64};                  ///< of kept versions: "12/3"
   std::mutex monte_carlo;                                          ///< a run takes all processors: one at a time
 
   /// As somebody sends it. Fails as read_measured() and given_file_name() do.
-  Result<std::shared_ptr<const MeasuredFile>> read(std::string_view bytes, const std::string& name);
+  Result<std::shared_ptr<const MeasuredFile>> read(std::string_view bytes, const std::string& name,
+                                                   const std::optional<formats::ImportProfile>& profile);
+  /// By the profile that the version keeps, where it was received with one.
   Result<std::shared_ptr<const MeasuredFile>> file_of(const store::TestRecord& record);
   /// The measured test of a record, by whose file name it goes.
   Result<Test> measured(const store::TestRecord& record);

@@ -134,6 +134,74 @@ TEST_F(TheWorkbench, PreviewsWithoutKeepingAndTellsWhyItRefuses) {
   EXPECT_EQ(store.counts()->tests, 0);
 }
 
+/// Targets and two columns of readings, without a word about them.
+constexpr std::string_view open_table =
+    "0 -0.5 0.5\n100 -0.4 0.7\n200 -0.3 0.8\n300 -0.1 0.9\n400 0.1 1.2\n500 0.2 1.3\n";
+
+formats::ImportProfile answered(formats::ImportProfile profile, std::string_view target_unit) {
+  using enum formats::ImportRole;
+  profile.columns = {{.role = target},
+                     {.role = deviation, .direction = Direction::up},
+                     {.role = deviation, .direction = Direction::down}};
+  profile.direction = formats::DirectionRule::names;
+  profile.target_unit = formats::find_unit(target_unit);
+  profile.reading_unit = formats::find_unit("um");
+  return profile;
+}
+
+TEST_F(TheWorkbench, AsksWhatATableLeavesOpenAndReadsItAfterTheAnswers) {
+  const auto asked = workbench.preview({"rows.dat", open_table});
+  ASSERT_TRUE(asked && asked->refused && asked->table);
+  EXPECT_FALSE(asked->table->questions.empty());
+  EXPECT_EQ(asked->table->rows.size(), 6u);
+  const auto profile = answered(asked->table->profile, "mm");
+  const auto stated = workbench.preview({.name = "rows.dat", .bytes = open_table, .profile = profile});
+  ASSERT_TRUE(stated);
+  ASSERT_FALSE(stated->refused) << stated->refused->to_string();
+  EXPECT_EQ(stated->tests.front().readings.reading(5, Direction::down, 0)->in_native(), 1.3);
+  ASSERT_TRUE(stated->table) << "the answers may be changed";
+  EXPECT_EQ(formats::write_profile(stated->table->profile), formats::write_profile(profile));
+  EXPECT_FALSE(workbench.preview({"table2.json", example_table2})->table);
+}
+
+TEST_F(TheWorkbench, ReadsTheSameBytesOfEachTestAfterItsOwnProfileEverAfter) {
+  const auto guess = workbench.preview({"rows.dat", open_table})->table->profile;
+  const auto keep_with = [&](std::string_view unit) {
+    const Upload upload{.name = "rows.dat", .bytes = open_table, .profile = answered(guess, unit)};
+    const auto received = workbench.receive(std::span(&upload, 1), me);
+    EXPECT_TRUE(received) << received.error().to_string();
+    return received ? received->tests.front().id : 0;
+  };
+  const store::Id mm = keep_with("mm");
+  const store::Id m = keep_with("m");
+  Revision revision;
+  revision.base_version = 1;
+  revision.draft.changes = {{"tolerance.A", "12"}};
+  ASSERT_TRUE(workbench.revise(m, revision, me));
+  Workbench later{store};  // nothing of before in its memory
+  for (Workbench* bench : {&workbench, &later}) {
+    for (const auto& [id, last] : {std::pair(mm, 500.0), std::pair(m, 5e5)}) {
+      const auto test = bench->test(id);
+      ASSERT_TRUE(test) << test.error().to_string();
+      EXPECT_EQ(test->outcome.readings.targets().back().in_native(), last);
+      ASSERT_TRUE(test->profile);
+      EXPECT_TRUE(bench->report(id, {}, {"html"})) << "the figures that were kept are found again";
+      EXPECT_EQ(bench->raw(id)->bytes, open_table);
+    }
+    EXPECT_EQ(bench->test(m)->record.version, 2);
+    EXPECT_THAT(json::dump(bench->test(m)->outcome.result), HasSubstr("columns were read as stated with the file"));
+  }
+}
+
+TEST_F(TheWorkbench, RefusesATableThatDoesNotFitItsProfileWithThePlace) {
+  auto profile = answered(workbench.preview({"rows.dat", open_table})->table->profile, "mm");
+  profile.columns.pop_back();
+  const auto preview = workbench.preview({.name = "rows.dat", .bytes = open_table, .profile = profile});
+  ASSERT_TRUE(preview && preview->refused);
+  EXPECT_EQ(preview->refused->at.line, 1u);
+  EXPECT_TRUE(preview->table) << "so that the answers can be mended";
+}
+
 TEST_F(TheWorkbench, TellsWhatToDoWithARecording) {
   std::string recording = "time_s,position_mm\n";
   for (int k = 0; k < 200; ++k) recording += std::to_string(k * 0.001) + "," + std::to_string(k * 0.01) + "\n";
@@ -141,6 +209,7 @@ TEST_F(TheWorkbench, TellsWhatToDoWithARecording) {
   ASSERT_TRUE(preview);
   ASSERT_TRUE(preview->refused);
   EXPECT_THAT(preview->refused->message, HasSubstr("recording"));
+  EXPECT_FALSE(preview->table) << "no answers make a test of it";
 }
 
 TEST_F(TheWorkbench, TriesChangesWithoutKeepingThem) {

@@ -11,6 +11,7 @@
 #include "axiometry/app/test_options.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
+#include "axiometry/formats/generic_delimited.h"
 #include "axiometry/language/language.h"
 #include "axiometry/model/series.h"
 #include "axiometry/report/report.h"
@@ -23,7 +24,8 @@ namespace axiometry::app {
 struct Upload {
   std::string name;  ///< as sent; only its last part counts, and nothing is looked for under it
   std::string_view bytes;
-  std::optional<store::Id> plan{};  ///< after which the test was made
+  std::optional<store::Id> plan{};                  ///< after which the test was made
+  std::optional<formats::ImportProfile> profile{};  ///< by which a table of any layout is read
 };
 
 /// What may be tried with a test without keeping it.
@@ -57,6 +59,14 @@ struct PreviewedTest {
   std::optional<Outcome> outcome;  ///< of the first eight
 };
 
+/// A table whose columns a person may say the meaning of.
+struct AskedTable {
+  formats::ImportProfile profile;                 ///< as guessed, or as given; what is open is null
+  std::vector<formats::GuessDecision> questions;  ///< of the guess
+  std::vector<std::string> names;                 ///< of the columns; empty without a header
+  std::vector<std::vector<std::string>> rows;     ///< the first ones
+};
+
 struct Preview {
   std::string file_name;
   std::size_t size = 0;
@@ -65,6 +75,9 @@ struct Preview {
   std::optional<Error> refused;  ///< then there are no tests
   std::vector<PreviewedTest> tests;
   std::vector<store::Id> same_content;  ///< tests of the archive with these very bytes
+  /// Of a file that was refused and holds a table of numbers all the same, and of one that was read after a guess or a
+  /// profile.
+  std::optional<AskedTable> table;
 };
 
 struct ReceivedTest {
@@ -89,7 +102,8 @@ struct KeptTest {
   std::optional<store::Axis> axis;
   std::vector<store::Versioned<store::Instrument>> instruments;
   std::vector<store::Document> documents;
-  Draft draft;  ///< of this version
+  Draft draft;                                      ///< of this version
+  std::optional<formats::ImportProfile> profile{};  ///< by which its file is read, where it was received with one
   Outcome outcome;
 };
 

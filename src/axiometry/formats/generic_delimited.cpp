@@ -70,7 +70,7 @@ Result<Draft> draft_of(const DecodedText& decoded, std::span<const PlainLine> li
   draft.stated = read_lines_above(shape.above, AxisKind::linear, shape.decimal_mark).preamble.default_units;
   draft.guess.row_count = shape.row_count;
   draft.guess.first_line = shape.first_line;
-  constexpr std::size_t shown = 6;
+  constexpr std::size_t shown = 12;
   draft.guess.preview.assign(shape.rows.begin(),
                              shape.rows.begin() + static_cast<std::ptrdiff_t>(std::min(shown, shape.rows.size())));
   decide_text(draft, decoded);

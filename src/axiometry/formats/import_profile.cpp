@@ -323,11 +323,13 @@ std::string_view word_of(ImportRole role) { return role_words[static_cast<std::s
 std::string_view word_of(DirectionRule rule) { return direction_rule_words[static_cast<std::size_t>(rule)]; }
 std::string_view word_of(RunRule rule) { return run_rule_words[static_cast<std::size_t>(rule)]; }
 
-std::string write_profile(const ImportProfile& profile) {
+json::Value profile_to_json(const ImportProfile& profile) {
   Value root = object({{"format", profile_format_name}});
   add_members(root, profile, profile_members, true);
-  return json::dump(root) + "\n";
+  return root;
 }
+
+std::string write_profile(const ImportProfile& profile) { return json::dump(profile_to_json(profile)) + "\n"; }
 
 Result<ImportProfile> read_profile(std::string_view bytes) {
   AXIOMETRY_TRY(const std::string_view text, readable_text(bytes));

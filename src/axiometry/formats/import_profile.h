@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/units.h"
 #include "axiometry/model/series.h"
@@ -88,6 +89,8 @@ struct ImportProfile {
 
 /// Ends with a line break; read_profile(write_profile(p)) gives p. What has not been decided is null.
 std::string write_profile(const ImportProfile& profile);
+/// The same as an object.
+json::Value profile_to_json(const ImportProfile& profile);
 
 /// Fails, with line and column, on what is no JSON, on members that are unknown or of another kind, and on columns that
 /// make no table: no target (but in a transposed one), no reading, a role twice that may stand once. A null is "not

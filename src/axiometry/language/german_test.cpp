@@ -30,6 +30,7 @@ const std::span<const Phrase> tables[] = {german_terms,
                                           german_station,
                                           german_periodic,
                                           german_files,
+                                          german_profile,
                                           german_requests,
                                           german_terminal,
                                           german_capture};
