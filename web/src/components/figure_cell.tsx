@@ -14,8 +14,8 @@ export function shown_of(figures: readonly FigureOfTest[], parameter: Parameter)
 }
 
 /** The head of a column of values: the symbol stands above the values, "± U" above theirs. */
-export function ParameterHead({ parameter, unit }: { parameter: Parameter; unit?: string }) {
-  return <span><ParameterSymbol parameter={parameter} /><span class="plus-minus">± <span class="symbol">U</span>{unit && ` ${unit}`}</span></span>;
+export function ParameterHead({ parameter, unit, with_U = true }: { parameter: Parameter; unit?: string; with_U?: boolean }) {
+  return <span><ParameterSymbol parameter={parameter} /><span class="plus-minus">{with_U && <>± <span class="symbol">U</span>{unit && ` ${unit}`}</>}</span></span>;
 }
 
 /** Of a column of such figures. */

@@ -2,13 +2,12 @@
 import { useState } from 'preact/hooks';
 import { ApiError } from '../../api/client';
 import { why_read_only } from '../../api/session';
-import type { Preview } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { VerdictMark } from '../../components/verdict';
-import { absent, bytes, marked, position_unit, shortest } from '../../numbers';
+import { bytes } from '../../numbers';
 import { go } from '../../router';
 import { keep_plan } from '../plan/import';
-import { FigureCell, ParameterHead } from '../../components/figure_cell';
+import { Contents } from './contents';
 import { can_be_kept, incoming, is_new, keep, keep_all, may_retry, remove, remove_all, retry, type Incoming } from './incoming';
 import { t } from './texts';
 
@@ -72,8 +71,12 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
           </button>
         </div>
       </div>
-      {one.error && <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />}
-      {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : <Refusal refused={preview.refused} on_formats={on_formats} />)}
+      {one.error && (one.error.kind === 'bad_input'
+        ? <Refusal message={one.error.message} place={one.error.place} on_formats={on_formats} />
+        : <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />)}
+      {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : (
+        <Refusal message={preview.refused.message} place={place_of(preview.refused)} on_formats={on_formats} />
+      ))}
       {one.received
         ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: {one.received.tests.map((test, i) => (
             <span key={test.id}>
@@ -123,56 +126,17 @@ function PlanFound({ one, why }: { one: Incoming; why: string | null }) {
   );
 }
 
-function Refusal({ refused, on_formats }: { refused: NonNullable<Preview['refused']>; on_formats: () => void }) {
-  const place = refused.line ? `${refused.line}${refused.column ? `:${refused.column}` : ''}` : '';
+function place_of({ line, column }: { line: number | null; column: number | null }): string {
+  return line ? `${line}${column ? `:${column}` : ''}` : '';
+}
+
+function Refusal({ message, place, on_formats }: { message: string; place: string; on_formats: () => void }) {
   return (
     <div class="notice bad" role="alert">
       <p>
-        <strong>{t('refused')}</strong>{place !== '' && <span class="number"> ({t('refused_at', { place })})</span>}: {refused.message}
+        <strong>{t('refused')}</strong>{place !== '' && <span class="number"> ({t('refused_at', { place })})</span>}: {message}
       </p>
       <button type="button" class="plain link" onClick={on_formats}>{t('formats')}</button>
-    </div>
-  );
-}
-
-const extent = (test: Preview['tests'][number]): string =>
-  `${t('targets_runs', { targets: test.targets, runs: test.runs })}, ${t('stretch', { first: shortest(test.first), last: shortest(test.last) })} ${position_unit(test.kind)}`;
-
-const glance = ['A', 'E', 'R', 'B'] as const;
-
-/** The tests of a file: what they are of and what comes out. */
-function Contents({ preview }: { preview: Preview }) {
-  const shown = preview.tests.slice(0, 8);
-  const rest = preview.tests.length - shown.length;
-  return (
-    <div class="table-frame" tabIndex={0} role="region" aria-label={preview.file.name}>
-      <table>
-        <thead>
-          <tr>
-            <th scope="col">{t('test')}</th><th scope="col" class="wide-only">{t('measured')}</th><th scope="col" class="wide-only">{t('extent')}</th>
-            {glance.map((key) => <th key={key} scope="col" class="number"><ParameterHead parameter={key} /></th>)}
-            <th scope="col" class="wide-only">{t('unit')}</th><th scope="col">{t('verdict')}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {shown.map((test, i) => (
-            <tr key={i}>
-              <th scope="row">{[test.name, test.machine, test.axis && t('axis_of', { axis: test.axis })].filter((part) => part !== '').join(', ') || t('no_name')}
-                <span class="only-narrow quiet small">{test.measured_on} <span class="extent">{extent(test)}</span> ({test.evaluated?.shown[0]?.unit})</span>
-              </th>
-              <td class="number-text wide-only">{test.measured_on || absent}</td>
-              <td class="quiet small wide-only">{extent(test)}</td>
-              {glance.map((key) => {
-                const found = test.evaluated?.shown.find((one) => one.parameter === key);
-                return <td key={key} class="number"><FigureCell shown={found && /\d/.test(found.value) ? { value: marked(found.value), U: marked(found.U), verdict: found.verdict } : null} /></td>;
-              })}
-              <td class="quiet wide-only">{test.evaluated?.shown[0]?.unit}</td>
-              <td>{test.evaluated && <VerdictMark verdict={test.evaluated.verdict} />}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-      {rest > 0 && <p class="quiet small more">{t('more_tests', { n: rest })}</p>}
     </div>
   );
 }
