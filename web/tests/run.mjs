@@ -3,6 +3,7 @@
 // whose name has one of them, with -WORD all but those whose name has it. Each test has an empty store of its own.
 import { chromium } from 'playwright-core';
 import { accessibility } from './accessibility.mjs';
+import { answers } from './answers.mjs';
 import { audit } from './audit.mjs';
 import { calibration } from './calibration.mjs';
 import { capture } from './capture.mjs';
@@ -24,7 +25,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...calibration, ...figures, ...trend, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...calibration, ...figures, ...trend, ...offline, ...timing };
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));

@@ -2,7 +2,7 @@
 // The one place that talks to the server.
 import { actor, language } from '../settings';
 import { reachable, signed_in } from './session';
-import type { ErrorKind, Failure } from './types';
+import type { ErrorKind, Failure, ImportProfile } from './types';
 
 export class ApiError extends Error {
   constructor(readonly kind: ErrorKind | 'offline' | 'unauthorised', message: string, readonly status: number,
@@ -51,15 +51,25 @@ export async function send<T>(method: 'POST' | 'PUT', path: string, body: unknow
   return (response.status === 204 ? null : await response.json()) as T;
 }
 
-/** A file's bytes as they are; `progress` hears what part of them has gone, 0 to 1. */
-export async function upload<T>(path: string, file: File, signal?: AbortSignal, progress?: (part: number) => void): Promise<T> {
-  const all = headers({ 'Content-Type': file.type || 'application/octet-stream', 'X-File-Name': encodeURIComponent(file.name) });
+interface Sending { signal?: AbortSignal; progress?: (part: number) => void; profile?: ImportProfile | null }
+
+/** A file's bytes as they are; `progress` hears what part of them has gone, 0 to 1. A profile says how it is to be read. */
+export async function upload<T>(path: string, file: File, { signal, progress, profile }: Sending = {}): Promise<T> {
+  const all = profile ? headers() : headers({ 'Content-Type': file.type || 'application/octet-stream', 'X-File-Name': encodeURIComponent(file.name) });
+  const body = profile ? form_of(file, profile) : file;
   // Only XMLHttpRequest tells how far it is.
-  const sent = progress ? with_progress(path, file, all, progress, signal) : fetch(path, { method: 'POST', body: file, signal: signal ?? null, headers: all });
+  const sent = progress ? with_progress(path, body, all, progress, signal) : fetch(path, { method: 'POST', body, signal: signal ?? null, headers: all });
   return (await (await answered(sent)).json()) as T;
 }
 
-function with_progress(path: string, file: File, all: Record<string, string>, progress: (part: number) => void, signal?: AbortSignal): Promise<Response> {
+function form_of(file: File, profile: ImportProfile): FormData {
+  const form = new FormData();
+  form.append('profile', JSON.stringify(profile));
+  form.append('file', file, file.name);
+  return form;
+}
+
+function with_progress(path: string, body: File | FormData, all: Record<string, string>, progress: (part: number) => void, signal?: AbortSignal): Promise<Response> {
   return new Promise((resolve, reject) => {
     const request = new XMLHttpRequest();
     request.open('POST', path);
@@ -70,7 +80,7 @@ function with_progress(path: string, file: File, all: Record<string, string>, pr
     request.onabort = () => reject(new DOMException('given up', 'AbortError'));
     if (signal?.aborted) { reject(new DOMException('given up', 'AbortError')); return; }
     signal?.addEventListener('abort', () => request.abort());
-    request.send(file);
+    request.send(body);
   });
 }
 

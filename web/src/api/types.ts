@@ -140,7 +140,27 @@ export interface Options {
  *  sensors) has a record per line, "cell | cell", and takes the place of the file's. */
 export type Changes = Record<string, string>;
 
-// POST /api/preview (the file's bytes; X-File-Name: percent-encoded name): nothing is kept.
+/** How a table of any layout is read: docs/howto/import-any-file.md. What is not decided is null. */
+export interface ImportProfile {
+  format: string; delimiter: 'comma' | 'semicolon' | 'tab' | 'blanks'; decimal_mark: 'point' | 'comma';
+  layout: 'long' | 'wide' | 'transposed'; columns: ImportColumn[];
+  target_unit: string | null; reading_unit: string | null;
+  direction: 'column' | 'names' | 'motion' | 'visits' | 'run-parity' | 'up' | 'down' | null;
+  first_direction: 'up' | 'down'; up_words: string[]; down_words: string[];
+  runs: 'column' | 'names' | 'repetition'; first_run: number; sign: 1 | -1;
+  [key: string]: unknown;
+}
+export interface ImportColumn {
+  role: 'ignore' | 'target' | 'deviation' | 'position' | 'direction' | 'run' | 'time' | 'label';
+  name?: string; unit?: string; direction?: 'up' | 'down'; run?: number;
+}
+/** The first rows of a table, what is known of its columns (guessed, or as it was said), and what only a person knows. */
+export interface AskedTable {
+  profile: ImportProfile; questions: { key: string; text: string }[]; names: string[]; rows: string[][];
+}
+
+// POST /api/preview (the file's bytes; X-File-Name: percent-encoded name; or multipart/form-data with the file and a
+// part "profile", the JSON of an ImportProfile): nothing is kept.
 export interface Preview {
   file: { name: string; size: number; sha256: string };
   format: { id: string; title: string } | null;
@@ -149,10 +169,11 @@ export interface Preview {
            targets: number; runs: number; readings: number; first: number; last: number; unit: string;
            evaluated: Evaluated | null }[];   // evaluated: of the first eight
   same_content: number[];                  // ids of tests with these very bytes
+  table: AskedTable | null;                // of a refused table, and of one read after a guess or a profile
 }
 
 // POST /api/tests[?plan=ID] (bytes with X-File-Name, or multipart/form-data with one or more files: all are kept, or
-// when one is refused none) → 201
+// when one is refused none; with a part "profile" beside a single file it is read by that ever after) → 201
 export interface Received extends Evaluated {
   id: number; version: number;             // of the first test in the file
   tests: { id: number; version: number; title: string; same_content: number[] }[];  // whose file had these very bytes
@@ -177,7 +198,7 @@ export interface Change { at: string; actor: string; reason: string }
 // GET /api/tests/{id}[?version=]
 export interface Test extends Evaluated {
   id: number; version: number; latest: number; title: string;
-  file: { name: string; sha256: string; size: number; format: string; name_in_file: string };
+  file: { name: string; sha256: string; size: number; format: string; name_in_file: string; profile: ImportProfile | null };
   received: Change; versions: (Change & { version: number })[]; withdrawn: boolean;
   machine: { id: number; name: string } | null; axis: { id: number; name: string; kind: string; limits: Limit[] } | null;
   instruments: { id: number; name: string; calibration_due: string }[];

@@ -3,7 +3,7 @@
 import { effect, signal, untracked } from '@preact/signals';
 import { ApiError, upload } from '../../api/client';
 import { ask_health, health, returned } from '../../api/session';
-import type { Preview, Received } from '../../api/types';
+import type { ImportProfile, Preview, Received } from '../../api/types';
 import { bytes } from '../../numbers';
 import { t } from './texts';
 
@@ -12,6 +12,7 @@ export interface Incoming {
   file: File;
   state: 'waiting' | 'reading' | 'ready' | 'keeping' | 'kept';
   part: number;                // of the bytes that have gone, 0 to 1
+  profile: ImportProfile | null;  // what was said of its columns
   preview: Preview | null;
   received: Received | null;
   error: ApiError | null;      // of the last request; what was before it stays
@@ -32,7 +33,7 @@ function change(key: number, to: Partial<Incoming>): void {
 export function add_files(files: readonly File[]): void {
   incoming.value = [
     ...incoming.value,
-    ...files.map((file): Incoming => ({ key: next_key++, file, state: 'waiting', part: 0, preview: null, received: null, error: hopeless(file) })),
+    ...files.map((file): Incoming => ({ key: next_key++, file, state: 'waiting', part: 0, profile: null, preview: null, received: null, error: hopeless(file) })),
   ];
   read_next();
 }
@@ -55,11 +56,12 @@ async function transfer<T>(one: Incoming, path: string): Promise<T | ApiError | 
   running.set(one.key, abort);
   let last = 0;
   try {
-    return await upload<T>(path, one.file, abort.signal, (part) => {
+    const progress = (part: number) => {
       if (part - last < 0.02 && part < 1) return;
       last = part;
       change(one.key, { part });
-    });
+    };
+    return await upload<T>(path, one.file, { signal: abort.signal, progress, profile: one.profile });
   } catch (failure) {
     if (abort.signal.aborted) return null;
     return failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0);
@@ -75,6 +77,17 @@ async function read(one: Incoming): Promise<void> {
   else if (answer !== null) change(one.key, { state: 'ready', preview: answer });
   read_next();
 }
+
+/** Reads a file again, by what is said of its columns. */
+export function read_by(key: number, profile: ImportProfile): void {
+  change(key, { profile });
+  const one = incoming.value.find((other) => other.key === key);
+  if (one) void read(one);
+}
+
+/** Whether nothing is wrong with a file but that a person has to say something about it. */
+export const is_asked = (one: Incoming): boolean =>
+  one.preview?.refused != null && one.profile === null && (one.preview.table?.questions.length ?? 0) > 0;
 
 /** Not yet in the archive under another name. */
 export const is_new = (one: Incoming): boolean => one.preview === null || one.preview.same_content.length === 0;

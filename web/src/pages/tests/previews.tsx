@@ -7,8 +7,9 @@ import { VerdictMark } from '../../components/verdict';
 import { bytes } from '../../numbers';
 import { go } from '../../router';
 import { keep_plan } from '../plan/import';
+import { HowRead } from './asked_columns';
 import { Contents } from './contents';
-import { can_be_kept, incoming, is_new, keep, keep_all, may_retry, remove, remove_all, retry, type Incoming } from './incoming';
+import { can_be_kept, incoming, is_asked, is_new, keep, keep_all, may_retry, remove, remove_all, retry, type Incoming } from './incoming';
 import { t } from './texts';
 
 /** The chosen files, each with what is in it or why it is refused. */
@@ -36,10 +37,12 @@ export function Previews({ on_formats }: { on_formats: () => void }) {
 /** How many of the files are where. */
 function hint(files: readonly Incoming[]): string {
   const kept = files.filter((one) => one.received !== null).length;
-  const refused = files.filter((one) => one.preview?.refused || (one.error && !may_retry(one))).length;
-  const waiting = files.length - kept - refused;
+  const asked = files.filter(is_asked).length;
+  const refused = files.filter((one) => one.preview?.refused || (one.error && !may_retry(one))).length - asked;
+  const waiting = files.length - kept - refused - asked;
   return [
-    kept > 0 && t('files_kept', { n: kept }), waiting > 0 && t('files_waiting', { n: waiting }), refused > 0 && t('files_refused', { n: refused }),
+    kept > 0 && t('files_kept', { n: kept }), waiting > 0 && t('files_waiting', { n: waiting }), asked > 0 && t('files_asked', { n: asked }),
+    refused > 0 && t('files_refused', { n: refused }),
   ].filter(Boolean).join(', ');
 }
 
@@ -57,7 +60,7 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
         <div class="what">
           <strong class="name">{one.file.name}</strong>
           <span class="quiet small number">{bytes(one.file.size)}</span>
-          {preview?.format && <span class="quiet small">{preview.format.title}</span>}
+          {preview?.format && one.profile === null && <span class="quiet small">{preview.format.title}</span>}
         </div>
         <div class="row">
           <State one={one} />
@@ -74,9 +77,10 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
       {one.error && (one.error.kind === 'bad_input'
         ? <Refusal message={one.error.message} place={one.error.place} on_formats={on_formats} />
         : <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />)}
-      {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : (
+      {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : !is_asked(one) && (
         <Refusal message={preview.refused.message} place={place_of(preview.refused)} on_formats={on_formats} />
       ))}
+      {preview?.table && !one.received && <HowRead one={one} table={preview.table} />}
       {one.received
         ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: {one.received.tests.map((test, i) => (
             <span key={test.id}>
