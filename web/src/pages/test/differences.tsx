@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Changes, Field, Options, Vocabulary } from '../../api/types';
+import type { Changes, Evaluated, Options, Vocabulary } from '../../api/types';
 import { texts } from '../../i18n/texts';
-import { typed_text } from './field_value';
+import { count, marked } from '../../numbers';
+import { unchanged_text, value_with_unit } from './field_words';
 
 const t = texts({
   title: ['Differences', 'Unterschiede'],
   field: ['Field', 'Feld'],
-  nothing: ['nothing', 'nichts'],
-  unchanged: ['as in the file', 'wie in der Datei'],
   options: ['Evaluation', 'Auswertung'],
+  annex_a: ['Annex A', 'Anhang A'],
+  sampling: ['Monte Carlo (seed {seed}, {coverage} %{trials})', 'Monte Carlo (Startwert {seed}, {coverage} %{trials})'],
+  trials: [', {trials} trials', ', {trials} Versuche'],
   same: ['No difference in metadata or inputs.', 'Kein Unterschied in Angaben oder Eingangsgrößen.'],
 });
 
@@ -19,22 +21,29 @@ export function different_keys(a: Changes, b: Changes): string[] {
   return [...new Set([...Object.keys(a), ...Object.keys(b)])].filter((key) => a[key] !== b[key]);
 }
 
-function options_text(options: Options): string {
-  const parts = [...options.methods, ...options.corrections];
-  if (options.methods.includes('monte-carlo')) parts.push(`seed ${options.seed}`, `${Math.round(options.coverage * 1e6) / 1e4} %`, ...(options.trials === null ? [] : [String(options.trials)]));
-  return parts.join(', ');
+function options_text(options: Options, vocabulary: Vocabulary): string {
+  const { methods, seed, coverage, trials } = options;
+  const parts = [t('annex_a')];
+  if (methods.includes('gum')) parts.push('GUM');
+  if (methods.includes('monte-carlo')) {
+    parts.push(t('sampling', {
+      seed, coverage: marked(String(Number((100 * coverage).toFixed(4)))), trials: trials === null ? '' : t('trials', { trials: count(trials) }),
+    }));
+  }
+  return [...parts, ...options.corrections.map((id) => vocabulary.corrections.find((one) => one.id === id)?.title ?? id)].join(', ');
 }
 
-function value_text(field: Field | undefined, value: string | undefined): string {
-  if (value === undefined) return t('unchanged');
-  if (value === '') return t('nothing');
-  return field ? typed_text(field, value) : value;
+interface Props {
+  states: readonly { title: string; state: State }[];
+  of: Evaluated;                      // whose fields these are, and what the archive lends them
+  stated: Record<string, unknown>;    // what the file says of them
+  vocabulary: Vocabulary;
 }
 
 /** What differs in metadata, inputs and options, side by side. */
-export function Differences({ states, vocabulary }: { states: readonly { title: string; state: State }[]; vocabulary: Vocabulary | null }) {
+export function Differences({ states, of, stated, vocabulary }: Props) {
   const keys = [...new Set(states.flatMap(({ state }) => states.flatMap((other) => different_keys(state.changes, other.state.changes))))].sort();
-  const options = states.map(({ state }) => options_text(state.options));
+  const options = states.map(({ state }) => options_text(state.options, vocabulary));
   const options_differ = options.some((text) => text !== options[0]);
   if (keys.length === 0 && !options_differ) return <p class="quiet">{t('same')}</p>;
   return (
@@ -43,11 +52,14 @@ export function Differences({ states, vocabulary }: { states: readonly { title: 
         <thead><tr><th scope="col">{t('field')}</th>{states.map(({ title }) => <th key={title} scope="col">{title}</th>)}</tr></thead>
         <tbody>
           {keys.map((key) => {
-            const field = vocabulary?.fields.find((one) => one.key === key);
+            const field = vocabulary.fields.find((one) => one.key === key);
             return (
               <tr key={key}>
                 <th scope="row">{field?.title ?? key}</th>
-                {states.map(({ title, state }) => <td key={title}>{value_text(field, state.changes[key])}</td>)}
+                {states.map(({ title, state }) => {
+                  const text = state.changes[key];
+                  return <td key={title}>{field ? value_with_unit(field, text ?? unchanged_text(field, stated, of), vocabulary, of.result.axis.kind) : (text ?? '')}</td>;
+                })}
               </tr>
             );
           })}

@@ -6,12 +6,11 @@ import { texts } from '../../i18n/texts';
 import { decimal } from '../../settings';
 import { EditRecords } from './edit_records';
 import { field_unit, plain_text, same_value, stated_text, typed_text } from './field_value';
+import { value_words } from './field_words';
 import type { TestState } from './state';
 
 const t = texts({
   not_given: ['not given', 'nicht angegeben'],
-  yes: ['yes', 'ja'],
-  no: ['no', 'nein'],
   file_says: ['In the file: {value}', 'In der Datei: {value}'],
   instrument_says: ['From {name}: {value}', 'Von {name}: {value}'],
   archive_says: ['Calibration from the archive: {value}', 'Kalibrierung aus dem Archiv: {value}'],
@@ -19,20 +18,7 @@ const t = texts({
   file_silent: ['Not in the file', 'Nicht in der Datei'],
   undo: ['Undo', 'Zurücknehmen'],
   undo_field: ['Undo the change of {title}', 'Änderung von {title} zurücknehmen'],
-  linear: ['linear', 'linear'],
-  rotary: ['rotary', 'rotatorisch'],
-  'this-test': ['this test', 'diese Prüfung'],
-  'this-machine': ['this machine', 'diese Maschine'],
 });
-
-const own_words = ['linear', 'rotary', 'this-test', 'this-machine'] as const;
-
-/** A choice in words: cycles and rules have titles in the vocabulary. */
-function choice_title(vocabulary: Vocabulary, choice: string): string {
-  const own = own_words.find((word) => word === choice);
-  if (own !== undefined) return t(own);
-  return [...vocabulary.cycles, ...vocabulary.rules].find((one) => one.id === choice)?.title ?? choice;
-}
 
 /** One field of the metadata: what is typed becomes a change at once; what the file says stands below. */
 export function EditField({ state, field, vocabulary }: { state: TestState; field: FieldInfo; vocabulary: Vocabulary }) {
@@ -66,25 +52,19 @@ export function EditField({ state, field, vocabulary }: { state: TestState; fiel
 function origin_of(state: TestState, field: FieldInfo, stated: string, changed: boolean, vocabulary: Vocabulary): string | null {
   const taken = state.evaluated.value.from_archive;
   const instrument = taken?.instruments.find((one) => one.inputs[field.key] !== undefined);
-  if (instrument && !changed) return t('instrument_says', { name: instrument.name, value: shown(field, instrument.inputs[field.key] as string, vocabulary) });
+  if (instrument && !changed) return t('instrument_says', { name: instrument.name, value: value_words(field, instrument.inputs[field.key] as string, vocabulary) });
   const calibrations = field.key === 'equipment' ? (taken?.calibrations ?? []) : [];
   if (calibrations.length > 0) return t('archive_says', { value: calibrations.map(calibration_text).join('; ') });
   const limit = taken?.axis?.limits.find((one) => field.key === `tolerance.${one.parameter}`);
-  if (limit && stated === '' && !changed) return t('axis_says', { value: shown(field, String(limit.value), vocabulary) });
+  if (limit && stated === '' && !changed) return t('axis_says', { value: value_words(field, String(limit.value), vocabulary) });
   if (!changed) return null;
-  return stated === '' ? t('file_silent') : t('file_says', { value: shown(field, stated, vocabulary) });
+  return stated === '' ? t('file_silent') : t('file_says', { value: value_words(field, stated, vocabulary) });
 }
 
 /** "1: VI-2026-0113, 2026-01-13 – 2027-01-13", of the first component. */
 function calibration_text({ component, certificate, calibrated_on, calibration_due }: Calibration): string {
   const days = [calibrated_on, calibration_due].some((day) => day !== '') ? `${calibrated_on || '…'} – ${calibration_due || '…'}` : '';
   return `${component}: ${[certificate, days].filter((part) => part !== '').join(', ')}`;
-}
-
-function shown(field: FieldInfo, text: string, vocabulary: Vocabulary): string {
-  if (field.type === 'choice') return choice_title(vocabulary, text);
-  if (field.type === 'boolean') return text === 'yes' ? t('yes') : t('no');
-  return typed_text(field, text);
 }
 
 type Ids = { id: string; 'aria-describedby': string | undefined; 'aria-invalid': 'true' | undefined };
@@ -99,7 +79,7 @@ function Control({ ids, state, field, vocabulary, stated }: {
     return (
       <select {...ids} value={text} onChange={(event) => state.put(field, event.currentTarget.value)}>
         <option value="">{t('not_given')}</option>
-        {choices.map((choice) => <option key={choice} value={choice}>{shown(field, choice, vocabulary)}</option>)}
+        {choices.map((choice) => <option key={choice} value={choice}>{value_words(field, choice, vocabulary)}</option>)}
       </select>
     );
   }

@@ -6,18 +6,19 @@ import { Dialog } from '../../components/dialog';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { texts } from '../../i18n/texts';
+import { actor } from '../../settings';
 import { failure_of } from './state';
 
 const t = texts({
-  reason: ['Reason', 'Grund'],
-  hint: ['Stands in the audit trail with name and time.', 'Steht mit Name und Zeit im Änderungsnachweis.'],
+  reason: ['Reason (required)', 'Grund (Pflichtangabe)'],
+  name: ['Name for the audit trail', 'Name für den Änderungsnachweis'],
+  hint: ['Without a name, “workbench” stands there.', 'Ohne Namen steht dort „workbench“.'],
   cancel: ['Cancel', 'Abbrechen'],
 });
 
 interface Props {
   title: string;
   action: string;
-  required?: boolean;
   disabled?: boolean;
   close: () => void;
   act: (reason: string) => Promise<void>;
@@ -27,11 +28,11 @@ interface Props {
 }
 
 /** Asks why, then does it; a failure stays here with all that was typed. */
-export function ReasonDialog({ title, action, required = true, disabled = false, close, act, caught, children }: Props) {
+export function ReasonDialog({ title, action, disabled = false, close, act, caught, children }: Props) {
   const [reason, set_reason] = useState('');
   const [failure, set_failure] = useState<ApiError | null>(null);
   const [busy, set_busy] = useState(false);
-  const ready = !busy && !disabled && (!required || reason.trim() !== '');
+  const ready = !busy && !disabled && reason.trim() !== '';
   const submit = async () => {
     if (!ready) return;
     set_busy(true);
@@ -56,8 +57,14 @@ export function ReasonDialog({ title, action, required = true, disabled = false,
     >
       <div class="stack">
         {children}
-        <Field label={t('reason')} hint={t('hint')}>
-          {(ids) => <textarea {...ids} data-first rows={3} required={required} value={reason} onInput={(event) => set_reason(event.currentTarget.value)} />}
+        <Field label={t('reason')}>
+          {(ids) => <textarea {...ids} data-first rows={3} required value={reason} onInput={(event) => set_reason(event.currentTarget.value)} />}
+        </Field>
+        <Field label={t('name')} hint={t('hint')}>
+          {(ids) => (
+            <input {...ids} type="text" autoComplete="name" maxLength={80} placeholder="workbench" value={actor.value}
+                   onInput={(event) => { actor.value = event.currentTarget.value; }} />
+          )}
         </Field>
         {failure && <FailureNotice error={failure} />}
       </div>

@@ -56,7 +56,7 @@ export function SaveDialog({ state, vocabulary, close, adopt }: Props) {
       caught={(failure) => { if (failure.kind === 'conflict') look(); return false; }} disabled={state.title.value.trim() === ''}>
       <p class="small quiet">{t('raw', { version: test.version })}</p>
       <Field label={t('name')}>{(ids) => <input {...ids} type="text" value={state.title.value} onInput={(event) => state.rename(event.currentTarget.value)} />}</Field>
-      <Differences vocabulary={vocabulary} states={[
+      <Differences vocabulary={vocabulary} of={test} stated={state.stated.value} states={[
         { title: t('base', { version: test.version }), state: test },
         { title: t('mine'), state: { changes: state.changes.value, options: state.options.value } },
       ]} />
@@ -96,7 +96,7 @@ function Conflict({ state, newer, vocabulary, close, adopt }: Props & { newer: T
           {version.reason !== '' && <> {t('why', { reason: version.reason })}</>}
         </p>
       ))}
-      <Differences vocabulary={vocabulary} states={[
+      <Differences vocabulary={vocabulary} of={test} stated={state.stated.value} states={[
         { title: t('base', { version: test.version }), state: test },
         { title: t('theirs', { version: newer.version }), state: newer },
         { title: t('mine'), state: mine },

@@ -79,14 +79,15 @@ export function Versions({ state, vocabulary }: { state: TestState; vocabulary: 
           <button type="button" class="small no-print" aria-expanded={against !== null} onClick={() => set_against(against === null ? test.version - 1 : null)}>
             {t('compare', { version: against ?? test.version - 1 })}
           </button>
-          {against !== null && <Against test={test} version={against} choose={set_against} vocabulary={vocabulary} />}
+          {against !== null && vocabulary !== null && <Against state={state} version={against} choose={set_against} vocabulary={vocabulary} />}
         </div>
       )}
     </section>
   );
 }
 
-function Against({ test, version, choose, vocabulary }: { test: Test; version: number; choose: (version: number) => void; vocabulary: Vocabulary | null }) {
+function Against({ state, version, choose, vocabulary }: { state: TestState; version: number; choose: (version: number) => void; vocabulary: Vocabulary }) {
+  const test = state.test.value;
   const older = use_get<Test>(test_path(test.id, '', { version }));
   return (
     <div class="stack tight">
@@ -98,7 +99,7 @@ function Against({ test, version, choose, vocabulary }: { test: Test; version: n
         </label>
       )}
       {older.error && <FailureNotice error={older.error} retry={older.reload} />}
-      {older.data && <Differences vocabulary={vocabulary} states={[
+      {older.data && <Differences vocabulary={vocabulary} of={test} stated={state.stated.value} states={[
         { title: `${t('version')} ${older.data.version}`, state: older.data }, { title: `${t('version')} ${test.version}`, state: test },
       ]} />}
     </div>
