@@ -81,7 +81,7 @@ function Whole({ state, vocabulary, adopt }: { state: TestState; vocabulary: Voc
       <OldVersionBanner test={state.test.value} />
       <div class="test-body">
         <div class="test-main">
-          <Headline state={state} />
+          <Headline state={state} vocabulary={vocabulary} />
           <div class="test-columns">
             <div class="stack">
               <PositionChart state={state} height={380} />

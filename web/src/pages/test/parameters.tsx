@@ -18,9 +18,14 @@ const t = texts({
   value: ['Value', 'Wert'],
   limit: ['Limit', 'Grenzwert'],
   against: ['Value against limit', 'Wert und Grenzwert'],
-  verdict: ['Verdict', 'Urteil'],
+  verdict: ['Verdict', 'Entscheidung'],
   kept: ['kept', 'gespeichert'],
   of_limit: ['limit {limit}', 'Grenzwert {limit}'],
+  A: ['positioning error', 'Positioniergenauigkeit'],
+  E: ['systematic error', 'syst. Abweichung'],
+  R: ['repeatability', 'Wiederholpräzision'],
+  B: ['reversal error', 'Umkehrspanne'],
+  M: ['mean error', 'mittlere Abweichung'],
   no_uncertainty: ['no uncertainty stated', 'ohne Angabe der Unsicherheit'],
   interval: ['Monte Carlo interval', 'Monte-Carlo-Intervall'],
   units: ['Values in {unit}.', 'Werte in {unit}.'],
@@ -42,8 +47,10 @@ function Stored({ now, kept }: { now: Shown; kept: Shown | undefined }) {
   return <span class="was small number">{t('kept')} {text}</span>;
 }
 
+type Letter = 'A' | 'E' | 'R' | 'B' | 'M';
+
 /** The five figures that say how the axis is, large. */
-export function Headline({ state }: { state: TestState }) {
+export function Headline({ state, vocabulary }: { state: TestState; vocabulary: Vocabulary | null }) {
   const evaluated = state.evaluated.value;
   const kept = state.test.value;
   const main = main_parameters(evaluated.result);
@@ -61,8 +68,10 @@ export function Headline({ state }: { state: TestState }) {
               <span class="glance-symbol"><ParameterSymbol parameter={parameter} /></span>
               {row.limit !== null && <VerdictMark verdict={row.verdict} short />}
             </div>
-            <div class="number"><span class="glance-value">{row.value}</span>{' '}
-              {row.U !== '' && <span class="glance-u">± {row.U}</span>} <span class="quiet">{row.unit}</span>
+            <div class="small quiet" title={vocabulary?.parameters.find((one) => one.key === parameter)?.title}>{t(parameter.charAt(0) as Letter)}</div>
+            <div class="number figure">
+              <span class="glance-value">{row.value}</span>{' '}
+              <span>{row.U !== '' && <span class="glance-u">± {row.U}</span>} <span class="quiet">{row.unit}</span></span>
               {row.U === '' && row.interval !== '' && <span class="small"> ({row.interval})</span>}
             </div>
             <LimitBar value={value} U={number_of(row.U)} limit={row.limit} tone={tone_of(row.verdict)} reach={reach} />
@@ -99,7 +108,7 @@ export function Parameters({ state, vocabulary }: { state: TestState; vocabulary
     <section class="panel flush parameters-panel">
       <header><h2>{t('title')}</h2>{!methods.annex_a && !methods.gum && <span class="small quiet">{t('no_uncertainty')}</span>}</header>
       <div class="table-frame" tabIndex={0} role="region" aria-label={t('title')}>
-        <table class={`parameters ${any_limit || methods.monte_carlo ? 'full' : methods.annex_a || methods.gum ? '' : 'bare'}`}>
+        <table class={`parameters ${any_limit ? 'judged' : ''} ${methods.monte_carlo ? 'sampled' : ''}`}>
           <thead>
             <tr>
               <th scope="col"><span class="visually-hidden">{t('parameter')}</span></th>
@@ -110,7 +119,7 @@ export function Parameters({ state, vocabulary }: { state: TestState; vocabulary
               {methods.monte_carlo && <th scope="col" class="number">{t('interval')}</th>}
               {any_limit && <th scope="col" class="number">{t('limit')}</th>}
               {any_limit && <th scope="col"><span class="visually-hidden">{t('verdict')}</span></th>}
-              {any_limit && <th scope="col"><span class="visually-hidden">{t('against')}</span></th>}
+              {any_limit && <th scope="col" class="bar-cell"><span class="visually-hidden">{t('against')}</span></th>}
             </tr>
           </thead>
           <tbody>
