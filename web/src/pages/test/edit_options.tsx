@@ -17,6 +17,7 @@ const t = texts({
   run: ['Run Monte Carlo', 'Monte Carlo rechnen'],
   running: ['Drawing trials …', 'Versuche werden gezogen …'],
   corrections: ['Corrections of readings', 'Korrekturen der Messwerte'],
+  on: ['{n} of {all}', '{n} von {all}'],
   corrections_hint: ['The readings stay in the archive as they were measured.', 'Die Messwerte bleiben im Archiv, wie sie gemessen wurden.'],
   whole: ['Expected: a whole number from {low} to {high}', 'Erwartet: eine ganze Zahl von {low} bis {high}'],
   percent: ['Expected: more than 50 and less than 100', 'Erwartet: mehr als 50 und weniger als 100'],
@@ -44,19 +45,25 @@ export function EditOptions({ state, vocabulary }: { state: TestState; vocabular
             <button type="button" disabled={running || !state.edited.value} onClick={() => state.run_monte_carlo()}>{running ? t('running') : t('run')}</button>
           </div>
         )}
-        {vocabulary.corrections.length > 0 && (
-          <fieldset>
-            <legend>{t('corrections')}</legend>
-            {vocabulary.corrections.map((one) => (
-              <label key={one.id}>
-                <input type="checkbox" checked={options.corrections.includes(one.id)}
-                       onChange={() => state.choose({ corrections: vocabulary.corrections.map((c) => c.id)
-                         .filter((id) => (id === one.id ? !options.corrections.includes(id) : options.corrections.includes(id))) })} /> {one.title}
-              </label>
-            ))}
-            <p class="small quiet">{t('corrections_hint')}</p>
-          </fieldset>
-        )}
+        {vocabulary.corrections.length > 0 && <Corrections state={state} vocabulary={vocabulary} />}
+      </div>
+    </details>
+  );
+}
+
+/** Folded, with how many are on: few tests want one. */
+function Corrections({ state, vocabulary }: { state: TestState; vocabulary: Vocabulary }) {
+  const chosen = state.options.value.corrections;
+  const all = vocabulary.corrections.map(({ id }) => id);
+  const toggle = (id: string) => state.choose({ corrections: all.filter((one) => (one === id ? !chosen.includes(one) : chosen.includes(one))) });
+  return (
+    <details>
+      <summary>{t('corrections')} <span class="small quiet">{t('on', { n: chosen.length, all: all.length })}</span></summary>
+      <div class="edit-options">
+        {vocabulary.corrections.map((one) => (
+          <label key={one.id}><input type="checkbox" checked={chosen.includes(one.id)} onChange={() => toggle(one.id)} /> {one.title}</label>
+        ))}
+        <p class="small quiet">{t('corrections_hint')}</p>
       </div>
     </details>
   );

@@ -6,6 +6,7 @@ import { Field as FormField } from '../../components/field';
 import { texts } from '../../i18n/texts';
 import { EditField } from './edit_field';
 import { EditOptions } from './edit_options';
+import { group_of, group_title } from './field_groups';
 import { stated_text } from './field_value';
 import { SaveDialog } from './save_dialog';
 import type { TestState } from './state';
@@ -25,33 +26,15 @@ const t = texts({
   save: ['Save as version {version}', 'Als Version {version} speichern'],
   discard: ['Discard', 'Verwerfen'],
   given: ['{given} of {all}', '{given} von {all}'],
-  test: ['Test', 'Prüfung'],
-  machine: ['Machine', 'Maschine'],
-  axis: ['Axis', 'Achse'],
-  equipment: ['Test equipment', 'Messmittel'],
-  nde: ['Thermal expansion (NDE)', 'Wärmedehnung (NDE)'],
-  sensors: ['Temperature sensors', 'Temperatursensoren'],
-  environment: ['Environment', 'Umgebung'],
-  instrument: ['Instrument settings', 'Geräteeinstellungen'],
-  artefact: ['Artefact', 'Prüfkörper'],
-  tolerance: ['Tolerances', 'Toleranzen'],
-  uncertainty: ['Uncertainty inputs', 'Eingangsgrößen der Unsicherheit'],
-  tracking: ['Tracking interferometer', 'Tracking-Interferometer'],
 });
 
-const titled = ['test', 'machine', 'axis', 'equipment', 'nde', 'sensors', 'environment', 'instrument', 'artefact', 'tolerance', 'uncertainty', 'tracking'] as const;
-const group_title = (group: string): string => {
-  const known = titled.find((one) => one === group);
-  return known === undefined ? group : t(known);
-};
-
 /** What is worked on most often comes first. */
-const first = ['uncertainty', 'tolerance'];
+const first = ['tolerance', 'uncertainty'];
 
 function grouped(fields: readonly Field[]): [string, Field[]][] {
   const groups = new Map<string, Field[]>();
   for (const field of fields) {
-    const group = field.group || (field.key.split('.')[0] as string);
+    const group = group_of(field);
     groups.set(group, [...(groups.get(group) ?? []), field]);
   }
   const rank = (group: string): number => (first.includes(group) ? first.indexOf(group) : first.length);
@@ -77,6 +60,9 @@ export function EditPanel({ state, vocabulary, adopt }: { state: TestState; voca
   };
   const groups = grouped(vocabulary.fields.filter(fits));
   const filtered = words.length > 0 || only !== 'all';
+  const shown = (some: readonly [string, Field[]][]) => some.map(([group, fields]) => (
+    <Group key={group} state={state} vocabulary={vocabulary} group={group} fields={fields} open={filtered} />
+  ));
   const count = Object.keys(state.faults.value).length;
   return (
     <section class="panel edit-panel no-print" id="edit-panel" aria-label={t('title')}>
@@ -92,9 +78,10 @@ export function EditPanel({ state, vocabulary, adopt }: { state: TestState; voca
           <button type="button" class="small" aria-pressed={only === 'missing'} onClick={() => set_only(only === 'missing' ? 'all' : 'missing')}>{t('only_missing')}</button>
         </div>
       </div>
-      {!filtered && <EditOptions state={state} vocabulary={vocabulary} />}
       {groups.length === 0 && <p class="quiet">{t('none')}</p>}
-      {groups.map(([group, fields]) => <Group key={group} state={state} vocabulary={vocabulary} group={group} fields={fields} open={filtered} />)}
+      {shown(groups.filter(([group]) => group === 'tolerance'))}
+      {!filtered && <EditOptions state={state} vocabulary={vocabulary} />}
+      {shown(groups.filter(([group]) => group !== 'tolerance'))}
       {saving && <SaveDialog state={state} vocabulary={vocabulary} close={() => set_saving(false)} adopt={adopt} />}
     </section>
   );

@@ -30,6 +30,7 @@ const t = texts({
                   'Sie bleibt mit allen Daten im Archiv, zählt aber in Listen und Verläufen nicht mehr.'],
   reinstate_title: ['Reinstate this test', 'Diese Prüfung wieder gültig machen'],
   reinstate_text: ['It counts again in lists and trends.', 'Sie zählt in Listen und Verläufen wieder.'],
+  set_limits: ['Set tolerances', 'Grenzwerte angeben'],
   due: ['calibration due {date}', 'Kalibrierung fällig {date}'],
   unnamed: ['not named', 'nicht benannt'],
 });
@@ -54,7 +55,7 @@ function Facts({ state }: { state: TestState }) {
       <Fact label={t('standard')}>
         {result.standard}{' '}
         {!result.conforming && <span class="mark bad">{t('not_a_result')}</span>}
-        {result.label && <span class="label-words">{result.label}</span>}
+        {result.label && <span class="label-words">{result.conforming ? '' : ' – '}{result.label}</span>}
       </Fact>
       {test.instruments.length > 0 && (
         <Fact label={t('instruments')}>
@@ -73,6 +74,15 @@ function Facts({ state }: { state: TestState }) {
   );
 }
 
+/** The verdict; where there is none to be had, the way to the limits that would give one. */
+function Judgement({ state }: { state: TestState }) {
+  const { verdict, shown } = state.evaluated.value;
+  const mark = <VerdictMark verdict={verdict} />;
+  const first = shown[0]?.parameter;
+  if (verdict !== null || first === undefined || state.test.value.version !== state.test.value.latest) return mark;
+  return <button type="button" class="set-limits" title={t('set_limits')} onClick={() => state.edit(`tolerance.${first}`)}>{mark}</button>;
+}
+
 /** What test this is, and what can be done with it. */
 export function Head({ state }: { state: TestState }) {
   const test = state.test.value;
@@ -84,7 +94,7 @@ export function Head({ state }: { state: TestState }) {
       <div class="row spread">
         <div class="row title-row">
           <h1 tabIndex={-1}>{test.title}</h1>
-          <VerdictMark verdict={state.evaluated.value.verdict} />
+          <Judgement state={state} />
           {test.withdrawn && <span class="mark caution">{t('withdrawn')}</span>}
         </div>
         <div class="row no-print">

@@ -38,7 +38,11 @@ export function LibraryFigures({ state }: { state: TestState }) {
           {figures.map((figure, i) => <option key={figure.id} value={i}>{figure.title}</option>)}
         </select>
       )}
-      {figures.length > 0 && <img class="library-figure" src={path(shown_theme.value)} alt={figures[n]?.title ?? ''} />}
+      {figures.length > 0 && (
+        <div class="figure-frame" tabIndex={0} role="region" aria-label={t('choose')}>
+          <img class="library-figure" src={path(shown_theme.value)} alt={figures[n]?.title ?? ''} />
+        </div>
+      )}
       {state.edited.value && <p class="small quiet">{t('kept', { version: test.version })}</p>}
     </section>
   );
