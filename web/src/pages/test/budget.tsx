@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import type { Evaluated, Parameter } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Formula } from '../../components/formula';
 import { texts } from '../../i18n/texts';
-import { fixed, marked, shortest } from '../../numbers';
+import { fixed, shortest } from '../../numbers';
 import { Bars, type Bar } from './bars';
+import { distribution_words } from './distribution_words';
 import { all_parameters, plain_symbol } from './figures_text';
 import { Histogram } from './histogram';
 import type { TestState } from './state';
@@ -128,7 +130,7 @@ function AnnexA({ evaluated }: { evaluated: Evaluated }) {
 }
 
 /** Contributions to one parameter as bars with their shares of the sum of squares. */
-function contribution_bars(rows: readonly { key: string; title: string; detail: string; u: number | null }[]): Bar[] {
+function contribution_bars(rows: readonly { key: string; title: string; detail: ComponentChildren; u: number | null }[]): Bar[] {
   const sum = rows.reduce((total, row) => total + (row.u ?? 0) ** 2, 0);
   return rows.map((row): Bar => ({
     key: row.key, title: row.title, detail: row.detail, size: row.u, value: fixed(row.u, 3),
@@ -143,8 +145,8 @@ function Gum({ evaluated, parameter }: { evaluated: Evaluated; parameter: Parame
   const of_key = new Map(budget.contributions.map((row) => [row.key, row.u[parameter]]));
   const bars = contribution_bars(budget.sources.map((source) => ({
     key: source.key, title: source.title, u: of_key.get(source.key) ?? null,
-    detail: [source.symbol, `u = ${marked(source.u === null ? '–' : shortest(source.u, 5))} ${source.unit}`.trim(), numbers_marked(source.distribution), source.source && `(${source.source})`]
-      .filter((part) => part).join(' · '),
+    detail: <Formula text={[source.symbol, `u = ${shortest(source.u, 5)} ${source.unit}`.trim(), distribution_words(source.distribution), source.source && `(${source.source})`]
+      .filter((part) => part).join(' · ')} />,
   })));
   const total = uncertainty?.gum?.[parameter];
   const first = bars[0];
@@ -159,9 +161,6 @@ function Gum({ evaluated, parameter }: { evaluated: Evaluated; parameter: Parame
     </>
   );
 }
-
-const numbers_marked = (text: string | null): string =>
-  (text ?? '').split(' ').map((word) => (/^-?[\d.]+(e-?\d+)?$/.test(word) ? shortest(Number(word), 5) : word)).join(' ');
 
 function MonteCarlo({ evaluated, parameter }: { evaluated: Evaluated; parameter: Parameter }) {
   const uncertainty = evaluated.result.uncertainty;

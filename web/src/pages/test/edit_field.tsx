@@ -3,6 +3,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Calibration, Field as FieldInfo, Vocabulary } from '../../api/types';
 import { Field } from '../../components/field';
 import { texts } from '../../i18n/texts';
+import { parsed, shortest } from '../../numbers';
 import { decimal } from '../../settings';
 import { EditRecords } from './edit_records';
 import { field_unit, plain_text, same_value, stated_text, typed_text } from './field_value';
@@ -16,6 +17,11 @@ const t = texts({
   archive_says: ['Calibration from the archive: {value}', 'Kalibrierung aus dem Archiv: {value}'],
   axis_says: ['Limit of the axis: {value}', 'Grenzwert der Achse: {value}'],
   file_silent: ['Not in the file', 'Nicht in der Datei'],
+  no_number: ['“{text}” is not a number', '„{text}“ ist keine Zahl'],
+  too_small: ['Expected: at least {minimum}', 'Erwartet: mindestens {minimum}'],
+  too_large: ['Expected: at most {maximum}', 'Erwartet: höchstens {maximum}'],
+  'uncertainty.distributions': ['An input by its name, such as machine_temperature, and the distribution that replaces its own: “triangular 1.5 2.5” is a triangle from 1.5 to 2.5. An input “scale:optics” with “normal 0 0.2” is added, and acts on the whole scale.',
+                                'Eine Eingangsgröße mit ihrem Namen, etwa machine_temperature, und die Verteilung, die ihre eigene ersetzt: „triangular 1.5 2.5“ ist ein Dreieck von 1,5 bis 2,5. Eine Eingangsgröße „scale:optics“ mit „normal 0 0.2“ kommt hinzu und wirkt auf den ganzen Maßstab.'],
   undo: ['Undo', 'Zurücknehmen'],
   undo_field: ['Undo the change of {title}', 'Änderung von {title} zurücknehmen'],
 });
@@ -37,8 +43,8 @@ export function EditField({ state, field, vocabulary }: { state: TestState; fiel
   const unit = field_unit(field, state.evaluated.value.result.axis.kind);
   return (
     <div ref={frame} class={`edit-field ${changed ? 'changed' : ''}`}>
-      <Field label={<>{field.title}{unit !== '' && <span class="unit">, {unit}</span>}</>} fault={state.faults.value[field.key] ?? null}
-             hint={<>{origin !== null && <span class="file-says">{origin}</span>} {field.description}{field.clause !== '' && <span class="clause"> {field.clause}</span>}</>}>
+      <Field label={<>{field.title}{unit !== '' && <span class="unit">, {unit}</span>}</>} fault={fault_words(state, field)}
+             hint={<>{origin !== null && <span class="file-says">{origin}</span>} {field.key === 'uncertainty.distributions' ? t(field.key) : field.description}{field.clause !== '' && <span class="clause"> {field.clause}</span>}</>}>
         {(ids) => <Control ids={ids} state={state} field={field} vocabulary={vocabulary} stated={stated} />}
       </Field>
       {changed && (
@@ -46,6 +52,18 @@ export function EditField({ state, field, vocabulary }: { state: TestState; fiel
       )}
     </div>
   );
+}
+
+/** What is wrong with a value, for people where the page can tell, else as the server says it. */
+function fault_words(state: TestState, field: FieldInfo): string | null {
+  const said = state.faults.value[field.key] ?? null;
+  if (said === null || field.type !== 'number') return said;
+  const text = state.text_of(field);
+  const value = parsed(text);
+  if (value === null) return t('no_number', { text });
+  if (field.minimum !== null && value < field.minimum) return t('too_small', { minimum: shortest(field.minimum) });
+  if (field.maximum !== null && value > field.maximum) return t('too_large', { maximum: shortest(field.maximum) });
+  return said;
 }
 
 /** Where an unchanged value comes from: the file, or what the archive knows of instruments and axis. */
