@@ -2,11 +2,12 @@
 import type { Field, Finding, Vocabulary } from '../../api/types';
 import { Formula } from '../../components/formula';
 import { texts } from '../../i18n/texts';
+import { group_of, group_title } from './field_groups';
 import { field_unit, stated_text } from './field_value';
 import type { TestState } from './state';
 
 const t = texts({
-  title: ['Findings', 'Befunde'],
+  title: ['Findings', 'Feststellungen'],
   none: ['Nothing to remark.', 'Nichts zu bemerken.'],
   departure: ['Departures from the standard', 'Abweichungen von der Norm'],
   missing: ['Missing', 'Fehlende Angaben'],
@@ -15,6 +16,7 @@ const t = texts({
   fill_in: ['Fill in:', 'Ergänzen:'],
   clause: ['clause {clause}', 'Abschnitt {clause}'],
   source: ['from the file', 'aus der Datei'],
+  expected: ['Not given, but expected in the report:', 'Nicht angegeben, im Bericht aber erwartet:'],
 });
 
 const severities = ['departure', 'missing', 'note'] as const;
@@ -28,8 +30,18 @@ function named_clauses(message: string): Set<string> {
   return found;
 }
 
+/** The same at the other end of the test: a finding says "at the start and the end" of both. */
+const other_end = (key: string): string => (key.includes('_end_') ? key.replace('_end_', '_start_') : key.replace('_start_', '_end_'));
+
 /** Fields without a value that would answer a finding: named by key, by title, or by their clause of Annex A. */
 function missing_fields(finding: Finding, vocabulary: Vocabulary, state: TestState): Field[] {
+  const named = named_fields(finding, vocabulary, state);
+  const { metadata } = state.evaluated.value.result;
+  return vocabulary.fields.filter((field) =>
+    named.includes(field) || (stated_text(field, metadata) === '' && named.some(({ key }) => key !== field.key && other_end(key) === field.key)));
+}
+
+function named_fields(finding: Finding, vocabulary: Vocabulary, state: TestState): Field[] {
   const { metadata, axis } = state.evaluated.value.result;
   const message = finding.message.toLowerCase();
   const clauses = named_clauses(finding.message);
@@ -79,8 +91,9 @@ function Missing({ findings, state, vocabulary }: { findings: readonly Finding[]
     <ul class="findings">
       {findings.map((finding, i) => (
         <li key={i}>
-          <Message finding={finding} />
-          <FillIn fields={fields[i] ?? []} state={state} />
+          {to_fill_in(state) && told_by_fields(finding, fields[i] ?? [])
+            ? <Expected finding={finding} fields={fields[i] ?? []} state={state} />
+            : <><Message finding={finding} /><FillIn fields={fields[i] ?? []} state={state} /></>}
         </li>
       ))}
     </ul>
@@ -94,20 +107,52 @@ function Missing({ findings, state, vocabulary }: { findings: readonly Finding[]
   );
 }
 
-function Message({ finding }: { finding: Finding }) {
+function Message({ finding, text = finding.message }: { finding: Finding; text?: string }) {
   const clause = finding.clause === 'source' ? t('source') : /^\d|^A\.\d/.test(finding.clause) ? t('clause', { clause: finding.clause }) : finding.clause;
-  return <p><Formula text={finding.message} /> <span class="quiet small">{clause}</span></p>;
+  return <p><Formula text={text} /> <span class="quiet small">{clause}</span></p>;
+}
+
+const to_fill_in = (state: TestState): boolean => state.test.value.version === state.test.value.latest;
+
+/** "… – test: date of test, feed speed; air: …": whether fields of the page say all of that list. */
+function told_by_fields(finding: Finding, fields: readonly Field[]): boolean {
+  const list = finding.clause === '8.1' ? finding.message.split(' – ')[1] : undefined;
+  if (list === undefined) return false;
+  const items = list.split('; ').flatMap((group) => group.replace(/^[^:]*: /, '').split(', '));
+  return items.every((item) => fields.some(({ title }) => item.toLowerCase().startsWith(title.toLowerCase())));
+}
+
+/** A list of items of the report, by what they are of, each with the way to its field. On paper it is the sentence. */
+function Expected({ finding, fields, state }: { finding: Finding; fields: readonly Field[]; state: TestState }) {
+  const groups = [...new Set(fields.map(group_of))];
+  return (
+    <>
+      <div class="only-print"><Message finding={finding} /></div>
+      <div class="no-print"><Message finding={finding} text={t('expected')} /></div>
+      <dl class="expected no-print">
+        {groups.map((group) => (
+          <div key={group}>
+            <dt class="small quiet">{group_title(group)}</dt>
+            <dd><FieldButtons fields={fields.filter((field) => group_of(field) === group)} state={state} /></dd>
+          </div>
+        ))}
+      </dl>
+    </>
+  );
 }
 
 function FillIn({ fields, state }: { fields: readonly Field[]; state: TestState }) {
-  if (fields.length === 0 || state.test.value.version !== state.test.value.latest) return null;
+  if (fields.length === 0 || !to_fill_in(state)) return null;
+  return <p class="fill-in no-print"><span class="small quiet">{t('fill_in')}</span>{' '}<FieldButtons fields={fields} state={state} /></p>;
+}
+
+function FieldButtons({ fields, state }: { fields: readonly Field[]; state: TestState }) {
   const { kind } = state.evaluated.value.result.axis;
   return (
-    <p class="fill-in no-print">
-      <span class="small quiet">{t('fill_in')}</span>{' '}
+    <>
       {fields.map((field) => (
         <button key={field.key} type="button" class="small" onClick={() => state.edit(field.key)}>{[field.title, field_unit(field, kind)].filter((part) => part !== '').join(', ')}</button>
       ))}
-    </p>
+    </>
   );
 }
