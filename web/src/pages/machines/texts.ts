@@ -58,7 +58,7 @@ export const t = texts({
   measured: ['Measured', 'Gemessen'],
   received: ['received', 'eingegangen'],
   test: ['Test', 'Prüfung'],
-  verdict: ['Verdict', 'Urteil'],
+  verdict: ['Verdict', 'Entscheidung'],
   value_in: ['Value / {unit}', 'Wert / {unit}'],
   limit_line: ['{parameter} ≤ {value} {unit}', '{parameter} ≤ {value} {unit}'],
   numbers: ['The same numbers', 'Dieselben Zahlen'],

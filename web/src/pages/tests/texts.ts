@@ -105,7 +105,7 @@ export const t = texts({
   machine: ['Machine', 'Maschine'],
   axis: ['Axis', 'Achse'],
   instrument: ['Instrument', 'Messmittel'],
-  verdict: ['Verdict', 'Urteil'],
+  verdict: ['Verdict', 'Entscheidung'],
   from: ['Measured from', 'Gemessen von'],
   to: ['to', 'bis'],
   date: ['yyyy-mm-dd', 'JJJJ-MM-TT'],
