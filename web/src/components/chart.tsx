@@ -23,6 +23,7 @@ const t = texts({
     'Pfeiltasten links und rechts gehen von Punkt zu Punkt, auf und ab von Reihe zu Reihe; Plus und Minus zoomen, 0 zeigt alles.',
   ],
   all: ['Show all', 'Alles zeigen'],
+  drag: ['drag to zoom', 'Ziehen vergrößert'],
 });
 
 const paper_width = 720;   // px, of A4 upright between its margins
@@ -142,6 +143,7 @@ export function Chart(props: ChartProps) {
     >
       <div class="plot" ref={into} />
       {place && plot.current && <Marks plot={plot.current} props={props} place={place} with_tip={at !== null} />}
+      {!zoomed && <span class="zoom-hint no-print" aria-hidden="true">{t('drag')}</span>}
       {zoomed && <button type="button" class="unzoom no-print" onClick={(event) => { event.stopPropagation(); show_all(); }}>{t('all')}</button>}
       <div class="visually-hidden" aria-live="polite">{said}</div>
     </div>
@@ -158,7 +160,8 @@ function Marks({ plot, props, place, with_tip }: { plot: uPlot; props: ChartProp
   const [width, height] = [plot.bbox.width / ratio, plot.bbox.height / ratio];
   const value = props.x[place.index];
   if (value === undefined) return null;
-  const x = plot.valToPos(value, 'x');
+  const aside = place.series === null ? 0 : (props.series[place.series]?.aside ?? 0);
+  const x = plot.valToPos(value, 'x') + aside;
   if (x < -0.5 || x > width + 0.5) return null;
   const level = place.series === null ? null : props.series[place.series]?.values[place.index];
   const y = typeof level === 'number' ? plot.valToPos(level, 'y') : null;

@@ -12,11 +12,20 @@ const shapes = {
   down: 'M9 9l4-7h-8z',
 };
 
-type Look = Pick<ChartSeries, 'colour' | 'width' | 'dash' | 'shape'>;
+/** `area`: not of a line but of bands, one colour beside the other. */
+type Look = Pick<ChartSeries, 'colour' | 'width' | 'dash' | 'shape'> & { area?: readonly string[] };
 
 /** A piece of a series as the chart draws it: its line and its point. */
 export function Swatch({ series }: { series: Look }) {
   const colour = `var(${series.colour})`;
+  if (series.area) {
+    const width = 18 / series.area.length;
+    return (
+      <svg class="swatch" width="18" height="10" viewBox="0 0 18 10" aria-hidden="true">
+        {series.area.map((one, i) => <rect key={one} x={i * width} y="0" width={width} height="10" fill={`var(${one})`} fill-opacity="0.45" />)}
+      </svg>
+    );
+  }
   return (
     <svg class="swatch" width="18" height="10" viewBox="0 0 18 10" aria-hidden="true">
       {series.width !== 0 && (

@@ -16,6 +16,7 @@ export interface ChartSeries {
   size?: number;             // of the points in px; 6 when not given
   opacity?: number;          // 0 to 1
   whisker?: Values;          // half lengths, drawn as value ± whisker
+  aside?: number;            // px to the right of its place, so that whiskers of several series do not cover each other
   hidden?: boolean;
   quiet?: boolean;           // not found by the pointer: help lines
   across?: boolean;          // the line goes on over missing values
@@ -29,7 +30,7 @@ export interface ChartLine { value: number; colour: string; label: string; dash?
 
 export interface ChartModel {
   x: readonly number[];      // ascending; for "time" seconds since 1970 in UTC
-  x_kind?: 'number' | 'time';
+  x_kind?: 'number' | 'angle' | 'time';   // an angle in degrees has steps of 15, 30, 45 and 90
   x_label: string;
   y_label: string;
   y_decimals?: number;       // of tips and announcements, 2 when not given
@@ -54,7 +55,7 @@ export interface ChartProps extends ChartModel {
 
 /** What makes another plot necessary; everything else is only drawn again. */
 export function structure(model: ChartModel): string {
-  const looks = model.series.map((s) => [s.key, s.colour, s.width, s.dash, s.shape, s.size, s.opacity, s.across]);
+  const looks = model.series.map((s) => [s.key, s.colour, s.width, s.dash, s.shape, s.size, s.opacity, s.across, s.aside]);
   return JSON.stringify([model.x_kind, model.x_label, model.y_label, looks]);
 }
 

@@ -57,12 +57,14 @@ export function paint_line(plot: uPlot, pen: CanvasRenderingContext2D, line: Cha
 }
 
 /** What of a series lies within the plot: the index of each value, and where it is. */
-function* within(plot: uPlot, x: readonly number[], series: ChartSeries): Generator<[index: number, value: number, left: number, top: number]> {
+function* within(plot: uPlot, x: readonly number[], series: ChartSeries, ratio: number): Generator<[index: number, value: number, left: number, top: number]> {
   const first = plot.scales['x']?.min ?? -Infinity;
   const last = plot.scales['x']?.max ?? Infinity;
   for (let i = 0; i < x.length; i += 1) {
     const value = series.values[i];
-    if (typeof value === 'number' && (x[i] as number) >= first && (x[i] as number) <= last) yield [i, value, ...at(plot, x, series.values, i)];
+    if (typeof value !== 'number' || (x[i] as number) < first || (x[i] as number) > last) continue;
+    const [left, top] = at(plot, x, series.values, i);
+    yield [i, value, left + (series.aside ?? 0) * ratio, top];
   }
 }
 
@@ -74,7 +76,7 @@ export function paint_whiskers(plot: uPlot, pen: CanvasRenderingContext2D, x: re
   pen.lineWidth = 1.25 * ratio;
   pen.setLineDash([]);
   const cap = cap_px * ratio;
-  for (const [i, value, left] of within(plot, x, series)) {
+  for (const [i, value, left] of within(plot, x, series, ratio)) {
     const reach = series.whisker[i];
     if (typeof reach !== 'number' || reach <= 0) continue;
     const [above, below] = [plot.valToPos(value + reach, 'y', true), plot.valToPos(value - reach, 'y', true)];
@@ -93,7 +95,7 @@ export function paint_points(plot: uPlot, pen: CanvasRenderingContext2D, x: read
   pen.globalAlpha = series.opacity ?? 1;
   pen.setLineDash([]);
   const radius = ((series.size ?? 6) / 2) * ratio;
-  for (const [, , left, top] of within(plot, x, series)) paint_shape(pen, series.shape, left, top, radius, ratio);
+  for (const [, , left, top] of within(plot, x, series, ratio)) paint_shape(pen, series.shape, left, top, radius, ratio);
 }
 
 export function paint_shape(pen: CanvasRenderingContext2D, shape: Shape, x: number, y: number, r: number, ratio: number): void {

@@ -54,7 +54,22 @@ function number_ticks(splits: number[], step: number): string[] {
   return splits.map((value) => marked(value.toFixed(decimals)));
 }
 
-function axis(label: string, kind: 'number' | 'time', side: 'x' | 'y'): uPlot.Axis {
+/** Between ticks of an angle: what divides a turn, below that what divides a degree. */
+const degree_steps = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, 720, 1440, 3600];
+
+/** The line of a series that stands aside goes along with its points. */
+function moved_line(pixels_aside: number): uPlot.Series.PathBuilder {
+  const straight = uPlot.paths.linear?.();
+  return (plot, series, first, last) => {
+    const made = straight?.(plot, series, first, last) ?? null;
+    if (made === null || !(made.stroke instanceof Path2D)) return made;
+    const stroke = new Path2D();
+    stroke.addPath(made.stroke, new DOMMatrix().translate(pixels_aside * pixels(), 0));
+    return { ...made, stroke };
+  };
+}
+
+function axis(label: string, kind: 'number' | 'angle' | 'time', side: 'x' | 'y'): uPlot.Axis {
   const font = `12px ${token('--font')}`;
   return {
     label, font, labelFont: font, labelSize: 18, labelGap: 0, gap: 5,
@@ -64,6 +79,7 @@ function axis(label: string, kind: 'number' | 'time', side: 'x' | 'y'): uPlot.Ax
     grid: { stroke: () => token('--line'), width: 1 },
     ticks: { show: false },
     ...(kind === 'time' ? { splits: (plot: uPlot, _axis: number, low: number, high: number) => time_splits(low, high, plot.bbox.width / pixels() / 84) } : {}),
+    ...(kind === 'angle' ? { incrs: degree_steps } : {}),
     values: (_plot, splits, _axis, _space, step) => (kind === 'time' ? time_ticks(splits) : number_ticks(splits, step)),
   };
 }
@@ -110,7 +126,7 @@ export function make_plot(model: () => ChartModel, events: PlotEvents, size: { w
         spanGaps: series.across ?? false, points: { show: false },
         stroke: () => token(series.colour),
         ...(series.dash ? { dash: [...series.dash] } : {}),
-        ...(series.width === 0 ? { paths: () => null } : {}),
+        ...(series.width === 0 ? { paths: () => null } : series.aside ? { paths: moved_line(series.aside) } : {}),
       })),
     ],
     hooks: {

@@ -74,7 +74,7 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
   const series = useMemo((): ChartSeries[] => parameters.map((key) => {
     const figures = points.map((point) => point.figures.find((figure) => figure.parameter === key));
     return {
-      key, label: plain_symbol(key), ...look(key), size: 7, across: true, hidden: !wanted.includes(key),
+      key, label: plain_symbol(key), ...look(key), size: 7, aside: 3 * (wanted.indexOf(key) - (wanted.length - 1) / 2), across: true, hidden: !wanted.includes(key),
       values: figures.map((figure) => figure?.value ?? null), whisker: figures.map((figure) => figure?.U ?? null),
     };
   }), [points, wanted]);

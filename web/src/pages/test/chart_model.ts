@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The positioning chart of a test in terms of the drawing: runs, means, bands, limits.
 import type { ChartBand, ChartLine, ChartModel, ChartSeries, Values } from '../../components/chart';
-import type { Evaluated, Parameter, PositionResult } from '../../api/types';
+import type { Evaluated, Parameter, PositionResult, Verdict } from '../../api/types';
 import { texts } from '../../i18n/texts';
 import { position_unit, shortest, unit_sign } from '../../numbers';
 import { plain_symbol } from './figures_text';
@@ -39,6 +39,18 @@ export function position_uncertainties(evaluated: Evaluated): PositionU[] | null
   return Array.isArray(positions) && positions.length === evaluated.result.positions.length ? (positions as PositionU[]) : null;
 }
 
+/** Of both directions together where both were measured, else of the one. */
+function mean_way({ result: { positions } }: Evaluated): 'mean' | 'mean_up' | 'mean_down' {
+  if (positions.some((p) => p.mean !== null)) return 'mean';
+  return positions.some((p) => p.mean_up !== null) ? 'mean_up' : 'mean_down';
+}
+
+const of_way = { mean: 'mean', mean_up: 'up', mean_down: 'down' } as const;
+
+/** U of the mean that its band is drawn about, at one target. */
+export const mean_uncertainty = (evaluated: Evaluated, target: number): number | null =>
+  position_uncertainties(evaluated)?.[target]?.[of_way[mean_way(evaluated)]]?.U ?? null;
+
 /** Ranges that a limit bounds in the chart: the lowest and the highest of what the parameter is made of. */
 function bounded(positions: readonly PositionResult[], parameter: Parameter): [number, number] | null {
   const ends: number[] = [];
@@ -62,13 +74,16 @@ export function drawable_limits(evaluated: Evaluated): Parameter[] {
   return evaluated.shown.filter((row) => row.limit !== null && /^[AEM]/.test(row.parameter)).map((row) => row.parameter);
 }
 
+export const limit_colour = (verdict: Verdict | null): string =>
+  verdict === 'does not conform' ? '--bad' : verdict === 'undecided' ? '--caution' : '--good';
+
 /** A limit bounds a range, not a place: its two lines stand about the middle of that range. */
 function limit_lines(evaluated: Evaluated, choice: ChartChoice): ChartLine[] {
   const row = evaluated.shown.find((shown) => shown.parameter === choice.limit);
   const range = choice.limit === null ? null : bounded(evaluated.result.positions, choice.limit);
   if (!row || row.limit === null || range === null) return [];
   const middle = (range[0] + range[1]) / 2;
-  const colour = row.verdict === 'does not conform' ? '--bad' : '--good';
+  const colour = limit_colour(row.verdict);
   const hidden = choice.hidden.has('limits');
   const label = t('limit', { symbol: plain_symbol(row.parameter), value: shortest(row.limit), unit: row.unit });
   return [
@@ -136,10 +151,9 @@ export function chart_model(evaluated: Evaluated, choice: ChartChoice): ChartMod
   ];
   const help: ChartSeries[] = [];
   if (known) {
-    // Of both directions together where both were measured, else of the one.
-    const one = positions.every((p) => p.mean === null) ? (positions.some((p) => p.mean_up !== null) ? 'up' : 'down') : null;
-    const means = positions.map((p) => (one === null ? p.mean : one === 'up' ? p.mean_up : p.mean_down));
-    const reach = order.map((i) => (one === null ? known[i]?.mean?.U : known[i]?.[one]?.U) ?? null);
+    const way = mean_way(evaluated);
+    const means = positions.map((p) => p[way]);
+    const reach = order.map((i) => mean_uncertainty(evaluated, i));
     const hidden = choice.hidden.has('uncertainty');
     const made = band('uncertainty', means, reach, '--series-mean', 0.12, hidden);
     bands.push(made);
@@ -148,7 +162,7 @@ export function chart_model(evaluated: Evaluated, choice: ChartChoice): ChartMod
   }
   return {
     order, x: order.map((i) => evaluated.readings.targets[i] as number),
-    x_label: `${t('position')} / ${position_unit(kind)}`,
+    x_kind: kind === 'rotary' ? 'angle' : 'number', x_label: `${t('position')} / ${position_unit(kind)}`,
     y_label: `${t('deviation')} / ${unit_sign(evaluated.result.unit)}`,
     series: [...run_series(evaluated, order, choice), ...help, ...mean_series(positions, choice)],
     bands, lines: limit_lines(evaluated, choice),

@@ -5,7 +5,7 @@ import { Chart, ChartLegend, type ChartPlace } from '../../components/chart';
 import { texts } from '../../i18n/texts';
 import { fixed, position_unit, shortest, unit_sign } from '../../numbers';
 import { decimal, language } from '../../settings';
-import { arrow, chart_model, drawable_limits, position_uncertainties, run_key, type Part, type Way } from './chart_model';
+import { arrow, chart_model, drawable_limits, limit_colour, mean_uncertainty, position_uncertainties, run_key, type Part, type Way } from './chart_model';
 import { plain_symbol } from './figures_text';
 import type { TestState } from './state';
 
@@ -22,6 +22,7 @@ const t = texts({
   limits: ['limit', 'Grenzwert'],
   measured: ['as measured', 'wie gemessen'],
   of: ['limit of', 'Grenzwert von'],
+  broken: ['Limit not kept, not drawn here: {symbols}', 'Grenzwert nicht eingehalten, hier nicht gezeichnet: {symbols}'],
   each_run: ['Runs', 'Durchläufe'],
   all_runs: ['all', 'alle'],
   one_run: ['Run {run} {arrow}', 'Durchlauf {run} {arrow}'],
@@ -35,8 +36,8 @@ const looks = {
   mean_up: { colour: '--series-up', width: 2, shape: 'up' },
   mean_down: { colour: '--series-down', width: 2, dash: [5, 2], shape: 'down' },
   mean: { colour: '--series-mean', width: 1.5, dash: [2, 3], shape: null },
-  bands: { colour: '--series-up', width: 3, shape: null },
-  uncertainty: { colour: '--ink-quiet', width: 3, shape: null },
+  bands: { colour: '--series-up', shape: null, area: ['--series-up', '--series-down'] },
+  uncertainty: { colour: '--series-mean', shape: null, area: ['--series-mean'] },
   limits: { colour: '--good', width: 1.5, dash: [5, 3], shape: null },
   measured: { colour: '--series-mean', width: 1, dash: [1, 3], shape: 'ring' },
 } as const;
@@ -58,6 +59,9 @@ function toggled<T>(set: ReadonlySet<T>, item: T): Set<T> {
   return next;
 }
 
+const fails = (evaluated: Evaluated, parameter: Parameter): boolean =>
+  evaluated.shown.some((row) => row.parameter === parameter && row.verdict === 'does not conform');
+
 /** The readings and what the standard makes of them; cursor and rows of the table are one. */
 export function PositionChart({ state, height }: { state: TestState; height: number }) {
   const evaluated = state.evaluated.value;
@@ -65,7 +69,8 @@ export function PositionChart({ state, height }: { state: TestState; height: num
   const [hidden_runs, set_hidden_runs] = useState<ReadonlySet<string>>(new Set<string>());
   const [wanted_limit, set_limit] = useState<Parameter | null>(null);
   const limits = drawable_limits(evaluated);
-  const limit = wanted_limit !== null && limits.includes(wanted_limit) ? wanted_limit : (limits[0] ?? null);
+  const limit = wanted_limit !== null && limits.includes(wanted_limit) ? wanted_limit : (limits.find((one) => fails(evaluated, one)) ?? limits[0] ?? null);
+  const broken = evaluated.shown.map((row) => row.parameter).filter((one) => fails(evaluated, one) && !limits.includes(one));
   const { readings, result } = evaluated;
   const judged = evaluated.shown.find((row) => row.parameter === limit);
   // Drawn again only for what is in the picture: most edits change uncertainties alone.
@@ -79,7 +84,7 @@ export function PositionChart({ state, height }: { state: TestState; height: num
         <h2>{t('title')}</h2>
         <div class="row no-print">
           <ChartLegend label={t('legend')} on_toggle={(key) => set_hidden(toggled(hidden, key as Part))}
-            items={present_parts(evaluated, limits).map((part) => ({ key: part, label: t(part), look: looks[part], shown: !hidden.has(part) }))} />
+            items={present_parts(evaluated, limits).map((part) => ({ key: part, label: t(part), look: part === 'limits' ? { ...looks.limits, colour: limit_colour(judged?.verdict ?? null) } : looks[part], shown: !hidden.has(part) }))} />
           {limits.length > 1 && (
             <label class="small">{t('of')}
               <select value={limit ?? ''} onChange={(event) => set_limit(event.currentTarget.value as Parameter)}>
@@ -89,9 +94,10 @@ export function PositionChart({ state, height }: { state: TestState; height: num
           )}
         </div>
       </header>
+      {broken.length > 0 && <p class="small broken">{t('broken', { symbols: broken.map(plain_symbol).join(', ') })}</p>}
       <Chart {...model} name={t('name')} height={height} cursor={here === null ? null : model.order.indexOf(here)}
         on_cursor={(place) => { state.target.value = place === null ? null : (model.order[place.index] ?? null); }}
-        tip={(place) => <Tip evaluated={evaluated} model={model} place={place} />}
+        tip={(place) => <Tip evaluated={evaluated} model={model} place={place} with_U={!hidden.has('uncertainty')} />}
         spoken={(place) => spoken(evaluated, model, place)} />
       <RunChips evaluated={evaluated} hidden={hidden_runs} set_hidden={set_hidden_runs} />
     </section>
@@ -131,7 +137,7 @@ function reading_here(model: Model, place: ChartPlace): string | null {
     : `${series.label}: ${fixed(value, 2)}`;
 }
 
-function Tip({ evaluated, model, place }: { evaluated: Evaluated; model: Model; place: ChartPlace }) {
+function Tip({ evaluated, model, place, with_U }: { evaluated: Evaluated; model: Model; place: ChartPlace; with_U: boolean }) {
   const position = evaluated.result.positions[model.order[place.index] ?? -1];
   if (!position) return null;
   const unit = unit_sign(evaluated.result.unit);
@@ -139,6 +145,8 @@ function Tip({ evaluated, model, place }: { evaluated: Evaluated; model: Model; 
     ['x̄↑', position.mean_up], ['x̄↓', position.mean_down], ['x̄', position.mean], ['B', position.reversal],
     ['s↑', position.s_up], ['s↓', position.s_down],
   ];
+  const U = with_U ? mean_uncertainty(evaluated, model.order[place.index] ?? -1) : null;
+  if (U !== null) rows.push(['U(x̄)', U]);
   const reading = reading_here(model, place);
   return (
     <>
