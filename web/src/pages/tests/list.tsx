@@ -89,7 +89,7 @@ function columns(rows: readonly TestRow[]): Column<TestRow>[] {
     { key: 'measured', head: t('measured'), order: 'measured', falling: true, class: 'number-text wide-only', cell: (row) => row.measured_on || absent },
     figure('A'), figure('E'), figure('R'), figure('B'),
     { key: 'unit', head: t('unit'), class: 'quiet wide-only', cell: (row) => unit_sign(row.unit) },
-    { key: 'verdict', head: t('verdict'), cell: (row) => <VerdictMark verdict={row.verdict} /> },
+    { key: 'verdict', head: <span class="verdict-head">{t('verdict')}</span>, cell: (row) => <VerdictMark verdict={row.verdict} /> },
     { key: 'received', head: t('received'), order: 'received', falling: true, class: 'number-text quiet wide-only', cell: (row) => row.received_at.slice(0, 10) },
   ];
 }
