@@ -12,6 +12,7 @@ namespace axiometry::store {
 namespace {
 
 constexpr std::size_t statements_kept = 200;
+constexpr int patience_ms = 10'000;
 
 ErrorKind kind_of(sqlite3* database) {
   const int system_error = sqlite3_system_errno(database);
@@ -109,7 +110,7 @@ Result<SqliteDatabase> open_sqlite(const std::string& name, int flags) {
   if (!database) return fail(ErrorKind::unavailable, "the store cannot be opened: out of memory");
   if (code != SQLITE_OK) return std::unexpected(sqlite_error(database.get()));
   sqlite3_extended_result_codes(database.get(), 0);
-  sqlite3_busy_timeout(database.get(), 10'000);
+  sqlite3_busy_timeout(database.get(), patience_ms);
   sqlite3_db_config(database.get(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(database.get(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   return database;
@@ -152,7 +153,19 @@ Result<void> SqliteConnection::script(const std::string& sql) {
   return {};
 }
 
+/// SQLite goes on with a file that has no name any more: what is written into it is gone with this program, and what
+/// another file of its name has in its log is taken for changes of this one.
+bool SqliteConnection::has_moved() const {
+  int moved = 0;
+  return sqlite3_file_control(database_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &moved) == SQLITE_OK && moved != 0;
+}
+
+bool SqliteConnection::is_replaced() const {
+  return has_moved() && file_stamp(sqlite3_db_filename(database_.get(), "main"));
+}
+
 Result<void> SqliteConnection::begin_read() {
+  if (is_replaced()) return fail_moved();
   if (expected_ && file_stamp(expected_->path) != expected_->stamp) {
     stale_ = true;
     return fail(ErrorKind::unavailable, "found the store changed by another program, expected it unchanged");
@@ -160,18 +173,22 @@ Result<void> SqliteConnection::begin_read() {
   return run("BEGIN");
 }
 
-/// SQLite would go on writing into a file that has no name any more, and what was said to be kept would be gone with
-/// this program.
 Result<void> SqliteConnection::begin_write() {
   AXIOMETRY_TRY_VOID(run("BEGIN IMMEDIATE"));
-  int moved = 0;
-  if (sqlite3_file_control(database_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &moved) != SQLITE_OK || moved == 0)
-    return {};
+  if (!has_moved()) return {};
   rollback();
   return fail_moved();
 }
 
-Result<void> SqliteConnection::commit() { return run("COMMIT"); }
+/// What was written goes on into the file itself at once, unless somebody reads or the disk is full: a log that is left
+/// beside it would be taken for that of a file which comes to stand in its place.
+Result<void> SqliteConnection::commit() {
+  AXIOMETRY_TRY_VOID(run("COMMIT"));
+  sqlite3_busy_timeout(database_.get(), 0);
+  static_cast<void>(sqlite3_wal_checkpoint_v2(database_.get(), "main", SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr));
+  sqlite3_busy_timeout(database_.get(), patience_ms);
+  return {};
+}
 
 void SqliteConnection::rollback() {
   // A failure may have rolled back already; then there is nothing to end.

@@ -50,6 +50,8 @@ class SqliteConnection final : public Connection {
  private:
   Result<Rows> execute(std::string_view sql, std::span<const Parameter> parameters) override;
   Result<sqlite3_stmt*> prepared(std::string_view sql);
+  bool has_moved() const;    ///< whether the file has another name or none
+  bool is_replaced() const;  ///< whether another one has its name
 
   struct Expected {
     std::string path;
