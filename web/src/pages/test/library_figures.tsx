@@ -4,7 +4,7 @@ import { query } from '../../api/client';
 import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
 import { texts } from '../../i18n/texts';
-import { decimal, language, shown_theme } from '../../settings';
+import { decimal, language, screen_theme } from '../../settings';
 import type { TestState } from './state';
 
 const t = texts({
@@ -25,6 +25,7 @@ export function LibraryFigures({ state }: { state: TestState }) {
   const n = at < figures.length ? at : 0;
   const path = (theme: string) =>
     `/api/tests/${test.id}/figures/${figures[n]?.id}.svg${query({ version: test.version, theme, language: language.value, decimal: decimal.value })}`;
+  const dark = screen_theme.value === 'dark';
   if (list.data !== null && figures.length === 0) return null;
   return (
     <section class="panel figures-panel">
@@ -40,7 +41,8 @@ export function LibraryFigures({ state }: { state: TestState }) {
       )}
       {figures.length > 0 && (
         <div class="figure-frame" tabIndex={0} role="region" aria-label={t('choose')}>
-          <img class="library-figure" src={path(shown_theme.value)} alt={figures[n]?.title ?? ''} />
+          <img class={`library-figure ${dark ? 'no-print' : ''}`} src={path(screen_theme.value)} alt={figures[n]?.title ?? ''} />
+          {dark && <img class="library-figure only-print" src={path('light')} alt={figures[n]?.title ?? ''} />}
         </div>
       )}
       {state.edited.value && <p class="small quiet">{t('kept', { version: test.version })}</p>}
