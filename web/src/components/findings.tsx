@@ -10,6 +10,12 @@ const t = texts({
   clause: ['clause {clause}', 'Abschnitt {clause}'],
 });
 
+/** With a capital letter and a full stop, unless it begins with a symbol ("s_i") or ends already. */
+export function sentence(message: string): string {
+  const begun = /^\p{Ll}{2}/u.test(message) ? message.charAt(0).toUpperCase() + message.slice(1) : message;
+  return /[.?!]$/.test(begun) ? begun : `${begun}.`;
+}
+
 /** What the standard says, the gravest first; its weight is a word beside the colour. */
 export function FindingList({ findings }: { findings: Finding[] }) {
   return (
@@ -18,7 +24,7 @@ export function FindingList({ findings }: { findings: Finding[] }) {
         <li key={i} class={finding.severity}>
           <span class="weight">{t(finding.severity)}</span>
           <span>
-            <Formula text={finding.message} />
+            <Formula text={sentence(finding.message)} />
             {finding.clause !== '' && <span class="quiet"> ({t('clause', { clause: finding.clause })})</span>}
           </span>
         </li>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Field, Finding, Vocabulary } from '../../api/types';
+import { sentence } from '../../components/findings';
 import { Formula } from '../../components/formula';
 import { texts } from '../../i18n/texts';
 import { group_of, group_title } from './field_groups';
@@ -107,7 +108,7 @@ function Missing({ findings, state, vocabulary }: { findings: readonly Finding[]
   );
 }
 
-function Message({ finding, text = finding.message }: { finding: Finding; text?: string }) {
+function Message({ finding, text = sentence(finding.message) }: { finding: Finding; text?: string }) {
   const clause = finding.clause === 'source' ? t('source') : /^\d|^A\.\d/.test(finding.clause) ? t('clause', { clause: finding.clause }) : finding.clause;
   return <p><Formula text={text} /> <span class="quiet small">{clause}</span></p>;
 }
