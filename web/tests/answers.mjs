@@ -55,7 +55,7 @@ export const answers = {
       const report = await fetch(`${world.server.address}/api/tests/${before.id}/report.html`);
       assert.equal(report.status, 200);
       await page.goto(`/tests/${before.id}`);
-      await shows(page.locator('main'), /columns were read as stated with the file/);
+      await shows(page.locator('main'), /Columns were read as stated with the file/);
     }
   },
 

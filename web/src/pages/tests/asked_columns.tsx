@@ -2,6 +2,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { offer } from '../../api/client';
 import type { AskedTable, ImportProfile } from '../../api/types';
+import { sentence } from '../../components/findings';
 import { Field } from '../../components/field';
 import { direction_rules, has, meaning_of, meanings, open_in, readings_of, same_columns, with_meaning, with_rule, type Open } from './columns';
 import { incoming, is_asked, read_by, type Incoming } from './incoming';
@@ -55,7 +56,7 @@ function AskedColumns({ one, table, on_close }: { one: Incoming; table: AskedTab
       {one.profile === null && table.questions.length > 0 && (
         <div class="notice caution">
           <p><strong>{t('questions')}</strong></p>
-          <ul>{table.questions.map((question, i) => <li key={i}>{question.key === 'direction' ? t('rule_question') : question.text}</li>)}</ul>
+          <ul>{table.questions.map((question, i) => <li key={i}>{question.key === 'direction' ? t('rule_question') : sentence(question.text)}</li>)}</ul>
         </div>
       )}
       <Rows file={one.file.name} table={table} profile={profile} on_meaning={(c, meaning) => set_profile(with_meaning(profile, c, meaning, table.rows.map((row) => row[c] ?? '')))} />
