@@ -134,22 +134,23 @@ void CaptureService::Running::evaluate(Test test) {
 }
 
 void CaptureService::Running::run() {
+  End end{.stage = Stage::interrupted, .test = {}, .error = {}};
   try {
     const CaptureObserver watching = observer();
     const auto outcome = run_live_capture(std::move(begun_->session), begun_->live, watching);
-    if (interrupt_) {
-      end(Stage::interrupted, {}, "");
-    } else {
-      conclude(outcome);
-    }
+    if (!interrupt_) end = conclude(outcome);
   } catch (const std::exception& exception) {
-    end(Stage::failed, {}, fmt::format("the program failed at this capture: {}", exception.what()));
+    end = {.stage = Stage::failed,
+           .test = {},
+           .error = fmt::format("the program failed at this capture: {}", exception.what())};
   }
+  // Who sees the end may take source and files at once.
   begun_.reset();
-  held_.reset();  // others may take it
+  held_.reset();
+  tell(std::move(end));
 }
 
-void CaptureService::Running::conclude(const Result<CaptureOutcome>& outcome) {
+CaptureService::Running::End CaptureService::Running::conclude(const Result<CaptureOutcome>& outcome) {
   if (outcome) {
     {
       const std::scoped_lock lock(mutex_);
@@ -167,21 +168,22 @@ void CaptureService::Running::conclude(const Result<CaptureOutcome>& outcome) {
   const CapturedEnd captured{held_->order(), std::move(test_), held_->raw()};
   const auto kept = keeping_.keep(captured);
   if (!kept)
-    return end(Stage::interrupted, {},
-               fmt::format("{}; what came stays on the disk and can be kept later", kept.error().message));
+    return {.stage = Stage::interrupted,
+            .test = {},
+            .error = fmt::format("{}; what came stays on the disk and can be kept later", kept.error().message)};
   // Without this note a crash in between would only ask keep() once more, which knows the test.
   if (*kept) static_cast<void>(held_->note_kept(**kept));
   held_->remove();
-  end(stage, *kept, std::move(error));
+  return {.stage = stage, .test = *kept, .error = std::move(error)};
 }
 
-void CaptureService::Running::end(Stage stage, std::optional<store::Id> test, std::string error) {
+void CaptureService::Running::tell(End end) {
   const std::scoped_lock lock(mutex_);
   ++state_.revision;
-  state_.stage = stage;
+  state_.stage = end.stage;
   state_.now.reset();
-  state_.test = test;
-  state_.error = std::move(error);
+  state_.test = end.test;
+  state_.error = std::move(end.error);
   changed_.notify_all();
 }
 

@@ -40,13 +40,19 @@ class CaptureService::Running {
   bool concluding() const { return concludes_; }  ///< plays what there is, and stops by itself
 
  private:
+  struct End {
+    CaptureState::Stage stage;
+    std::optional<store::Id> test;
+    std::string error;
+  };
+
   void run();
   CaptureObserver observer();
   void now(const CaptureSession& session);
   void take_readings(const CaptureSession& session);
   void evaluate(Test test);
-  void conclude(const Result<CaptureOutcome>& outcome);
-  void end(CaptureState::Stage stage, std::optional<store::Id> test, std::string error);
+  End conclude(const Result<CaptureOutcome>& outcome);
+  void tell(End end);
 
   const std::string source_;
   const bool concludes_;
