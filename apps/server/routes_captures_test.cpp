@@ -26,15 +26,15 @@ constexpr const char* short_request = R"({"axis": "X", "kind": "linear", "from":
 class CaptureRoutes : public testing::Test {
  protected:
   CaptureRoutes() {
-    folder_ = testing::TempDir() + "capture-routes-" + testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::remove_all(folder_);
-    captures = *app::CaptureService::open({.folder = folder_, .sources = {}}, app::keeping_in(workbench));
+    captures = *app::CaptureService::open({.folder = captures_folder(), .sources = {}}, app::keeping_in(workbench));
     const Context context{archive.store(), workbench, *captures};
     add_test_routes(router, context);
     add_equipment_routes(router, context);
     add_plan_routes(router, context);
     add_capture_routes(router, context);
   }
+
+  std::string captures_folder() const { return archive.folder() + "/captures"; }
 
   Response send(std::string method, std::string path, std::string body = {}, Pairs query = {},
                 language::Language language = language::Language::english) {
@@ -75,7 +75,6 @@ class CaptureRoutes : public testing::Test {
     return Value::object();
   }
 
-  std::string folder_;
   testing_support::Archive archive;
   app::Workbench workbench{archive.store()};
   std::unique_ptr<app::CaptureService> captures;
@@ -190,7 +189,7 @@ TEST_F(CaptureRoutes, AFailingRequestBeginsNothing) {
   EXPECT_TRUE(value_of(send("GET", "/api/captures"), 200).find("captures")->items().empty());
   EXPECT_EQ(send("GET", "/api/captures/1").status, 404);
   EXPECT_EQ(send("POST", "/api/captures/1/stop").status, 404);
-  EXPECT_FALSE(std::filesystem::exists(folder_));
+  EXPECT_FALSE(std::filesystem::exists(captures_folder()));
 }
 
 }  // namespace

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <gtest/gtest.h>
-#include <stdlib.h>
-
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -13,31 +9,24 @@
 #include <utility>
 
 #include "axiometry/store/store.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::testing_support {
 
 /// An archive in a folder of its own, which goes with it.
 class Archive {
  public:
-  Archive() : folder_(testing::TempDir() + "archive.XXXXXX") {
-    if (::mkdtemp(folder_.data()) == nullptr) throw std::runtime_error("cannot make a folder for an archive");
-    auto opened = store::Store::open(folder_ + "/archive.db");
+  Archive() {
+    auto opened = store::Store::open(folder_.file("archive.db"));
     if (!opened) throw std::runtime_error(opened.error().to_string());
     store_ = *std::move(opened);
   }
-  ~Archive() {
-    store_.reset();
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  Archive(const Archive&) = delete;
-  Archive& operator=(const Archive&) = delete;
 
   store::Store& store() { return *store_; }
-  const std::string& folder() const { return folder_; }
+  const std::string& folder() const { return folder_.path(); }
 
  private:
-  std::string folder_;
+  TemporaryFolder folder_;
   std::unique_ptr<store::Store> store_;
 };
 

@@ -17,6 +17,7 @@
 #include "axiometry/simulation/presets.h"
 #include "axiometry/simulation/simulate.h"
 #include "axiometry/standards/iso230_2_plan.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
 namespace {
@@ -78,11 +79,6 @@ struct Archive {
 
 class CaptureServiceTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "captures-" + testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::remove_all(folder_);
-  }
-
   std::unique_ptr<CaptureService> open(std::vector<CaptureSource> sources = {}) {
     CaptureSettings settings{.folder = folder_, .sources = std::move(sources)};
     auto service = CaptureService::open(std::move(settings), archive_.keeping());
@@ -121,7 +117,8 @@ class CaptureServiceTest : public testing::Test {
     return count;
   }
 
-  std::string folder_;
+  testing_support::TemporaryFolder temporary_;
+  const std::string folder_ = temporary_.file("captures");
   Archive archive_;
 };
 

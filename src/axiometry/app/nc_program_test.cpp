@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/nc_program.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace axiometry::app {
 namespace {
@@ -16,15 +15,14 @@ constexpr std::string_view plan_text = R"({"axis": {"name": "X", "kind": "linear
 
 class NcProgram : public testing::Test {
  protected:
-  NcProgram() : plan_(testing::TempDir() + "nc_program_plan.json") { std::ofstream(plan_) << plan_text; }
-
   std::string reason(NcRequest request) const {
     request.plan = plan_;
     const auto program = nc_program(request);
     return program ? "" : program.error().to_string();
   }
 
-  std::string plan_;
+  testing_support::TemporaryFolder folder_;
+  const std::string plan_ = folder_.written("plan.json", plan_text);
 };
 
 TEST_F(NcProgram, WalksThePartOfThePlanThatIsAskedFor) {
@@ -45,18 +43,13 @@ TEST_F(NcProgram, SaysWhatThereIsInsteadOfWhatIsNot) {
 }
 
 TEST_F(NcProgram, DoesNotTakeThePlacesOfThePlanOrOfAFileWhenItFails) {
-  const std::string output = testing::TempDir() + "nc_program_test.nc";
+  const std::string output = folder_.file("program.nc");
   EXPECT_FALSE(write_nc_program({.plan = plan_, .dialect = "grbl"}, plan_));
   EXPECT_FALSE(write_nc_program({.plan = plan_, .dialect = "grbl", .part = 9}, output));
   EXPECT_FALSE(std::filesystem::exists(output));
   EXPECT_TRUE(write_nc_program({.plan = plan_, .dialect = "grbl"}, output));
-  std::ostringstream text;
-  text << std::ifstream(output).rdbuf();
-  EXPECT_EQ(text.str(), *nc_program({.plan = plan_, .dialect = "grbl"}));
-  std::filesystem::remove(output);
-  std::ostringstream kept;
-  kept << std::ifstream(plan_).rdbuf();
-  EXPECT_EQ(kept.str(), plan_text);
+  EXPECT_EQ(folder_.content("program.nc"), *nc_program({.plan = plan_, .dialect = "grbl"}));
+  EXPECT_EQ(folder_.content("plan.json"), plan_text);
 }
 
 constexpr std::string_view lines_text = R"({"format": "axiometry-tracking-plan/1", "title": "Seven lines",
@@ -72,8 +65,6 @@ constexpr std::string_view lines_text = R"({"format": "axiometry-tracking-plan/1
 
 class NcProgramOfLines : public testing::Test {
  protected:
-  NcProgramOfLines() : plan_(testing::TempDir() + "nc_program_lines.json") { std::ofstream(plan_) << lines_text; }
-
   std::string reason(NcRequest request) const {
     request.plan = plan_;
     request.dialect = "grbl";
@@ -81,7 +72,8 @@ class NcProgramOfLines : public testing::Test {
     return program ? "" : program.error().to_string();
   }
 
-  std::string plan_;
+  testing_support::TemporaryFolder folder_;
+  const std::string plan_ = folder_.written("plan.json", lines_text);
 };
 
 TEST_F(NcProgramOfLines, DrivesTheWholeMeasurementOrOneLine) {
@@ -103,8 +95,7 @@ TEST_F(NcProgramOfLines, DrivesOneLineFromAboveAndNotFromTheEndOfTheOneBefore) {
   text.replace(text.find(low), low.size(), R"("position_mm": [0, 5, -490])");
   for (std::size_t at = 0; (at = text.find("[0, 5, 7]", at)) != std::string::npos;) text.replace(at, 9, "[0, 5, -490]");
   for (std::size_t at = 0; (at = text.find("[100, 200]", at)) != std::string::npos;) text.replace(at, 10, "[300, 400]");
-  const std::string file = testing::TempDir() + "nc_program_alone.json";
-  std::ofstream(file) << text;
+  const std::string file = folder_.written("alone.json", text);
   const auto one = nc_program({.plan = file, .dialect = "fanuc", .line = "x"});
   ASSERT_TRUE(one) << one.error().to_string();
   EXPECT_NE(one->find("G1 X295.0000 Y5.0000 Z0.0000 F600. (WAY IN)"), std::string::npos) << *one;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/output.h"
+#include "tests/support/temporary_folder.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -7,9 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 namespace axiometry::app {
@@ -19,22 +18,13 @@ namespace fs = std::filesystem;
 
 class OutputTest : public testing::Test {
  protected:
-  OutputTest() {
-    std::string name = (fs::temp_directory_path() / "axiometry-output-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~OutputTest() override { fs::remove_all(folder_); }
-
-  std::string content(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  std::string content(const std::string& name) const { return folder_.content(name); }
   std::size_t file_count() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), {}));
   }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.file(name); }
 
-  fs::path folder_;
+  testing_support::TemporaryFolder folder_;
 };
 
 TEST_F(OutputTest, AppearsOnCommit) {
@@ -59,7 +49,7 @@ TEST_F(OutputTest, LeavesNothingWithoutCommitAndKeepsWhatWasThere) {
 }
 
 TEST_F(OutputTest, LeavesNothingWhenTheProcessIsKilled) {
-  const int nameless = ::open(folder_.c_str(), O_TMPFILE | O_WRONLY, 0666);
+  const int nameless = ::open(folder_.path().c_str(), O_TMPFILE | O_WRONLY, 0666);
   if (nameless < 0) GTEST_SKIP() << "no files without a name on this file system";
   ::close(nameless);
   const pid_t child = ::fork();
@@ -94,7 +84,7 @@ TEST_F(OutputTest, SaysWhyItCannotWrite) {
   const auto result = write_file(path("no/such/folder.txt"), "x");
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().to_string(), path("no/such/folder.txt") + ": cannot write: No such file or directory");
-  EXPECT_EQ(write_file(folder_.string(), "x").error().message, "cannot write: Is a directory");
+  EXPECT_EQ(write_file(folder_.path(), "x").error().message, "cannot write: Is a directory");
   EXPECT_EQ(write_file("/dev/full", "x").error().message, "cannot write: No space left on device");
 }
 

@@ -5,11 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "axiometry/base/json.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
 namespace {
@@ -18,17 +16,6 @@ using ::testing::HasSubstr;
 
 class PlanFiles : public ::testing::Test {
  protected:
-  PlanFiles() { std::filesystem::create_directories(folder_); }
-  ~PlanFiles() override { std::filesystem::remove_all(folder_); }
-
-  std::string name(const std::string& file) const { return (folder_ / file).string(); }
-  std::string text(const std::string& file) const {
-    std::ifstream stream(name(file), std::ios::binary);
-    std::stringstream all;
-    all << stream.rdbuf();
-    return all.str();
-  }
-
   static Plan plan(double to) {
     iso230_2::PlanRequest r;
     r.axis.travel_begin = Position::native(0);
@@ -37,19 +24,16 @@ class PlanFiles : public ::testing::Test {
     return iso230_2::make_plan(r).value();
   }
 
- private:
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      ("axiometry-plan-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+  testing_support::TemporaryFolder folder_;
 };
 
 TEST_F(PlanFiles, ReadBackWithoutWhatWasAddedForPeople) {
   PlannedTest test = planned(plan(500), std::nullopt).value();
   test.findings = {{"5.2", iso230_2::Severity::note, "found \"this\""}};
   OutputNames names;
-  names.json = name("plan.json");
+  names.json = folder_.file("plan.json");
   ASSERT_TRUE(write_plan_outputs(test, names, {}));
-  const auto root = json::parse(text("plan.json"));
+  const auto root = json::parse(folder_.content("plan.json"));
   ASSERT_TRUE(root);
   EXPECT_EQ(root->find("findings")->items()[0].find("message")->text(), "found \"this\"");
   EXPECT_NEAR(root->find("duration_s")->number(), test.duration.in_s(), 0.05);
@@ -59,17 +43,16 @@ TEST_F(PlanFiles, ReadBackWithoutWhatWasAddedForPeople) {
 }
 
 TEST_F(PlanFiles, NameTheFileOfAnError) {
-  std::ofstream(name("bad.json")) << "{\n  \"axis\": 3}";
-  const auto bad = read_plan_file(name("bad.json"));
+  const auto bad = read_plan_file(folder_.written("bad.json", "{\n  \"axis\": 3}"));
   ASSERT_FALSE(bad);
   EXPECT_THAT(bad.error().to_string(), HasSubstr("bad.json:"));
-  EXPECT_THAT(read_plan_file(name("none.json")).error().to_string(), HasSubstr("none.json"));
+  EXPECT_THAT(read_plan_file(folder_.file("none.json")).error().to_string(), HasSubstr("none.json"));
 }
 
 TEST_F(PlanFiles, SequencesAreListsOrFiles) {
-  std::ofstream(name("sequence.txt")) << "1+ 2+ # up\n2-\n";
-  EXPECT_EQ(read_sequence("1+ 2+ 2-").value(), read_sequence(name("sequence.txt")).value());
-  EXPECT_THAT(read_sequence(name("none.txt")).error().message, HasSubstr("expected the number of a target"));
+  const std::string file = folder_.written("sequence.txt", "1+ 2+ # up\n2-\n");
+  EXPECT_EQ(read_sequence("1+ 2+ 2-").value(), read_sequence(file).value());
+  EXPECT_THAT(read_sequence(folder_.file("none.txt")).error().message, HasSubstr("expected the number of a target"));
 }
 
 TEST(PlanDuration, RestsOnAnAccelerationThatAnAxisHas) {

@@ -3,24 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-
 #include "axiometry/app/output.h"
 #include "axiometry/app/source.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
 namespace {
 
 class RawLogTest : public testing::Test {
  protected:
-  RawLogTest() {
-    char name[] = "/tmp/axiometry-raw-XXXXXX";
-    folder_ = ::mkdtemp(name);
-    raw_ = folder_ + "/run.raw";
-  }
-  ~RawLogTest() override { std::filesystem::remove_all(folder_); }
-
   /// "[100]abc [200|]de": arrivals and bytes, a bar where a connection begins.
   std::string played() const {
     std::string text;
@@ -34,7 +25,8 @@ class RawLogTest : public testing::Test {
 
   std::string bytes_of(const std::string& name) const { return *Source::open(name)->read_all(1 << 20); }
 
-  std::string folder_, raw_;
+  testing_support::TemporaryFolder folder_;
+  const std::string raw_ = folder_.file("run.raw");
 };
 
 TEST_F(RawLogTest, PlaysThePiecesAsTheyCame) {
@@ -60,7 +52,7 @@ TEST_F(RawLogTest, NeverOverwritesAndGoesOnWhenAsked) {
     ASSERT_TRUE(log->append("de", 200));
   }
   EXPECT_EQ(played(), "[100]abc [200|]de");
-  EXPECT_FALSE(RawLog::resume(folder_ + "/none"));
+  EXPECT_FALSE(RawLog::resume(folder_.file("none")));
 }
 
 TEST_F(RawLogTest, OutlastsAnEndBetweenTimeAndBytes) {

@@ -2,7 +2,6 @@
 #include "axiometry/app/simulate.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
@@ -17,6 +16,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/simulation/presets.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
 namespace {
@@ -25,25 +25,15 @@ using iso230_2::AxisParameters;
 
 class Simulated : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("axiometry-simulate-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-    request.simulate.plan = *simulation_plan("");
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { request.simulate.plan = *simulation_plan(""); }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string content(const std::string& name) const {
-    std::ifstream stream(path(name), std::ios::binary);
-    std::stringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
+  std::string path(const std::string& name) const { return folder_.file(name); }
+  std::string content(const std::string& name) const { return folder_.content(name); }
 
   SimulationRequest request;
 
  private:
-  std::filesystem::path folder_;
+  testing_support::TemporaryFolder folder_;
 };
 
 void expect_same(const AxisParameters& a, const AxisParameters& b, double tolerance) {

@@ -1,29 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/source.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-
-#include "axiometry/app/output.h"
 
 namespace axiometry::app {
 namespace {
 
 class SourceTest : public testing::Test {
  protected:
-  SourceTest() {
-    char name[] = "/tmp/axiometry-source-XXXXXX";
-    folder_ = ::mkdtemp(name);
-  }
-  ~SourceTest() override { std::filesystem::remove_all(folder_); }
+  std::string file(std::string_view bytes) const { return folder_.written("file", bytes); }
 
-  std::string file(std::string_view bytes) const {
-    EXPECT_TRUE(write_file(folder_ + "/file", bytes));
-    return folder_ + "/file";
-  }
-  std::string folder_;
+  testing_support::TemporaryFolder folder_;
 };
 
 TEST_F(SourceTest, LooksAtTheHeadWithoutConsumingIt) {
@@ -45,9 +33,9 @@ TEST_F(SourceTest, RefusesMoreThanTheLimitWithoutReadingIt) {
 }
 
 TEST_F(SourceTest, SaysWhyItCannotOpen) {
-  EXPECT_EQ(Source::open(folder_ + "/none").error().to_string(),
-            folder_ + "/none: cannot open: No such file or directory");
-  EXPECT_EQ(Source::open(folder_).error().to_string(), folder_ + ": cannot read: Is a directory");
+  EXPECT_EQ(Source::open(folder_.file("none")).error().to_string(),
+            folder_.file("none") + ": cannot open: No such file or directory");
+  EXPECT_EQ(Source::open(folder_.path()).error().to_string(), folder_.path() + ": cannot read: Is a directory");
 }
 
 }  // namespace

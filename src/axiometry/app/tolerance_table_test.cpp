@@ -4,10 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "tests/support/series.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
 namespace {
@@ -140,18 +138,15 @@ TEST(ToleranceTable, RefusesABandThatIsGivenTwice) {
 }
 
 TEST(ToleranceTableName, MayHoldColonsInTheNameAndInTheFile) {
-  const auto folder = std::filesystem::temp_directory_path() / "axiometry_tolerance_table_test";
-  std::filesystem::create_directories(folder);
-  const std::string plain = (folder / "limits.csv").string();
-  const std::string odd = (folder / "a:b.csv").string();
-  for (const std::string& name : {plain, odd}) std::ofstream(name) << "x";
+  const testing_support::TemporaryFolder folder;
+  const std::string plain = folder.written("limits.csv", "x");
+  const std::string odd = folder.written("a:b.csv", "x");
   EXPECT_EQ(parse_table_name(plain).name, "");
   EXPECT_EQ(parse_table_name(plain + ":Mill: large").file, plain);
   EXPECT_EQ(parse_table_name(plain + ":Mill: large").name, "Mill: large");
   EXPECT_EQ(parse_table_name(odd).file, odd);
   EXPECT_EQ(parse_table_name(odd + ":Mill").name, "Mill");
   EXPECT_EQ(parse_table_name("none.csv:Mill").file, "none.csv:Mill");
-  std::filesystem::remove_all(folder);
 }
 
 TEST(ToleranceTable, NamesTheFileThatCannotBeRead) {

@@ -3,13 +3,10 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 
 #include "axiometry/base/text.h"
 #include "axiometry/formats/station_json.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
 namespace {
@@ -20,12 +17,6 @@ TrackingSetup setup() {
   s.tool_offset_mm = {0, 0, -150};
   s.station.position_mm = {480, 310, -250};
   return s;
-}
-
-std::string temporary(std::string_view name, std::string_view bytes) {
-  const std::string file = (std::filesystem::temp_directory_path() / fmt::format("locate-{}-{}", getpid(), name));
-  std::ofstream(file, std::ios::binary) << bytes;
-  return file;
 }
 
 /// The table of planned points with the lengths that the true station gives.
@@ -47,10 +38,10 @@ TEST(TrackingLocate, PlannedPointsFindTheStationWhenTheirTableIsFilledIn) {
   const auto planned = plan_location_points(setup(), 8);
   ASSERT_TRUE(planned) << planned.error().to_string();
   const Vector3 truth{481.234, 308.765, -251.111};
-  const std::string file = temporary("filled.csv", filled(*planned, truth));
+  const testing_support::TemporaryFolder folder;
+  const std::string file = folder.written("filled.csv", filled(*planned, truth));
   const auto located = locate({file, {}, {}});
   EXPECT_FALSE(locate({file, {}, {0, 0, -150}})) << "its coordinates hold the tool already";
-  std::filesystem::remove(file);
   ASSERT_TRUE(located) << located.error().to_string();
   for (const tracking::Finding& finding : located->location.findings)
     EXPECT_FALSE(finding.message.starts_with("passed over")) << finding.message;
@@ -68,16 +59,15 @@ TEST(TrackingLocate, PlannedPointsFindTheStationWhenTheirTableIsFilledIn) {
 TEST(TrackingLocate, ATableThatWasFilledInIsNotReplaced) {
   const auto planned = plan_location_points(setup(), 8);
   ASSERT_TRUE(planned) << planned.error().to_string();
-  const std::string file = temporary("table.csv", "anything");
+  const testing_support::TemporaryFolder folder;
+  const std::string file = folder.written("table.csv", "anything");
   ASSERT_TRUE(write_location_points(*planned, file));
   ASSERT_TRUE(write_location_points(*planned, file)) << "nothing was filled in yet";
   std::string full = location_points_csv(*planned);
   full.insert(full.find('\n', full.find("\n1,") + 1), "12.345");  // the first length alone
-  std::ofstream(file, std::ios::binary) << full;
+  folder.written("table.csv", full);
   const auto again = write_location_points(*planned, file);
-  std::ifstream left(file, std::ios::binary);
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(left), {}), full);
-  std::filesystem::remove(file);
+  EXPECT_EQ(folder.content("table.csv"), full);
   ASSERT_FALSE(again);
   EXPECT_EQ(again.error().file, file);
 }
@@ -88,17 +78,17 @@ TEST(TrackingLocate, TheToolIsAddedToCoordinatesOfTheAxes) {
   for (const Vector3 q : {Vector3{100, 100, 300}, Vector3{900, 150, 100}, Vector3{850, 550, 400}, Vector3{120, 500, 50},
                           Vector3{500, 350, 450}, Vector3{300, 50, 20}, Vector3{700, 400, 200}})
     table += fmt::format("{},{},{},{}\n", q.x, q.y, q.z, distance(q + tool, truth));
-  const std::string file = temporary("axes.csv", table);
+  const testing_support::TemporaryFolder folder;
+  const std::string file = folder.written("axes.csv", table);
   const auto located = locate({file, {}, tool});
-  std::filesystem::remove(file);
   ASSERT_TRUE(located) << located.error().to_string();
   EXPECT_NEAR(distance(located->location.refined.station_mm, truth), 0.0, 1e-8);
 }
 
 TEST(TrackingLocate, WhatIsWrongInTheFileNamesIt) {
-  const std::string file = temporary("bad.csv", "x_mm,y_mm,z_mm,length_difference_mm\n1,2,3\n");
+  const testing_support::TemporaryFolder folder;
+  const std::string file = folder.written("bad.csv", "x_mm,y_mm,z_mm,length_difference_mm\n1,2,3\n");
   const auto located = locate({file, {}, {}});
-  std::filesystem::remove(file);
   ASSERT_FALSE(located);
   EXPECT_EQ(located.error().file, file);
   EXPECT_EQ(located.error().at.line, 2);

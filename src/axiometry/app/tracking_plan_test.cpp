@@ -4,11 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "axiometry/app/whole_file.h"
 #include "axiometry/formats/tracking_plan_json.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
 namespace {
@@ -18,20 +16,7 @@ using ::testing::HasSubstr;
 
 class TrackingPlanFiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              ("tracking_plan_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  std::string written(const std::string& name, const std::string& text) const {
-    std::ofstream(file(name)) << text;
-    return file(name);
-  }
-
- private:
-  std::filesystem::path folder_;
+  testing_support::TemporaryFolder folder_;
 };
 
 TrackingPlanRequest request(const std::string& station) {
@@ -63,7 +48,7 @@ TEST_F(TrackingPlanFiles, PointsOfTheLocationAreChosenForTheMountingThatTheLines
 }
 
 TEST_F(TrackingPlanFiles, ALocatedStationComesWithItsCovariance) {
-  const std::string name = written(
+  const std::string name = folder_.written(
       "station.json", R"({"station": [100, 80, -600], "covariance": [[1e-6, 0, 0], [0, 1e-6, 0], [0, 0, 9e-6]]})");
   const auto planned = plan_tracking(request(name));
   ASSERT_TRUE(planned) << planned.error().message;
@@ -75,8 +60,8 @@ TEST_F(TrackingPlanFiles, WhatIsWrittenReadsBackAsTheSamePlanAndAsASetUp) {
   const auto planned = plan_tracking(request("100,80,-600"));
   ASSERT_TRUE(planned);
   OutputNames names;
-  names.json = file("lines.json");
-  names.reports = {file("lines.html")};
+  names.json = folder_.file("lines.json");
+  names.reports = {folder_.file("lines.html")};
   ASSERT_TRUE(write_outputs(*planned, names, {}));
   const auto read = read_tracking_plan_file(names.json);
   ASSERT_TRUE(read) << read.error().message;
@@ -113,10 +98,10 @@ TEST_F(TrackingPlanFiles, SaysWhatIsMissingOrWrong) {
   auto r = request("");
   EXPECT_THAT(refusal(r), HasSubstr("found no station"));
   EXPECT_THAT(refusal(request("1,2,x")), HasSubstr("expected three numbers"));
-  EXPECT_THAT(refusal(request(file("none.json"))), HasSubstr("cannot open"));
-  EXPECT_THAT(refusal(request(written("bad.json", "{\"station\": [1, 2]}"))), HasSubstr("bad.json:1:"));
+  EXPECT_THAT(refusal(request(folder_.file("none.json"))), HasSubstr("cannot open"));
+  EXPECT_THAT(refusal(request(folder_.written("bad.json", "{\"station\": [1, 2]}"))), HasSubstr("bad.json:1:"));
   r = request("100,80,-600");
-  r.setup.file = written("setup.json", "{\"travel\": 3}");
+  r.setup.file = folder_.written("setup.json", "{\"travel\": 3}");
   EXPECT_THAT(refusal(r), HasSubstr("setup.json:1:"));
   r = request("100,80,-600");
   r.lines.acceleration = -1;

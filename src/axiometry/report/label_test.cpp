@@ -6,9 +6,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "axiometry/model/plan.h"
@@ -18,6 +15,7 @@
 #include "tests/support/document_parts.h"
 #include "tests/support/made_up_monte_carlo.h"
 #include "tests/support/report_subject.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::report {
 namespace {
@@ -48,14 +46,11 @@ std::size_t count(std::string_view text, std::string_view part) {
 /// Pages of a PDF by pdftotext; nothing where there is no such program.
 std::optional<std::vector<std::string>> pages_of(const std::string& pdf) {
   if (std::system("command -v pdftotext > /dev/null 2>&1") != 0) return std::nullopt;
-  std::string folder = (std::filesystem::temp_directory_path() / "axiometry_label_XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr) return std::nullopt;
-  const std::string base = folder + "/report";
-  std::ofstream(base + ".pdf", std::ios::binary) << pdf;
+  const testing_support::TemporaryFolder folder;
+  const std::string base = folder.file("report");
+  folder.written("report.pdf", pdf);
   const int status = std::system(("pdftotext -layout " + base + ".pdf " + base + ".txt").c_str());
-  std::ifstream file(base + ".txt");
-  const std::string text(std::istreambuf_iterator<char>(file), {});
-  std::filesystem::remove_all(folder);
+  const std::string text = folder.content("report.txt");
   if (status != 0) return std::nullopt;
   std::vector<std::string> pages;
   for (std::size_t start = 0, end = 0; (end = text.find('\f', start)) != text.npos; start = end + 1)

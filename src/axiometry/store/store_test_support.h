@@ -6,13 +6,13 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "axiometry/digest/sha256.h"
 #include "axiometry/store/place.h"
 #include "axiometry/store/store.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::store::test {
 
@@ -80,21 +80,10 @@ class BothStores : public testing::TestWithParam<std::string> {
     GTEST_SKIP() << "no AXIOMETRY_TEST_POSTGRESQL";
   }
 
-  void TearDown() override {
-    std::error_code error;
-    std::filesystem::remove_all(folder_, error);
-  }
-
   bool sqlite() const { return GetParam() == "sqlite"; }
 
   /// A file of that name in this test's folder.
-  std::string file(const std::string& name) {
-    if (folder_.empty()) {
-      std::string pattern = testing::TempDir() + "axiometry-store-XXXXXX";
-      folder_ = ::mkdtemp(pattern.data());
-    }
-    return folder_ + "/" + name;
-  }
+  std::string file(const std::string& name) const { return folder_.file(name); }
 
   /// Where no store is yet.
   std::string new_address() {
@@ -112,7 +101,7 @@ class BothStores : public testing::TestWithParam<std::string> {
   }
 
  private:
-  std::string folder_;
+  testing_support::TemporaryFolder folder_;
 };
 
 }  // namespace axiometry::store::test

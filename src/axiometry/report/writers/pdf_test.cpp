@@ -4,12 +4,10 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "axiometry/report/writer.h"
 #include "tests/support/report_subject.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::report {
 namespace {
@@ -23,15 +21,11 @@ using testing_support::reported_without_metadata;
 /// The text of a PDF by pdftotext, in the order of the page; nothing where there is no such program.
 std::optional<std::string> text_of(const std::string& pdf) {
   if (std::system("command -v pdftotext > /dev/null 2>&1") != 0) return std::nullopt;
-  std::string folder = (std::filesystem::temp_directory_path() / "axiometry_pdf_XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr) return std::nullopt;
-  const std::string base = folder + "/report";
-  std::ofstream(base + ".pdf", std::ios::binary) << pdf;
+  const testing_support::TemporaryFolder folder;
+  const std::string base = folder.file("report");
+  folder.written("report.pdf", pdf);
   const int status = std::system(("pdftotext -layout " + base + ".pdf " + base + ".txt").c_str());
-  std::ifstream file(base + ".txt");
-  std::string text(std::istreambuf_iterator<char>(file), {});
-  std::filesystem::remove_all(folder);
-  return status == 0 ? std::optional(text) : std::nullopt;
+  return status == 0 ? std::optional(folder.content("report.txt")) : std::nullopt;
 }
 
 #define TEXT_OR_SKIP(text, pdf)   \
