@@ -48,15 +48,15 @@ TEST(WorkerPool, forgets_what_waits_when_it_ends) {
   std::latch go_on(1);
   std::thread release;
   {
-    WorkerPool pool({.threads = 1, .waiting_max = 10});
+    WorkerPool pool({.threads = 1, .waiting_max = 1'000'000});
     pool.submit("a", [&] {
       begun.count_down();
       go_on.wait();
     });
     begun.wait();
     for (int i = 0; i < 10; ++i) pool.submit("a", [&] { ++done; });
-    release = std::thread([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    release = std::thread([&] {  // the busy one, once the pool takes nothing more, and so has begun to end
+      while (pool.submit("a", [&] { ++done; })) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       go_on.count_down();
     });
   }

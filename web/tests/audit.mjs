@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import assert from 'node:assert/strict';
 import { settle } from './pages.mjs';
+import { shows } from './world.mjs';
 
 export const audit = {
   async 'a hash of the audit trail is whole under the focus, within the window, and is copied whole'(world) {
@@ -26,6 +27,7 @@ export const audit = {
           `${width} px, row ${n}: ${JSON.stringify(at)} is not within ${JSON.stringify(box)}`);
       }
       await rows.nth(0).locator('.chained button').press('Enter');
+      await shows(rows.nth(0).locator('.chained'), 'copied');
       assert.equal(await page.evaluate(() => navigator.clipboard.readText()), entries[0].sha256);
     }
   },

@@ -18,7 +18,7 @@ export const story = {
 
     const before = await uncertainties(page);
     await edit_field(page, /misalignment/i, '2');
-    for (let i = 0; i < 50 && (await uncertainties(page)) === before; i++) await page.waitForTimeout(40);
+    for (let i = 0; i < 250 && (await uncertainties(page)) === before; i++) await page.waitForTimeout(40);
     assert.notEqual(await uncertainties(page), before, 'the numbers follow the input');
     await save_version(page, 'misalignment was estimated anew');
     await shows_version(page, 2);

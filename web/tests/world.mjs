@@ -36,8 +36,18 @@ export class World {
     await this.server.stop();
     await this.back();
   }
+  /** Another program may have been lent the port meanwhile, for a connection of its own. */
   async back() {
-    this.server = await start_server(this.program, { store: this.store, port: this.server.port });
+    const end = Date.now() + 10_000;
+    for (;;) {
+      try {
+        this.server = await start_server(this.program, { store: this.store, port: this.server.port });
+        return;
+      } catch (error) {
+        if (Date.now() > end) throw error;
+        await new Promise((later) => setTimeout(later, 200));
+      }
+    }
   }
 
   /** A browser of its own: nothing cached, nothing chosen. */

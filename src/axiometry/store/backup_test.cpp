@@ -4,6 +4,7 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <latch>
 #include <thread>
 
 #include "axiometry/store/store.h"
@@ -117,11 +118,15 @@ TEST_P(StoreBackupTest, IsOfOneMomentWhileOthersWrite) {
   const std::string address = new_address();
   const auto store = must(Store::open(address));
   std::atomic<bool> done = false;
+  std::latch written(1);
   std::thread writer([&] {
     const auto other = must(Store::open(address));
-    for (int k = 0; !done; ++k)
+    for (int k = 0; !done; ++k) {
       must(other->receive(content_of(fmt::format("{}", k)), std::vector{new_test("t")}, by_anna));
+      if (k == 0) written.count_down();
+    }
   });
+  written.wait();
   std::int64_t before = 0;
   for (int k = 0; k < 5; ++k) {
     const std::string backup = file(fmt::format("copy{}.db", k));
