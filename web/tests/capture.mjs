@@ -44,4 +44,41 @@ export const capture = {
     await shows(page.locator('.ending'), /stopped/, 20_000);
     await page.getByRole('link', { name: 'To the test' }).waitFor();
   },
+
+  async 'a running capture is asked for once at a time, however often its tab is looked at again'(world) {
+    const page = await world.page();
+    await begun(world, page, { speed: 10, runs: 50 });
+    await shows(page.locator('.readout'), /[1-9]\d* of 500/, 60_000);
+    let [open, most, asked] = [0, 0, 0];
+    await page.route(/\/api\/captures\/\d+\?after=/, async (route) => {
+      asked += 1;
+      most = Math.max(most, ++open);
+      await new Promise((later) => setTimeout(later, 300));
+      open -= 1;
+      await route.continue();
+    });
+    for (let i = 0; i < 20; i++) {
+      await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
+      await page.waitForTimeout(100);
+    }
+    await page.unrouteAll({ behavior: 'ignoreErrors' });
+    assert.ok(asked > 2, `asked ${asked} times`);
+    assert.equal(most, 1);
+  },
+
+  async 'who looks at an interrupted capture sees that somebody else goes on with it'(world) {
+    const [one, other] = [await world.page(), await world.page()];
+    await begun(world, one, { speed: 10, runs: 50 });
+    await shows(one.locator('.readout'), /[1-9]\d* of 500/, 60_000);
+    await world.restart();
+    await other.goto(new URL(one.url()).pathname);
+    await shows(other.locator('.ending'), /interrupted/);
+    await shows(one.locator('.ending'), /interrupted/, 20_000);
+    await one.getByRole('button', { name: 'Resume' }).click();
+    await other.getByRole('button', { name: 'Stop' }).waitFor();
+    const path = `/api${new URL(one.url()).pathname}`;
+    await world.api('POST', `${path}/stop`, {});
+    const { readings } = await world.api('GET', `${path}?after=0`);
+    for (const page of [one, other]) await shows(page.locator('.readout'), `${readings.length} of 500`);
+  },
 };

@@ -236,18 +236,28 @@ Result<CaptureState> CaptureService::start(const CaptureWish& wish) {
 Result<CaptureState> CaptureService::restart(store::Id id, Way way) {
   auto held = [&] {
     const std::scoped_lock lock(mutex_);
-    return folder_.take(id);
+    auto taken = folder_.take(id);
+    if (taken) restarting_[id] = state_of(taken->order(), id, Stage::waiting);
+    return taken;
   }();
   if (!held) return std::unexpected(std::move(held).error());
-  const auto known = source_named(held->order().source);
-  const CaptureSource source = known ? **known : without_address(held->order().source);
+  auto state = go_on(*std::move(held), way);
+  const std::scoped_lock lock(mutex_);
+  restarting_.erase(id);
+  return state;
+}
+
+/// Lets go of it before it comes back with a failure.
+Result<CaptureState> CaptureService::go_on(HeldCapture held, Way way) {
+  const auto known = source_named(held.order().source);
+  const CaptureSource source = known ? **known : without_address(held.order().source);
   if (way == Way::go_on && !known) return std::unexpected(known.error());
-  AXIOMETRY_TRY_VOID(reserve(source, id));
+  AXIOMETRY_TRY_VOID(reserve(source, held.id()));
   auto state = [&]() -> Result<CaptureState> {
     std::error_code none;  // then it is empty
-    const auto size = std::filesystem::file_size(held->raw(), none);
-    AXIOMETRY_TRY(Begun begun, begin(held->order(), way, none ? 0 : size));
-    return launch(*std::move(held), std::move(begun), way);
+    const auto size = std::filesystem::file_size(held.raw(), none);
+    AXIOMETRY_TRY(Begun begun, begin(held.order(), way, none ? 0 : size));
+    return launch(std::move(held), std::move(begun), way);
   }();
   release(source.id);
   return state;
@@ -273,27 +283,28 @@ std::shared_ptr<CaptureService::Running> CaptureService::find(store::Id id) cons
   return place == captures_.end() ? nullptr : place->second;
 }
 
-CaptureState CaptureService::state_of(const CaptureFolder::Left& left) const {
-  const auto source = source_named(left.order.source);
+CaptureState CaptureService::state_of(const CaptureOrder& order, store::Id id, Stage stage) const {
+  const auto source = source_named(order.source);
   CaptureState state;
-  state.id = left.id;
-  state.plan = left.order.plan;
-  state.part = left.order.part;
-  state.source = source ? **source : without_address(left.order.source);
-  state.started = left.order.started;
-  state.stage = Stage::interrupted;
+  state.id = id;
+  state.plan = order.plan;
+  state.part = order.part;
+  state.source = source ? **source : without_address(order.source);
+  state.started = order.started;
+  state.stage = stage;
   state.anew = true;
-  state.kind = left.order.walked.axis.kind;
-  state.targets = left.order.walked.targets;
-  state.approaches = approaches(left.order.walked).size();
+  state.kind = order.walked.axis.kind;
+  state.targets = order.walked.targets;
+  state.approaches = approaches(order.walked).size();
   return state;
 }
 
 Result<CaptureState> CaptureService::state(store::Id id, CaptureRevision after) {
-  if (const auto running = find(id)) return running->state(after);
   const std::scoped_lock lock(mutex_);
+  if (const auto running = captures_.find(id); running != captures_.end()) return running->second->state(after);
+  if (const auto restarting = restarting_.find(id); restarting != restarting_.end()) return restarting->second;
   for (const CaptureFolder::Left& left : folder_.left_behind())
-    if (left.id == id) return state_of(left);
+    if (left.id == id) return state_of(left.order, left.id, Stage::interrupted);
   return fail(ErrorKind::not_found, fmt::format("found no capture {} that runs or has run lately", id));
 }
 
@@ -301,8 +312,10 @@ std::vector<CaptureState> CaptureService::states() {
   const std::scoped_lock lock(mutex_);
   std::vector<CaptureState> states;
   for (const auto& [id, capture] : captures_) states.push_back(capture->state({}));
+  for (const auto& [id, state] : restarting_)
+    if (!captures_.contains(id)) states.push_back(state);
   for (const CaptureFolder::Left& left : folder_.left_behind())
-    if (!captures_.contains(left.id)) states.push_back(state_of(left));
+    if (!captures_.contains(left.id)) states.push_back(state_of(left.order, left.id, Stage::interrupted));
   std::ranges::sort(states, std::greater(), &CaptureState::id);
   return states;
 }

@@ -97,15 +97,17 @@ class CaptureService {
   void release(const std::string& source);
   CaptureState launch(HeldCapture held, Begun begun, Way way);
   Result<CaptureState> restart(store::Id id, Way way);
+  Result<CaptureState> go_on(HeldCapture held, Way way);
   std::shared_ptr<Running> find(store::Id id) const;
-  CaptureState state_of(const CaptureFolder::Left& left) const;
+  CaptureState state_of(const CaptureOrder& order, store::Id id, CaptureState::Stage stage) const;
   void forget_old();
 
   CaptureSettings settings_;
   CaptureKeeping keeping_;
   mutable std::mutex mutex_;  // of all below
   CaptureFolder folder_;
-  std::vector<std::string> beginning_;  // sources of captures that are about to run
+  std::vector<std::string> beginning_;            // sources of captures that are about to run
+  std::map<store::Id, CaptureState> restarting_;  // whose source is being reached again
   std::map<store::Id, std::shared_ptr<Running>> captures_;
 };
 

@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <thread>
@@ -292,6 +293,65 @@ TEST_F(CaptureServiceTest, AnInterruptedOneCanBeConcludedWithoutItsSource) {
   EXPECT_EQ(end->stage, Stage::stopped);
   EXPECT_TRUE(end->test) << end->error;
   EXPECT_EQ(archive_.raw.at(0), whole.substr(0, whole.size() / 2));
+}
+
+/// Its queue of connections is full: who connects hears nothing until it is gone, then a refusal.
+class SilentServer {
+ public:
+  SilentServer() {
+    listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    EXPECT_EQ(::bind(listener_, reinterpret_cast<sockaddr*>(&address), size), 0);
+    EXPECT_EQ(::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size), 0);
+    EXPECT_EQ(::listen(listener_, 0), 0);
+    port_ = ntohs(address.sin_port);
+    for (int& client : clients_) {
+      client = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+      static_cast<void>(::connect(client, reinterpret_cast<sockaddr*>(&address), size));
+    }
+  }
+  ~SilentServer() {
+    ::close(listener_);
+    for (const int client : clients_) ::close(client);
+  }
+  CaptureSource source() const { return *parse_capture_source("laser=tcp://127.0.0.1:" + std::to_string(port_)); }
+
+ private:
+  int listener_ = -1;
+  unsigned port_ = 0;
+  std::array<int, 4> clients_{};
+};
+
+TEST_F(CaptureServiceTest, IsThereWhileItsSourceIsReachedAgain) {
+  const std::string whole = recording("good", 3);
+  store::Id id = 0;
+  {
+    const PieceServer server({whole.substr(0, whole.size() / 2)});
+    const auto service = open({server.source()});
+    id = service->start(wish("laser", {{"give-up", "100"}}))->id;
+    wait_until(*service, id, [](const CaptureState& state) { return !state.notices.empty(); });
+  }
+  std::optional<SilentServer> silent(std::in_place);
+  const auto service = open({silent->source()});
+  std::atomic<bool> done = false;
+  std::jthread resuming([&] {
+    EXPECT_FALSE(service->resume(id));
+    done = true;
+  });
+  bool seen = false;
+  while (!done) {
+    const auto state = service->state(id);
+    ASSERT_TRUE(state) << state.error().message;
+    ASSERT_EQ(service->states().size(), 1u);
+    if (state->stage == Stage::waiting) seen = true;
+    if (seen) silent.reset();
+    std::this_thread::sleep_for(1ms);
+  }
+  EXPECT_TRUE(seen);
+  EXPECT_EQ(service->state(id)->stage, Stage::interrupted);
 }
 
 TEST_F(CaptureServiceTest, WhatTheStoreCannotTakeStaysAndIsKeptLater) {

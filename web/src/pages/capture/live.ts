@@ -32,6 +32,7 @@ export function use_live(id: string, turn: number): Live {
   useEffect(() => {
     const abort = new AbortController();
     let timer = 0;
+    let asking = false;
     let revision = 0;
     let failures = 0;
     let readings: Reading[] = [];
@@ -48,17 +49,23 @@ export function use_live(id: string, turn: number): Live {
       else if (answer.readings.length > 0) readings = [...readings, ...answer.readings];
       revision = answer.revision;
       set_known({ capture: answer, readings });
-      if (!is_over(answer)) later(document.hidden ? hidden_ms : often_ms);
+      if (!is_over(answer)) return later(document.hidden ? hidden_ms : often_ms);
+      if (answer.state !== 'interrupted') return;
+      revision = 0; // somebody else may go on with it, which counts from the beginning
+      later(hidden_ms);
     };
     const ask = () => {
+      asking = true;
       get<Capture>(`/api/captures/${id}?after=${revision}`, abort.signal).then(
         (answer) => {
+          asking = false;
           failures = 0;
           set_lost(false);
           set_error(null);
           take(answer);
         },
         (failure: unknown) => {
+          asking = false;
           if (abort.signal.aborted) return;
           if (failure instanceof ApiError && failure.kind !== 'offline' && failure.kind !== 'unavailable') return set_error(failure);
           failures += 1;
@@ -68,7 +75,7 @@ export function use_live(id: string, turn: number): Live {
       );
     };
     const seen = () => {
-      if (document.hidden) return;
+      if (document.hidden || asking) return;
       window.clearTimeout(timer);
       ask();
     };
