@@ -27,24 +27,6 @@ Changes inputs_taken(const store::Instrument& instrument, const Metadata& metada
 
 using KnownInstruments = std::vector<store::Versioned<store::Instrument>>;
 
-Result<KnownInstruments> linked_instruments(const store::Store& store, const std::vector<store::Id>& ids) {
-  KnownInstruments known;
-  for (const store::Id id : ids) {
-    AXIOMETRY_TRY(auto instrument, store.get<store::Instrument>(id));
-    known.push_back(std::move(instrument));
-  }
-  return known;
-}
-
-Result<KnownInstruments> found_instruments(const store::Store& store, const Metadata& metadata) {
-  KnownInstruments known;
-  for (const store::Instrument& stated : instruments_of(metadata)) {
-    AXIOMETRY_TRY(auto found, store.known(stated));
-    if (found) known.push_back(*std::move(found));
-  }
-  return known;
-}
-
 std::vector<InstrumentInputs> inputs_of(const KnownInstruments& known, const Metadata& metadata,
                                         const Changes& changes) {
   std::vector<InstrumentInputs> found;
@@ -111,35 +93,51 @@ const store::Versioned<store::Instrument>* calibration_on(const std::string& day
   return holds || undated == nullptr ? newest : undated;
 }
 
-/// The instrument that each component is: the one it is linked with, else the one that the archive would link it with.
-Result<std::vector<std::optional<store::Id>>> instruments_by_component(const store::Store& store,
-                                                                       const Metadata& metadata,
-                                                                       const std::vector<store::Id>& linked) {
-  const bool by_place = instruments_of(metadata).size() == linked.size();
-  std::vector<std::optional<store::Id>> all;
-  std::size_t identified = 0;
+/// The instruments that a test was linked with, else those that the archive would link it with.
+struct Instruments {
+  KnownInstruments all;
+  std::vector<std::optional<store::Id>> by_component;
+};
+
+Result<Instruments> known_instruments(const store::Transaction& archive, const Metadata& metadata) {
+  Instruments known;
   for (const Equipment& component : metadata.equipment) {
-    auto& found = all.emplace_back();
+    auto& id = known.by_component.emplace_back();
     const auto stated = instrument_of(component);
     if (!stated) continue;
-    if (by_place) {
-      found = linked[identified++];
-      continue;
-    }
-    AXIOMETRY_TRY(const auto known, store.known(*stated));
-    if (known) found = known->id;
+    AXIOMETRY_TRY(auto found, archive.known(*stated));
+    if (!found) continue;
+    id = found->id;
+    known.all.push_back(*std::move(found));
   }
-  return all;
+  return known;
 }
 
-Result<std::vector<KnownCalibration>> calibrations_of(const store::Store& store, const Metadata& metadata,
-                                                      const std::vector<store::Id>& linked) {
-  AXIOMETRY_TRY(const auto instruments, instruments_by_component(store, metadata, linked));
+Result<Instruments> linked_instruments(const store::Transaction& archive, const Metadata& metadata,
+                                       const std::vector<store::Id>& linked) {
+  Instruments instruments;
+  if (instruments_of(metadata).size() == linked.size()) {
+    std::size_t identified = 0;
+    for (const Equipment& component : metadata.equipment)
+      instruments.by_component.push_back(instrument_of(component) ? std::optional(linked[identified++]) : std::nullopt);
+  } else {
+    AXIOMETRY_TRY(instruments, known_instruments(archive, metadata));
+    instruments.all.clear();
+  }
+  for (const store::Id id : linked) {
+    AXIOMETRY_TRY(auto instrument, archive.get<store::Instrument>(id));
+    instruments.all.push_back(std::move(instrument));
+  }
+  return instruments;
+}
+
+Result<std::vector<KnownCalibration>> calibrations_of(const store::Transaction& archive, const Metadata& metadata,
+                                                      const std::vector<std::optional<store::Id>>& instruments) {
   const std::string day = iso_date(metadata.conditions.date);
   std::vector<KnownCalibration> known;
   for (std::size_t k = 0; k < instruments.size(); ++k) {
     if (!instruments[k] || states_calibration(metadata.equipment[k])) continue;
-    AXIOMETRY_TRY(const KnownInstruments versions, store.versions<store::Instrument>(*instruments[k]));
+    AXIOMETRY_TRY(const KnownInstruments versions, archive.versions<store::Instrument>(*instruments[k]));
     const KnownInstruments calibrations = calibrations_in(versions);
     const auto* held = calibration_on(day, calibrations);
     if (held == nullptr) continue;
@@ -188,21 +186,21 @@ store::Axis axis_of(const Metadata& metadata) {
   return axis;
 }
 
-Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& metadata, const Changes& changes,
-                                    const std::optional<ArchiveLinks>& links) {
+Result<FromArchive> find_in_archive(const store::Transaction& archive, const ArchiveQuestion& question) {
+  const auto& [metadata, changes, links] = question;
   const bool linked_equipment = links && !concerns(changes, "equipment");
-  AXIOMETRY_TRY(const KnownInstruments instruments,
-                linked_equipment ? linked_instruments(store, links->instruments) : found_instruments(store, metadata));
-  FromArchive taken{.instruments = inputs_of(instruments, metadata, changes), .calibrations = {}, .axis = {}};
-  AXIOMETRY_TRY(taken.calibrations,
-                calibrations_of(store, metadata, linked_equipment ? links->instruments : std::vector<store::Id>()));
+  AXIOMETRY_TRY(const Instruments instruments, linked_equipment
+                                                   ? linked_instruments(archive, metadata, links->instruments)
+                                                   : known_instruments(archive, metadata));
+  FromArchive taken{.instruments = inputs_of(instruments.all, metadata, changes), .calibrations = {}, .axis = {}};
+  AXIOMETRY_TRY(taken.calibrations, calibrations_of(archive, metadata, instruments.by_component));
   const bool linked_axis = links && links->axis && !concerns(changes, "machine.") && !concerns(changes, "axis.");
   if (linked_axis) {
-    AXIOMETRY_TRY(auto axis, store.get<store::Axis>(*links->axis));
+    AXIOMETRY_TRY(auto axis, archive.get<store::Axis>(*links->axis));
     taken.axis = limits_of(std::move(axis));
     return taken;
   }
-  AXIOMETRY_TRY(const KnownAxis axis, store.known(machine_of(metadata), axis_of(metadata)));
+  AXIOMETRY_TRY(const KnownAxis axis, archive.known(machine_of(metadata), axis_of(metadata)));
   taken.axis = limits_of(axis);
   return taken;
 }

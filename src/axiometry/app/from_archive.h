@@ -70,12 +70,17 @@ struct ArchiveLinks {
   std::vector<store::Id> instruments;
 };
 
-/// What a test is evaluated with that comes from the archive. `metadata` is what its file says with the user's changes.
-/// The links count unless the changes are about machine, axis or equipment; without them things are those that the
-/// archive would link the test with (store.h's known()). A key that the changes name, even to take its value away, is
-/// not taken from an instrument.
-Result<FromArchive> find_in_archive(const store::Store& store, const Metadata& metadata, const Changes& changes,
-                                    const std::optional<ArchiveLinks>& links = {});
+/// What an evaluation asks the archive.
+struct ArchiveQuestion {
+  Metadata metadata;  ///< what the file says with the user's changes
+  Changes changes;
+  std::optional<ArchiveLinks> links{};
+};
+
+/// What a test is evaluated with that comes from the archive. The links count unless the changes are about machine,
+/// axis or equipment; without them things are those that the archive would link the test with (Transaction::known()). A
+/// key that the changes name, even to take its value away, is not taken from an instrument.
+Result<FromArchive> find_in_archive(const store::Transaction& archive, const ArchiveQuestion& question);
 
 /// The options with what was taken: inputs of instruments, then the changes, calibrations and the limits of the axis.
 EvaluateOptions with_archive(EvaluateOptions options, const Changes& changes, const FromArchive& taken);

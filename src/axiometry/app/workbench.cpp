@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <iterator>
+#include <set>
+#include <type_traits>
+#include <utility>
 
 #include "axiometry/app/given_text.h"
 #include "axiometry/app/test_state.h"
@@ -17,6 +20,7 @@ using State = Workbench::State;
 
 constexpr std::size_t evaluated_in_preview = 8;
 constexpr std::int64_t same_content_max = 100;
+constexpr int attempts_beside_others = 3;
 
 /// The first evaluation of a test and how it was made.
 struct First {
@@ -26,14 +30,15 @@ struct First {
 
 /// With all that costs nothing. Inputs from which the GUM cannot be worked out are no reason to refuse a measurement:
 /// then Annex A has to do, and who asks for the GUM hears why not.
-Result<First> evaluate_first(State& state, const MeasuredTest& measured, const std::string& file_name) {
+Result<First> evaluate_first(State& state, const MeasuredTest& measured, const std::string& file_name,
+                             const Answers& answers) {
   Draft draft;
   Test test = measured.test;
   test.provenance.file = file_name;
-  auto found = state.evaluate(test, draft);
+  auto found = state.evaluate(test, draft, {}, answers);
   if (!found) {
     draft.options.gum = false;
-    found = state.evaluate(std::move(test), draft);
+    found = state.evaluate(std::move(test), draft, {}, answers);
   }
   if (!found) {
     Error error = found.error();
@@ -45,62 +50,142 @@ Result<First> evaluate_first(State& state, const MeasuredTest& measured, const s
   return First{*std::move(found), std::move(draft)};
 }
 
-Result<std::vector<store::Id>> ids_with(const store::Store& store, const std::string& sha256) {
+Result<std::vector<store::Id>> ids_with(const store::Transaction& archive, const std::string& sha256) {
   store::TestFilter filter;
   filter.sha256 = sha256;
   filter.withdrawn = true;
   filter.limit = same_content_max;
-  AXIOMETRY_TRY(const store::TestPage page, store.tests(filter));
+  AXIOMETRY_TRY(const store::TestPage page, archive.tests(filter));
   std::vector<store::Id> ids;
   for (const store::TestRow& row : page.rows) ids.push_back(row.id);
   std::ranges::sort(ids);
   return ids;
 }
 
-using IdsByContent = std::map<std::string, std::vector<store::Id>>;
+/// What an evaluation took from the archive. What it found is kept only while that has not changed.
+struct Taken {
+  ArchiveQuestion asked;
+  FromArchive answer;
+};
 
-Result<IdsByContent> ids_by_content(const store::Store& store, std::span<const store::NewFile> files) {
-  IdsByContent known;
-  for (const store::NewFile& file : files) {
-    AXIOMETRY_TRY(known[file.content.sha256], ids_with(store, file.content.sha256));
+Result<bool> is_as_it_was(const store::Transaction& archive, const std::vector<Taken>& all) {
+  for (const Taken& taken : all) {
+    AXIOMETRY_TRY(const FromArchive now, find_in_archive(archive, taken.asked));
+    if (json::dump(to_json(now)) != json::dump(to_json(taken.answer))) return false;
   }
-  return known;
+  return true;
 }
 
 /// A file that was read and evaluated, ready to be kept.
-Result<store::NewFile> incoming(State& state, const Upload& upload, std::optional<Outcome>& first) {
-  AXIOMETRY_TRY(const auto file, state.read(upload.bytes, upload.name, upload.profile));
-  AXIOMETRY_TRY(const std::string name, given_file_name(upload.name));
-  store::NewFile all{.content = {file->sha256, name, file->format, std::string(upload.bytes)}, .tests = {}};
-  for (const MeasuredTest& measured : file->tests) {
-    AXIOMETRY_TRY(First evaluated, evaluate_first(state, measured, name));
-    const Evaluated& e = evaluated.found.evaluated;
-    store::NewTest test{.name_in_file = measured.name,
-                        .state = state_of(e, evaluated.draft.changes,
-                                          {evaluated.draft.options, evaluated.found.from_archive, upload.profile})};
-    test.state.title = first_title(e);
-    test.state.plan = upload.plan;
-    all.tests.push_back(std::move(test));
-    if (!first) first = outcome_of(std::move(evaluated.found));
+struct Incoming {
+  store::Content content;
+  std::vector<store::NewTest> tests;
+};
+
+/// All files that come together.
+struct Evaluation {
+  std::vector<Incoming> files;
+  std::vector<Taken> taken;
+  std::optional<Outcome> first;  ///< of the first test
+};
+
+Result<Evaluation> evaluate_all(State& state, std::span<const Upload> uploads, const Answers& answers) {
+  Evaluation all;
+  for (const Upload& upload : uploads) {
+    AXIOMETRY_TRY(const auto file, state.read(upload.bytes, upload.name, upload.profile));
+    AXIOMETRY_TRY(const std::string name, given_file_name(upload.name));
+    Incoming& incoming = all.files.emplace_back();
+    incoming.content = {file->sha256, name, file->format, std::string(upload.bytes)};
+    for (const MeasuredTest& measured : file->tests) {
+      AXIOMETRY_TRY(First evaluated, evaluate_first(state, measured, name, answers));
+      Found& found = evaluated.found;
+      store::NewTest test{.name_in_file = measured.name,
+                          .state = state_of(found.evaluated, evaluated.draft.changes,
+                                            {evaluated.draft.options, found.from_archive, upload.profile})};
+      test.state.title = first_title(found.evaluated);
+      test.state.plan = upload.plan;
+      incoming.tests.push_back(std::move(test));
+      all.taken.push_back({std::move(found.asked), found.from_archive});
+      if (!all.first) all.first = outcome_of(std::move(found));
+    }
   }
   return all;
 }
 
-/// What is known of the machine, axis and instruments of a record, as they are now.
-Result<void> look_up_equipment(const store::Store& store, KeptTest& kept) {
-  if (kept.record.machine) {
-    AXIOMETRY_TRY(auto machine, store.get<store::Machine>(*kept.record.machine));
-    kept.machine = std::move(machine.value);
+Result<Received> keep_all(store::Transaction& archive, Evaluation all, const store::By& by) {
+  Received received{.tests = {}, .same_content = {}, .first = *std::move(all.first)};
+  std::set<store::Id> before, own;
+  for (const Incoming& file : all.files) {
+    AXIOMETRY_TRY(const auto same, ids_with(archive, file.content.sha256));
+    AXIOMETRY_TRY(const auto ids, archive.receive(file.content, file.tests, by));
+    for (std::size_t k = 0; k < ids.size(); ++k) received.tests.push_back({ids[k], file.tests[k].state.title, same});
+    before.insert(same.begin(), same.end());
+    own.insert(ids.begin(), ids.end());
   }
-  if (kept.record.axis) {
-    AXIOMETRY_TRY(auto axis, store.get<store::Axis>(*kept.record.axis));
-    kept.axis = std::move(axis.value);
+  std::ranges::set_difference(before, own, std::back_inserter(received.same_content));
+  return received;
+}
+
+/// What a revision makes of a test.
+struct Revised {
+  store::TestState state;
+  std::vector<Taken> taken;
+};
+
+Answers answers_of(const store::Transaction& archive) {
+  return [&archive](const ArchiveQuestion& question) { return find_in_archive(archive, question); };
+}
+
+/// Evaluates while others may write, and keeps what was found if the archive is still as it was then. If not, it
+/// evaluates again; at last while nobody else may write, so that it comes to an end.
+template <typename Evaluate, typename Keep>
+auto keep_as_evaluated(State& state, Evaluate evaluate, Keep keep) {
+  using Kept = std::remove_cvref_t<decltype(keep(std::declval<store::Transaction&>(), *evaluate(state.answers())))>;
+  for (int attempt = 0; attempt < attempts_beside_others; ++attempt) {
+    auto evaluated = evaluate(state.answers());
+    if (!evaluated) return Kept(std::unexpect, std::move(evaluated).error());
+    bool as_it_was = true;
+    auto kept = state.store.write([&](store::Transaction& archive) -> Kept {
+      AXIOMETRY_TRY(as_it_was, is_as_it_was(archive, evaluated->taken));
+      if (!as_it_was) return fail(ErrorKind::conflict, "found the archive changed during the evaluation");
+      return keep(archive, *std::move(evaluated));
+    });
+    if (as_it_was) return kept;
   }
-  for (const store::Id id : kept.record.instruments) {
-    AXIOMETRY_TRY(auto instrument, store.get<store::Instrument>(id));
-    kept.instruments.push_back(std::move(instrument));
+  return state.store.write([&](store::Transaction& archive) -> Kept {
+    AXIOMETRY_TRY(auto evaluated, evaluate(answers_of(archive)));
+    return keep(archive, std::move(evaluated));
+  });
+}
+
+/// All that the archive says of a version; of its machine, axis and instruments as they are now.
+struct LookedUp {
+  store::TestRecord record;
+  std::vector<store::Change> versions;
+  std::vector<store::Document> documents;
+  std::optional<store::Machine> machine;
+  std::optional<store::Axis> axis;
+  std::vector<store::Versioned<store::Instrument>> instruments;
+};
+
+Result<LookedUp> look_up(const store::Transaction& archive, store::Id id, std::optional<int> version) {
+  LookedUp found;
+  AXIOMETRY_TRY(found.record, archive.test(id, version));
+  AXIOMETRY_TRY(found.versions, archive.test_versions(id));
+  AXIOMETRY_TRY(found.documents, archive.documents(id));
+  if (found.record.machine) {
+    AXIOMETRY_TRY(auto machine, archive.get<store::Machine>(*found.record.machine));
+    found.machine = std::move(machine.value);
   }
-  return {};
+  if (found.record.axis) {
+    AXIOMETRY_TRY(auto axis, archive.get<store::Axis>(*found.record.axis));
+    found.axis = std::move(axis.value);
+  }
+  for (const store::Id one : found.record.instruments) {
+    AXIOMETRY_TRY(auto instrument, archive.get<store::Instrument>(one));
+    found.instruments.push_back(std::move(instrument));
+  }
+  return found;
 }
 
 /// The outcome that a version keeps: its own result, and the readings from the raw bytes with its corrections.
@@ -136,7 +221,9 @@ Result<Preview> Workbench::preview(const Upload& upload) const {
   AXIOMETRY_TRY(preview.file_name, given_file_name(upload.name));
   preview.size = upload.bytes.size();
   preview.sha256 = sha256(upload.bytes);
-  AXIOMETRY_TRY(preview.same_content, ids_with(state_->store, preview.sha256));
+  AXIOMETRY_TRY(preview.same_content, state_->store.read([&](const store::Transaction& archive) {
+    return ids_with(archive, preview.sha256);
+  }));
   const auto file = state_->read(upload.bytes, upload.name, upload.profile);
   if (!file || (*file)->format == "generic") preview.table = asked_table(upload);
   if (!file) {
@@ -147,7 +234,7 @@ Result<Preview> Workbench::preview(const Upload& upload) const {
   for (const MeasuredTest& measured : (*file)->tests) {
     preview.tests.push_back({measured.name, measured.test.metadata, measured.test.series, {}});
     if (preview.tests.size() > evaluated_in_preview) continue;
-    auto first = evaluate_first(*state_, measured, preview.file_name);
+    auto first = evaluate_first(*state_, measured, preview.file_name, state_->answers());
     if (!first) {
       preview.refused = first.error();
       preview.tests.clear();
@@ -160,27 +247,15 @@ Result<Preview> Workbench::preview(const Upload& upload) const {
 
 Result<Received> Workbench::receive(std::span<const Upload> uploads, const store::By& by) {
   if (uploads.empty()) return fail("found no file, expected at least one");
-  std::optional<Outcome> first;
-  std::vector<store::NewFile> files;
-  for (const Upload& upload : uploads) {
-    AXIOMETRY_TRY(store::NewFile file, incoming(*state_, upload, first));
-    files.push_back(std::move(file));
-  }
-  AXIOMETRY_TRY(IdsByContent known, ids_by_content(state_->store, files));
-  AXIOMETRY_TRY(const auto ids, state_->store.receive(files, by));
-  Received received{.tests = {}, .same_content = {}, .first = *std::move(first)};
-  for (const auto& [sha256, same] : known)
-    received.same_content.insert(received.same_content.end(), same.begin(), same.end());
-  std::ranges::sort(received.same_content);
-  std::span<const store::Id> left = ids;
-  for (const store::NewFile& file : files) {
-    std::vector<store::Id>& same = known[file.content.sha256];
-    const auto own = left.first(file.tests.size());
-    for (std::size_t k = 0; k < own.size(); ++k) received.tests.push_back({own[k], file.tests[k].state.title, same});
-    same.insert(same.end(), own.begin(), own.end());
-    left = left.subspan(own.size());
-  }
-  return received;
+  return keep_as_evaluated(
+      *state_, [&](const Answers& answers) { return evaluate_all(*state_, uploads, answers); },
+      [&](store::Transaction& archive, Evaluation all) { return keep_all(archive, std::move(all), by); });
+}
+
+Result<Received> Workbench::receive(store::Transaction& archive, std::span<const Upload> uploads, const store::By& by) {
+  if (uploads.empty()) return fail("found no file, expected at least one");
+  AXIOMETRY_TRY(Evaluation all, evaluate_all(*state_, uploads, answers_of(archive)));
+  return keep_all(archive, std::move(all), by);
 }
 
 Result<Outcome> Workbench::evaluate(const Upload& upload, const Draft& draft, const std::string& test_name) const {
@@ -193,14 +268,14 @@ Result<Outcome> Workbench::evaluate(const Upload& upload, const Draft& draft, co
 }
 
 Result<Outcome> Workbench::evaluate(const Test& test, const Draft& draft) const {
-  AXIOMETRY_TRY(Found found, state_->evaluate(test, draft));
+  AXIOMETRY_TRY(Found found, state_->evaluate(test, draft, {}, state_->answers()));
   return outcome_of(std::move(found));
 }
 
 Result<Outcome> Workbench::draft(store::Id id, const Draft& draft) const {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id));
   AXIOMETRY_TRY(Test test, state_->measured(record));
-  AXIOMETRY_TRY(Found found, state_->evaluate(std::move(test), draft, links_of(record)));
+  AXIOMETRY_TRY(Found found, state_->evaluate(std::move(test), draft, links_of(record), state_->answers()));
   found.evaluated.name = record.name_in_file;
   return outcome_of(std::move(found));
 }
@@ -208,15 +283,21 @@ Result<Outcome> Workbench::draft(store::Id id, const Draft& draft) const {
 Result<KeptTest> Workbench::revise(store::Id id, const Revision& revision, const store::By& by) {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id));
   AXIOMETRY_TRY(const std::string title, given_line("title", revision.title));
-  AXIOMETRY_TRY(Test test, state_->measured(record));
-  AXIOMETRY_TRY(Found found, state_->evaluate(std::move(test), revision.draft, links_of(record)));
-  found.evaluated.name = record.name_in_file;
-  AXIOMETRY_TRY(KeptOptions before, kept_options(record.state.evaluation));
-  store::TestState state = state_of(found.evaluated, revision.draft.changes,
-                                    {revision.draft.options, found.from_archive, std::move(before.profile)});
-  state.title = title.empty() ? record.state.title : title;
-  state.plan = revision.plan ? revision.plan : record.state.plan;
-  AXIOMETRY_TRY(const int version, state_->store.revise(id, revision.base_version, state, by));
+  AXIOMETRY_TRY(const Test test, state_->measured(record));
+  AXIOMETRY_TRY(const KeptOptions before, kept_options(record.state.evaluation));
+  const auto evaluate = [&](const Answers& answers) -> Result<Revised> {
+    AXIOMETRY_TRY(Found found, state_->evaluate(test, revision.draft, links_of(record), answers));
+    found.evaluated.name = record.name_in_file;
+    store::TestState state =
+        state_of(found.evaluated, revision.draft.changes, {revision.draft.options, found.from_archive, before.profile});
+    state.title = title.empty() ? record.state.title : title;
+    state.plan = revision.plan ? revision.plan : record.state.plan;
+    return Revised{std::move(state), {{std::move(found.asked), std::move(found.from_archive)}}};
+  };
+  const auto keep = [&](store::Transaction& archive, const Revised& revised) {
+    return archive.revise(id, revision.base_version, revised.state, by);
+  };
+  AXIOMETRY_TRY(const int version, keep_as_evaluated(*state_, evaluate, keep));
   return this->test(id, version);
 }
 
@@ -226,28 +307,23 @@ Result<KeptTest> Workbench::withdraw(store::Id id, bool withdrawn, const store::
 }
 
 Result<KeptTest> Workbench::test(store::Id id, std::optional<int> version) const {
-  const store::Store& store = state_->store;
-  AXIOMETRY_TRY(store::TestRecord record, store.test(id, version));
-  AXIOMETRY_TRY(KeptOptions options, kept_options(record.state.evaluation));
-  AXIOMETRY_TRY(Changes changes, kept_changes(record.state));
+  AXIOMETRY_TRY(LookedUp found,
+                state_->store.read([&](const store::Transaction& archive) { return look_up(archive, id, version); }));
+  AXIOMETRY_TRY(KeptOptions options, kept_options(found.record.state.evaluation));
+  AXIOMETRY_TRY(Changes changes, kept_changes(found.record.state));
   Draft draft{std::move(changes), std::move(options.options)};
-  AXIOMETRY_TRY(Outcome outcome, kept_outcome(*state_, record, draft, std::move(options.from_archive)));
-  KeptTest kept{.record = std::move(record),
-                .size = 0,
-                .versions = {},
-                .machine = {},
-                .axis = {},
-                .instruments = {},
-                .documents = {},
-                .draft = std::move(draft),
-                .profile = std::move(options.profile),
-                .outcome = std::move(outcome)};
-  AXIOMETRY_TRY(const auto file, state_->file_of(kept.record));
-  kept.size = file->size;
-  AXIOMETRY_TRY(kept.versions, store.test_versions(id));
-  AXIOMETRY_TRY(kept.documents, store.documents(id));
-  AXIOMETRY_TRY_VOID(look_up_equipment(store, kept));
-  return kept;
+  AXIOMETRY_TRY(Outcome outcome, kept_outcome(*state_, found.record, draft, std::move(options.from_archive)));
+  AXIOMETRY_TRY(const auto file, state_->file_of(found.record));
+  return KeptTest{.record = std::move(found.record),
+                  .size = file->size,
+                  .versions = std::move(found.versions),
+                  .machine = std::move(found.machine),
+                  .axis = std::move(found.axis),
+                  .instruments = std::move(found.instruments),
+                  .documents = std::move(found.documents),
+                  .draft = std::move(draft),
+                  .profile = std::move(options.profile),
+                  .outcome = std::move(outcome)};
 }
 
 Result<Rendered> Workbench::raw(store::Id id) const {

@@ -37,6 +37,8 @@ class Workbench {
   /// Keeps files with all their tests, each at version 1, or, when one of them cannot be read or kept, none. Bytes that
   /// are known make new tests all the same.
   Result<Received> receive(std::span<const Upload> uploads, const store::By& by);
+  /// Within what else is written together. Others that write wait for the evaluation, too.
+  Result<Received> receive(store::Transaction& archive, std::span<const Upload> uploads, const store::By& by);
 
   /// Of a file that is not kept: its only test, or the one of that name.
   Result<Outcome> evaluate(const Upload& upload, const Draft& draft, const std::string& test_name = {}) const;

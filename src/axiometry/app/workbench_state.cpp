@@ -125,13 +125,22 @@ Result<Test> Workbench::State::measured(const store::TestRecord& record) {
   return test;
 }
 
-Result<Found> Workbench::State::evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links) {
+Answers Workbench::State::answers() const {
+  return [this](const ArchiveQuestion& question) {
+    return store.read([&](const store::Transaction& archive) { return find_in_archive(archive, question); });
+  };
+}
+
+Result<Found> Workbench::State::evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links,
+                                         const Answers& answers) {
   AXIOMETRY_TRY_VOID(check_trials(test.series, draft.options));
-  Metadata stated = test.metadata;
-  AXIOMETRY_TRY_VOID(set_metadata(stated, metadata_items(draft.changes)));
-  AXIOMETRY_TRY_VOID(check_lengths(stated));
-  AXIOMETRY_TRY(FromArchive taken, find_in_archive(store, stated, draft.changes, links));
-  return evaluate_with(std::move(test), draft, std::move(taken));
+  ArchiveQuestion question{test.metadata, draft.changes, links};
+  AXIOMETRY_TRY_VOID(set_metadata(question.metadata, metadata_items(draft.changes)));
+  AXIOMETRY_TRY_VOID(check_lengths(question.metadata));
+  AXIOMETRY_TRY(FromArchive taken, answers(question));
+  AXIOMETRY_TRY(Found found, evaluate_with(std::move(test), draft, std::move(taken)));
+  found.asked = std::move(question);
+  return found;
 }
 
 Result<Found> Workbench::State::evaluate_with(Test test, const Draft& draft, FromArchive taken) {
@@ -142,7 +151,7 @@ Result<Found> Workbench::State::evaluate_with(Test test, const Draft& draft, Fro
   const auto begin = std::chrono::steady_clock::now();
   AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
-  return Found{std::move(evaluated), std::move(taken), time.count()};
+  return Found{std::move(evaluated), {}, std::move(taken), time.count()};
 }
 
 Result<std::shared_ptr<const Evaluated>> Workbench::State::evaluated(const store::TestRecord& record) {

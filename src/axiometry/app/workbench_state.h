@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -16,9 +17,13 @@ namespace axiometry::app {
 /// A test with what was found of it.
 struct Found {
   Evaluated evaluated;
-  FromArchive from_archive;
+  ArchiveQuestion asked;     ///< nothing where the answer is of another day
+  FromArchive from_archive;  ///< the answer
   double milliseconds = 0.0;
 };
+
+/// Who answers what an evaluation asks the archive.
+using Answers = std::function<Result<FromArchive>(const ArchiveQuestion&)>;
 
 struct Workbench::State {
   explicit State(store::Store& archive) : store(archive) {}
@@ -36,9 +41,12 @@ struct Workbench::State {
   /// The measured test of a record, by whose file name it goes.
   Result<Test> measured(const store::TestRecord& record);
 
-  /// With what the archive knows today.
-  Result<Found> evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links = {});
-  /// With what was taken from it on another day.
+  /// What the archive knows when it is asked, each time as of one moment.
+  Answers answers() const;
+
+  Result<Found> evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links,
+                         const Answers& answers);
+  /// With what was taken from the archive on another day.
   Result<Found> evaluate_with(Test test, const Draft& draft, FromArchive taken);
 
   /// A version evaluated again, with the figures that were kept or not at all.

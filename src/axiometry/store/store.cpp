@@ -8,7 +8,6 @@
 #include "axiometry/store/documents.h"
 #include "axiometry/store/folded_text.h"
 #include "axiometry/store/migrations.h"
-#include "axiometry/store/stated_things.h"
 #include "axiometry/store/store_state.h"
 #include "axiometry/store/test_list.h"
 #include "axiometry/store/thing_tables.h"
@@ -42,40 +41,34 @@ Result<std::unique_ptr<Store>> Store::open(std::string_view address, const Openi
 
 Info Store::info() const { return state_->info; }
 
-Result<Counts> Store::counts() const {
-  return state_->read([](Connection& connection) -> Result<Counts> {
-    // Ids have no gaps: the largest is the number.
-    AXIOMETRY_TRY(const Rows rows,
-                  connection.query("SELECT (SELECT coalesce(max(id), 0) FROM machine), (SELECT coalesce(max(id), 0) "
-                                   "FROM axis), (SELECT coalesce(max(id), 0) FROM instrument), (SELECT "
-                                   "coalesce(max(id), 0) FROM plan), (SELECT coalesce(max(id), 0) FROM test), (SELECT "
-                                   "coalesce(max(id), 0) FROM document), (SELECT coalesce(sum(size), 0) FROM "
-                                   "content)"));
-    const Row& row = rows[0];
-    return Counts{.machines = row.integer(0),
-                  .axes = row.integer(1),
-                  .instruments = row.integer(2),
-                  .plans = row.integer(3),
-                  .tests = row.integer(4),
-                  .documents = row.integer(5),
-                  .content_bytes = row.integer(6)};
+Result<void> Store::read_within(const std::function<Result<void>(const Transaction&)>& function) const {
+  return state_->read([&](Connection& connection) { return function(Transaction(connection)); });
+}
+
+Result<void> Store::write_within(const std::function<Result<void>(Transaction&)>& function) {
+  return state_->write([&](Connection& connection) {
+    Transaction transaction(connection);
+    return function(transaction);
   });
+}
+
+Result<Counts> Store::counts() const {
+  return read([](const Transaction& archive) { return archive.counts(); });
 }
 
 template <typename Thing>
 Result<Versioned<Thing>> Store::add(const Thing& thing, const By& by) {
-  return state_->write([&](Connection& connection) { return add_thing(connection, thing, change_now(by)); });
+  return write([&](Transaction& archive) { return archive.add(thing, by); });
 }
 
 template <typename Thing>
 Result<Versioned<Thing>> Store::change(Id id, int base_version, const Thing& thing, const By& by) {
-  const Versioned<Thing> changed{id, base_version + 1, change_now(by), thing};
-  return state_->write([&](Connection& connection) { return change_thing(connection, changed); });
+  return write([&](Transaction& archive) { return archive.change(id, base_version, thing, by); });
 }
 
 template <typename Thing>
 Result<Versioned<Thing>> Store::get(Id id, std::optional<int> version) const {
-  return state_->read([&](Connection& connection) { return get_thing<Thing>(connection, id, version); });
+  return read([&](const Transaction& archive) { return archive.get<Thing>(id, version); });
 }
 
 template <typename Thing>
@@ -88,7 +81,7 @@ Result<std::vector<Versioned<Thing>>> Store::all() const {
 
 template <typename Thing>
 Result<std::vector<Versioned<Thing>>> Store::versions(Id id) const {
-  return state_->read([&](Connection& connection) { return thing_versions<Thing>(connection, id); });
+  return read([&](const Transaction& archive) { return archive.versions<Thing>(id); });
 }
 
 #define AXIOMETRY_THING(Thing)                                                       \
@@ -105,39 +98,12 @@ AXIOMETRY_THING(PlanRecord);
 
 #undef AXIOMETRY_THING
 
-Result<std::optional<Versioned<Machine>>> Store::known(const Machine& stated) const {
-  return state_->read([&](Connection& connection) { return known_machine(connection, stated); });
-}
-
-Result<std::optional<Versioned<Axis>>> Store::known(const Machine& stated, const Axis& axis) const {
-  return state_->read([&](Connection& connection) -> Result<KnownAxis> {
-    AXIOMETRY_TRY(const KnownMachine machine, known_machine(connection, stated));
-    if (!machine) return std::nullopt;
-    return known_axis(connection, machine->id, axis);
-  });
-}
-
-Result<std::optional<Versioned<Instrument>>> Store::known(const Instrument& stated) const {
-  return state_->read([&](Connection& connection) { return known_instrument(connection, stated); });
-}
-
 Result<std::vector<Id>> Store::receive(const Content& content, std::span<const NewTest> tests, const By& by) {
-  return state_->write([&](Connection& connection) { return receive_tests(connection, content, tests, by); });
-}
-
-Result<std::vector<Id>> Store::receive(std::span<const NewFile> files, const By& by) {
-  return state_->write([&](Connection& connection) -> Result<std::vector<Id>> {
-    std::vector<Id> all;
-    for (const NewFile& file : files) {
-      AXIOMETRY_TRY(const auto ids, receive_tests(connection, file.content, file.tests, by));
-      all.insert(all.end(), ids.begin(), ids.end());
-    }
-    return all;
-  });
+  return write([&](Transaction& archive) { return archive.receive(content, tests, by); });
 }
 
 Result<int> Store::revise(Id test, int base_version, const TestState& state, const By& by) {
-  return state_->write([&](Connection& connection) { return revise_test(connection, test, base_version, state, by); });
+  return write([&](Transaction& archive) { return archive.revise(test, base_version, state, by); });
 }
 
 Result<void> Store::withdraw(Id test, bool withdrawn, const By& by) {
@@ -145,23 +111,15 @@ Result<void> Store::withdraw(Id test, bool withdrawn, const By& by) {
 }
 
 Result<TestRecord> Store::test(Id id, std::optional<int> version) const {
-  return state_->read([&](Connection& connection) { return read_test(connection, id, version); });
+  return read([&](const Transaction& archive) { return archive.test(id, version); });
 }
 
 Result<std::vector<Change>> Store::test_versions(Id id) const {
-  return state_->read([&](Connection& connection) -> Result<std::vector<Change>> {
-    AXIOMETRY_TRY(const TestHead head, read_head(connection, id));
-    AXIOMETRY_TRY(
-        const Rows rows,
-        connection.query("SELECT at, actor, reason FROM test_version WHERE test = $1 ORDER BY version", {head.id}));
-    std::vector<Change> changes;
-    for (const Row& row : rows) changes.push_back({row.text(0), row.text(1), row.text(2)});
-    return changes;
-  });
+  return read([&](const Transaction& archive) { return archive.test_versions(id); });
 }
 
 Result<TestPage> Store::tests(const TestFilter& filter) const {
-  return state_->read([&](Connection& connection) { return find_tests(connection, filter); });
+  return read([&](const Transaction& archive) { return archive.tests(filter); });
 }
 
 Result<std::vector<MachineTests>> Store::machine_tests(std::optional<Id> machine) const {
@@ -189,7 +147,7 @@ Result<Document> Store::add_document(const Document& document, std::string_view 
 }
 
 Result<std::vector<Document>> Store::documents(Id test) const {
-  return state_->read([&](Connection& connection) { return documents_of(connection, test); });
+  return read([&](const Transaction& archive) { return archive.documents(test); });
 }
 
 Result<Document> Store::document(Id id) const {

@@ -2,17 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "axiometry/base/result.h"
 #include "axiometry/store/records.h"
 #include "axiometry/store/test_records.h"
+#include "axiometry/store/transaction.h"
 
 /// The archive of machines, axes, instruments, plans and tests: SQLite in one file, or PostgreSQL for a team, behind
 /// one interface. Nothing measured can be changed or lost: rows of data, versions, documents and the audit trail are
@@ -31,16 +35,6 @@ struct Info {
   int schema = 0;        ///< number of the last migration
   bool writable = true;
   std::string why_not;  ///< of a store that cannot be written: "the file system is mounted read-only"
-};
-
-struct Counts {
-  std::int64_t machines = 0;
-  std::int64_t axes = 0;
-  std::int64_t instruments = 0;
-  std::int64_t plans = 0;
-  std::int64_t tests = 0;
-  std::int64_t documents = 0;
-  std::int64_t content_bytes = 0;
 };
 
 /// What verify() looked at and what is wrong; nothing is when `problems` is empty.
@@ -63,6 +57,23 @@ class Store {
   Store& operator=(const Store&) = delete;
 
   Info info() const;
+
+  /// All that `function(const Transaction&)` reads is of one moment. Where the connection is lost it is called again.
+  template <typename Function>
+  auto read(Function function) const -> std::invoke_result_t<Function, const Transaction&> {
+    std::optional<std::invoke_result_t<Function, const Transaction&>> answer;
+    AXIOMETRY_TRY_VOID(
+        read_within([&](const Transaction& archive) { return done(answer.emplace(function(archive))); }));
+    return *std::move(answer);
+  }
+  /// All that `function(Transaction&)` writes is kept, or nothing when it fails. Nobody else writes meanwhile.
+  template <typename Function>
+  auto write(Function function) -> std::invoke_result_t<Function, Transaction&> {
+    std::optional<std::invoke_result_t<Function, Transaction&>> answer;
+    AXIOMETRY_TRY_VOID(write_within([&](Transaction& archive) { return done(answer.emplace(function(archive))); }));
+    return *std::move(answer);
+  }
+
   Result<Counts> counts() const;
 
   /// Thing is Machine, Axis, Instrument or PlanRecord.
@@ -77,14 +88,7 @@ class Store {
   template <typename Thing>
   Result<std::vector<Versioned<Thing>>> versions(Id id) const;  ///< oldest first
 
-  /// Which machine, axis or instrument of the archive receive() and revise() would take for what a test states: by the
-  /// one rule of stated_things.h. Nothing where they would add one.
-  Result<std::optional<Versioned<Machine>>> known(const Machine& stated) const;
-  Result<std::optional<Versioned<Axis>>> known(const Machine& stated, const Axis& axis) const;
-  Result<std::optional<Versioned<Instrument>>> known(const Instrument& stated) const;
-
-  /// Keeps files and all their tests, or nothing. Bytes that are there already are kept once. The tests' ids in order.
-  Result<std::vector<Id>> receive(std::span<const NewFile> files, const By& by);
+  /// Keeps a file and all its tests, or nothing. Bytes that are there already are kept once. The tests' ids in order.
   Result<std::vector<Id>> receive(const Content& content, std::span<const NewTest> tests, const By& by);
   /// A new version. Fails with `conflict` when base_version is not the latest, saying who made that one and when.
   Result<int> revise(Id test, int base_version, const TestState& state, const By& by);
@@ -126,6 +130,14 @@ class Store {
  private:
   struct State;
   explicit Store(std::unique_ptr<State> state);
+
+  template <typename T>
+  static Result<void> done(const Result<T>& answer) {
+    return answer ? Result<void>() : std::unexpected(answer.error());
+  }
+  Result<void> read_within(const std::function<Result<void>(const Transaction&)>& function) const;
+  Result<void> write_within(const std::function<Result<void>(Transaction&)>& function);
+
   std::unique_ptr<State> state_;
 };
 

@@ -95,17 +95,39 @@ TEST_P(StoreTest, KeepsAllTestsOfAFileOrNone) {
   EXPECT_THAT(must(store->receive(content_of("abc"), std::vector{new_test("right")}, by_anna)), ElementsAre(1));
 }
 
-TEST_P(StoreTest, KeepsAllFilesThatComeTogetherOrNone) {
+TEST_P(StoreTest, KeepsAllThatIsWrittenTogetherOrNothing) {
   const auto store = new_store();
-  const NewFile files[] = {{content_of("abc"), {new_test("a"), new_test("b")}}, {content_of("def"), {new_test("c")}}};
-  NewFile refused[] = {files[0], files[1]};
-  refused[1].content.bytes = "other";
-  EXPECT_THAT(why(store->receive(refused, by_anna)), HasSubstr("SHA-256"));
+  const auto receive_both = [&](const Content& second) {
+    return store->write([&](Transaction& archive) -> Result<std::int64_t> {
+      AXIOMETRY_TRY_VOID(archive.receive(content_of("abc"), std::vector{new_test("a"), new_test("b")}, by_anna));
+      AXIOMETRY_TRY_VOID(archive.receive(second, std::vector{new_test("c")}, by_anna));
+      AXIOMETRY_TRY(const Counts counts, archive.counts());
+      return counts.tests;
+    });
+  };
+  Content wrong = content_of("def");
+  wrong.bytes = "other";
+  EXPECT_THAT(why(receive_both(wrong)), HasSubstr("SHA-256"));
   const Counts counts = must(store->counts());
   EXPECT_EQ(counts.tests + counts.machines + counts.content_bytes, 0);
-  EXPECT_THAT(must(store->receive(files, by_anna)), ElementsAre(1, 2, 3));
+  EXPECT_EQ(must(receive_both(content_of("def"))), 3) << "what was written is seen by what is read after it";
   EXPECT_EQ(must(store->test(3)).sha256, sha256("def"));
   EXPECT_TRUE(must(store->verify()).problems.empty());
+}
+
+TEST_P(StoreTest, ReadsAsOfOneMomentWhileAnotherWrites) {
+  const auto store = new_store();
+  Machine mill;
+  mill.name = "Mill";
+  must(store->add(mill, by_anna));
+  const auto versions = store->read([&](const Transaction& archive) -> Result<std::size_t> {
+    AXIOMETRY_TRY(const auto before, archive.get<Machine>(1));
+    must(store->change(1, before.version, mill, by_anna));
+    AXIOMETRY_TRY(const auto all, archive.versions<Machine>(1));
+    return all.size();
+  });
+  EXPECT_EQ(must(versions), 1u);
+  EXPECT_EQ(must(store->versions<Machine>(1)).size(), 2u);
 }
 
 TEST_P(StoreTest, TellsOfEachMachineHowManyTestsItHasAndTheLatest) {

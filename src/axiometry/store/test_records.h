@@ -68,12 +68,6 @@ struct NewTest {
   TestState state;
 };
 
-/// A file that arrives.
-struct NewFile {
-  Content content;
-  std::vector<NewTest> tests;  ///< not empty
-};
-
 struct TestRecord {
   Id id = 0;
   int version = 1;  ///< this one

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/store/transaction.h"
+
+#include "axiometry/store/clock.h"
+#include "axiometry/store/documents.h"
+#include "axiometry/store/stated_things.h"
+#include "axiometry/store/test_list.h"
+#include "axiometry/store/things.h"
+
+namespace axiometry::store {
+
+Result<Counts> Transaction::counts() const {
+  // Ids have no gaps: the largest is the number.
+  AXIOMETRY_TRY(const Rows rows,
+                connection_.query("SELECT (SELECT coalesce(max(id), 0) FROM machine), (SELECT coalesce(max(id), 0) "
+                                  "FROM axis), (SELECT coalesce(max(id), 0) FROM instrument), (SELECT "
+                                  "coalesce(max(id), 0) FROM plan), (SELECT coalesce(max(id), 0) FROM test), (SELECT "
+                                  "coalesce(max(id), 0) FROM document), (SELECT coalesce(sum(size), 0) FROM "
+                                  "content)"));
+  const Row& row = rows[0];
+  return Counts{.machines = row.integer(0),
+                .axes = row.integer(1),
+                .instruments = row.integer(2),
+                .plans = row.integer(3),
+                .tests = row.integer(4),
+                .documents = row.integer(5),
+                .content_bytes = row.integer(6)};
+}
+
+template <typename Thing>
+Result<Versioned<Thing>> Transaction::get(Id id, std::optional<int> version) const {
+  return get_thing<Thing>(connection_, id, version);
+}
+
+template <typename Thing>
+Result<std::vector<Versioned<Thing>>> Transaction::versions(Id id) const {
+  return thing_versions<Thing>(connection_, id);
+}
+
+template <typename Thing>
+Result<Versioned<Thing>> Transaction::add(const Thing& thing, const By& by) {
+  return add_thing(connection_, thing, change_now(by));
+}
+
+template <typename Thing>
+Result<Versioned<Thing>> Transaction::change(Id id, int base_version, const Thing& thing, const By& by) {
+  return change_thing(connection_, Versioned<Thing>{id, base_version + 1, change_now(by), thing});
+}
+
+#define AXIOMETRY_THING(Thing)                                                             \
+  template Result<Versioned<Thing>> Transaction::get<Thing>(Id, std::optional<int>) const; \
+  template Result<std::vector<Versioned<Thing>>> Transaction::versions<Thing>(Id) const;   \
+  template Result<Versioned<Thing>> Transaction::add(const Thing&, const By&);             \
+  template Result<Versioned<Thing>> Transaction::change(Id, int, const Thing&, const By&)
+
+AXIOMETRY_THING(Machine);
+AXIOMETRY_THING(Axis);
+AXIOMETRY_THING(Instrument);
+AXIOMETRY_THING(PlanRecord);
+
+#undef AXIOMETRY_THING
+
+Result<std::optional<Versioned<Machine>>> Transaction::known(const Machine& stated) const {
+  return known_machine(connection_, stated);
+}
+
+Result<std::optional<Versioned<Axis>>> Transaction::known(const Machine& stated, const Axis& axis) const {
+  AXIOMETRY_TRY(const KnownMachine machine, known_machine(connection_, stated));
+  if (!machine) return std::nullopt;
+  return known_axis(connection_, machine->id, axis);
+}
+
+Result<std::optional<Versioned<Instrument>>> Transaction::known(const Instrument& stated) const {
+  return known_instrument(connection_, stated);
+}
+
+Result<TestRecord> Transaction::test(Id id, std::optional<int> version) const {
+  return read_test(connection_, id, version);
+}
+
+Result<std::vector<Change>> Transaction::test_versions(Id id) const {
+  AXIOMETRY_TRY(const TestHead head, read_head(connection_, id));
+  AXIOMETRY_TRY(
+      const Rows rows,
+      connection_.query("SELECT at, actor, reason FROM test_version WHERE test = $1 ORDER BY version", {head.id}));
+  std::vector<Change> changes;
+  for (const Row& row : rows) changes.push_back({row.text(0), row.text(1), row.text(2)});
+  return changes;
+}
+
+Result<TestPage> Transaction::tests(const TestFilter& filter) const { return find_tests(connection_, filter); }
+
+Result<std::vector<Document>> Transaction::documents(Id test) const { return documents_of(connection_, test); }
+
+Result<std::vector<Id>> Transaction::receive(const Content& content, std::span<const NewTest> tests, const By& by) {
+  return receive_tests(connection_, content, tests, by);
+}
+
+Result<int> Transaction::revise(Id test, int base_version, const TestState& state, const By& by) {
+  return revise_test(connection_, test, base_version, state, by);
+}
+
+}  // namespace axiometry::store

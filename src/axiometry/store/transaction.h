@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/store/records.h"
+#include "axiometry/store/test_records.h"
+
+/// What belongs together in the archive: read as of one moment, or written as a whole or not at all.
+namespace axiometry::store {
+
+class Connection;
+
+struct Counts {
+  std::int64_t machines = 0;
+  std::int64_t axes = 0;
+  std::int64_t instruments = 0;
+  std::int64_t plans = 0;
+  std::int64_t tests = 0;
+  std::int64_t documents = 0;
+  std::int64_t content_bytes = 0;
+};
+
+/// Lent by Store::read() and Store::write() for as long as these last, to one thread. Calls that the Store has, too, do
+/// the same; what was written is seen by what is read after it.
+class Transaction {
+ public:
+  explicit Transaction(Connection& connection) : connection_(connection) {}
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+  Result<Counts> counts() const;
+  template <typename Thing>
+  Result<Versioned<Thing>> get(Id id, std::optional<int> version = {}) const;
+  template <typename Thing>
+  Result<std::vector<Versioned<Thing>>> versions(Id id) const;
+
+  /// Which machine, axis or instrument of the archive receive() and revise() would take for what a test states: by the
+  /// one rule of stated_things.h. Nothing where they would add one.
+  Result<std::optional<Versioned<Machine>>> known(const Machine& stated) const;
+  Result<std::optional<Versioned<Axis>>> known(const Machine& stated, const Axis& axis) const;
+  Result<std::optional<Versioned<Instrument>>> known(const Instrument& stated) const;
+
+  Result<TestRecord> test(Id id, std::optional<int> version = {}) const;
+  Result<std::vector<Change>> test_versions(Id id) const;
+  Result<TestPage> tests(const TestFilter& filter) const;
+  Result<std::vector<Document>> documents(Id test) const;
+
+  template <typename Thing>
+  Result<Versioned<Thing>> add(const Thing& thing, const By& by);
+  template <typename Thing>
+  Result<Versioned<Thing>> change(Id id, int base_version, const Thing& thing, const By& by);
+  Result<std::vector<Id>> receive(const Content& content, std::span<const NewTest> tests, const By& by);
+  Result<int> revise(Id test, int base_version, const TestState& state, const By& by);
+
+ private:
+  Connection& connection_;
+};
+
+}  // namespace axiometry::store
