@@ -192,7 +192,12 @@ Items metadata_of(const ExampleTest& test) {
   return items;
 }
 
-/// The file that somebody would send.
+/// A file that somebody would send.
+struct ExampleFile {
+  std::string name;
+  std::string bytes;
+};
+
 Result<std::string> file_of(const ExampleTest& test) {
   simulation::Request request;
   AXIOMETRY_TRY(request.plan, plan_of(test));
@@ -208,20 +213,24 @@ Result<std::string> file_of(const ExampleTest& test) {
   return format->write(simulated.test);
 }
 
-Result<void> send(Workbench& workbench, const std::string& name, std::string_view bytes) {
-  const Upload upload{name, bytes};
-  AXIOMETRY_TRY([[maybe_unused]] const Received received,
-                workbench.receive(std::span(&upload, 1), {"examples", "loaded into an empty archive"}));
-  return {};
+/// In the order in which they come.
+Result<std::vector<ExampleFile>> example_files() {
+  std::vector<ExampleFile> files = {{"iso230-2-table2.json", std::string(example_table2)}};
+  for (const std::span<const ExampleTest> tests :
+       {std::span<const ExampleTest>(others), std::span<const ExampleTest>(history)})
+    for (const ExampleTest& test : tests) {
+      AXIOMETRY_TRY(std::string bytes, file_of(test));
+      files.push_back({fmt::format("{}.json", test.number), std::move(bytes)});
+    }
+  return files;
 }
 
-Result<bool> is_empty(const store::Store& archive) {
-  AXIOMETRY_TRY(const store::Counts counts, archive.counts());
+bool is_empty(const store::Counts& counts) {
   return counts.machines + counts.instruments + counts.plans + counts.tests + counts.documents == 0;
 }
 
 /// The instrument of all tests, calibrated anew every year.
-Result<void> add_laser(store::Store& archive, const store::By& by) {
+Result<void> add_laser(store::Transaction& archive, const store::By& by) {
   AXIOMETRY_TRY(auto kept, archive.add(laser(calibrations[0]), by));
   for (const ExampleCalibration& calibration : std::span(calibrations).subspan(1)) {
     const store::By sender{by.actor, fmt::format("calibrated on {}", calibration.on)};
@@ -231,8 +240,7 @@ Result<void> add_laser(store::Store& archive, const store::By& by) {
 }
 
 /// Machines with what no file says of them, an axis with its limits, and the instrument.
-Result<void> add_example_equipment(store::Store& archive) {
-  const store::By by{"examples", "loaded into an empty archive"};
+Result<void> add_example_equipment(store::Transaction& archive, const store::By& by) {
   AXIOMETRY_TRY_VOID(add_laser(archive, by));
   const auto add = [&](const ExampleMachine& machine, std::vector<store::Axis> axes) -> Result<void> {
     AXIOMETRY_TRY(const auto added, archive.add(machine_record(machine), by));
@@ -250,22 +258,20 @@ Result<void> add_example_equipment(store::Store& archive) {
 }  // namespace
 
 Result<std::size_t> add_examples(Workbench& workbench) {
-  AXIOMETRY_TRY(const bool empty, is_empty(workbench.archive()));
-  if (!empty) return std::size_t{0};
-  AXIOMETRY_TRY_VOID(add_example_equipment(workbench.archive()));
-  AXIOMETRY_TRY_VOID(send(workbench, "iso230-2-table2.json", example_table2));
-  std::size_t count = 1;
-  const auto send_all = [&](std::span<const ExampleTest> tests) -> Result<void> {
-    for (const ExampleTest& test : tests) {
-      AXIOMETRY_TRY(const std::string bytes, file_of(test));
-      AXIOMETRY_TRY_VOID(send(workbench, fmt::format("{}.json", test.number), bytes));
-      ++count;
+  AXIOMETRY_TRY(const store::Counts counts, workbench.archive().counts());
+  if (!is_empty(counts)) return std::size_t{0};
+  AXIOMETRY_TRY(const auto files, example_files());
+  const store::By by{"examples", "loaded into an empty archive"};
+  return workbench.archive().write([&](store::Transaction& archive) -> Result<std::size_t> {
+    AXIOMETRY_TRY(const store::Counts meanwhile, archive.counts());
+    if (!is_empty(meanwhile)) return std::size_t{0};
+    AXIOMETRY_TRY_VOID(add_example_equipment(archive, by));
+    for (const ExampleFile& file : files) {
+      const Upload upload{file.name, file.bytes};
+      AXIOMETRY_TRY_VOID(workbench.receive(archive, std::span(&upload, 1), by));
     }
-    return {};
-  };
-  AXIOMETRY_TRY_VOID(send_all(others));
-  AXIOMETRY_TRY_VOID(send_all(history));
-  return count;
+    return files.size();
+  });
 }
 
 }  // namespace axiometry::app

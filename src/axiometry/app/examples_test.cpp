@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <barrier>
+#include <thread>
 
 #include "axiometry/app/example_table2.h"
 #include "tests/support/archive.h"
@@ -62,6 +65,29 @@ TEST(Examples, AreTheSameEveryTime) {
     ASSERT_TRUE(add_examples(workbench));
   }
   for (store::Id id = 1; id <= 14; ++id) EXPECT_EQ(one.store().test(id)->sha256, other.store().test(id)->sha256);
+}
+
+TEST(Examples, AreLoadedOnceWhenTwoProgramsAsk) {
+  for (int round = 0; round < 3; ++round) {
+    testing_support::Archive archive;
+    std::barrier together(2);
+    std::atomic<std::size_t> added = 0;
+    const auto load = [&] {
+      const auto store = store::Store::open(archive.folder() + "/archive.db");
+      ASSERT_TRUE(store) << store.error().to_string();
+      Workbench workbench(**store);
+      together.arrive_and_wait();
+      const auto count = add_examples(workbench);
+      ASSERT_TRUE(count) << count.error().to_string();
+      added += *count;
+    };
+    std::thread other(load);
+    load();
+    other.join();
+    EXPECT_EQ(added, 14u);
+    EXPECT_EQ(archive.store().counts()->tests, 14);
+    EXPECT_EQ(archive.store().counts()->machines, 4);
+  }
 }
 
 }  // namespace
