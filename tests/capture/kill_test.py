@@ -24,6 +24,7 @@ import made_up_run
 
 RATE = 500
 MOST_BEFORE_A_KILL = 28  # of the 30 readings of the run
+MOST_UNREAD = 8000  # bytes, of a second of the run: what a kill loses must not be a whole run, however slow the machine
 
 
 class Server:
@@ -54,8 +55,21 @@ class Server:
                             break
                         peer.sendall(block)
                         time.sleep(self.pause)
+                        self.wait_until_read()
                 except OSError:
                     pass
+
+    def wait_until_read(self):
+        """Until the program has taken nearly all that was sent to it; it may be dead by then."""
+        while not self.done and self.unread() > MOST_UNREAD:
+            time.sleep(0.001)
+
+    def unread(self):
+        """Bytes that wait for the program, as the system tells of connections to our port."""
+        to_us = f":{self.port:04X}"
+        with open("/proc/net/tcp", encoding="ascii") as file:
+            queues = [fields[4] for fields in map(str.split, file) if fields[2].endswith(to_us)]
+        return max((int(queue.split(":")[1], 16) for queue in queues), default=0)
 
     def close(self):
         self.done = True
