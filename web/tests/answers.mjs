@@ -6,7 +6,7 @@ import { axe_findings, downloaded, shows } from './world.mjs';
 
 /** Targets and two columns of readings, without a word about them. */
 const rows = Array.from({ length: 6 }, (_, i) => `${i * 100} ${(i / 10 - 0.5).toFixed(2)} ${(i / 10 + 0.5).toFixed(2)}\n`).join('');
-const file = (name) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(rows) });
+const file = (name, text = rows) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
 
 async function answer(page, name, unit) {
   const form = page.getByRole('form', { name: `Columns of ${name}` });
@@ -80,5 +80,28 @@ export const answers = {
     await again.getByRole('button', { name: 'Preview' }).click();
     await shows(entry(page, 'two.dat'), /read as you said/);
     assert.equal(await page.getByRole('button', { name: 'Keep', exact: true }).count(), 2);
+  },
+
+  async 'what was said of one table leaves the next its own first row'(world) {
+    const page = await world.page();
+    await page.goto('/');
+    await settle(page);
+    await page.setInputFiles('input[type=file]', [file('headed.dat', `Machine seven\nhall two\nread aloud in the early morning\n${rows}`), file('bare.dat')]);
+    await (await answer(page, 'headed.dat', 'mm')).getByRole('button', { name: 'Preview' }).click();
+    await shows(entry(page, 'headed.dat'), /6 targets × 1 run, 0 to 500 mm/);
+    await page.getByRole('button', { name: 'As for headed.dat' }).click();
+    await shows(entry(page, 'bare.dat'), /6 targets × 1 run, 0 to 500 mm/);
+  },
+
+  async 'a fault in a table of a known format is said before anything is asked'(world) {
+    const page = await world.page();
+    await page.goto('/');
+    await settle(page);
+    const lines = ['target_mm,direction,run,deviation_um', ...Array.from({ length: 10 }, (_, k) => `${(k % 5) * 100},${k < 5 ? 'up' : 'down'},1,0.${k}`)];
+    lines[4] = lines[4].replace('up', 'upp');
+    await page.setInputFiles('input[type=file]', file('fault.csv', `${lines.join('\n')}\n`));
+    await shows(entry(page, 'fault.csv'), /Refused \(line 5.*found "upp"/s);
+    await entry(page, 'fault.csv').getByRole('button', { name: 'Say what the columns mean' }).click();
+    await shows(page.getByRole('form', { name: 'Columns of fault.csv' }), /upp/);
   },
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/app/evaluate.h"
+#include "axiometry/app/source.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/plan_json.h"
@@ -31,16 +32,38 @@ Result<void> refuse_others(std::string_view bytes, std::string_view head) {
   return {};
 }
 
+/// Of the columns of readings, each its own or that of all.
+std::string reading_units(const formats::ImportProfile& profile) {
+  std::vector<std::string_view> units;
+  for (const formats::ImportColumn& column : profile.columns) {
+    if (column.role != formats::ImportRole::deviation && column.role != formats::ImportRole::position) continue;
+    const formats::Unit* unit = column.unit != nullptr ? column.unit : profile.reading_unit;
+    if (unit != nullptr && std::ranges::find(units, unit->symbol) == units.end()) units.push_back(unit->symbol);
+  }
+  return fmt::format("{}", fmt::join(units, ", "));
+}
+
+std::string_view in_words(formats::DirectionRule rule) {
+  switch (rule) {
+    case formats::DirectionRule::column: return "from a column";
+    case formats::DirectionRule::names: return "from the names";
+    case formats::DirectionRule::motion: return "from the motion";
+    case formats::DirectionRule::visits: return "in turn at each target";
+    case formats::DirectionRule::run_parity: return "in turn from run to run";
+    case formats::DirectionRule::up: return "all ↑";
+    case formats::DirectionRule::down: return "all ↓";
+  }
+  return "";
+}
+
 Result<Test> read_by_profile(std::string_view bytes, const formats::ImportProfile& profile) {
   AXIOMETRY_TRY(Test test, formats::read_with(profile, bytes));
-  const auto unit = [](const formats::Unit* known) { return known == nullptr ? "–" : std::string(known->symbol); };
   auto& remarks = test.provenance.remarks;
-  remarks.insert(
-      remarks.begin(),
-      {false, fmt::format("columns were read as stated with the file: targets in {}, readings in {}, direction "
-                          "of approach \"{}\", {}",
-                          unit(profile.target_unit), unit(profile.reading_unit), word_of(*profile.direction),
-                          profile.sign < 0.0 ? "readings of the other sign" : "readings as they stand")});
+  remarks.insert(remarks.begin(),
+                 {false, fmt::format("columns were read as stated with the file: targets in {}, readings in {}, "
+                                     "direction of approach {}, {}",
+                                     profile.target_unit->symbol, reading_units(profile), in_words(*profile.direction),
+                                     profile.sign < 0.0 ? "readings of the other sign" : "readings as they stand")});
   return test;
 }
 
@@ -84,9 +107,13 @@ Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& na
   return file;
 }
 
+std::string recognised_format(std::string_view bytes) {
+  const auto format = formats::recognise(bytes.substr(0, head_size));
+  return format ? std::string((*format)->id) : "";
+}
+
 std::optional<formats::Guess> guess_measured(std::string_view bytes) {
-  constexpr std::size_t head = std::size_t{64} << 10;
-  if (formats::recognise_recording(bytes.substr(0, head))) return {};
+  if (formats::recognise_recording(bytes.substr(0, head_size))) return {};
   auto found = formats::guess(bytes);
   if (!found) return {};
   return *std::move(found);

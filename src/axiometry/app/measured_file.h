@@ -35,6 +35,9 @@ struct MeasuredFile {
 Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& name,
                                    const std::optional<formats::ImportProfile>& profile = {});
 
+/// The id of the format that a file seems to have by its beginning; empty where it is none of ours.
+std::string recognised_format(std::string_view bytes);
+
 /// What a person may be asked about a file that is no recording: the guess about the table in it. Nothing where there
 /// is no table.
 std::optional<formats::Guess> guess_measured(std::string_view bytes);

@@ -18,7 +18,6 @@
 namespace axiometry::app {
 namespace {
 
-constexpr std::size_t head_size = std::size_t{64} << 10;
 constexpr std::size_t block_size = std::size_t{1} << 20;
 
 }  // namespace

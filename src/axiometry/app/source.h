@@ -17,6 +17,9 @@ namespace axiometry::app {
 /// Bytes of a small file that stands beside the measured ones: a profile, a plan.
 inline constexpr std::size_t small_file_limit = std::size_t{64} << 20;
 
+/// Bytes by which the format of a file is recognised.
+inline constexpr std::size_t head_size = std::size_t{64} << 10;
+
 /// The whole of a file. Fails when it cannot be read and beyond the limit.
 Result<std::string> file_bytes(const std::string& name, std::size_t limit = small_file_limit);
 

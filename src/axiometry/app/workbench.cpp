@@ -228,6 +228,7 @@ Result<Preview> Workbench::preview(const Upload& upload) const {
   if (!file || (*file)->format == "generic") preview.table = asked_table(upload);
   if (!file) {
     preview.refused = file.error();
+    preview.format = recognised_format(upload.bytes);
     return preview;
   }
   preview.format = (*file)->format;

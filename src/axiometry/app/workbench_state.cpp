@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -11,6 +12,7 @@
 #include "axiometry/app/wire.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/version.h"
+#include "axiometry/digest/sha256.h"
 #include "axiometry/model/fields.h"
 
 namespace axiometry::app {
@@ -90,9 +92,11 @@ Result<void> check_trials(const Series& series, const TestOptions& options) {
                   trials, targets, series.reading_count(), most));
 }
 
+constexpr std::size_t least_weight = 16'384;  // of a file that is remembered: what is around its bytes
+
 /// The same bytes hold other tests by another profile.
-std::string file_key(const std::string& sha256, const std::optional<formats::ImportProfile>& profile) {
-  return profile ? sha256 + formats::write_profile(*profile) : sha256;
+std::string file_key(const std::string& hash, const std::optional<formats::ImportProfile>& profile) {
+  return profile ? hash + sha256(formats::write_profile(*profile)) : hash;
 }
 
 }  // namespace
@@ -102,7 +106,7 @@ Result<std::shared_ptr<const MeasuredFile>> Workbench::State::read(
   AXIOMETRY_TRY(const std::string file_name, given_file_name(name));
   AXIOMETRY_TRY(MeasuredFile file, read_measured(bytes, file_name, profile));
   auto shared = std::make_shared<const MeasuredFile>(std::move(file));
-  files.remember(file_key(shared->sha256, profile), shared, shared->size);
+  files.remember(file_key(shared->sha256, profile), shared, std::max(shared->size, least_weight));
   return shared;
 }
 

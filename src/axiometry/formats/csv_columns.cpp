@@ -189,11 +189,13 @@ Column column_from(const CsvCell& cell) {
   // "deviation_furlong": the last word is meant as a unit when the others alone make sense; "run 1 aller" has none.
   if (column.role == ColumnRole::unknown && parts.unit.empty() && words.size() > 1) {
     const std::size_t mark = cell.text.find_last_of("_ /-");
-    if (mark != std::string::npos && !generic::direction_word(cell.text.substr(mark + 1))) {
+    const std::string last = mark == std::string::npos ? "" : cell.text.substr(mark + 1);
+    const bool tells_direction = !parse_number(last) && generic::direction_word(last);
+    if (mark != std::string::npos && !tells_direction) {
       Column shorter = column_from({cell.text.substr(0, mark), cell.column});
       if (shorter.role == ColumnRole::reading || shorter.role == ColumnRole::target) {
         shorter.name = cell.text;
-        shorter.unit_text = cell.text.substr(mark + 1);
+        shorter.unit_text = last;
         shorter.unit = nullptr;
         return shorter;
       }

@@ -103,10 +103,13 @@ constexpr std::string_view down_words[] = {
     "vuelta",   "bajada",   "retroceso", "descending", "rückfahrt", "backwards",   "反向",       "负向",
     "負方向",   "负方向",   "回程",      "復路",       "逆行程",    "下行"};
 
-/// "Lauf 1 auf", "ab 2": a direction at the beginning or the end of a name only, since "auf 20 °C" is none.
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// "Lauf 1 auf", "ab 2": a direction at the end of a name, or before its number; "auf 20 °C bezogen" tells none.
 std::optional<Direction> direction_by_end(const std::vector<std::string>& words) {
   if (words.empty()) return std::nullopt;
-  for (const std::string& word : {words.back(), words.front()}) {
+  const bool numbered = words.size() == 2 && is_digit(words.back().front());
+  for (const std::string& word : {words.back(), numbered ? words.front() : words.back()}) {
     if (word == "auf" || word == "hoch") return Direction::up;
     if (word == "ab" || word == "runter") return Direction::down;
   }
@@ -128,8 +131,6 @@ std::string lower(std::string_view s) {
 void replace_all(std::string& s, std::string_view from, std::string_view to) {
   for (std::size_t k = 0; (k = s.find(from, k)) != std::string::npos; k += to.size()) s.replace(k, from.size(), to);
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; }
 
 /// Lower-case words and numbers, in order.

@@ -82,6 +82,14 @@ Result<std::vector<std::string>> texts_from(const Value& value) {
   return texts;
 }
 
+/// Each cell of a column is compared with all of them.
+Result<std::vector<std::string>> words_from(const Value& value) {
+  constexpr std::size_t most = 50;
+  AXIOMETRY_TRY(auto words, texts_from(value));
+  if (words.size() > most) return wrong(value, fmt::format("at most {} words", most));
+  return words;
+}
+
 Result<const Unit*> unit_from(const Value& value) {
   if (value.is(Kind::text))
     if (const Unit* unit = find_unit(value.text())) return unit;
@@ -264,10 +272,10 @@ const Member<P> profile_members[] = {
      [](P& p, const Value& v) { return put_into(p.first_direction, one_of<Direction>(direction_names, v)); }},
     {"up_words", "Words for up in the column of directions, beside the usual ones.", strings_schema,
      [](const P& p) { return json_of(p.up_words); },
-     [](P& p, const Value& v) { return put_into(p.up_words, texts_from(v)); }},
+     [](P& p, const Value& v) { return put_into(p.up_words, words_from(v)); }},
     {"down_words", "Words for down in the column of directions, beside the usual ones.", strings_schema,
      [](const P& p) { return json_of(p.down_words); },
-     [](P& p, const Value& v) { return put_into(p.down_words, texts_from(v)); }},
+     [](P& p, const Value& v) { return put_into(p.down_words, words_from(v)); }},
     {"runs",
      "Where the number of the run comes from: a column or label, names of columns, or the repetition of targets.",
      [] { return choice(run_rule_words); }, [](const P& p) { return Value(word_of(p.runs)); },

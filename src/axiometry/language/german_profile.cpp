@@ -6,13 +6,15 @@ namespace axiometry::language {
 namespace {
 
 constexpr Phrase rows[] = {
+    {"all ↑", "alle ↑"},
+    {"all ↓", "alle ↓"},
     {"columns were read after the import profile {0=}, SHA-256 {1=}",
      "Spalten nach dem Importprofil {0} gelesen, SHA-256 {1}"},
-    {"columns were read as stated with the file: targets in {0=}, readings in {1=}, direction of approach {2=}, "
+    {"columns were read as stated with the file: targets in {0#}, readings in {1#}, direction of approach {2}, "
      "readings as they stand",
      "Spalten gelesen wie mit der Datei angegeben: Zielpositionen in {0}, Messwerte in {1}, Anfahrrichtung {2}, "
      "Messwerte wie sie stehen"},
-    {"columns were read as stated with the file: targets in {0=}, readings in {1=}, direction of approach {2=}, "
+    {"columns were read as stated with the file: targets in {0#}, readings in {1#}, direction of approach {2}, "
      "readings of the other sign",
      "Spalten gelesen wie mit der Datei angegeben: Zielpositionen in {0}, Messwerte in {1}, Anfahrrichtung {2}, "
      "Messwerte mit umgekehrtem Vorzeichen"},
@@ -71,6 +73,11 @@ constexpr Phrase rows[] = {
      "oder die angegebenen Wörter für ↑ und ↓"},
     {"found {0=}, expected seconds or a time such as 12:30:05",
      "{0} gefunden; erwartet: Sekunden oder eine Uhrzeit wie 12:30:05"},
+    {"from a column", "aus einer Spalte"},
+    {"from the motion", "aus der Bewegung"},
+    {"from the names", "aus den Namen"},
+    {"in turn at each target", "an jeder Zielposition im Wechsel"},
+    {"in turn from run to run", "von Durchlauf zu Durchlauf im Wechsel"},
 };
 
 }  // namespace

@@ -220,6 +220,8 @@ TEST(Findings, MentionAReversalErrorThatIsTheSameEverywhere) {
   down[0][2] -= 20.0;  // at one target only half of it
   EXPECT_EQ(finding(assessed(make_series(half_metre, up, down)), "3.17"), "");
   EXPECT_EQ(finding(assessed(proper(half_metre)), "3.17"), "");
+  const std::vector<RunDeviations> exact(5, RunDeviations{1, 1, 1, 1, 1});  // no reversal error and no scatter
+  EXPECT_EQ(finding(assessed(make_series(half_metre, exact, exact)), "3.17"), "");
 }
 
 TEST(Findings, MentionAStraightSlopeAndAStrangeLackOfScatter) {

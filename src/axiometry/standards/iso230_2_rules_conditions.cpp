@@ -154,7 +154,7 @@ std::optional<Finding> same_reversal_everywhere(const Case& c) {
   const bool repeated = p.R.has_value();
   const double measured = (repeated ? p.R : p.E)->in_native();
   const double without = (repeated ? common->without.R : common->without.E)->in_native();
-  if (without > 0.75 * measured) return std::nullopt;
+  if (!(measured > 0.0) || without > 0.75 * measured) return std::nullopt;
   const std::string_view unit = deviation_unit(c.kind());
   return note("3.17", fmt::format("found nearly the same reversal error at every target, {} {} on average, without "
                                   "which {} would be {} {} instead of {} {}; such a reversal error comes from play or "

@@ -155,7 +155,9 @@ Result<void> PostgresqlConnection::begin_write() {
   AXIOMETRY_TRY_VOID(script("BEGIN ISOLATION LEVEL READ COMMITTED READ WRITE"));
   // One writer at a time per schema, however its path is spelt, so that ids have no gaps. Given up with the
   // transaction.
-  const auto locked = run(fmt::format("SELECT pg_advisory_xact_lock(1098410351, hashtext({}))", first_schema_of_path));
+  const auto locked =
+      run(fmt::format("SELECT pg_advisory_xact_lock(1098410351, hashtext(coalesce(quote_ident(current_schema()), {})))",
+                      first_schema_of_path));
   if (!locked) rollback();
   return locked;
 }

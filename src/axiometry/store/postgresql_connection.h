@@ -17,7 +17,7 @@ struct PostgresqlCloser {
 using PostgresqlSession = std::unique_ptr<PGconn, PostgresqlCloser>;
 using PostgresqlAnswer = std::unique_ptr<PGresult, PostgresqlCloser>;
 
-/// SQL for the first name of the search path, quoted: the schema that tables are made in, also before it exists.
+/// SQL for the first name of the search path, quoted: the schema to make where none of the path exists.
 inline constexpr const char* first_schema_of_path =
     "quote_ident(trim(BOTH ' \"' FROM split_part(current_setting('search_path'), ',', 1)))";
 

@@ -65,4 +65,11 @@ bool begins_as_database(const std::string& path) {
          std::string_view(head.data(), head.size()) == magic;
 }
 
+std::uint32_t application_mark(const std::string& path) {
+  std::array<unsigned char, 72> head{};
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(head.data()), head.size());
+  return std::uint32_t{head[68]} << 24 | std::uint32_t{head[69]} << 16 | std::uint32_t{head[70]} << 8 | head[71];
+}
+
 }  // namespace axiometry::store

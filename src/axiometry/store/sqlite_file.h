@@ -36,4 +36,7 @@ std::string obstacle_to_writing(const std::string& path);
 /// By its first sixteen bytes, the name of the format.
 bool begins_as_database(const std::string& path);
 
+/// The application's mark as it stands in the file, whatever is still to be merged or taken back; 0 in a shorter one.
+std::uint32_t application_mark(const std::string& path);
+
 }  // namespace axiometry::store

@@ -17,6 +17,9 @@ namespace files = std::filesystem;
 
 constexpr std::int64_t application_id = 0x4178'696F;  // "Axio", in bytes 68 to 71 of the file
 
+/// An archive gets its mark with its first page.
+constexpr std::uintmax_t largest_unmarked = 4096;
+
 using OpenedSqlite = std::unique_ptr<SqliteConnection>;
 
 Error in_store(Error error, const std::string& file) {
@@ -66,12 +69,14 @@ Result<bool> look_for_archive(SqliteConnection& connection, const std::string& p
   return fail(ErrorKind::bad_input, "found a file that is no SQLite database, expected a store");
 }
 
-/// Likewise where it may be written. What a program that was killed has begun to write, only one that may write can
-/// take back.
+/// Likewise where it may be written. What a program that was killed has begun to write into an archive, or into a file
+/// so small that it may become one, only a connection that may write can take back.
 Result<bool> look_before_writing(const std::string& path) {
   AXIOMETRY_TRY(const OpenedSqlite reading, opened(path, SQLITE_OPEN_READONLY));
   auto archive = look_for_archive(*reading, path);
   if (archive || archive.error().kind != ErrorKind::read_only) return archive;
+  const bool ours = application_mark(path) == application_id || files::file_size(path) <= largest_unmarked;
+  if (!ours) return archive;
   AXIOMETRY_TRY(const OpenedSqlite writing, opened(path, SQLITE_OPEN_READWRITE));
   return look_for_archive(*writing, path);
 }

@@ -135,7 +135,7 @@ TEST_P(SqliteTroubleTest, TakesBackWhatAKilledProgramHadBegun) {
   const std::string address = file("begun.db");
   sqlite3* raw = nullptr;
   ASSERT_EQ(sqlite3_open(address.c_str(), &raw), SQLITE_OK);
-  ASSERT_EQ(sqlite3_exec(raw, "PRAGMA application_id = 0; PRAGMA user_version = 1", nullptr, nullptr, nullptr),
+  ASSERT_EQ(sqlite3_exec(raw, "PRAGMA application_id = 1098410351; PRAGMA user_version = 1", nullptr, nullptr, nullptr),
             SQLITE_OK);
   ASSERT_EQ(sqlite3_exec(raw,
                          "PRAGMA cache_size = 1; BEGIN IMMEDIATE; PRAGMA user_version = 7; CREATE TABLE t (x); "

@@ -4,7 +4,7 @@ import { offer } from '../../api/client';
 import type { AskedTable, ImportProfile } from '../../api/types';
 import { sentence } from '../../components/findings';
 import { Field } from '../../components/field';
-import { direction_rules, has, meaning_of, meanings, open_in, readings_of, same_columns, with_meaning, with_rule, type Open } from './columns';
+import { as_said_of, direction_rules, has, meaning_of, meanings, open_in, readings_of, same_columns, with_meaning, with_rule, type Open } from './columns';
 import { incoming, is_asked, read_by, type Incoming } from './incoming';
 import { t } from './texts';
 
@@ -63,7 +63,7 @@ function AskedColumns({ one, table, on_close }: { one: Incoming; table: AskedTab
       <Answers table={table} profile={profile} open={open} on_change={(to) => set_profile({ ...profile, ...to })} />
       <div class="row">
         <button type="submit" class="primary" disabled={open.length > 0 || busy}>{t('columns_preview')}</button>
-        {like?.profile && <button type="button" disabled={busy} onClick={() => like.profile && read_by(one.key, like.profile)}>{t('columns_like', { name: like.file.name })}</button>}
+        {like?.profile && <button type="button" disabled={busy} onClick={() => like.profile && read_by(one.key, as_said_of(like.profile, table.profile))}>{t('columns_like', { name: like.file.name })}</button>}
         {on_close && <button type="button" class="plain" onClick={on_close}>{t('columns_close')}</button>}
         <span class="quiet small" aria-live="polite">{open.length > 0 && t('still_open', { list: open.map((key) => t(`open_${key}`)).join(', ') })}</span>
         <span class="end"><DownloadProfile one={one} profile={profile} /></span>

@@ -91,6 +91,12 @@ export function open_in(profile: ImportProfile): Open[] {
   return all.filter(([, open]) => open).map(([key]) => key);
 }
 
+/** What was said of one table, for another with the same columns. Where its rows begin and end, each knows itself. */
+export function as_said_of(other: ImportProfile, own: ImportProfile): ImportProfile {
+  const { layout, columns, target_unit, reading_unit, direction, first_direction, up_words, down_words, runs, first_run, sign } = other;
+  return { ...own, layout, columns, target_unit, reading_unit, direction, first_direction, up_words, down_words, runs, first_run, sign };
+}
+
 /** Whether two tables have the same columns, so that what was said of one holds for the other. */
 export const same_columns = (a: ImportProfile, b: ImportProfile): boolean =>
-  a.delimiter === b.delimiter && a.columns.length === b.columns.length && a.columns.every((column, c) => column.name === b.columns[c]?.name);
+  a.delimiter === b.delimiter && (a.layout === 'transposed') === (b.layout === 'transposed') && a.columns.length === b.columns.length && a.columns.every((column, c) => column.name === b.columns[c]?.name);

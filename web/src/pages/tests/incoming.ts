@@ -85,9 +85,10 @@ export function read_by(key: number, profile: ImportProfile): void {
   if (one) void read(one);
 }
 
-/** Whether nothing is wrong with a file but that a person has to say something about it. */
+/** Whether nothing is wrong with a file but that a person has to say something about it. A table of a known format that
+    is refused has a fault, which is said first. */
 export const is_asked = (one: Incoming): boolean =>
-  one.preview?.refused != null && one.profile === null && (one.preview.table?.questions.length ?? 0) > 0;
+  one.preview?.refused != null && (one.preview.format?.id ?? 'generic') === 'generic' && one.profile === null && (one.preview.table?.questions.length ?? 0) > 0;
 
 /** Not yet in the archive under another name. */
 export const is_new = (one: Incoming): boolean => one.preview === null || one.preview.same_content.length === 0;
