@@ -30,4 +30,7 @@ extern const std::span<const Phrase> german_capture;            ///< live captur
 extern const std::span<const Phrase> german_terminal;           ///< summaries in a terminal
 extern const std::span<const Phrase> german_requests;           ///< requests to the workbench
 
+/// All of them.
+std::span<const std::span<const Phrase>> german_tables();
+
 }  // namespace axiometry::language

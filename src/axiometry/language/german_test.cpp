@@ -14,27 +14,6 @@
 namespace axiometry::language {
 namespace {
 
-const std::span<const Phrase> tables[] = {german_terms,
-                                          german_report,
-                                          german_figures,
-                                          german_uncertainty,
-                                          german_findings,
-                                          german_corrections,
-                                          german_plan,
-                                          german_fields,
-                                          german_errors,
-                                          german_service,
-                                          german_simulation,
-                                          german_tracking,
-                                          german_tracking_findings,
-                                          german_station,
-                                          german_periodic,
-                                          german_files,
-                                          german_profile,
-                                          german_requests,
-                                          german_terminal,
-                                          german_capture};
-
 std::multiset<char> places(std::string_view text) {
   std::multiset<char> all;
   for (std::size_t at = text.find('{'); at != std::string_view::npos; at = text.find('{', at + 1))
@@ -43,7 +22,7 @@ std::multiset<char> places(std::string_view text) {
 }
 
 TEST(German, HasSortedTables) {
-  for (const auto table : tables)
+  for (const auto table : german_tables())
     for (std::size_t k = 1; k < table.size(); ++k) EXPECT_LT(table[k - 1].english, table[k].english);
 }
 

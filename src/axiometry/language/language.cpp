@@ -2,7 +2,6 @@
 #include "axiometry/language/language.h"
 
 #include <algorithm>
-#include <array>
 
 #include "axiometry/base/text.h"
 #include "axiometry/language/german.h"
@@ -14,26 +13,7 @@ namespace {
 
 /// Made at the first use, so that it depends on no order of initialisation.
 const PhraseBook& german() {
-  static const PhraseBook book(std::array{german_terms,
-                                          german_report,
-                                          german_figures,
-                                          german_uncertainty,
-                                          german_findings,
-                                          german_corrections,
-                                          german_plan,
-                                          german_fields,
-                                          german_errors,
-                                          german_service,
-                                          german_simulation,
-                                          german_tracking,
-                                          german_tracking_findings,
-                                          german_station,
-                                          german_periodic,
-                                          german_files,
-                                          german_profile,
-                                          german_requests,
-                                          german_terminal,
-                                          german_capture});
+  static const PhraseBook book(german_tables());
   return book;
 }
 
