@@ -64,6 +64,9 @@ function(axiometry_together target)
     ${target} PRIVATE <algorithm> <array> <cmath> <expected> <functional> <map> <optional> <span> <sstream> <string>
     <string_view> <variant> <vector> <fmt/format.h> ${PROJECT_SOURCE_DIR}/src/axiometry/model/test.h
     ${PROJECT_SOURCE_DIR}/src/axiometry/base/json.h ${arg_HEADERS})
+  if(AXIOMETRY_TOGETHER STREQUAL "HEADERS") # the shortest wait after an edit
+    return()
+  endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # What is said of names of the file before, and of headers, which these sources are not.
   target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)

@@ -73,13 +73,13 @@ COMMANDS = [
 WORD = re.compile(r"[A-Za-zÄÖÜäöüß][A-Za-zÄÖÜäöüß’'-]{2,}")
 # The same in both languages: words, names of persons, formats and standards, what stands for a value.
 SAME = set("""
-    Amplitude Axiometry Carlo Ciddor DIN Drift Ellipsoid Format GUM ISO Information JCGM JSON Lee Linear Median Monte
+    Amplitude Axiometry Carlo Ciddor DIN Drift Ellipsoid Format GUM ISO Information JCGM JSON Lee Linear Median nde Monte
     Multilateration NDE Name Octant Phase Plan Position SHA- Segment Sensor Sensors Simulation Standard Station Student
     Ende Lauf Soll Test UTF- VDI Windows- bar csv- csv-long csv-wide deg eff json kPa linear min normal negative
     positive
     ppm    rad sin therm was Ist Mill generic time-position screw
     DEVICE EVE MACHINE MISALIGNMENT PROBING STATION TOOL EXX EYY EZZ ECC xij XYZ xyz
-    RMISALIGNMENT UCALIBRATION UDEVICE UEVE UMISALIGNMENT UPROBING USTATION dfarthest dnearest
+    CALIBRATION RDEVICE RMISALIGNMENT UCALIBRATION UDEVICE UEVE UMISALIGNMENT UPROBING USTATION dfarthest dnearest
 """.split())
 # Words of two letters that German does not have.
 SHORT = set("as at be by if is no of on or to up we".split())

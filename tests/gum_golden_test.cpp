@@ -37,7 +37,7 @@ Metadata paper() {
 
 GumUncertainty result() {
   const Series series = testing_support::table2::series();
-  auto gum_result = gum(paper(), series, evaluate(series));
+  auto gum_result = gum(axiometry::Test{paper(), series, {}}, evaluate(series));
   return gum_result.value().value();
 }
 

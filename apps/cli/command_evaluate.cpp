@@ -55,7 +55,7 @@ std::string describe(const Field& field) {
 
 void add_uncertainty_flags(CLI::App& verb, EvaluateArguments& arguments) {
   for (const Field& field : metadata_fields()) {
-    if (!field.key.starts_with("uncertainty.")) continue;
+    if (!field.key.starts_with("uncertainty.") || field.key == "uncertainty.drift_recording") continue;
     const bool records = field.type == FieldType::records;
     verb.add_option_function<std::vector<std::string>>(
             flag_of(field.key),
@@ -70,6 +70,16 @@ void add_uncertainty_flags(CLI::App& verb, EvaluateArguments& arguments) {
                                                     : "WORD")
         ->group("Uncertainty, over what the file says");
   }
+}
+
+void add_drift_recording(CLI::App& verb, EvaluateArguments& arguments) {
+  verb.add_option(
+          "--drift-recording", arguments.evaluate.drift_recording,
+          "Recording at standstill over the time of a test or longer (A.2.5), time and deviation, in any layout "
+          "of continuous recordings ('axiometry formats'). It takes the place of E_VE, of which it then tells "
+          "the size.")
+      ->type_name("FILE")
+      ->group("Uncertainty, over what the file says");
 }
 
 /// An option whose value is one of a few words, each standing for a value of `target`.
@@ -131,6 +141,13 @@ void add_output_flags(CLI::App& verb, EvaluateArguments& arguments) {
              {{"auto", ColourChoice::automatic}, {"always", ColourChoice::always}, {"never", ColourChoice::never}},
              "Colour in the terminal: auto, always or never")
       ->type_name("WHEN")
+      ->group(group);
+  verb.add_flag(
+          "--verify", arguments.verify,
+          "Compute clause 3, Annex A and every verdict once more, by a second, independent way in exact arithmetic, "
+          "and "
+          "compare all other figures wherever they stand; where one differs nothing is shown or written, and the exit "
+          "code is 2")
       ->group(group);
   verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
   verb.add_flag("--keep-going", arguments.keep_going, "Write combined outputs although some inputs are bad")
@@ -213,6 +230,7 @@ void add_flags(CLI::App& verb, const std::shared_ptr<EvaluateArguments>& argumen
   add_number_flags(verb, *arguments);
   add_method_flags(verb, arguments->evaluate.uncertainty);
   add_uncertainty_flags(verb, *arguments);
+  add_drift_recording(verb, *arguments);
   verb.callback([&verb, arguments, &exit_code] {
     check_method_flags(verb, arguments->evaluate.uncertainty);
     arguments->outputs.uncertainty = arguments->evaluate.uncertainty;

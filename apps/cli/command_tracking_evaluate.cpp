@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "axiometry/app/second_opinion.h"
 #include "axiometry/app/tracking_evaluate.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -32,6 +33,7 @@ struct Arguments {
   app::OutputNames outputs;
   std::string tests;
   report::Options report;
+  bool verify = false;
   bool quiet = false;
 };
 
@@ -66,7 +68,12 @@ int exit_code_of(const app::EvaluatedLines& evaluated) {
 Result<app::EvaluatedLines> evaluated(Arguments& a) {
   ProgressBar bar(!a.quiet);
   a.evaluate.uncertainty.trials.propagation.on_progress = std::ref(bar);
-  return app::evaluate_tracking(a.file, a.evaluate);
+  AXIOMETRY_TRY(auto result, app::evaluate_tracking(a.file, a.evaluate));
+  for (app::Evaluated& line : result.tests) {
+    if (!a.verify) break;
+    AXIOMETRY_TRY(line.verified, app::second_opinion(line, a.evaluate.uncertainty, a.report));
+  }
+  return result;
 }
 
 int run(Arguments& a) {
@@ -182,6 +189,12 @@ void add_output_flags(CLI::App& verb, Arguments& a) {
       ->group(group);
   CLI::Option* decimal = add_decimal(verb, a.report.numbers.decimal_mark)->group(group);
   add_language(verb, a.report, decimal)->group(group);
+  verb.add_flag(
+          "--verify", a.verify,
+          "Compute clause 3, Annex A and every verdict of each line once more by a second, independent way in exact "
+          "arithmetic, and compare all other figures; where one differs nothing is shown or written, and the exit "
+          "code is 2")
+      ->group(group);
   verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group(group);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "axiometry/app/second_opinion.h"
 #include "axiometry/report/utf8.h"
 #include "commands.h"
 #include "progress.h"
@@ -111,6 +112,10 @@ class Run {
 
   Result<void> take(app::Evaluated&& evaluated) {
     bar_.clear();
+    if (arguments_.verify) {
+      AXIOMETRY_TRY(evaluated.verified,
+                    app::second_opinion(evaluated, arguments_.evaluate.uncertainty, arguments_.report));
+    }
     using enum uncertainty::Verdict;
     const auto verdict = iso230_2::overall_verdict(evaluated.judgements);
     exceeded_ = exceeded_ || verdict == does_not_conform;

@@ -21,6 +21,7 @@ struct EvaluateArguments {
   ColourChoice colour = ColourChoice::automatic;
   std::string tolerance_table;      ///< file, perhaps with ":name"
   Detail detail = Detail::summary;  ///< of the uncertainty in the terminal
+  bool verify = false;              ///< whether each result gets a second opinion before it is shown or written
   bool quiet = false;
   bool keep_going = false;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/report/method_values.h"
+#include "axiometry/report/resolved_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/report/utf8.h"
@@ -91,18 +92,19 @@ std::string side_by_side(const app::Evaluated& e, const std::vector<MethodRow>& 
   if (assessment.annex_a)
     table.add(said("Annex A"), "± U", cells(rows, [](const MethodRow& row) { return row.annex_a_U; }));
   if (assessment.gum) table.add("GUM", "± U", cells(rows, [](const MethodRow& row) { return row.gum_U; }));
-  if (assessment.monte_carlo) {
+  const auto* run = iso230_2::run_with_intervals(assessment);
+  if (run != nullptr) {
     table.add("MC", "u", numbers(rows, &ShownDistribution::u));
     table.add("", said("bias"), numbers(rows, &ShownDistribution::bias));
-    const std::string coverage = report::shown_percent(assessment.monte_carlo->coverage, options);
+    const std::string coverage = report::shown_percent(run->coverage, options);
     table.add(coverage, said("from"), numbers(rows, &ShownDistribution::lower));
     table.add("", said("to"), numbers(rows, &ShownDistribution::upper));
   }
-  const std::string_view against = assessment.monte_carlo ? "than MC" : "than GUM";
-  if (assessment.annex_a)
+  const std::string_view against = run != nullptr ? "than MC" : "than GUM";
+  if (assessment.annex_a && (run != nullptr || assessment.gum))
     table.add(said("Annex A"), said(against),
               cells(rows, [&](const MethodRow& row) { return said(row.annex_a_width); }), true);
-  if (assessment.gum && assessment.monte_carlo && !assessment.annex_a)
+  if (assessment.gum && run != nullptr && !assessment.annex_a)
     table.add("GUM", said(against), cells(rows, [&](const MethodRow& row) { return said(row.gum_width); }), true);
   return table.text(terminal);
 }
@@ -110,15 +112,13 @@ std::string side_by_side(const app::Evaluated& e, const std::vector<MethodRow>& 
 std::string intervals(const app::Evaluated& e, const std::vector<MethodRow>& rows, const report::Options& options,
                       const Terminal& terminal) {
   const auto said = [&](std::string_view english) { return report::translated(english, options); };
-  if (!e.assessment.monte_carlo) return "";
+  if (iso230_2::run_with_intervals(e.assessment) == nullptr) return "";
   const report::ParameterScale scale = report::parameter_scale(e.test.metadata.axis.kind, options.unit);
   TextTable table(rows.size());
   table.add("", fmt::format("/{}", scale.unit), symbols(rows), true);
   table.add("", said("mean"), numbers(rows, &ShownDistribution::mean));
-  table.add(said("symmetric"), said("from"), numbers(rows, &ShownDistribution::lower));
+  table.add(said("stated"), said("from"), numbers(rows, &ShownDistribution::lower));
   table.add("", said("to"), numbers(rows, &ShownDistribution::upper));
-  table.add(said("shortest"), said("from"), numbers(rows, &ShownDistribution::shortest_lower));
-  table.add("", said("to"), numbers(rows, &ShownDistribution::shortest_upper));
   table.add(options.language == language::Language::english ? "tolerance" : "Toleranz", said("of u"),
             numbers(rows, &ShownDistribution::tolerance));
   table.add(
@@ -182,6 +182,10 @@ std::string run_lines(const app::Evaluated& e, const report::Options& options, c
   std::string text = paragraph(fmt::format("Monte Carlo (MC): {}; seed {}; {} coverage.", report::trials_statement(run),
                                            run.seed, report::shown_percent(run.coverage, options)),
                                options, terminal);
+  if (const std::string hypothesis = report::hypothesis_statement(e.assessment); !hypothesis.empty())
+    text += paragraph(hypothesis + ".", options, terminal);
+  if (iso230_2::run_with_intervals(e.assessment) == nullptr)
+    text += paragraph(report::refusal_statement(run) + ".", options, terminal);
   if (const std::string type_a = report::type_a_statement(run); !type_a.empty())
     text += paragraph("Sampling of the approaches: " + type_a + ".", options, terminal);
   return text;
@@ -197,7 +201,8 @@ std::string leading_lines(const app::Evaluated& e, const report::Options& option
     if (detail == Detail::summary && !parameter.key.starts_with('A') && !parameter.key.starts_with('R')) continue;
     if (const auto first = report::leading(all, p, e.assessment))
       text += wrapped(report::printable(report::translated(
-                          fmt::format("Largest contribution to {}: {}.", parameter.symbol,
+                          fmt::format("Largest contribution to {} ({}): {}.", parameter.symbol,
+                                      iso230_2::method_title(report::contributing_method(e.assessment)),
                                       report::leading_statement(*first, e.test.metadata.axis.kind, options)),
                           options)),
                       terminal.width(), 0) +
@@ -233,10 +238,13 @@ std::string method_tables(const app::Evaluated& e, const report::Options& asked,
   std::string text;
   if (detail == Detail::full && !assessment.label.empty())
     text += terminal.bold(report::printable(report::translated(assessment.label, options))) + "\n";
-  text += wrapped(report::translated(report::measurand_statement(measurand, e.test.series.run_count()), options),
+  text += wrapped(report::translated(report::measurand_statement(measurand, e.test.series.run_count(),
+                                                                 !assessment.uncorrected.empty()),
+                                     options),
                   terminal.width(), 0) +
           "\n\n";
   text += side_by_side(e, rows, options, terminal);
+  text += paragraph(report::method_statement(assessment), options, terminal);
   if (const std::string outside = report::outside_statement(rows); !outside.empty())
     text += paragraph(outside + ".", options, terminal);
   text += run_lines(e, options, terminal) + "\n";
@@ -244,6 +252,18 @@ std::string method_tables(const app::Evaluated& e, const report::Options& asked,
   if (detail == Detail::summary) return text;
   return text + contribution_table(e, options, terminal) + intervals(e, rows, options, terminal) +
          input_list(e, options, terminal) + notes(e, options, terminal);
+}
+
+std::string resolved_inputs_text(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+  const auto said = [&](const std::string& english) { return report::printable(report::translated(english, options)); };
+  std::string text;
+  for (const auto& row : e.assessment.inputs.rows) {
+    const std::string words =
+        fmt::format("{}: {} ({}); {}", said(report::input_title(row)), said(report::input_value(row, options)),
+                    said(report::origin_text(row)), said(report::use_text(row)));
+    text += terminal.bold(left(row.symbol, 14)) + " " + wrapped(words, terminal.width(), 15) + "\n";
+  }
+  return text.empty() ? text : terminal.faint(said("inputs as resolved")) + "\n" + text + "\n";
 }
 
 }  // namespace axiometry::cli

@@ -19,4 +19,8 @@ enum class Detail {
 std::string method_tables(const app::Evaluated& evaluated, const report::Options& options, const Terminal& terminal,
                           Detail detail);
 
+/// What was stated about the uncertainty, what counts of it and where it comes from; nothing where nothing was stated.
+std::string resolved_inputs_text(const app::Evaluated& evaluated, const report::Options& options,
+                                 const Terminal& terminal);
+
 }  // namespace axiometry::cli

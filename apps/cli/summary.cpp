@@ -5,12 +5,16 @@
 
 #include <algorithm>
 
+#include "axiometry/report/claim_text.h"
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/correction_text.h"
+#include "axiometry/report/finding_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/report/utf8.h"
+#include "axiometry/standards/iso230_2_information.h"
 #include "axiometry/standards/test_standard.h"
+#include "claims_text.h"
 #include "findings_text.h"
 #include "title_text.h"
 
@@ -62,14 +66,6 @@ bool exists(const app::Evaluated& e, const iso230_2::ParameterInfo& parameter) {
   return (e.assessment.evaluation.parameters.*parameter.member).has_value();
 }
 
-std::string_view uncertainty_footnote(const iso230_2::Assessment& assessment) {
-  switch (report::uncertainty_shown(assessment)) {
-    case report::UncertaintyShown::annex_a: return "± U with k = 2, Annex A (simplified method)";
-    case report::UncertaintyShown::gum: return "± U after the GUM; Annex A has no input";
-    default: return "";
-  }
-}
-
 std::string parameter_table(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
   const AxisKind kind = e.test.metadata.axis.kind;
   std::size_t value_width = 0;
@@ -77,7 +73,8 @@ std::string parameter_table(const app::Evaluated& e, const report::Options& opti
   for (const auto& parameter : iso230_2::parameters) {
     const auto shown = report::show(parameter, e.assessment, kind, options);
     if (exists(e, parameter)) value_width = std::max(value_width, display_width(shown.value));
-    uncertainty_width = std::max(uncertainty_width, display_width(shown.U));
+    uncertainty_width = std::max(
+        {uncertainty_width, display_width(shown.U), display_width(report::translated(shown.interval, options))});
   }
   std::size_t titles = title_width;
   for (const auto& parameter : iso230_2::parameters)
@@ -85,7 +82,12 @@ std::string parameter_table(const app::Evaluated& e, const report::Options& opti
   std::string text;
   for (const auto& parameter : iso230_2::parameters) {
     const auto shown = report::show(parameter, e.assessment, kind, options);
-    const std::string uncertainty = (shown.U.empty() ? "   " : " ± ") + right(shown.U, uncertainty_width);
+    const bool of_interval = !shown.interval.empty();
+    const std::string uncertainty =
+        (of_interval       ? ", "
+         : shown.U.empty() ? "   "
+                           : " ± ") +
+        right(of_interval ? report::translated(shown.interval, options) : shown.U, uncertainty_width);
     text += terminal.bold(left(parameter.symbol, symbol_width)) +
             left(report::translated(parameter.title, options), titles);
     text += exists(e, parameter)
@@ -93,7 +95,7 @@ std::string parameter_table(const app::Evaluated& e, const report::Options& opti
                 : terminal.faint(report::translated("not applicable", options));
     text += '\n';
   }
-  if (const auto footnote = uncertainty_footnote(e.assessment); !footnote.empty())
+  if (const auto footnote = report::record_statement(e.assessment, options); !footnote.empty())
     text += terminal.faint(report::translated(footnote, options)) + "\n";
   return text + "\n";
 }
@@ -120,20 +122,19 @@ std::string tolerance_row(const iso230_2::Judgement& judgement, const app::Evalu
                           const ToleranceWidths& widths, const Terminal& terminal) {
   const AxisKind kind = e.test.metadata.axis.kind;
   const report::ParameterScale scale = report::parameter_scale(kind, options.unit);
-  const int decimals = report::limit_decimals(report::show_judged(judgement, e.assessment, kind, options));
+  const int decimals =
+      report::limit_decimals(report::show(*judgement.tolerance.parameter, e.assessment, kind, options));
   const auto number = [&](const std::optional<Deviation>& x) {
     return x ? format_fixed(x->in_native() * scale.per_native, decimals, options.numbers) : std::string("–");
   };
-  const auto& [tolerance, rule, magnitude, known, decision] = judgement;
+  const auto& [tolerance, rule, magnitude, known, decision, withheld] = judgement;
   std::string text = terminal.bold(left(tolerance.parameter->symbol, symbol_width));
-  text += right(report::shown_short(tolerance.limit.in_native() * scale.per_native, options), widths.number);
+  text += right(report::shown_limit(tolerance.limit, scale, options), widths.number);
   if (widths.guarded > 0)
     text += right(number(magnitude ? judgement.acceptance_limit() : std::nullopt), widths.guarded) +
             right(number(magnitude ? judgement.rejection_limit() : std::nullopt), widths.guarded);
   if (widths.probability > 0)
-    text += right(
-        decision.probability_conforming ? report::shown_probability(*decision.probability_conforming, options) : "–",
-        widths.probability);
+    text += right(report::translated(report::shown_conformity(decision, options), options), widths.probability);
   return text + "  " + verdict_text(decision.verdict, options, terminal) + "\n";
 }
 
@@ -143,8 +144,11 @@ std::string tolerance_table(const app::Evaluated& e, const report::Options& opti
   ToleranceWidths widths;
   const auto& rule = e.judgements.front().rule;
   if (rule.kind != uncertainty::DecisionRule::Kind::simple) widths.guarded = 11;
-  if (std::ranges::any_of(e.judgements, [](const auto& j) { return j.decision.probability_conforming.has_value(); }))
-    widths.probability = 10;
+  for (const auto& judgement : e.judgements)
+    if (judgement.decision.probability_range)
+      widths.probability = std::max(
+          {widths.probability, std::size_t{10},
+           display_width(report::translated(report::shown_conformity(judgement.decision, options), options)) + 2});
   const std::string limit = fmt::format("{}/{}", report::translated("limit", options), scale.unit);
   const std::string accept = report::translated("accept", options) + " ≤",
                     reject = report::translated("reject", options) + " >";
@@ -160,6 +164,10 @@ std::string tolerance_table(const app::Evaluated& e, const report::Options& opti
               report::translated(report::rule_statement(e.judgements, e.test.metadata.axis.kind, options), options),
               terminal.width(), 0)) +
           "\n";
+  if (const std::string lacks = report::incomplete_statement(e.judgements, e.assessment); !lacks.empty())
+    text += terminal.yellow(wrapped(report::translated(lacks, options), terminal.width(), 0)) + "\n";
+  for (const std::string& withheld : report::withheld_statements(e.judgements))
+    text += terminal.yellow(wrapped(report::translated(withheld, options), terminal.width(), 0)) + "\n";
   if (e.tolerance_band)
     text += terminal.faint(
                 wrapped(fmt::format("{}: {}, {}, {} {}", report::translated("Tolerance table", options),
@@ -180,13 +188,25 @@ std::string symbols_with(const app::Evaluated& e, Verdict verdict) {
   return symbols;
 }
 
-std::string conclusion(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+std::string smaller_repeatability_text(const app::Evaluated& e, const report::Options& options,
+                                       const Terminal& terminal) {
+  const auto smaller = iso230_2::smaller_repeatability(e.test.metadata, e.assessment.evaluation.parameters);
+  if (!smaller) return "";
+  const auto shown = report::show(*smaller->parameter, e.assessment, e.test.metadata.axis.kind, options);
+  const std::string text =
+      fmt::format("min(R↑, R↓) = {} {} ({}): {}", shown.value, shown.unit, smaller->parameter->symbol,
+                  report::translated(std::string(iso230_2::smaller_repeatability_remark), options));
+  return terminal.faint(wrapped(text, terminal.width(), 0)) + "\n\n";
+}
+
+std::string conclusion(const app::Evaluated& e, const iso230_2::Claims& claims, const report::Options& options,
+                       const Terminal& terminal) {
   const auto said = [&](const std::string& english) { return report::translated(english, options); };
-  const auto departures = std::ranges::count(e.assessment.findings, Severity::departure, &iso230_2::Finding::severity);
-  std::string text = e.assessment.conforming()
-                         ? terminal.green(said(fmt::format("Result after {}.", edition_of(e.test.metadata.axis))))
-                         : terminal.red(said(fmt::format("Not an {} result: {}.", edition_of(e.test.metadata.axis),
-                                                         plural(static_cast<std::size_t>(departures), "departure"))));
+  const iso230_2::Claim& tested = claim(claims, iso230_2::ClaimKind::tested);
+  const std::string standing = said(report::standing_text(claims, e.test.metadata.axis) + ".");
+  std::string text = tested.holds()                    ? terminal.green(standing)
+                     : report::is_contradicted(tested) ? terminal.red(standing)
+                                                       : terminal.yellow(standing);
   if (!e.assessment.label.empty()) text += " " + terminal.bold(said(e.assessment.label + "."));
   if (const std::string worst = symbols_with(e, Verdict::does_not_conform); !worst.empty())
     text += " " + terminal.red(said(fmt::format("Does not conform: {}.", worst)));
@@ -194,15 +214,22 @@ std::string conclusion(const app::Evaluated& e, const report::Options& options, 
     text += " " + terminal.yellow(said(fmt::format("Undecided: {}.", open)));
   if (const std::string good = symbols_with(e, Verdict::conforms); !good.empty())
     text += " " + terminal.green(said(fmt::format("Conforms: {}.", good)));
-  return text + "\n";
+  text += "\n";
+  if (e.verified)
+    text += terminal.faint(wrapped(said("verified: " + report::verified_statement(*e.verified)), terminal.width(), 0)) +
+            "\n";
+  return text;
 }
 
 /// Who asks for the uncertainty in full is told when there is none.
 std::string uncertainty_text(const app::Evaluated& e, const report::Options& options, const Terminal& terminal,
                              Detail detail) {
-  std::string text = method_tables(e, options, terminal, detail);
-  if (!text.empty() || detail != Detail::full) return text;
-  return wrapped(report::translated(
+  const std::string text = method_tables(e, options, terminal, detail);
+  if (detail != Detail::full) return text;
+  const std::string resolved = resolved_inputs_text(e, options, terminal);
+  if (!text.empty()) return text + resolved;
+  return resolved +
+         wrapped(report::translated(
                      "No input of the uncertainty was given, so that nothing is known about it. Give what is known in "
                      "the file "
                      "or by flags such as --environmental-variation (all: 'axiometry uncertainty --help'); --measurand "
@@ -215,9 +242,13 @@ std::string uncertainty_text(const app::Evaluated& e, const report::Options& opt
 }  // namespace
 
 std::string summary(const app::Evaluated& e, const report::Options& options, const Terminal& terminal, Detail detail) {
+  const AxisKind kind = e.test.metadata.axis.kind;
+  const iso230_2::Claims claims = iso230_2::claims_of(e.test, e.assessment);
   return heading(e, options, terminal) + parameter_table(e, options, terminal) + tolerance_table(e, options, terminal) +
-         uncertainty_text(e, options, terminal, detail) + findings_text(e.assessment.findings, options, terminal) +
-         conclusion(e, options, terminal);
+         uncertainty_text(e, options, terminal, detail) +
+         findings_text(report::shown_findings(e.assessment.findings, e.assessment, kind, options), options, terminal) +
+         smaller_repeatability_text(e, options, terminal) + claims_text(e, claims, options, terminal) +
+         conclusion(e, claims, options, terminal);
 }
 
 namespace {
@@ -255,8 +286,12 @@ std::string line(const app::Evaluated& e, const report::Options& options, const 
   }
   const std::string axis = report::printable(e.test.metadata.axis.name);
   text += "  " + left(unit, 6) + left(axis.empty() ? "–" : axis, 6);
-  text += e.assessment.conforming() ? terminal.green(left(report::translated("yes", options), 5))
-                                    : terminal.red(left(report::translated("no", options), 5));
+  const iso230_2::Claims claims = iso230_2::claims_of(e.test, e.assessment);
+  const iso230_2::Claim& tested = claim(claims, iso230_2::ClaimKind::tested);
+  const std::string answer = left(report::translated(tested.holds() ? "yes" : "no", options), 5);
+  text += tested.holds()                    ? terminal.green(answer)
+          : report::is_contradicted(tested) ? terminal.red(answer)
+                                            : terminal.yellow(answer);
   text += report::printable(e.test.provenance.file + (e.name.empty() ? "" : ":" + e.name));
   if (!e.assessment.label.empty()) text += "  (" + report::translated(e.assessment.label, options) + ")";
   if (const auto verdict = iso230_2::overall_verdict(e.judgements))

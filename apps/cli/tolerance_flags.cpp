@@ -39,8 +39,10 @@ void add_tolerance_flags(CLI::App& verb, app::ToleranceOptions& tolerance, std::
             if (!rule) throw CLI::ValidationError("--rule", rule.error().message);
             tolerance.rule = *rule;
           },
-          "How the uncertainty counts: simple (not at all; when nothing is said), iso14253-1 (conforms up to the limit "
-          "less 1.65 u, does not beyond the limit plus 1.65 u, else undecided with exit code 4), or "
+          "How the uncertainty counts: simple (not at all; when nothing is said), iso14253-1 (conforms where it keeps "
+          "the limit "
+          "with a probability of 95 % or more, does not where it exceeds it with 95 % or more, else undecided with "
+          "exit code 4), or "
           "guard-band=WIDTH such as guard-band=3um (likewise with that width)")
       ->type_name("RULE")
       ->group(group);

@@ -76,7 +76,9 @@ void add_method_flags(CLI::App& verb, app::UncertaintyOptions& options) {
 }
 
 void check_method_flags(const CLI::App& verb, const app::UncertaintyOptions& options) {
-  if (options.monte_carlo) return;
+  const CLI::Option* record = verb.get_option_no_throw("--method");
+  const bool of_record = record != nullptr && record->count() > 0 && record->results().back() == "monte-carlo";
+  if (options.monte_carlo || of_record) return;
   for (const char* flag : {"--trials", "--seed", "--type-a", "--coverage", "--threads"})
     if (verb.count(flag) > 0)
       throw CLI::ValidationError(flag, "found it without the method it belongs to, expected --uncertainty monte-carlo");

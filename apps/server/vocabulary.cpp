@@ -45,7 +45,8 @@ constexpr std::array cycles = {
 using Rule = uncertainty::DecisionRule;
 constexpr std::array rules = {
     std::pair{Rule::Kind::simple, std::string_view("Simple acceptance: the value against the limit")},
-    std::pair{Rule::Kind::iso_14253_1, std::string_view("ISO 14253-1: a guard band of 1.65 u on either side")},
+    std::pair{Rule::Kind::iso_14253_1,
+              std::string_view("ISO 14253-1: conforms, or does not, with a probability of 95 % or more")},
     std::pair{Rule::Kind::guard_band, std::string_view("A guard band of a chosen width on either side")},
 };
 

@@ -40,7 +40,7 @@ def evaluate_position(up, down):
     p["R_up"] = 4 * s_up if p["s_up"] is not None else None
     p["R_down"] = 4 * s_down if p["s_down"] is not None else None
     p["bound"] = max(2 * s_up + 2 * s_down + abs(p["reversal"] or 0), 4 * s_up, 4 * s_down)
-    p["R"] = p["bound"] if both and (p["R_up"] is not None or p["R_down"] is not None) else None
+    p["R"] = p["bound"] if both and p["R_up"] is not None and p["R_down"] is not None else None
     return p
 
 

@@ -33,6 +33,7 @@ inline iso230_2::MonteCarlo made_up_monte_carlo(const iso230_2::Evaluation& eval
                            iso230_2::Effect::machine_temperature,
                            uncertainty::Distribution::make(uncertainty::Uniform{0.9, 1.1}).value(), "°C", "assumed"});
   result.notes = {"made up"};
+  result.hypotheses = {{"white", "noise as it is stated", false, {}, ""}};
   for (std::size_t p = 0; p < std::size(iso230_2::parameters); ++p) {
     const auto& parameter = iso230_2::parameters[p];
     const auto& value = evaluation.parameters.*parameter.member;
@@ -49,7 +50,12 @@ inline iso230_2::MonteCarlo made_up_monte_carlo(const iso230_2::Evaluation& eval
     summary.stable = true;
     summary.histogram =
         u == 0.0 ? uncertainty::Histogram{size, 0.0, {result.trials}} : round_histogram(mean - 3.3 * u, 6.6 * u);
-    result.distributions[p] = {size, std::move(summary)};
+    iso230_2::ParameterDistribution& distribution = result.distributions[p].emplace();
+    distribution.value = size;
+    distribution.low = summary.symmetric.lower;
+    distribution.high = summary.symmetric.upper;
+    distribution.by_hypothesis = {summary};
+    distribution.summary = std::move(summary);
     const bool is_repeatability = parameter.key.starts_with('R');
     result.contributions[0].u[p] = is_repeatability ? 0.0 : 0.8 * u;
     result.contributions[1].u[p] = is_repeatability ? u : 0.6 * u;

@@ -22,9 +22,11 @@ inline Series make_series(const std::vector<double>& targets, const std::vector<
   for (double t : targets) positions.push_back(Position::native(t));
   std::vector<Reading> readings;
   const auto add = [&](const std::vector<RunDeviations>& runs, Direction direction) {
-    for (std::size_t j = 0; j < runs.size(); ++j)
+    for (std::size_t j = 0; j < runs.size(); ++j) {
+      if (runs[j].size() != targets.size()) throw std::logic_error("a run needs one deviation per target");
       for (std::size_t i = 0; i < targets.size(); ++i)
         if (runs[j][i] == runs[j][i]) readings.push_back({i, direction, j, Deviation::native(runs[j][i])});
+    }
   };
   add(up, Direction::up);
   add(down, Direction::down);
@@ -77,6 +79,7 @@ inline Test complete_test() {
             {},
             {},
             {}};
+  m.axis.compensation_points = {0, 300, 600, 900, 1200, 1500, 1800};
   m.machine = {"Mill 5", "vertical spindle machining centre", "1234", "X 1800, Y 700, Z 650 mm", "hall 2"};
   m.conditions.date = "2024-05-06";
   m.conditions.inspector = "A. Nonym";

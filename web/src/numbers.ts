@@ -28,13 +28,13 @@ export function parsed(text: string): number | null {
   return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : null;
 }
 
-/**
- * Decimals of a parameter among others: one, and more where it would lose its two leading digits, as 0.012 µm of a stage;
- * but none beyond those of its uncertainty.
- */
-export function figure_decimals(value: number, U: number | null): number {
-  const needed = (x: number) => (x === 0 ? 1 : Math.min(4, Math.max(1, 1 - Math.floor(Math.log10(Math.abs(x))))));
-  return U === null ? needed(value) : Math.min(needed(value), needed(U));
+/** Decimals that leave a size so many leading digits as it is then shown: 0.0996 has two of them in 0.10. */
+export function decimals_for(size: number, digits: number): number {
+  if (!(size > 0)) return 0;
+  const needed = (x: number) => Math.min(Math.max(digits - 1 - Math.floor(Math.log10(x)), 0), 9);
+  const first = needed(size);
+  const shown = Math.round(size * 10 ** first) / 10 ** first;
+  return shown > 0 ? Math.min(needed(shown * (1 + 1e-12)), first) : first;
 }
 
 /** Decimals of a number as it is written, with either mark. */

@@ -38,7 +38,8 @@ export const editor = {
                                   ['de-DE', ['Luftdruck am Anfang, kPa', 'Luftdruck am Ende, kPa']]]) {
       const page = await world.page({ locale });
       await page.goto(`/tests/${id}`);
-      await page.locator('.findings-panel summary').first().click();
+      await page.locator('.findings-panel').waitFor();
+      for (const summary of await page.locator('.findings-panel summary').all()) await summary.click();
       for (const name of ends) await page.getByRole('button', { name, exact: true }).waitFor();
       assert.equal(await page.locator('.expected').count(), 1, locale);
     }

@@ -15,6 +15,7 @@ import { keyboard } from './keyboard.mjs';
 import { layout } from './layout.mjs';
 import { offline } from './offline.mjs';
 import { plan } from './plan.mjs';
+import { record } from './record.mjs';
 import { story } from './story.mjs';
 import { timing } from './timing.mjs';
 import { trend } from './trend.mjs';
@@ -26,7 +27,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...trend, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...record, ...trend, ...offline, ...timing };
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));

@@ -5,8 +5,9 @@ import { shows } from './world.mjs';
 
 export async function edit_field(page, label, text) {
   const field = page.getByLabel(label).first();
-  if (!(await field.isVisible().catch(() => false))) await page.getByRole('button', { name: 'Edit', exact: true }).click();
-  await field.waitFor();
+  const edit = page.getByRole('button', { name: 'Edit', exact: true });
+  await field.or(edit).filter({ visible: true }).first().waitFor();
+  if (!(await field.isVisible()) && (await edit.isVisible())) await edit.click();  // neither: its group just opens
   await field.fill(text);
 }
 
@@ -17,7 +18,7 @@ export async function save_version(page, reason, { conflict = false } = {}) {
   await dialog.waitFor();
   await dialog.getByLabel(/reason/i).fill(reason);
   await dialog.getByRole('button', { name: 'Save', exact: true }).click();
-  if (!conflict) await dialog.waitFor({ state: 'hidden' });
+  if (!conflict) await dialog.waitFor({ state: 'hidden', timeout: 60_000 });  // Monte Carlo of record is drawn again
 }
 
 /** The uncertainties of the parameters as they are shown. */

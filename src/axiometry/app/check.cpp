@@ -53,7 +53,7 @@ Result<OperationOutcome> carry_out(const Operation& operation, const LoadTest& l
     AXIOMETRY_TRY(test, correct_expansion(std::move(test)));
   }
   iso230_2::Assessment assessment = iso230_2::assess(test);
-  AXIOMETRY_TRY(assessment.gum, iso230_2::gum(test.metadata, test.series, assessment.evaluation));
+  AXIOMETRY_TRY(assessment.gum, iso230_2::gum(test, assessment.evaluation));
   return OperationOutcome{std::move(test), std::move(assessment)};
 }
 

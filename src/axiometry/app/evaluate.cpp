@@ -5,13 +5,17 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "axiometry/app/capture_run.h"
+#include "axiometry/app/drift_recording.h"
 #include "axiometry/app/whole_file.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/generic_delimited.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2_artefact.h"
+#include "axiometry/standards/iso230_2_resolved_keys.h"
+#include "axiometry/standards/iso230_2_uncertainty_findings.h"
 
 namespace axiometry::app {
 namespace {
@@ -106,9 +110,8 @@ Result<void> evaluate_source(Source& source, const EvaluateOptions& options, con
   if (holds_many(*format, head)) {
     using iso230_2::Depth;
     const Depth depth = options.many_in_full ? Depth::every_finding : Depth::departures_only;
-    EvaluateOptions of_each = options;
-    if (!options.many_in_full) of_each.uncertainty.trials.contribution_trials = 0;  // a table has no room for them
     EvaluateOptions for_many = options;
+    if (!options.many_in_full) for_many.uncertainty.trials.contribution_trials = 0;  // a table has no room for them
     for_many.tolerance.many_tests = true;
     return read_many(source, *format, options.many_in_full, [&](Test&& test, std::string name) -> Result<void> {
       AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), for_many, depth));
@@ -128,26 +131,31 @@ Result<Test> read_source(Source& source, const Forced& forced) {
   return read_single(source, *format, forced.profile);
 }
 
+/// What was asked for, and the method of record whether asked for or not.
 Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test, const UncertaintyOptions& wanted) {
   const iso230_2::Evaluation& evaluation = assessment.evaluation;
-  if (wanted.gum) {
-    AXIOMETRY_TRY(assessment.gum, iso230_2::gum(test.metadata, test.series, evaluation));
+  if (wanted.gum || assessment.method_of_record == UncertaintyMethod::gum) {
+    AXIOMETRY_TRY(assessment.gum, iso230_2::gum(test, evaluation));
   }
-  if (wanted.monte_carlo) {
-    AXIOMETRY_TRY(assessment.monte_carlo, iso230_2::monte_carlo(test.metadata, test.series, evaluation, wanted.trials));
+  if (wanted.monte_carlo || assessment.method_of_record == UncertaintyMethod::monte_carlo) {
+    AXIOMETRY_TRY(assessment.monte_carlo, iso230_2::monte_carlo(test, evaluation, wanted.trials));
   }
   return {};
 }
 
-/// A limit of the test that a person has put over what its file says does not come from that file.
-void mark_entered(std::vector<iso230_2::Tolerance>& tolerances,
-                  std::span<const std::pair<std::string, std::string>> entries) {
-  for (iso230_2::Tolerance& tolerance : tolerances) {
-    if (tolerance.source != iso230_2::ToleranceSource::test) continue;
-    const std::string key = fmt::format("tolerance.{}", tolerance.parameter->key);
-    const auto entry = std::ranges::find(entries, key, &std::pair<std::string, std::string>::first);
-    if (entry != entries.end()) tolerance.source = iso230_2::ToleranceSource::entered;
+/// Whose the items are that the file does not state: of a list the records since it was last emptied.
+StatedItems stated_items(const EvaluateOptions& options) {
+  StatedItems all;
+  for (const auto& [key, text] : options.metadata) {
+    auto item = std::ranges::find(all.items, key, &StatedItem::key);
+    if (item == all.items.end()) item = all.items.insert(item, {key, StatedBy::flag, {}, 0});
+    if (const StatedItem* known = options.stated.find(key)) {
+      item->by = known->by;
+      item->name = known->name;
+    }
+    item->records = text.empty() ? 0 : item->records + 1;
   }
+  return all;
 }
 
 }  // namespace
@@ -158,6 +166,21 @@ bool states_calibration(const Equipment& component) {
 
 Result<Test> prepare_test(Test test, const EvaluateOptions& options) {
   AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options.metadata));
+  test.provenance.stated = stated_items(options);
+  for (const std::string& remark : options.remarks) test.provenance.remarks.push_back({false, remark});
+  if (!options.drift_recording.empty()) {
+    AXIOMETRY_TRY(DriftRecording recording, read_drift_recording(options.drift_recording, test.metadata.axis.kind));
+    test.provenance.remarks.push_back(
+        {false,
+         fmt::format("Recording at standstill: {} (SHA-256 {}), {} values {:.4g} s apart", options.drift_recording,
+                     recording.sha256, recording.values.size(), recording.interval.in_s())});
+    test.metadata.gum.drift_recording = std::move(recording.values);
+    test.metadata.gum.drift_interval = recording.interval;
+    std::erase_if(test.provenance.stated.items,
+                  [](const StatedItem& item) { return item.key == iso230_2::recording_key; });
+    test.provenance.stated.items.push_back({std::string(iso230_2::recording_key), StatedBy::flag});
+  }
+  test = with_recorded_variation(std::move(test));
   for (const EquipmentCalibration& known : options.calibrations) {
     if (known.component >= test.metadata.equipment.size()) continue;
     Equipment& component = test.metadata.equipment[known.component];
@@ -173,16 +196,24 @@ Result<Test> prepare_test(Test test, const EvaluateOptions& options) {
 }
 
 Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
+  Metadata of_file;
+  of_file.axis.kind = test.metadata.axis.kind;
+  of_file.tolerance = test.metadata.tolerance;
   AXIOMETRY_TRY(test, prepare_test(std::move(test), options));
   iso230_2::Assessment assessment = iso230_2::assess(test, depth);
   const iso230_2::AxisParameters& measured = assessment.evaluation.parameters;
-  AXIOMETRY_TRY(Requirements demanded, requirements_for(test, measured, options.tolerance));
-  mark_entered(demanded.tolerances, options.metadata);
+  AXIOMETRY_TRY(Requirements demanded, requirements_for(test, measured, options.tolerance, options.metadata, &of_file));
   AXIOMETRY_TRY_VOID(add_uncertainty(assessment, test, options.uncertainty));
+  if (depth == iso230_2::Depth::every_finding)
+    std::ranges::move(iso230_2::uncertainty_findings(test, assessment), std::back_inserter(assessment.findings));
   std::vector<iso230_2::Judgement> judgements;
   if (!demanded.tolerances.empty())
     judgements =
-        iso230_2::judge(measured, demanded.tolerances, demanded.rule, iso230_2::deciding_uncertainties(assessment));
+        iso230_2::judge(measured, demanded.tolerances, demanded.rule,
+                        {iso230_2::uncertainties_of_record(assessment), iso230_2::comparison_slack(test.series),
+                         assessment.uncorrected, iso230_2::refusals_of_record(assessment)});
+  std::ranges::move(demanded.findings, std::back_inserter(assessment.findings));
+  std::ranges::stable_sort(assessment.findings, {}, &iso230_2::Finding::severity);
   return Evaluated{std::move(test), "", std::move(assessment), std::move(judgements), std::move(demanded.band)};
 }
 

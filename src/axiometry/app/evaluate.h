@@ -14,6 +14,7 @@
 #include "axiometry/base/result.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/model/test.h"
+#include "axiometry/report/verified.h"
 #include "axiometry/standards/iso230_2_assessment.h"
 #include "axiometry/standards/iso230_2_tolerance.h"
 #include "axiometry/standards/reading_correction.h"
@@ -40,8 +41,11 @@ struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
   std::string profile;                                        ///< file of an import profile to read after; or empty
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
+  StatedItems stated{};                ///< of these the keys that are no flags, and whose they are
+  std::vector<std::string> remarks{};  ///< what must be known of where metadata come from: notes among the findings
   std::optional<CaptureOptions> recording;  ///< inputs are continuous recordings, to be read after this plan
   CorrectionRequest corrections;            ///< of the readings, before they are evaluated
+  std::string drift_recording;              ///< file of a recording at standstill (A.2.5); empty: none but the test's
   /// Whether the readings are indicated positions of an artefact's probing (standards/iso230_2_artefact.h). When not
   /// said: where the test states the artefact's calibrated positions.
   std::optional<bool> artefact{};
@@ -60,7 +64,8 @@ struct Evaluated {
   std::string name;  ///< of a test among many in its file; else empty
   iso230_2::Assessment assessment;
   std::vector<iso230_2::Judgement> judgements;
-  std::optional<AppliedBand> tolerance_band;  ///< of the tolerance table, when there is one
+  std::optional<AppliedBand> tolerance_band;          ///< of the tolerance table, when there is one
+  std::optional<report::VerifiedFigures> verified{};  ///< by second_opinion(), where that was asked for
 };
 
 /// Whether the test itself says how a component of its equipment was calibrated.

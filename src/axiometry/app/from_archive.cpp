@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/from_archive.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <span>
 
 #include "axiometry/base/iso_date.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/utf8.h"
+#include "axiometry/standards/iso230_2_resolved_keys.h"
 
 namespace axiometry::app {
 namespace {
@@ -14,15 +18,29 @@ bool concerns(const Changes& changes, std::string_view group) {
   return std::ranges::any_of(changes, [&](const auto& change) { return change.first.starts_with(group); });
 }
 
-/// Those inputs that nobody else states.
-Changes inputs_taken(const store::Instrument& instrument, const Metadata& metadata, const Changes& changes) {
-  Changes taken;
-  for (const auto& [key, text] : instrument.inputs) {
+/// The keys that say one thing together with this one: what a certificate states is taken as a whole or not at all.
+std::span<const std::string_view> said_together(const std::string& key) {
+  const std::span<const std::string_view> of_device = iso230_2::device_statement_keys;
+  const std::span<const std::string_view> of_artefact = iso230_2::artefact_calibration_all;
+  if (std::ranges::find(of_device, key) != of_device.end()) return of_device;
+  if (std::ranges::find(of_artefact, key) != of_artefact.end()) return of_artefact;
+  return {};
+}
+
+/// Those inputs that nobody else states, and of them those that belong to another's statement.
+InstrumentInputs inputs_taken(const store::Instrument& instrument, const Metadata& metadata, const Changes& changes) {
+  const auto stated = [&](std::string_view key) {
     const Field* field = find_field(key);
     const bool named = std::ranges::find(changes, key, &Changes::value_type::first) != changes.end();
-    if (field != nullptr && !named && !is_given(*field, metadata)) taken.emplace_back(key, text);
+    return named || field == nullptr || is_given(*field, metadata);
+  };
+  InstrumentInputs found;
+  for (const auto& [key, text] : instrument.inputs) {
+    if (stated(key)) continue;
+    const bool whole = std::ranges::none_of(said_together(key), stated);
+    (whole ? found.inputs : found.left_out).emplace_back(key, text);
   }
-  return taken;
+  return found;
 }
 
 using KnownInstruments = std::vector<store::Versioned<store::Instrument>>;
@@ -32,10 +50,13 @@ std::vector<InstrumentInputs> inputs_of(const KnownInstruments& known, const Met
   std::vector<InstrumentInputs> found;
   Changes taken_so_far = changes;  // the first instrument that states an input wins
   for (const auto& instrument : known) {
-    Changes inputs = inputs_taken(instrument.value, metadata, taken_so_far);
-    if (inputs.empty()) continue;
-    taken_so_far.insert(taken_so_far.end(), inputs.begin(), inputs.end());
-    found.push_back({instrument.id, instrument.version, instrument_name(instrument.value), std::move(inputs)});
+    InstrumentInputs taken = inputs_taken(instrument.value, metadata, taken_so_far);
+    if (taken.inputs.empty() && taken.left_out.empty()) continue;
+    taken_so_far.insert(taken_so_far.end(), taken.inputs.begin(), taken.inputs.end());
+    taken.instrument = instrument.id;
+    taken.version = instrument.version;
+    taken.name = instrument_name(instrument.value);
+    found.push_back(std::move(taken));
   }
   return found;
 }
@@ -209,6 +230,17 @@ EvaluateOptions with_archive(EvaluateOptions options, const Changes& changes, co
   for (const InstrumentInputs& inputs : taken.instruments) {
     const auto items = metadata_items(inputs.inputs);
     options.metadata.insert(options.metadata.end(), items.begin(), items.end());
+    for (const auto& [key, text] : inputs.inputs)
+      options.stated.items.push_back({key, StatedBy::instrument, inputs.name, 0});
+    for (const auto& [key, text] : inputs.left_out)
+      options.remarks.push_back(fmt::format(
+          "the archive states {} = {} of {}, which is left out: part of what is said of its errors is stated "
+          "elsewhere, and a certificate is taken as a whole",
+          key, text, inputs.name));
+  }
+  for (const auto& [key, text] : changes) {
+    std::erase_if(options.stated.items, [&](const StatedItem& item) { return item.key == key; });
+    options.stated.items.push_back({key, StatedBy::entered, {}, 0});
   }
   const auto items = metadata_items(changes);
   options.metadata.insert(options.metadata.end(), items.begin(), items.end());

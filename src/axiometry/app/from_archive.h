@@ -23,6 +23,9 @@ struct InstrumentInputs {
   int version = 0;
   std::string name;
   Changes inputs;
+  /// What nobody else states either, but part of a statement that somebody makes: a certificate's a + b·L, of which the
+  /// file has a, is taken as a whole or not at all.
+  Changes left_out{};
 };
 
 /// The calibration of a component of the test equipment that held on the day of the test, and the version of the

@@ -22,6 +22,9 @@ Result<InstrumentInputs> inputs_from(const Value& value) {
   AXIOMETRY_TRY_VOID(members.take("name", inputs.name));
   AXIOMETRY_TRY(const Value* texts, members.required("inputs"));
   AXIOMETRY_TRY(inputs.inputs, changes_from(*texts));
+  if (const Value* left_out = members.optional("left_out")) {  // versions of before have none
+    AXIOMETRY_TRY(inputs.left_out, changes_from(*left_out));
+  }
   AXIOMETRY_TRY_VOID(members.finish());
   return inputs;
 }
@@ -103,6 +106,7 @@ json::Value to_json(const FromArchive& taken) {
     row.add("version", inputs.version);
     row.add("name", inputs.name);
     row.add("inputs", to_json(inputs.inputs));
+    if (!inputs.left_out.empty()) row.add("left_out", to_json(inputs.left_out));
   }
   Value& calibrations = object.add("calibrations", Value::array());
   for (const KnownCalibration& known : taken.calibrations) {

@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "axiometry/standards/iso230_2_record.h"
+
 namespace axiometry::app {
 namespace {
 
@@ -44,6 +46,15 @@ iso230_2::GumUncertainty gum_of(const Value* object) {
   return gum;
 }
 
+/// Nothing of a result that an earlier program has kept, which chose by the same default.
+std::optional<UncertaintyMethod> method_of(const Value* record) {
+  const Value* key = present_member(record, "method");
+  if (key == nullptr || !key->is(Kind::text)) return std::nullopt;
+  for (const auto method : {UncertaintyMethod::annex_a, UncertaintyMethod::gum, UncertaintyMethod::monte_carlo})
+    if (key->text() == iso230_2::method_key(method)) return method;
+  return std::nullopt;
+}
+
 iso230_2::MonteCarlo monte_carlo_of(const Value* object) {
   iso230_2::MonteCarlo monte_carlo;
   for (std::size_t k = 0; k < std::size(iso230_2::parameters); ++k) {
@@ -56,6 +67,10 @@ iso230_2::MonteCarlo monte_carlo_of(const Value* object) {
     iso230_2::ParameterDistribution distribution;
     distribution.summary.sd = *u;
     distribution.summary.symmetric = {ends[0].number(), ends[1].number()};
+    distribution.low = number(own, "low").value_or(ends[0].number());  // older results had the one interval
+    distribution.high = number(own, "high").value_or(ends[1].number());
+    if (const Value* refusal = present_member(own, "refusal"); refusal != nullptr && refusal->is(Kind::text))
+      distribution.refusal = refusal->text();
     monte_carlo.distributions[k] = std::move(distribution);
   }
   return monte_carlo;
@@ -71,6 +86,7 @@ iso230_2::Assessment assessment_shown_by(const json::Value& result) {
     assessment.annex_a.emplace();
     assessment.annex_a->U = parameters_of(annex_a);
   }
+  assessment.method_of_record = method_of(present_member(uncertainty, "record"));
   if (const Value* gum = present_member(uncertainty, "gum")) assessment.gum = gum_of(gum);
   if (const Value* run = present_member(uncertainty, "monte_carlo")) assessment.monte_carlo = monte_carlo_of(run);
   return assessment;

@@ -23,13 +23,18 @@ Evaluated step_cycle() {
 
 TEST(LabelOnTheWire, IsAMemberOfTheJson) {
   const auto value = to_json(step_cycle());
+  const auto& claims = value.find("claims")->items();
+  ASSERT_EQ(claims.size(), 3u);
+  EXPECT_EQ(claims[0].find("key")->text(), "computed");
+  EXPECT_EQ(claims[1].find("title")->text(), "Tested in accordance with ISO 230-2:2014");
+  EXPECT_FALSE(claims[1].find("missing")->items().empty());
   ASSERT_NE(value.find("label"), nullptr);
   EXPECT_EQ(value.find("label")->text(), label);
 }
 
 TEST(LabelOnTheWire, IsTheLastColumnOfTheCombinedTable) {
-  EXPECT_THAT(combined_csv_header(), EndsWith(",label\r\n"));
-  EXPECT_THAT(combined_csv_row(step_cycle()), EndsWith(",\"" + label + "\"\r\n"));
+  EXPECT_THAT(combined_csv_header(), EndsWith(",label,uncertainty_method,computed,tested,reported\r\n"));
+  EXPECT_THAT(combined_csv_row(step_cycle()), HasSubstr(",\"" + label + "\",annex-a,no,no,"));
   const UncertaintyOptions all{.gum = true, .monte_carlo = true, .trials = {}};
   const auto columns = [](const std::string& row) { return std::count(row.begin(), row.end(), ','); };
   EXPECT_EQ(columns(combined_csv_header(all)), columns(combined_csv_error_row("f", {"x", "", {}}, all)));

@@ -33,7 +33,7 @@ std::string report_name(const Evaluated& evaluated) {
 
 Result<void> write_report(const Evaluated& evaluated, const std::string& file, const report::Options& options) {
   const report::Writer* writer = report::find_writer(extension_of(file));
-  auto bytes = writer->write({evaluated.test, evaluated.assessment, evaluated.judgements}, options);
+  auto bytes = writer->write({evaluated.test, evaluated.assessment, evaluated.judgements, evaluated.verified}, options);
   if (!bytes) return std::unexpected(Error{bytes.error().message, file, {}});
   return write_file(file, *bytes);
 }

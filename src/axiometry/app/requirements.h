@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "axiometry/app/tolerance_table.h"
@@ -10,8 +12,8 @@
 #include "axiometry/model/test.h"
 #include "axiometry/standards/iso230_2_tolerance.h"
 
-/// What is demanded of a test: limits and decision rule from a tolerance table, from the test's own file and from
-/// the user, each taking the place of the one before, parameter by parameter.
+/// What is demanded of a test: limits and decision rule of the axis, from a tolerance table, from the test's own file,
+/// entered for it and from the user, each taking the place of the one before, parameter by parameter.
 namespace axiometry::app {
 
 /// What a user gives along with the tests.
@@ -21,9 +23,9 @@ struct ToleranceOptions {
   std::optional<ToleranceTable> table{};
   std::string table_name{};  ///< in the table; empty: the one the test's file names, or the only one
   /// Whether the limits are meant for several tests: then one of a parameter that a test does not have leaves
-  /// that test without a verdict on it. For a single test it is a mistake.
+  /// that test without a verdict on it, which a finding tells. For a single test it is a mistake.
   bool many_tests = false;
-  std::vector<iso230_2::Tolerance> of_axis{};  ///< apply as a whole where nothing else sets any limit
+  std::vector<iso230_2::Tolerance> of_axis{};  ///< what the archive says of the axis
 };
 
 /// The row of a tolerance table that applies to a test.
@@ -39,11 +41,18 @@ struct Requirements {
   std::vector<iso230_2::Tolerance> tolerances;  ///< in the order of iso230_2::parameters
   uncertainty::DecisionRule rule;               ///< simple acceptance when nobody asks for another
   std::optional<AppliedBand> band;              ///< when there is a table
+  /// What must be known of the demands: limits and rules that replace others or were taken away, and limits of what the
+  /// test does not have.
+  std::vector<iso230_2::Finding> findings;
 };
 
-/// Fails as tolerances_for(), rule_for(), stated_rule() and select_band() do, and on a limit given by the user for a
-/// single test that has no such parameter (6.2), naming the reason.
+/// `entries` are the metadata that a person has put over what the test's file says, which stood in `file` before
+/// (nullptr: as now): a limit among them was entered, replaces one of the file or takes it away. Fails as
+/// tolerances_for(), rule_for(), stated_rule() and select_band() do, and on a limit given by the user for a single test
+/// that has no such parameter (6.2), naming the reason.
 Result<Requirements> requirements_for(const Test& test, const iso230_2::AxisParameters& measured,
-                                      const ToleranceOptions& options);
+                                      const ToleranceOptions& options,
+                                      std::span<const std::pair<std::string, std::string>> entries = {},
+                                      const Metadata* file = nullptr);
 
 }  // namespace axiometry::app

@@ -88,11 +88,75 @@ TEST(Requirements, RefuseALimitByHandOfWhatASingleTestDoesNotHave) {
             "exist; expected one of A_up, E_up, R_up");
 }
 
-TEST(Requirements, LeaveATestAmongManyAndLimitsMadeForManyWithoutAVerdict) {
-  EXPECT_EQ(refusal(single_run(), {{*parse_tolerance("R=5um")}, {}, {}, "", true}), "");
+TEST(Requirements, TellOfALimitThatATestAmongManyOrATableCannotHold) {
+  const auto told = [](const Result<Requirements>& all) {
+    std::string text;
+    for (const auto& finding : all.value().findings)
+      if (finding.severity == iso230_2::Severity::missing) text += finding.message + "\n";
+    return text;
+  };
+  EXPECT_EQ(
+      told(demanded(single_run(), {{*parse_tolerance("R=5um")}, {}, {}, "", true})),
+      "found a tolerance of R (of the command line) for a test with a single approach to each target per direction "
+      "(6.2), where R does not exist: no verdict on it, and none that the test conforms\n");
   axiometry::Test test = single_run();
   test.metadata.tolerance.R = Deviation::native(5);
-  EXPECT_EQ(refusal(test, {{}, {}, read_tolerance_table(limits, "limits.csv").value(), "Mill"}), "");
+  const std::string of_both =
+      told(demanded(test, {{}, {}, read_tolerance_table(limits, "limits.csv").value(), "Mill"}));
+  EXPECT_THAT(of_both, HasSubstr("found a tolerance of R (of the test's file)"));
+  EXPECT_THAT(of_both, HasSubstr("found a tolerance of A (of the tolerance table)"));
+}
+
+TEST(Requirements, KeepTheLimitsOfTheAxisThatNobodyReplaces) {
+  axiometry::Test test = table2_test();
+  test.metadata.tolerance.A = Deviation::native(12);
+  ToleranceOptions options;
+  for (const auto& [key, um] : {std::pair{"A", 10.0}, std::pair{"B", 5.0}})
+    options.of_axis.push_back({iso230_2::find_parameter(key), Deviation::native(um), iso230_2::ToleranceSource::axis});
+  const std::vector<std::pair<std::string, std::string>> entries = {{"tolerance.A", "12"}};
+  const auto all = requirements_for(test, iso230_2::evaluate(test.series).parameters, options, entries);
+  ASSERT_TRUE(all);
+  ASSERT_EQ(all->tolerances.size(), 2u);
+  EXPECT_EQ(all->tolerances[0].limit.in_native(), 12.0);
+  EXPECT_EQ(all->tolerances[0].source, iso230_2::ToleranceSource::entered);
+  EXPECT_EQ(all->tolerances[0].replaced.front().limit.in_native(), 10.0);
+  EXPECT_EQ(all->tolerances[1].parameter->key, "B");
+  EXPECT_EQ(all->tolerances[1].source, iso230_2::ToleranceSource::axis);
+  ASSERT_EQ(all->findings.size(), 1u);
+  EXPECT_EQ(all->findings[0].message,
+            "found two limits of A: 12 µm (entered for this test) takes the place of 10 µm (of the axis)");
+}
+
+std::string told_of(const axiometry::Test& test, const std::vector<std::pair<std::string, std::string>>& entries,
+                    const Metadata& file, const ToleranceOptions& options = {}) {
+  const auto all = requirements_for(test, iso230_2::evaluate(test.series).parameters, options, entries, &file);
+  return all && !all->findings.empty() ? all->findings.front().message : "";
+}
+
+TEST(Requirements, TellOfALimitThatWasTakenAway) {
+  axiometry::Test test = table2_test();
+  Metadata file;
+  file.tolerance.E = Deviation::native(5);
+  EXPECT_EQ(told_of(test, {{"tolerance.E", ""}}, file),
+            "the limit of E of the test's file, 5 µm, was taken away for this test");
+}
+
+TEST(Requirements, TellOfALimitOfTheFileThatAnEntryReplaces) {
+  axiometry::Test test = table2_test();
+  Metadata file;
+  file.tolerance.E = Deviation::native(5);
+  test.metadata.tolerance.E = Deviation::native(9);
+  EXPECT_EQ(told_of(test, {{"tolerance.E", "9"}}, file),
+            "found two limits of E: 9 µm (entered for this test) takes the place of 5 µm (of the test's file)");
+}
+
+TEST(Requirements, TellOfARuleThatAnotherReplaces) {
+  axiometry::Test test = table2_test();
+  test.metadata.tolerance.rule = "iso14253-1";
+  EXPECT_EQ(
+      told_of(test, {}, test.metadata, {{}, *parse_rule("simple")}),
+      "found two decision rules: simple (of the command line) takes the place of iso14253-1 (of the test's file)");
+  EXPECT_EQ(told_of(test, {}, test.metadata, {{}, *parse_rule("iso14253-1")}), "");
 }
 
 TEST(Requirements, DoNotMixLengthsAndAngles) {

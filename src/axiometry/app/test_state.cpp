@@ -12,36 +12,14 @@
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/utf8.h"
 #include "axiometry/base/version.h"
-#include "axiometry/report/report.h"
 #include "axiometry/report/utf8.h"
+#include "axiometry/standards/iso230_2_record.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::app {
 namespace {
 
 using json::Value;
-
-std::optional<double> expanded_uncertainty(const iso230_2::ParameterInfo& parameter,
-                                           const iso230_2::Assessment& assessment) {
-  switch (report::uncertainty_shown(assessment)) {
-    case report::UncertaintyShown::none: return {};
-    case report::UncertaintyShown::annex_a: {
-      const auto& U = assessment.annex_a->U.*parameter.member;
-      return U ? std::optional(U->in_native()) : std::nullopt;
-    }
-    case report::UncertaintyShown::gum: {
-      const auto* found = assessment.gum->find(parameter.key);
-      return found ? std::optional(found->uncertainty.U.in_native()) : std::nullopt;
-    }
-    case report::UncertaintyShown::monte_carlo: {
-      const auto& found =
-          assessment.monte_carlo->distributions[static_cast<std::size_t>(&parameter - iso230_2::parameters)];
-      if (!found) return {};
-      return 0.5 * (found->summary.symmetric.upper - found->summary.symmetric.lower);
-    }
-  }
-  return {};
-}
 
 std::string verdict_text(uncertainty::Verdict verdict) {
   return verdict == uncertainty::Verdict::not_applicable ? "" : std::string(uncertainty::verdict_name(verdict));
@@ -67,7 +45,12 @@ std::vector<store::Figure> figures_of(const Evaluated& evaluated) {
     const auto& value = evaluated.assessment.evaluation.parameters.*parameter.member;
     if (!value) continue;
     store::Figure figure{std::string(parameter.key), value->in_native(), {}, {}, {}};
-    figure.U = expanded_uncertainty(parameter, evaluated.assessment);
+    if (const auto known = iso230_2::uncertainty_of_record(evaluated.assessment, parameter)) {
+      if (known->U) figure.U = known->U->in_native();
+      figure.low = known->interval.lower;
+      figure.high = known->interval.upper;
+      figure.method = iso230_2::method_key(known->method);
+    }
     const auto judged = std::ranges::find_if(evaluated.judgements, [&](const iso230_2::Judgement& judgement) {
       return judgement.tolerance.parameter->key == parameter.key;
     });

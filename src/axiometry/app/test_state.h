@@ -14,8 +14,8 @@
 /// An evaluated test as the archive keeps it.
 namespace axiometry::app {
 
-/// Every parameter that exists, with U where one was estimated (k = 2, of Annex A, else of the GUM; else half of the
-/// symmetric interval of the Monte Carlo method), and with its limit and verdict where there is one.
+/// Every parameter that exists, with the uncertainty of record (iso230_2_record.h) where there is one, and with its
+/// limit and verdict.
 std::vector<store::Figure> figures_of(const Evaluated& evaluated);
 
 /// What `options` of a kept evaluation holds.

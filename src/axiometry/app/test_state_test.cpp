@@ -80,12 +80,25 @@ TEST(Limits, RefuseParametersAndSizesThatNoAxisHas) {
 
 TEST(FromArchive, ComesBackAsItWasWritten) {
   FromArchive taken;
-  taken.instruments = {{3, 2, "Laser", {{"uncertainty.misalignment_mm", "1"}}}};
+  taken.instruments = {
+      {3, 2, "Laser", {{"uncertainty.misalignment_mm", "1"}}, {{"uncertainty.device_calibration", "2"}}}};
   taken.calibrations = {{3, 1, {0, "C-1", "2026-01-13", "2027-01-13"}}};
   taken.axis = AxisLimits{4, 1, {{"A", 10.0}}};
   const auto back = from_archive_of(to_json(taken));
   ASSERT_TRUE(back) << back.error().to_string();
   EXPECT_EQ(json::dump(to_json(*back)), json::dump(to_json(taken)));
+}
+
+TEST(FromArchive, SaysWhoseEachInputIsAndWhatItLeavesOut) {
+  FromArchive taken;
+  taken.instruments = {
+      {3, 2, "Laser", {{"uncertainty.misalignment_mm", "1"}}, {{"uncertainty.device_calibration", "2"}}}};
+  const EvaluateOptions options = with_archive({}, {{"uncertainty.length_mm", "900"}}, taken);
+  EXPECT_EQ(options.stated.by("uncertainty.misalignment_mm"), StatedBy::instrument);
+  EXPECT_EQ(options.stated.find("uncertainty.misalignment_mm")->name, "Laser");
+  EXPECT_EQ(options.stated.by("uncertainty.length_mm"), StatedBy::entered);
+  ASSERT_EQ(options.remarks.size(), 1u);
+  EXPECT_NE(options.remarks[0].find("uncertainty.device_calibration = 2 of Laser"), std::string::npos);
 }
 
 TEST(KeptOptions, HoldTheProfileOfATableAndNeedNone) {

@@ -172,6 +172,7 @@ json::Value to_json(const AxisTrend& trend) {
     row.add("received_at", point.received_at);
     row.add("conforming", point.conforming);
     row.add("label", point.label);
+    row.add("verdict", point.verdict.empty() ? Value() : Value(point.verdict));
     row.add("figures", figures_to_json(point.figures));
   }
   Value object = Value::object();

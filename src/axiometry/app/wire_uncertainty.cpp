@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/report/resolved_text.h"
+#include "axiometry/standards/iso230_2_record.h"
 
 namespace axiometry::app {
 namespace {
@@ -18,11 +20,7 @@ using iso230_2::MonteCarlo;
 using iso230_2::ParameterDistribution;
 using json::Value;
 
-Value texts(const std::vector<std::string>& list) {
-  Value array = Value::array();
-  for (const std::string& text : list) array.push(text);
-  return array;
-}
+Value texts(const std::vector<std::string>& list) { return Value::array({list.begin(), list.end()}); }
 
 Value pair(const uncertainty::Interval& interval) { return Value::array({interval.lower, interval.upper}); }
 
@@ -70,6 +68,7 @@ Value annex_a_budget_to_json(const iso230_2::AnnexA& annex) {
   for (const auto& contributor : annex.budget) contributors.push(contributor_to_json(contributor));
   object.add("notes", texts(annex.notes));
   object.add("runs", annex.runs);
+  object.add("slow_environment", annex.slow_environment);
   object.add("coverage_factor", 2);
   if (annex.corrected) object.add("corrected_repeatability", corrected_to_json(*annex.corrected));
   return object;
@@ -173,7 +172,17 @@ Value gum_budget_to_json(const GumUncertainty& gum) {
   return object;
 }
 
-Value distribution_to_json(const ParameterDistribution& d) {
+using Hypotheses = std::vector<const iso230_2::NoiseHypothesis*>;
+
+/// Those that trials were drawn for.
+Hypotheses drawn_hypotheses(const MonteCarlo& monte_carlo) {
+  Hypotheses drawn;
+  for (const auto& hypothesis : monte_carlo.hypotheses)
+    if (!hypothesis.refuted) drawn.push_back(&hypothesis);
+  return drawn;
+}
+
+Value distribution_to_json(const ParameterDistribution& d, const Hypotheses& hypotheses) {
   const auto& s = d.summary;
   Value counts = Value::array();
   for (std::uint64_t count : s.histogram.counts) counts.push(static_cast<std::size_t>(count));
@@ -186,6 +195,21 @@ Value distribution_to_json(const ParameterDistribution& d) {
   object.add("mean", s.mean);
   object.add("u", s.sd);
   object.add("bias", d.bias());
+  object.add("low", d.low);
+  object.add("high", d.high);
+  if (!hypotheses.empty()) {
+    object.add("low_from", hypotheses[d.low_from]->key);
+    object.add("high_from", hypotheses[d.high_from]->key);
+  }
+  if (!d.refusal.empty()) object.add("refusal", d.refusal);
+  Value& by_hypothesis = object.add("by_hypothesis", Value::object());
+  for (std::size_t h = 0; h < std::min(hypotheses.size(), d.by_hypothesis.size()); ++h) {
+    const auto& own = d.by_hypothesis[h];
+    Value& row = by_hypothesis.add(hypotheses[h]->key, Value::object());
+    row.add("mean", own.mean);
+    row.add("u", own.sd);
+    row.add("symmetric", pair(own.symmetric));
+  }
   object.add("symmetric", pair(s.symmetric));
   object.add("shortest", pair(s.shortest));
   object.add("delta", s.tolerance);
@@ -205,7 +229,7 @@ const std::optional<ParameterDistribution>& distribution_of(const MonteCarlo& mo
 Value monte_carlo_to_json(const MonteCarlo& monte_carlo) {
   return per_parameter([&](const iso230_2::ParameterInfo& parameter) {
     const auto& found = distribution_of(monte_carlo, parameter);
-    return found ? distribution_to_json(*found) : Value();
+    return found ? distribution_to_json(*found, drawn_hypotheses(monte_carlo)) : Value();
   });
 }
 
@@ -233,6 +257,15 @@ Value monte_carlo_run_to_json(const MonteCarlo& run) {
   object.add("stable", run.stable);
   object.add("seed", seed_to_json(run.seed));
   object.add("coverage", run.coverage);
+  Value& hypotheses = object.add("hypotheses", Value::array());
+  for (const auto& hypothesis : run.hypotheses) {
+    Value& row = hypotheses.push(Value::object());
+    row.add("key", hypothesis.key);
+    row.add("title", hypothesis.title);
+    row.add("refuted", hypothesis.refuted);
+    row.add("p", number_or_null(hypothesis.p));
+    row.add("reason", hypothesis.reason);
+  }
   Value& inputs = object.add("inputs", Value::array());
   for (const auto& input : run.inputs) inputs.push(input_to_json(input));
   Value& contributions = object.add("contributions", Value::array());
@@ -249,44 +282,42 @@ Value monte_carlo_run_to_json(const MonteCarlo& run) {
   return object;
 }
 
-/// One group of columns: a name before the parameter's key and its cells.
-struct CsvGroup {
-  std::string_view prefix;
-  std::optional<double> (*value)(const iso230_2::Assessment&, const iso230_2::ParameterInfo&);
-};
-
-std::optional<double> gum_U(const iso230_2::Assessment& assessment, const iso230_2::ParameterInfo& parameter) {
-  const auto* found = assessment.gum ? assessment.gum->find(parameter.key) : nullptr;
-  return found ? std::optional(found->uncertainty.U.in_native()) : std::nullopt;
+Value resolved_to_json(const iso230_2::ResolvedInputs& inputs) {
+  Value list = Value::array();
+  for (const iso230_2::ResolvedRow& input : inputs.rows) {
+    Value& row = list.push(Value::object());
+    row.add("key", input.key);
+    row.add("symbol", input.symbol);
+    row.add("title", report::input_title(input));
+    row.add("value", input.value ? Value(*input.value) : Value(input.word));
+    row.add("unit", input.unit);
+    row.add("origin", iso230_2::origin_key(input.origin));
+    row.add("origin_title", report::origin_text(input));
+    if (!input.instrument.empty()) row.add("instrument", input.instrument);
+    row.add("use", iso230_2::use_key(input.use));
+    row.add("use_title", report::use_text(input));
+    if (!input.reason.empty()) row.add("reason", input.reason);
+  }
+  return list;
 }
 
-template <auto Member>
-std::optional<double> of_monte_carlo(const iso230_2::Assessment& assessment, const iso230_2::ParameterInfo& parameter) {
-  if (!assessment.monte_carlo) return std::nullopt;
-  const auto& found = distribution_of(*assessment.monte_carlo, parameter);
-  return found ? std::optional(Member(found->summary)) : std::nullopt;
-}
-
-using uncertainty::OutputSummary;
-
-constexpr CsvGroup gum_groups[] = {{"gum_U_", &gum_U}};
-constexpr CsvGroup monte_carlo_groups[] = {
-    {"mc_mean_", &of_monte_carlo<[](const OutputSummary& s) { return s.mean; }>},
-    {"mc_u_", &of_monte_carlo<[](const OutputSummary& s) { return s.sd; }>},
-    {"mc_low_", &of_monte_carlo<[](const OutputSummary& s) { return s.symmetric.lower; }>},
-    {"mc_high_", &of_monte_carlo<[](const OutputSummary& s) { return s.symmetric.upper; }>},
-};
-
-template <typename Cell>
-std::string csv_cells(const UncertaintyOptions& asked, const Cell& cell) {
-  std::string text;
-  const auto append = [&](std::span<const CsvGroup> groups) {
-    for (const CsvGroup& group : groups)
-      for (const auto& parameter : iso230_2::parameters) text += "," + cell(group, parameter);
-  };
-  if (asked.gum) append(gum_groups);
-  if (asked.monte_carlo) append(monte_carlo_groups);
-  return text;
+/// The uncertainty that stands with the results, whatever else was estimated.
+Value record_to_json(const iso230_2::Assessment& assessment) {
+  const auto method = iso230_2::method_of_record(assessment);
+  Value object = Value::object();
+  object.add("method", method ? Value(iso230_2::method_key(*method)) : Value());
+  object.add("chosen", assessment.method_of_record.has_value());
+  object.add("parameters", per_parameter([&](const iso230_2::ParameterInfo& parameter) {
+               const auto known = iso230_2::uncertainty_of_record(assessment, parameter);
+               if (!known) return Value();
+               Value row = Value::object();
+               row.add("u", known->u.in_native());
+               row.add("U", number_or_null(known->U));
+               row.add("low", known->interval.lower);
+               row.add("high", known->interval.upper);
+               return row;
+             }));
+  return object;
 }
 
 }  // namespace
@@ -307,6 +338,8 @@ json::Value parameters_to_json(const iso230_2::AxisParameters& parameters) {
 json::Value uncertainty_to_json(const iso230_2::Assessment& assessment) {
   const auto& [annex_a, gum, monte_carlo] = std::tie(assessment.annex_a, assessment.gum, assessment.monte_carlo);
   Value object = Value::object();
+  object.add("record", record_to_json(assessment));
+  object.add("inputs", resolved_to_json(assessment.inputs));
   object.add("annex_a", annex_a ? parameters_to_json(annex_a->U) : Value());
   object.add("gum", gum ? gum_to_json(*gum) : Value());
   object.add("monte_carlo", monte_carlo ? monte_carlo_to_json(*monte_carlo) : Value());
@@ -314,19 +347,6 @@ json::Value uncertainty_to_json(const iso230_2::Assessment& assessment) {
   if (gum) object.add("gum_budget", gum_budget_to_json(*gum));
   if (monte_carlo) object.add("monte_carlo_run", monte_carlo_run_to_json(*monte_carlo));
   return object;
-}
-
-std::string method_csv_header(const UncertaintyOptions& asked) {
-  return csv_cells(asked, [](const CsvGroup& group, const auto& parameter) {
-    return fmt::format("{}{}", group.prefix, parameter.key);
-  });
-}
-
-std::string method_csv_cells(const UncertaintyOptions& asked, const Evaluated* evaluated) {
-  return csv_cells(asked, [evaluated](const CsvGroup& group, const auto& parameter) {
-    const auto value = evaluated ? group.value(evaluated->assessment, parameter) : std::nullopt;
-    return value ? format_exact(*value) : std::string();
-  });
 }
 
 }  // namespace axiometry::app

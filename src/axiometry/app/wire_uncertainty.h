@@ -16,8 +16,9 @@ json::Value number_or_null(const std::optional<Deviation>& x);
 json::Value seed_to_json(std::uint64_t seed);  ///< a number, but text above 2⁵³, which not every reader can hold
 json::Value parameters_to_json(const iso230_2::AxisParameters& parameters);
 
-/// "annex_a", "gum" and "monte_carlo" with a member per parameter each, null where the method was not run or says
-/// nothing, and beside them their budgets and runs where there are any.
+/// "record", the uncertainty that stands with the results and decides; "annex_a", "gum" and "monte_carlo" with a member
+/// per parameter each, null where the method was not run or says nothing, and beside them their budgets and runs where
+/// there are any.
 json::Value uncertainty_to_json(const iso230_2::Assessment& assessment);
 
 /// Further columns of the combined CSV for the methods that were asked for, each with a leading comma:

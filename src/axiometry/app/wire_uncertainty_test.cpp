@@ -20,7 +20,7 @@ using ::testing::StartsWith;
 Evaluated evaluated() {
   Test test = testing_support::table2::complete_test();
   auto assessment = iso230_2::assess(test);
-  assessment.gum = iso230_2::gum(test.metadata, test.series, assessment.evaluation).value();
+  assessment.gum = iso230_2::gum(test, assessment.evaluation).value();
   assessment.monte_carlo = testing_support::made_up_monte_carlo(assessment.evaluation);
   return {std::move(test), "", std::move(assessment), {}, {}};
 }

@@ -6,9 +6,10 @@
 #include <cmath>
 
 #include "axiometry/app/given_text.h"
-#include "axiometry/app/kept_assessment.h"
 #include "axiometry/app/test_state.h"
+#include "axiometry/app/wire_shown.h"
 #include "axiometry/app/wire_uncertainty.h"
+#include "axiometry/base/iso_date.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/json_members.h"
 #include "axiometry/report/report.h"
@@ -20,17 +21,6 @@ namespace {
 using formats::JsonMembers;
 using json::Kind;
 using json::Value;
-
-const Value* member_of_object(const Value& object, std::string_view name) {
-  return object.is(Kind::object) ? object.find(name) : nullptr;
-}
-
-Value copy_or_null(const Value* value) { return value == nullptr ? Value() : *value; }
-
-/// "not applicable" is no verdict of the API.
-Value verdict_or_null(const Value* verdict) {
-  return verdict != nullptr && verdict->is(Kind::text) && verdict->text() != "not applicable" ? *verdict : Value();
-}
 
 Value runs_to_json(const Series& series, Direction direction) {
   Value rows = Value::array();
@@ -58,40 +48,9 @@ Value outcome_readings_to_json(const Outcome& outcome) {
   return object;
 }
 
-const Value* judgement_on(const Value& result, std::string_view parameter) {
-  const Value* tolerances = member_of_object(result, "tolerances");
-  if (tolerances == nullptr || !tolerances->is(Kind::array)) return nullptr;
-  for (const Value& row : tolerances->items()) {
-    const Value* key = member_of_object(row, "parameter");
-    if (key != nullptr && key->is(Kind::text) && key->text() == parameter) return &row;
-  }
-  return nullptr;
-}
-
-Value shown_to_json(const Value& result, const Reader& reader) {
-  const iso230_2::Assessment assessment = assessment_shown_by(result);
-  const AxisKind kind = axis_kind_of(result);
-  report::Options options;
-  options.numbers = reader.numbers;
-  Value list = Value::array();
-  for (const auto& parameter : iso230_2::parameters) {
-    const report::ShownParameter shown = report::show(parameter, assessment, kind, options);
-    const bool exists = (assessment.evaluation.parameters.*parameter.member).has_value();
-    Value& row = list.push(Value::object());
-    row.add("parameter", parameter.key);
-    row.add("value", exists ? shown.value : language::translated(shown.value, reader.language));
-    row.add("U", shown.U);
-    row.add("interval", shown.interval.empty() ? "" : language::translated(shown.interval, reader.language));
-    row.add("unit", shown.unit);
-    const Value* judgement = judgement_on(result, parameter.key);
-    row.add("limit", judgement == nullptr ? Value() : copy_or_null(member_of_object(*judgement, "limit")));
-    row.add("verdict", judgement == nullptr ? Value() : verdict_or_null(member_of_object(*judgement, "verdict")));
-  }
-  return list;
-}
-
 /// Members whose texts are this program's, wherever they stand in a result; but not what users wrote.
-constexpr std::array<std::string_view, 5> spoken = {"message", "title", "note", "notes", "label"};
+constexpr std::array<std::string_view, 8> spoken = {"message", "title",    "note",         "notes",
+                                                    "label",   "withheld", "origin_title", "use_title"};
 constexpr std::array<std::string_view, 5> of_users = {"metadata", "source", "axis", "tolerance_table", "program"};
 
 bool among(const auto& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
@@ -337,6 +296,9 @@ json::Value figures_to_json(std::span<const store::Figure> figures) {
     row.add("parameter", figure.parameter);
     row.add("value", figure.value);
     row.add("U", number_or_null(figure.U));
+    row.add("low", number_or_null(figure.low));
+    row.add("high", number_or_null(figure.high));
+    row.add("method", figure.method.empty() ? Value() : Value(figure.method));
     row.add("limit", number_or_null(figure.limit));
     row.add("verdict", text_or_null(figure.verdict));
   }

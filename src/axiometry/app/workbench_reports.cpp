@@ -8,12 +8,14 @@
 
 #include "axiometry/app/file_name_part.h"
 #include "axiometry/app/given_text.h"
+#include "axiometry/app/second_opinion.h"
 #include "axiometry/app/workbench_state.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/dark_page.h"
 #include "axiometry/report/figures/conformity.h"
 #include "axiometry/report/figures/contribution.h"
 #include "axiometry/report/figures/distribution.h"
+#include "axiometry/report/figures/drift_recording.h"
 #include "axiometry/report/figures/figures.h"
 #include "axiometry/report/svg.h"
 #include "axiometry/report/translated.h"
@@ -72,6 +74,16 @@ Result<std::string> kept_json(const store::TestRecord& record) {
   return json::dump(value) + "\n";
 }
 
+/// No report leaves the archive whose figures a second way does not find again.
+Result<report::VerifiedFigures> second_opinion_of(const Evaluated& evaluated, const report::Options& options,
+                                                  std::string written = {}) {
+  const UncertaintyOptions asked{
+      evaluated.assessment.gum.has_value(), evaluated.assessment.monte_carlo.has_value(), {}};
+  auto verified = second_opinion(evaluated, asked, options, std::move(written));
+  if (!verified) return fail(ErrorKind::damaged, verified.error().message);
+  return verified;
+}
+
 Result<Rendered> render(Workbench::State& state, const store::TestRecord& record, const ReportRequest& request) {
   const std::string extension = text::to_lower(request.extension);
   Rendered rendered{{}, std::string(media_type_of(extension)), report_file_name(record, extension)};
@@ -81,16 +93,18 @@ Result<Rendered> render(Workbench::State& state, const store::TestRecord& record
   }
   AXIOMETRY_TRY(const report::Writer* writer, report_writer_of(extension));
   AXIOMETRY_TRY(const auto evaluated, state.evaluated(record));
-  AXIOMETRY_TRY(rendered.bytes,
-                writer->write({evaluated->test, evaluated->assessment, evaluated->judgements}, request.options));
+  AXIOMETRY_TRY(const auto verified, second_opinion_of(*evaluated, request.options));
+  AXIOMETRY_TRY(rendered.bytes, writer->write({evaluated->test, evaluated->assessment, evaluated->judgements, verified},
+                                              request.options));
   return rendered;
 }
 
 std::vector<report::Figure> drawn_figures(const Evaluated& evaluated, const report::Options& options) {
   const report::Subject subject{evaluated.test, evaluated.assessment, evaluated.judgements};
   std::vector<report::Figure> figures = report::figures(subject, options);
-  for (auto& further : {report::conformity_figure(subject, options), report::contribution_figure(subject, options),
-                        report::distribution_figure(subject, options)})
+  for (auto& further :
+       {report::conformity_figure(subject, options), report::contribution_figure(subject, options),
+        report::distribution_figure(subject, options), report::drift_recording_figure(subject, options)})
     if (further) figures.push_back(*further);
   for (report::Figure& figure : figures) figure = report::with_words_translated(std::move(figure), options);
   return figures;
@@ -112,6 +126,10 @@ Result<store::Document> Workbench::issue(store::Id id, std::optional<int> versio
                                          const store::By& by) {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
   AXIOMETRY_TRY(const Rendered rendered, render(*state_, record, request));
+  if (text::to_lower(request.extension) == "json") {
+    AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record));
+    AXIOMETRY_TRY([[maybe_unused]] const auto verified, second_opinion_of(*evaluated, request.options, rendered.bytes));
+  }
   store::Document document;
   document.test = id;
   document.version = record.version;

@@ -329,6 +329,19 @@ TEST_F(TheWorkbench, TakesInputsFromTheInstrumentWhereNobodyStatesThem) {
   EXPECT_THAT(workbench.draft(id, draft)->from_archive.instruments, IsEmpty());
 }
 
+TEST_F(TheWorkbench, TakesACertificateOfAnInstrumentAsAWholeOrNotAtAll) {
+  store::Instrument laser = laser_of_table2();
+  laser.inputs = {{"uncertainty.device_calibration", "2"}};
+  ASSERT_TRUE(store.add(laser, me));
+  const auto test = workbench.test(keep(example_table2));
+  ASSERT_TRUE(test);
+  ASSERT_EQ(test->outcome.from_archive.instruments.size(), 1u);
+  const auto& taken = test->outcome.from_archive.instruments.front();
+  EXPECT_THAT(taken.inputs, IsEmpty()) << "the file states U per metre";
+  EXPECT_THAT(taken.left_out, ElementsAre(std::pair<std::string, std::string>("uncertainty.device_calibration", "2")));
+  EXPECT_THAT(json::dump(test->outcome.result), HasSubstr("a certificate is taken as a whole"));
+}
+
 TEST_F(TheWorkbench, StatesTheCalibrationThatHeldOnTheDayOfTheTest) {
   store::Instrument laser = laser_of_table2();
   calibrate(laser, {0, "C-2014", "2014-01-10", "2015-01-10"});
@@ -409,7 +422,12 @@ TEST_F(TheWorkbench, AppliesTheLimitsOfTheAxisWhereTheTestStatesNone) {
   stated.changes = {{"tolerance.A", "20"}};
   const auto own = workbench.draft(id, stated);
   EXPECT_EQ(own->result.find("verdict")->text(), "conforms");
-  EXPECT_EQ(own->result.find("tolerances")->items().size(), 1u);
+  const auto& tolerances = own->result.find("tolerances")->items();
+  ASSERT_EQ(tolerances.size(), 2u);  // B stays as the axis has it
+  EXPECT_EQ(tolerances[0].find("source")->text(), "entered");
+  EXPECT_EQ(tolerances[0].find("replaced")->items().front().find("limit")->number(), 5.0);
+  EXPECT_EQ(tolerances[1].find("parameter")->text(), "B");
+  EXPECT_EQ(tolerances[1].find("source")->text(), "axis");
 }
 
 TEST_F(TheWorkbench, FindsTheAxisOfAMachineThatWasRenamed) {

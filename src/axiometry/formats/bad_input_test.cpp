@@ -141,6 +141,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "to every run, or read the file as the format generic"},
         BadInput{"RunOfGigabytes", header + "0,up,10000,1\n10,up,1,1\n",
                  "line 2: found run 10000 among 2 readings, expected consecutive run numbers"},
+        BadInput{"RunOfGigabytesInAColumn", "target_mm,up5000_um\n0,1\n10,1\n20,1\n",
+                 "line 3:1: found run 5000 among 2 readings, expected consecutive run numbers"},
         BadInput{"NothingMeasuredAtATarget", header + "0,up,1,1\n10,up,1,\n",
                  "line 2: found no reading at target 10, expected at least one"},
         BadInput{"OpenQuote", header + "\"0,up,1,1\n",

@@ -174,10 +174,15 @@ void read_as_long(Column& column, const Words& words) {
   }
 }
 
+/// No column is called so: a paragraph, or a list of numbers in one cell. Looking for words in it would take a time
+/// that grows with its square.
+constexpr std::size_t longest_name = 200;
+
 Column column_from(const CsvCell& cell) {
   Column column;
   column.name = cell.text;
   column.at_column = cell.column;
+  if (cell.text.size() > longest_name) return column;
   const std::string name = without_brackets_around_signs(cell.text);
   const NameAndUnit parts = part_unit(text::trim(name));
   column.unit_text = std::string(parts.unit);

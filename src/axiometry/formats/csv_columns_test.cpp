@@ -77,6 +77,15 @@ INSTANTIATE_TEST_SUITE_P(Computed, ColumnNames,
                          testing::Values(Name{"Mean (um)", "ignored um"}, Name{"mean up_um", "ignored um"},
                                          Name{"Std dev", "ignored"}, Name{"Max error (um)", "ignored um"}));
 
+/// Each dash of such a name was once looked at as the beginning of a unit, one within the other, until the stack ended.
+TEST(CsvColumns, DoNotLookForWordsInAParagraph) {
+  for (const std::string& name : {"aa bb" + std::string(20'000, '-'), "target " + std::string(100'000, 'x')}) {
+    const std::vector<Column> columns = columns_from({{name, 1}});
+    ASSERT_EQ(columns.size(), 1u);
+    EXPECT_EQ(columns[0].role, ColumnRole::unknown);
+  }
+}
+
 TEST(CsvColumns, TakeAPositionAsTargetOrAsReadingByItsCompany) {
   const auto alone = columns_from({{"position_mm", 1}, {"deviation_um", 13}});
   EXPECT_EQ(alone[0].role, ColumnRole::target);

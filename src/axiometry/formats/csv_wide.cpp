@@ -135,6 +135,7 @@ class WideRows {
       const auto d = static_cast<std::size_t>(run.direction ? *run.direction : *direction);
       AXIOMETRY_TRY(readings_[i][d * layout_.run_count + run.run],
                     placed(native_deviation(layout_.rule, target, value), at));
+      ++reading_count_;
     }
     return {};
   }
@@ -168,6 +169,10 @@ class WideRows {
     if (is_new) entry = numbers_of_targets_.emplace(target.in_native(), targets_.size()).first;
     const std::size_t i = entry->second;
     if (is_new) {
+      AXIOMETRY_TRY_VOID(placed(check_grid({.targets = targets_.size() + 1,
+                                            .runs = layout_.run_count,
+                                            .readings = reading_count_ + layout_.runs.size()}),
+                                at));
       targets_.push_back(target);
       readings_.emplace_back(2 * layout_.run_count, std::numeric_limits<double>::quiet_NaN());
       lines_.push_back({});
@@ -188,6 +193,7 @@ class WideRows {
   std::vector<Position> targets_;
   std::vector<Directions> lines_;              // of the rows of each target; 0 before they come
   std::vector<std::vector<double>> readings_;  // per target: all runs up, then all runs down
+  std::size_t reading_count_ = 0;
 };
 
 Result<void> take_row(WideRows& rows, const Preamble& preamble, std::string_view line, std::size_t number,

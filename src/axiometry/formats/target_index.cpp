@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace axiometry::formats {
 namespace {
@@ -13,6 +14,7 @@ constexpr std::size_t few = 32;  // up to here looking through all is quicker th
 std::uint32_t TargetIndex::append(double target) {
   last_ = static_cast<std::uint32_t>(targets_.size());
   targets_.push_back(target);
+  changed_ = true;
   return last_;
 }
 
@@ -32,7 +34,7 @@ std::uint32_t TargetIndex::search(double target) {
 }
 
 std::span<const std::uint32_t> TargetIndex::ranks() {
-  if (ranked_ == targets_) return ranks_;
+  if (!std::exchange(changed_, false) || ranked_ == targets_) return ranks_;
   std::vector<std::uint32_t> order(targets_.size());
   std::iota(order.begin(), order.end(), 0u);
   std::ranges::sort(order, {}, [&](std::uint32_t k) { return targets_[k]; });
@@ -45,6 +47,7 @@ std::span<const std::uint32_t> TargetIndex::ranks() {
 void TargetIndex::restart() {
   previous_.swap(targets_);
   targets_.clear();
+  changed_ = true;
   numbers_.clear();
   repeats_ = true;
   last_ = 0;

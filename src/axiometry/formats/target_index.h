@@ -30,7 +30,7 @@ class TargetIndex {
   /// Targets in the order of their numbers.
   std::span<const double> targets() const { return targets_; }
 
-  /// For every number the rank of its target in ascending order.
+  /// For every number the rank of its target in ascending order. Asked again before another target comes, it is free.
   std::span<const std::uint32_t> ranks();
 
   /// Forgets the targets, for the next test.
@@ -47,6 +47,7 @@ class TargetIndex {
   std::map<double, std::uint32_t> numbers_;  // filled only when there are many targets
   std::vector<std::uint32_t> ranks_;
   std::vector<double> ranked_;  // the targets that ranks_ belongs to
+  bool changed_ = true;         // targets_ may be others than ranked_
 };
 
 }  // namespace axiometry::formats

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "axiometry/base/decimal_tie.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 
@@ -50,6 +51,9 @@ constexpr Spelling spellings[] = {
 
 constexpr double deviation_limit = 1e9;  // the Series' own, checked here to name line and column
 
+/// What a unit makes of a number of a file: read with half an ulp, then multiplied and divided. Decimals stay decimals.
+double converted(double x) { return nearest_decimal(x, 4.0 * unit_roundoff * std::abs(x)); }
+
 }  // namespace
 
 std::span<const Unit> units() { return table; }
@@ -72,20 +76,30 @@ std::string unit_names() {
 Position position_in(const Unit& unit, double x) {
   // Millimetres and degrees must stay what was written: the quotient is exactly 1 for them.
   const double per_position = deviation_per_position(unit.kind);
-  if (unit.factor >= per_position) return Position::native(x * (unit.factor / per_position) / unit.divisor);
-  return Position::native(x * unit.factor / (unit.divisor * per_position));
+  if (unit.factor == per_position && unit.divisor == 1.0) return Position::native(x);
+  if (unit.factor >= per_position) return Position::native(converted(x * (unit.factor / per_position) / unit.divisor));
+  return Position::native(converted(x * unit.factor / (unit.divisor * per_position)));
 }
 
-Deviation deviation_in(const Unit& unit, double x) { return Deviation::native(x * unit.factor / unit.divisor); }
+Deviation deviation_in(const Unit& unit, double x) {
+  if (unit.factor == unit.divisor) return Deviation::native(x);
+  return Deviation::native(converted(x * unit.factor / unit.divisor));
+}
 
 Result<double> native_deviation(const ReadingRule& rule, Position target, double value) {
-  double deviation = deviation_in(*rule.unit, value).in_native();
-  if (rule.measured == Measured::position) {
-    const double difference = position_in(*rule.unit, value).in_native() - target.in_native();
+  double deviation = 0.0;
+  if (rule.measured == Measured::deviation) {
+    deviation = deviation_in(*rule.unit, value).in_native();
+  } else {
+    const double position = position_in(*rule.unit, value).in_native();
+    const double difference = position - target.in_native();
     if (rule.unit->kind == AxisKind::rotary && std::abs(difference) > 180.0)
       return fail(fmt::format("found a measured position {}° from its target, expected both within half a turn",
                               format_exact(difference)));
-    deviation = difference * deviation_per_position(rule.unit->kind);
+    // Each of the two is half an ulp off its decimal, their difference and its product another; twice that.
+    const double per_position = deviation_per_position(rule.unit->kind);
+    const double magnitude = (std::abs(position) + std::abs(target.in_native()) + std::abs(difference)) * per_position;
+    deviation = nearest_decimal(difference * per_position, 2.0 * unit_roundoff * magnitude);
   }
   if (std::abs(deviation) <= deviation_limit) return deviation;
   return fail(fmt::format("found a deviation of {} {}, expected a magnitude up to 1e9", format_exact(deviation),

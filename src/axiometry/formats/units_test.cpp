@@ -43,8 +43,22 @@ TEST(Units, AreConvertedByTheirDefinition) {
 
 TEST(Units, GiveDeviationsFromMeasuredPositions) {
   const ReadingRule rule{Measured::position, find_unit("mm")};
-  EXPECT_NEAR(*native_deviation(rule, Position::native(100), 100.0012), 1.2, 1e-9);
-  EXPECT_NEAR(*native_deviation(rule, Position::native(100), 99.9988), -1.2, 1e-9);
+  EXPECT_EQ(*native_deviation(rule, Position::native(100), 100.0012), 1.2);
+  EXPECT_EQ(*native_deviation(rule, Position::native(100), 99.9988), -1.2);
+  EXPECT_EQ(*native_deviation(rule, Position::native(1744.2), 1744.2003), 0.3);
+  const ReadingRule turn{Measured::position, find_unit("deg")};
+  EXPECT_EQ(*native_deviation(turn, Position::native(270), 270.0001), 0.36);
+}
+
+TEST(Units, KeepDecimalsDecimalsInEveryUnit) {
+  EXPECT_NE(0.0041 * 1000.0, 4.1);
+  EXPECT_EQ(deviation_in(*find_unit("mm"), 0.0041).in_native(), 4.1);
+  EXPECT_EQ(deviation_in(*find_unit("mm"), 0.0003).in_native(), 0.3);
+  EXPECT_EQ(deviation_in(*find_unit("m"), 1.1e-6).in_native(), 1.1);
+  EXPECT_EQ(deviation_in(*find_unit("in"), 0.00001).in_native(), 0.254);
+  EXPECT_EQ(deviation_in(*find_unit("deg"), 0.0001).in_native(), 0.36);
+  EXPECT_EQ(position_in(*find_unit("um"), 100.3).in_native(), 0.1003);
+  EXPECT_EQ(position_in(*find_unit("m"), 1.0003).in_native(), 1000.3);
 }
 
 TEST(Units, RefuseWhatNoMachineDoes) {

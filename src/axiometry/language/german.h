@@ -13,7 +13,10 @@ extern const std::span<const Phrase> german_terms;    ///< single words: paramet
 extern const std::span<const Phrase> german_report;   ///< titles, heads and notes of the report
 extern const std::span<const Phrase> german_figures;  ///< labels, titles, descriptions
 extern const std::span<const Phrase> german_uncertainty;  ///< Annex A, GUM, Monte Carlo, budgets
+extern const std::span<const Phrase> german_noise;        ///< kinds of the environment's noise
 extern const std::span<const Phrase> german_findings;     ///< what departs, what is missing, what is worth a note
+extern const std::span<const Phrase> german_scatter;      ///< outliers, uneven scatter, shifts of the runs
+extern const std::span<const Phrase> german_claims;       ///< what a result may be called
 extern const std::span<const Phrase> german_corrections;  ///< of readings, and where air and temperatures came from
 extern const std::span<const Phrase> german_plan;         ///< plan sheets and plan findings
 extern const std::span<const Phrase> german_fields;       ///< titles, descriptions and columns of the metadata

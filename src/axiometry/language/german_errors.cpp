@@ -18,6 +18,7 @@ constexpr Phrase rows[] = {
     {"a text", "ein Text"},
     {"a truth value", "ein Wahrheitswert"},
     {"cannot read: {0}", "nicht lesbar: {0}"},
+    {"cannot verify: {0}", "Nachrechnung nicht möglich: {0}"},
     {"cannot write: {0}", "nicht schreibbar: {0}"},
     {"end of input", "Ende der Eingabe"},
     {"found JSON that is no object, expected a test", "JSON ohne Objekt; erwartet: eine Prüfung"},
@@ -91,6 +92,8 @@ constexpr Phrase rows[] = {
     {"found displayed positions that neither rise nor fall as the targets do, expected one to reverse a sign",
      "angezeigte Positionen steigen oder fallen nicht mit den Zielpositionen; erwartet: eines davon, um ein Vorzeichen "
      "umzukehren"},
+    {"found figures that a second computation does not confirm, so that nothing is issued: {0}",
+     "Zahlen, die eine zweite Rechnung nicht bestätigt, sodass nichts ausgegeben wird: {0}"},
     {"found instrument.gain = {0#}, expected a number other than 0",
      "instrument.gain = {0}; erwartet: eine Zahl außer 0"},
     {"found instrument.sign_reversed = no, expected an instrument whose sign is reversed",

@@ -63,6 +63,11 @@ constexpr Phrase rows[] = {
      "alle Punkte liegen auf einer Kugel um die Station (alle Längen sind gleich)"},
     {"all points lie on an ellipsoid of revolution with a focus at the station (eccentricity {0#})",
      "alle Punkte liegen auf einem Rotationsellipsoid mit einem Brennpunkt in der Station (Exzentrizität {0})"},
+    {"all points lie on one line along {0#}: eq. 14 has rank {1#} of 5, the station may stand anywhere on "
+     "a circle about that line, and no estimator can tell where; choose points off the line",
+     "alle Punkte liegen auf einer Geraden entlang {0}: Gl. 14 hat den Rang {1} von 5, die Station kann "
+     "irgendwo auf einem Kreis um diese Gerade stehen, und kein Schätzer kann sagen, wo; Punkte neben der "
+     "Geraden wählen"},
     {"all points lie on one plane", "alle Punkte liegen auf einer Ebene"},
     {"an error of 1 µm in each length moves the station by {0#}: give the points more room, or move the station",
      "ein Fehler von 1\u00a0µm in jeder Länge verschiebt die Station um {0}: den Punkten mehr Raum geben oder die "

@@ -3,7 +3,7 @@
 // The rows of the metadata vocabulary. A new member of Metadata gets its row here and nothing else.
 #include <array>
 
-#include "axiometry/model/fields_access.h"
+#include "axiometry/model/fields_records.h"
 
 namespace axiometry {
 namespace {
@@ -15,72 +15,9 @@ constexpr std::string_view kind_words[] = {"linear", "rotary"};
 constexpr std::string_view rule_words[] = {"simple", "iso14253-1", "guard-band"};
 constexpr std::string_view cycle_words[] = {"standard", "step", "pilgrim", "unidirectional", "user-defined"};
 constexpr std::string_view measurand_words[] = {"this-test", "this-machine"};
-
-constexpr RecordColumn equipment_columns[] = {
-    {"role", "Component", FieldType::text, ""},
-    {"manufacturer", "Manufacturer", FieldType::text, ""},
-    {"type", "Type", FieldType::text, ""},
-    {"serial_number", "Serial number", FieldType::text, ""},
-    {"certificate", "Certificate", FieldType::text, "", false},
-    {"calibrated_on", "Calibrated on", FieldType::text, "", false},
-    {"calibration_due", "Calibration due", FieldType::text, "", false},
-};
-constexpr RecordColumn distribution_columns[] = {
-    {"input", "Input", FieldType::text, ""},
-    {"distribution", "Distribution", FieldType::text, ""},
-};
-constexpr RecordColumn sensor_columns[] = {
-    {"role", "Sensor", FieldType::text, ""},
-    {"location", "Location", FieldType::text, ""},
-    {"start_C", "Start", FieldType::number, "°C"},
-    {"end_C", "End", FieldType::number, "°C"},
-};
-
-struct EquipmentAccess {
-  static FieldValue get(const Metadata& m) {
-    Records records;
-    for (const Equipment& e : m.equipment)
-      records.push_back({text_cell(e.role), text_cell(e.manufacturer), text_cell(e.type), text_cell(e.serial_number),
-                         text_cell(e.certificate), text_cell(e.calibrated_on), text_cell(e.calibration_due)});
-    return records.empty() ? FieldValue{} : FieldValue(std::move(records));
-  }
-  static void put(Metadata& m, const FieldValue& value) {
-    m.equipment.clear();
-    if (const auto* records = std::get_if<Records>(&value))
-      for (const auto& r : *records)
-        m.equipment.push_back(
-            {text_of(r[0]), text_of(r[1]), text_of(r[2]), text_of(r[3]), text_of(r[4]), text_of(r[5]), text_of(r[6])});
-  }
-};
-
-struct SensorAccess {
-  static FieldValue get(const Metadata& m) {
-    Records records;
-    for (const TemperatureSensor& s : m.environment.sensors)
-      records.push_back({text_cell(s.role), text_cell(s.location), temperature_cell(s.start), temperature_cell(s.end)});
-    return records.empty() ? FieldValue{} : FieldValue(std::move(records));
-  }
-  static void put(Metadata& m, const FieldValue& value) {
-    m.environment.sensors.clear();
-    if (const auto* records = std::get_if<Records>(&value))
-      for (const auto& r : *records)
-        m.environment.sensors.push_back({text_of(r[0]), text_of(r[1]), temperature_of(r[2]), temperature_of(r[3])});
-  }
-};
-
-struct DistributionAccess {
-  static FieldValue get(const Metadata& m) {
-    Records records;
-    for (const InputDistribution& d : m.gum.distributions)
-      records.push_back({text_cell(d.input), text_cell(d.distribution)});
-    return records.empty() ? FieldValue{} : FieldValue(std::move(records));
-  }
-  static void put(Metadata& m, const FieldValue& value) {
-    m.gum.distributions.clear();
-    if (const auto* records = std::get_if<Records>(&value))
-      for (const auto& r : *records) m.gum.distributions.push_back({text_of(r[0]), text_of(r[1])});
-  }
-};
+constexpr std::string_view method_words[] = {"annex-a", "gum", "monte-carlo"};
+constexpr std::string_view environment_words[] = {"unknown", "white", "drift", "random-walk"};
+constexpr std::string_view sum_words[] = {"linear", "quadratic"};
 
 template <auto Group, auto Member>
 using TextAt = TextAccess<At<Group, Member>>;
@@ -195,6 +132,21 @@ constexpr std::array fields = {
         "Three numbers."),
     text_field<TestText<&Conditions::air_or_oil_shower>>("test.air_or_oil_shower", "Air or oil shower", "8.1",
                                                          Wanted::no, "When applied."),
+    Field{"test.smaller_repeatability",
+          "Tell the smaller of R↑ and R↓",
+          FieldType::boolean,
+          "",
+          "",
+          "",
+          Wanted::no,
+          0,
+          0,
+          {},
+          {},
+          "Whether min(R↑, R↓), as lists of export controls use it, is told for information; not a parameter of the "
+          "standard.",
+          &PlainAccess<At<&Metadata::conditions, &Conditions::smaller_repeatability>, bool>::get,
+          &PlainAccess<At<&Metadata::conditions, &Conditions::smaller_repeatability>, bool>::put},
     text_field<TestText<&Conditions::comment>>("test.comment", "Comment", "", Wanted::no, "Anything else."),
     records_field<EquipmentAccess>("equipment", "Test equipment", "8.1", Wanted::always, equipment_columns,
                                    "Every component of the measuring instrument: laser head, optics, sensors."),
@@ -290,6 +242,9 @@ constexpr std::array fields = {
     number_field<ArtefactQuantity<&Artefact::calibration_uncertainty_per_length, per_m>>(
         "artefact.calibration_uncertainty_um_per_m", "Calibration uncertainty of the artefact, by length", "µm/m",
         "µm/m", "Annex D", Wanted::no, 0, any, "U, k = 2, in proportion to the length."),
+    choice_field<OptionalChoiceAccess<At<&Metadata::artefact, &Artefact::calibration_sum>, sum_words>>(
+        "artefact.calibration_sum", "Sum of both parts of the artefact's calibration uncertainty", "Annex D", sum_words,
+        "How a constant part and one per metre make U: a + b·L (when not given), or the root of their squares."),
     number_field<ArtefactQuantity<&Artefact::probing_uncertainty, deviation>>(
         "artefact.probing_uncertainty", "Probing uncertainty", "µm", "″", "Annex D", Wanted::no, 0, any,
         "U, k = 2, of one probing."),
@@ -321,6 +276,9 @@ constexpr std::array fields = {
     number_field<AnnexAQuantity<&AnnexAInputs::device_calibration_per_length, per_m>>(
         "uncertainty.device_calibration_um_per_m", "Calibration uncertainty of the device (k = 2)", "µm/m", "", "A.2",
         Wanted::no, 0, any, "U of the calibration certificate per metre."),
+    choice_field<OptionalChoiceAccess<At<&Metadata::uncertainty, &AnnexAInputs::device_calibration_sum>, sum_words>>(
+        "uncertainty.device_calibration_sum", "Sum of both parts of the calibration uncertainty", "", sum_words,
+        "How a constant part and one per metre make U: a + b·L (when not given), or the root of their squares."),
     number_field<AnnexAQuantity<&AnnexAInputs::device_error_range, per_m>>(
         "uncertainty.device_error_range_um_per_m", "Error range of the device", "µm/m", "", "A.3", Wanted::no, 0, any,
         "Full range stated by the manufacturer."),
@@ -380,6 +338,21 @@ constexpr std::array fields = {
         "uncertainty.measurand", "Measurand", "", measurand_words,
         "What is uncertain: what perfect instruments would have found in this test (when not given), or what this "
         "machine does in the long run, of which the approaches are a sample."),
+    choice_field<OptionalChoiceAccess<At<&Metadata::gum, &GumInputs::method>, method_words>>(
+        "uncertainty.method", "Method of record", "", method_words,
+        "Whose uncertainty stands with every result and decides. When not given: Monte Carlo where it was asked for, "
+        "else Annex A, else the GUM."),
+    choice_field<OptionalChoiceAccess<At<&Metadata::gum, &GumInputs::environment_kind>, environment_words>>(
+        "uncertainty.environment_kind", "Kind of environmental variation", "", environment_words,
+        "How E_VE moves the readings: from each to the next (white), slowly (drift), in steps that add up "
+        "(random-walk). "
+        "When not given it is unknown: what any of these would do counts, as far as the readings allow it."),
+    numbers_field<NumbersAccess<At<&Metadata::gum, &GumInputs::drift_recording>>>(
+        "uncertainty.drift_recording", "Recording of the environmental variation", "µm", "″", "A.2.5", Wanted::no,
+        "Readings at standstill, equally far apart in time; they take the place of E_VE."),
+    number_field<GumQuantity<&GumInputs::drift_interval, seconds>>(
+        "uncertainty.drift_interval_s", "Time between two of its readings", "s", "s", "A.2.5", Wanted::no, 1e-6, any,
+        "Of the recording of the environmental variation."),
     records_field<DistributionAccess>(
         "uncertainty.distributions", "Distributions of inputs", "", Wanted::no, distribution_columns,
         "Each replaces that of a named input, as in 'machine_temperature | triangular 1.5 2.5', or adds an own input "

@@ -7,6 +7,7 @@
 
 #include "axiometry/base/quantity.h"
 #include "axiometry/model/axis.h"
+#include "axiometry/model/uncertainty_choices.h"
 
 namespace axiometry {
 
@@ -79,6 +80,7 @@ struct Artefact {
   std::vector<double> calibrated_positions;                          ///< mm, one per target, in their order
   std::optional<Deviation> calibration_uncertainty;                  ///< U, k = 2, of each position
   std::optional<RelativeLength> calibration_uncertainty_per_length;  ///< U, k = 2, proportional to the length
+  std::optional<CalibrationSum> calibration_sum;                     ///< linear when absent
   std::optional<Deviation> probing_uncertainty;                      ///< U, k = 2, of one probing
 };
 
@@ -100,6 +102,7 @@ struct TestConditions {
   std::vector<double> tool_offset_mm;       ///< X/Y/Z
   std::vector<double> workpiece_offset_mm;  ///< X/Y/Z
   std::string air_or_oil_shower;
+  std::optional<bool> smaller_repeatability;  ///< whether min(R↑, R↓) is told too; no parameter of the standard
 };
 
 /// Inputs of Annex A, with its symbols. Ranges are full widths: 1 °C stands for ±0.5 °C (A.2.4.2).
@@ -107,6 +110,7 @@ struct AnnexAInputs {
   std::optional<Length> length;                                         ///< L; the measured travel when absent
   std::optional<Deviation> device_calibration;                          ///< U_CALIBRATION, k = 2 (A.1)
   std::optional<RelativeLength> device_calibration_per_length;          ///< U_CALIBRATION, k = 2 (A.2)
+  std::optional<CalibrationSum> device_calibration_sum;                 ///< of both (A.1, A.2); linear when absent
   std::optional<RelativeLength> device_error_range;                     ///< R_DEVICE (A.3)
   std::optional<Length> misalignment;                                   ///< R_MISALIGNMENT (A.4)
   std::optional<ExpansionCoefficient> machine_expansion;                ///< α (A.5)
@@ -118,12 +122,6 @@ struct AnnexAInputs {
   std::optional<TemperatureDifference> device_temperature_difference;   ///< ΔT (A.8)
   std::optional<ExpansionCoefficient> device_expansion_range;           ///< R(α) (A.8)
   std::optional<Deviation> environmental_variation;                     ///< E_VE (A.9)
-};
-
-/// Which of two questions the uncertainty answers; named in every result.
-enum class Measurand {
-  this_test,     ///< what the same approaches would have given with perfect instruments at 20 °C
-  this_machine,  ///< what the axis does in the long run: the sampling of n approaches counts too
 };
 
 /// A distribution given in words for one input quantity.
@@ -141,8 +139,12 @@ struct GumInputs {
   std::optional<TemperatureDifference> environment_temperature_difference;  ///< ΔT_e (24)
   std::optional<Angle> alignment_angle;                                     ///< θ_max (20, 21)
   std::optional<double> up_down_correlation;                                ///< between x_i↑ and x_i↓ (10); 1
-  std::optional<Deviation> run_drift;  ///< standard uncertainty of a shift common to a run
-  std::optional<Measurand> measurand;  ///< this_test when absent
+  std::optional<Deviation> run_drift;               ///< standard uncertainty of a shift common to a run
+  std::optional<Measurand> measurand;               ///< this_test when absent
+  std::optional<UncertaintyMethod> method;          ///< of record: the one that decides and stands with every result
+  std::optional<EnvironmentKind> environment_kind;  ///< of E_VE (A.9); unknown when absent
+  std::vector<double> drift_recording;     ///< at standstill (A.2.5), µm or ″, equally far apart in time …
+  std::optional<Duration> drift_interval;  ///< … by this
   std::vector<InputDistribution> distributions;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "axiometry/model/metadata.h"
+#include "axiometry/model/origins.h"
 #include "axiometry/model/series.h"
 
 namespace axiometry {
@@ -55,6 +56,7 @@ struct Provenance {
   std::vector<SourceRemark> remarks{};           ///< of the reader
   std::vector<AppliedCorrection> corrections{};  ///< what was done to the readings since, in this order, and then
   std::optional<AppliedExpansionCorrection> expansion_correction{};
+  StatedItems stated{};  ///< items of the metadata that come from elsewhere than the file
 };
 
 /// One positioning test: what was tested, how, and the readings. The readings are valid by

@@ -2,6 +2,7 @@
 #include "axiometry/report/compose.h"
 
 #include "axiometry/report/figures/figures.h"
+#include "axiometry/report/finding_text.h"
 #include "axiometry/report/sections/sections.h"
 
 namespace axiometry::report {
@@ -24,7 +25,9 @@ Document compose(const Subject& subject, const Options& asked) {
     sections.push_back(contribution_section(subject, options));
   }
   sections.push_back(figure_section(subject, options));
-  sections.push_back(finding_section(subject.assessment.findings));
+  const AxisKind kind = subject.test.metadata.axis.kind;
+  sections.push_back(claim_section(subject, options));
+  sections.push_back(finding_section(shown_findings(subject.assessment.findings, subject.assessment, kind, options)));
   sections.push_back(identification_section(subject, options));
   sections.push_back(position_section(subject, options));
   sections.push_back(uncertainty_section(subject, options));

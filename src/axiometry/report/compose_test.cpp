@@ -53,7 +53,7 @@ Document composed(const Reported& reported) { return compose(reported.subject(),
 
 TEST(Compose, PutsTheResultFirstAndTheSignaturesLast) {
   EXPECT_THAT(section_ids(composed(reported_table2())),
-              ElementsAre("parameters", "figures", "findings", "identification", "positions", "uncertainty",
+              ElementsAre("parameters", "figures", "claims", "findings", "identification", "positions", "uncertainty",
                           "information", "provenance", "release"));
 }
 
@@ -64,11 +64,22 @@ TEST(Compose, GivesNoVerdictWithoutATolerance) {
   for (const Column& column : table.columns) EXPECT_NE(plain_text(column.head), "Verdict");
 }
 
-TEST(Compose, CallsAConformingResultOneOfTheStandard) {
+TEST(Compose, CallsATestThatKeepsAndStatesEverythingOneOfTheStandard) {
   const Document document = composed(reported_table2());
   ASSERT_EQ(document.status.size(), 1u);
   EXPECT_EQ(document.status[0].tone, Tone::normal) << "green is for what conforms to its tolerance";
-  EXPECT_EQ(plain_text(document.status[0].heading), "Result according to ISO 230-2:2014");
+  EXPECT_EQ(plain_text(document.status[0].heading), "Tested in accordance with ISO 230-2:2014");
+}
+
+TEST(Compose, CallsBareNumbersComputedAndNoMore) {
+  const Document document = composed(testing_support::reported_without_metadata());
+  EXPECT_EQ(document.status[0].tone, Tone::caution) << "nothing known contradicts, much is not stated";
+  EXPECT_EQ(plain_text(document.status[0].heading),
+            "Computed after clause 3 of ISO 230-2:2014; not a test in accordance with it");
+  EXPECT_EQ(document.edition, "Computed after clause 3 of ISO 230-2:2014");
+  const Table claims = tables(section(document, "claims")).at(0);
+  EXPECT_THAT(row_text(claims.rows[0]), ElementsAre("Computed after clause 3 of ISO 230-2:2014", "Yes", "–", "–"));
+  EXPECT_EQ(row_text(claims.rows[1])[1], "No");
 }
 
 TEST(Compose, SaysAtTheTopThatADepartingResultIsNone) {
@@ -77,9 +88,9 @@ TEST(Compose, SaysAtTheTopThatADepartingResultIsNone) {
                                     {"5.3.2", iso230_2::Severity::departure, "found 4 runs"});
   const Document document = composed(table2);
   EXPECT_EQ(document.status[0].tone, Tone::bad);
-  EXPECT_THAT(plain_text(document.status[0].heading), HasSubstr("not an ISO 230-2 result"));
+  EXPECT_THAT(plain_text(document.status[0].heading), HasSubstr("not a test in accordance with it"));
   EXPECT_EQ(plain_text(document.status[0].lines[0]), "Found 4 runs (5.3.2).");
-  EXPECT_THAT(document.running_status, HasSubstr("not an ISO 230-2 result"));
+  EXPECT_EQ(document.running_status, "Computed after clause 3 of ISO 230-2:2014");
 }
 
 TEST(Compose, RepeatsTheLabelWhereverResultsStand) {
@@ -123,10 +134,10 @@ TEST(Verdict, NamesTheRuleAndWhatDoesNotConform) {
   const Notice& notice = document.status.at(0);
   EXPECT_EQ(notice.tone, Tone::bad);
   EXPECT_EQ(plain_text(notice.heading), "Does not conform: B");
-  EXPECT_EQ(plain_text(notice.lines.at(0)), "B = (4.12 ± 0.92)\u00a0µm; tolerance 4\u00a0µm");
+  EXPECT_EQ(plain_text(notice.lines.at(0)), "B = (4.12 ± 0.92)\u00a0µm (Annex A); tolerance 4\u00a0µm");
   EXPECT_EQ(plain_text(notice.lines.at(1)), "Conforms: A.");
   EXPECT_EQ(plain_text(notice.lines.at(2)), "Decision rule: simple acceptance.");
-  EXPECT_THAT(plain_text(document.status.at(1).heading), HasSubstr("Result according to"));
+  EXPECT_THAT(plain_text(document.status.at(1).heading), HasSubstr("Tested in accordance with"));
   const Table table = tables(section(document, "parameters")).at(0);
   EXPECT_THAT(row_text(table.rows[10]), ElementsAre("B\u2009*)", "EXX,B", "Reversal error", "4.12", "0.92", "4", "µm",
                                                     "does not conform", "3.16"));
@@ -140,7 +151,7 @@ TEST(Verdict, StandsBelowTheStatementThatTheResultIsNoneOfTheStandard) {
                                     {"5.3.2", iso230_2::Severity::departure, "found 4 runs"});
   table2.judge({tolerance("A", 10)});
   const Document document = composed(table2);
-  EXPECT_THAT(plain_text(document.status.at(0).heading), HasSubstr("not an ISO 230-2 result"));
+  EXPECT_THAT(plain_text(document.status.at(0).heading), HasSubstr("not a test in accordance with it"));
   EXPECT_EQ(plain_text(document.status.at(1).heading), "Conforms: A");
 }
 
@@ -201,12 +212,12 @@ TEST(ConformitySection, ShowsLimitsProbabilityAndRiskOfEveryDecision) {
   const Section conformity = section(composed(table2), "conformity");
   const Table table = tables(conformity).at(0);
   EXPECT_THAT(row_text(table.rows.at(0)),
-              ElementsAre("A", "9.6", "2.14", "10", "3.52", "6.48", "13.52", "57.7\u00a0%", "–", "undecided"));
-  EXPECT_THAT(row_text(table.rows.at(1)),
-              ElementsAre("B", "4.12", "0.459", "3", "0.757", "2.243", "3.757", "0.73\u00a0%",
-                          "0.73\u00a0%\u00a0producer’s", "does not conform"));
+              ElementsAre("A", "9.6", "2.1", "10", "6.49", "13.51", "57.7\u00a0%", "–", "undecided"));
+  EXPECT_THAT(row_text(table.rows.at(1)), ElementsAre("B", "4.12", "0.46", "3", "2.245", "3.755", "0.73\u00a0%",
+                                                      "0.73\u00a0%\u00a0producer’s", "does not conform"));
   EXPECT_THAT(plain_text(table.notes.at(0)),
-              AllOf(HasSubstr("Decision rule: ISO 14253-1."), HasSubstr("g = 1.65 u; u = U/2 by Annex A.")));
+              AllOf(HasSubstr("Decision rule: ISO 14253-1."), HasSubstr("with a probability of 95 % or more"),
+                    HasSubstr("u = U/2 by Annex A.")));
   EXPECT_EQ(plain_text(table.notes.at(1)), "Limits: A, B from the command line.");
   EXPECT_TRUE(std::holds_alternative<Figure>(conformity.blocks.at(1)));
 }
@@ -228,21 +239,25 @@ TEST(ConformitySection, SaysWhereNoValueCouldBeAccepted) {
   Reported table2 = reported_table2();
   table2.judge({tolerance("A", 2)}, {uncertainty::DecisionRule::Kind::iso_14253_1});
   const Table table = tables(section(composed(table2), "conformity")).at(0);
-  EXPECT_EQ(row_text(table.rows.at(0)).at(5), "none");
+  EXPECT_EQ(row_text(table.rows.at(0)).at(4), "none");
   EXPECT_THAT(plain_text(table.notes.at(2)), HasSubstr("g is larger than T"));
 }
 
-TEST(ConformitySection, SaysWhereAVerdictAndItsProbabilityDisagree) {
+TEST(ConformitySection, LeavesUndecidedWhereAllThatIsDrawnLiesBelowALimitThatTheValueExceeds) {
   Reported table2 = reported_table2();
   iso230_2::MonteCarlo trials;
   auto& R_up = trials.distributions[8].emplace();  // all below what was measured, 2.99 µm
   R_up.summary.sd = 0.1;
   R_up.summary.distribution = uncertainty::SampledDistribution({{1.8, 2.2, 0, 1000}});
+  R_up.by_hypothesis = {R_up.summary};
+  R_up.low = 1.8;
+  R_up.high = 2.2;
   table2.assessment.monte_carlo = trials;
   table2.judge({tolerance("R_up", 2.5), tolerance("A", 30)}, {uncertainty::DecisionRule::Kind::iso_14253_1});
-  const std::string statement = plain_text(tables(section(composed(table2), "conformity")).at(0).notes.at(0));
-  EXPECT_THAT(statement, HasSubstr("u = U/2 by Annex A (A); u by Monte Carlo, for this test (R↑)."));
-  EXPECT_THAT(statement, HasSubstr("R↑: the verdict rests on the measured value"));
+  const Table table = tables(section(composed(table2), "conformity")).at(0);
+  EXPECT_EQ(row_text(table.rows.at(0)).back(), "undecided");
+  EXPECT_EQ(row_text(table.rows.at(1)).back(), "undecided");  // the method of record says nothing of A
+  EXPECT_THAT(plain_text(table.notes.at(0)), HasSubstr("u by Monte Carlo, for this test."));
 }
 
 TEST(ConformitySection, IsAbsentWithoutATolerance) {
@@ -397,13 +412,13 @@ TEST(PositionSection, ShowsAMissingReadingAsADash) {
 
 TEST(UncertaintySection, ShowsAllContributorsWithTheirInputs) {
   const auto all = tables(section(composed(reported_table2()), "uncertainty"));
-  ASSERT_EQ(all.size(), 3u);
+  ASSERT_EQ(all.size(), 4u);  // with the inputs as resolved
   EXPECT_EQ(all[0].rows.size(), 7u);
   EXPECT_THAT(row_text(all[0].rows[0]), Contains(HasSubstr("1\u00a0µm/m")));
-  EXPECT_THAT(row_text(all[1].rows[0]),
+  EXPECT_THAT(row_text(all[2].rows[0]),
               ElementsAre("R", "Bidirectional positioning repeatability", "6.6", "5.6", "µm"));
-  EXPECT_EQ(all[2].rows.size(), 11u);
-  EXPECT_THAT(row_text(all[2].rows[0]), Contains("floored"));
+  EXPECT_EQ(all[3].rows.size(), 11u);
+  EXPECT_THAT(row_text(all[3].rows[0]), Contains("floored"));
 }
 
 TEST(UncertaintySection, SaysInTheRowWhatAMissingContributorMeans) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "axiometry/report/method_values.h"
 #include "axiometry/report/shown_number.h"
 
 namespace axiometry::report {
@@ -25,43 +26,17 @@ std::string origin_of(UncertaintyMethod method) {
   return "";
 }
 
-/// "A, R↑"
-std::string symbols_of(std::span<const Judgement> judgements, std::optional<UncertaintyMethod> method) {
-  std::string symbols;
-  for (const Judgement& j : judgements) {
-    const auto own = j.uncertainty ? std::optional(j.uncertainty->method) : std::nullopt;
-    if (!j.magnitude || own != method) continue;
-    symbols.append(symbols.empty() ? "" : ", ").append(j.tolerance.parameter->symbol);
-  }
-  return symbols;
+/// ", for this test": what u is the uncertainty of, where the method asks.
+std::string_view words_of(const std::optional<Measurand>& measurand) {
+  if (!measurand) return "";
+  return *measurand == Measurand::this_test ? ", for this test" : ", for this machine in the long run";
 }
 
-/// ", for this test": what u is the uncertainty of, where the methods ask.
-std::string measurand_of(std::span<const Judgement> judgements) {
-  for (const Judgement& j : judgements)
-    if (j.uncertainty && j.uncertainty->measurand)
-      return *j.uncertainty->measurand == Measurand::this_test ? ", for this test"
-                                                               : ", for this machine in the long run";
-  return "";
-}
-
-/// "u = U/2 by Annex A", or of which parameters it is what where they differ.
-std::string origins(std::span<const Judgement> judgements) {
-  std::string all;
-  const std::size_t judged = static_cast<std::size_t>(
-      std::ranges::count_if(judgements, [](const Judgement& j) { return j.magnitude.has_value(); }));
-  const auto add = [&](std::string_view what, std::optional<UncertaintyMethod> method) {
-    const std::size_t count = static_cast<std::size_t>(std::ranges::count_if(judgements, [&](const Judgement& j) {
-      return j.magnitude && (j.uncertainty ? std::optional(j.uncertainty->method) : std::nullopt) == method;
-    }));
-    if (count == 0) return;
-    all += all.empty() ? "" : "; ";
-    all += count == judged ? std::string(what) : fmt::format("{} ({})", what, symbols_of(judgements, method));
-  };
-  for (UncertaintyMethod method : {UncertaintyMethod::annex_a, UncertaintyMethod::gum, UncertaintyMethod::monte_carlo})
-    add(origin_of(method) + (method == UncertaintyMethod::annex_a ? "" : measurand_of(judgements)), method);
-  add("no u is known", std::nullopt);
-  return all;
+/// All rest on one method.
+std::string origin_of(std::span<const Judgement> judgements) {
+  const auto known = std::ranges::find_if(judgements, [](const Judgement& j) { return j.uncertainty.has_value(); });
+  if (known == judgements.end()) return "no u is known";
+  return origin_of(known->uncertainty->method) + std::string(words_of(known->uncertainty->measurand));
 }
 
 bool any_probability(std::span<const Judgement> judgements) {
@@ -69,29 +44,38 @@ bool any_probability(std::span<const Judgement> judgements) {
                              [](const Judgement& j) { return j.decision.probability_conforming.has_value(); });
 }
 
-/// Where the probabilities come from, by what the uncertainties come from.
-std::string_view distributions(std::span<const Judgement> judgements) {
-  const auto by_trials = std::ranges::count_if(judgements, [](const Judgement& j) {
+std::string_view distribution_of(std::span<const Judgement> judgements) {
+  const bool by_trials = std::ranges::any_of(judgements, [](const Judgement& j) {
     return j.uncertainty && j.uncertainty->method == UncertaintyMethod::monte_carlo;
   });
-  const auto known = std::ranges::count_if(judgements, [](const Judgement& j) { return j.uncertainty.has_value(); });
-  if (by_trials == 0) return "from a normal distribution about the value";
-  return by_trials == known ? "from the Monte Carlo distribution"
-                            : "from the Monte Carlo distribution where there is one, else a normal one";
+  if (by_trials) return "from the Monte Carlo distributions";
+  const bool by_t = std::ranges::any_of(
+      judgements, [](const Judgement& j) { return j.uncertainty && j.uncertainty->degrees_of_freedom; });
+  return by_t ? "from a normal distribution about the value, or from Student’s t where degrees of freedom are known"
+              : "from a normal distribution about the value";
 }
 
-/// Those whose verdict and probability point to different sides. A normal distribution about the value cannot do that;
-/// a Monte Carlo one can, where noise has raised the measured value above all that the parameter may be.
-std::string contradicted(std::span<const Judgement> judgements) {
-  std::string symbols;
-  for (const Judgement& j : judgements) {
-    const double p = j.decision.probability_conforming.value_or(0.5);
-    const bool conforms = j.decision.verdict == Verdict::conforms;
-    const bool rejected = j.decision.verdict == Verdict::does_not_conform;
-    if ((conforms && p < 0.5) || (rejected && p > 0.5))
-      symbols.append(symbols.empty() ? "" : ", ").append(j.tolerance.parameter->symbol);
+bool any_range(std::span<const Judgement> judgements) {
+  return std::ranges::any_of(judgements, [](const Judgement& j) {
+    return j.decision.probability_range && j.decision.probability_range->least < j.decision.probability_range->most;
+  });
+}
+
+constexpr std::string_view formula_of(DecisionRule::Kind kind) {
+  switch (kind) {
+    case DecisionRule::Kind::simple:
+      return "A parameter conforms when its magnitude does not exceed its tolerance T; its uncertainty is not taken "
+             "into account";
+    case DecisionRule::Kind::iso_14253_1:
+      return "A parameter conforms when it keeps its tolerance T with a probability of 95 % or more, and does not "
+             "conform "
+             "when it exceeds T with 95 % or more; between the two it is undecided. T − g and T + g are the values, of "
+             "the "
+             "same uncertainty, where that changes";
+    case DecisionRule::Kind::guard_band: break;
   }
-  return symbols;
+  return "A parameter conforms up to T − g and does not conform above T + g; between the two it is undecided. g was "
+         "chosen";
 }
 
 }  // namespace
@@ -102,21 +86,22 @@ std::string shown_probability(double probability, const Options& options) {
   const auto shown = [&](double x, int decimals) { return format_fixed(x, decimals, options.numbers) + "\u00a0%"; };
   if (percent > 100.0 - finest) return "> " + shown(100.0 - finest, 2);
   if (percent < finest) return "< " + shown(finest, 2);
-  return shown(percent, percent < 1.0 || percent > 99.0 ? 2 : 1);
+  int decimals = percent < 1.0 || percent > 99.0 ? 2 : 1;
+  // What is not the probability that decides must not look like it.
+  constexpr int most_decimals = 9;
+  for (const double deciding :
+       {100.0 * uncertainty::decision_probability, 100.0 * (1.0 - uncertainty::decision_probability)})
+    while (decimals < most_decimals && percent != deciding &&
+           std::abs(percent - deciding) < 0.5 * std::pow(10.0, -decimals))
+      ++decimals;
+  return shown(percent, decimals);
 }
 
-ShownParameter show_judged(const Judgement& judgement, const iso230_2::Assessment& assessment, AxisKind kind,
-                           const Options& options) {
-  const iso230_2::ParameterInfo& parameter = *judgement.tolerance.parameter;
-  ShownParameter shown = show(parameter, assessment, kind, options);
-  if (!judgement.magnitude || !judgement.uncertainty) return shown;
-  constexpr double coverage_factor = 2.0;
-  const ParameterScale scale = parameter_scale(kind, options.unit);
-  const double U = coverage_factor * judgement.uncertainty->u.in_native() * scale.per_native;
-  if (U == 0.0) return {shown.value, "0", shown.unit};
-  const int decimals = decimals_for(U, options.uncertainty_digits);
-  const double value = (assessment.evaluation.parameters.*parameter.member)->in_native() * scale.per_native;
-  return {format_fixed(value, decimals, options.numbers), format_fixed(U, decimals, options.numbers), shown.unit};
+std::string shown_conformity(const uncertainty::Decision& decision, const Options& options) {
+  if (!decision.probability_range) return "–";
+  const std::string least = shown_probability(decision.probability_range->least, options);
+  const std::string most = shown_probability(decision.probability_range->most, options);
+  return least == most ? most : fmt::format("{} to {}", least, most);
 }
 
 int limit_decimals(const ShownParameter& shown) {
@@ -134,27 +119,58 @@ std::string rule_title(const DecisionRule& rule, AxisKind kind, const Options& o
   return fmt::format("guard band of {}\u00a0{}", shown_short(rule.guard_band * scale.per_native, options), scale.unit);
 }
 
+std::string record_statement(const iso230_2::Assessment& assessment, const Options& options) {
+  const auto method = iso230_2::method_of_record(assessment);
+  if (!method) return "";
+  switch (*method) {
+    case UncertaintyMethod::annex_a: return "± U with k = 2, Annex A (simplified method)";
+    case UncertaintyMethod::gum: return "± U after the GUM, about 95 %";
+    case UncertaintyMethod::monte_carlo: break;
+  }
+  if (assessment.monte_carlo && iso230_2::run_with_intervals(assessment) == nullptr)
+    return "No interval is stated (Monte Carlo)";
+  const double coverage = assessment.monte_carlo ? assessment.monte_carlo->coverage : 0.95;
+  return fmt::format("from … to: interval of {}, Monte Carlo", shown_percent(coverage, options));
+}
+
 std::string rule_statement(std::span<const Judgement> judgements, AxisKind kind, const Options& options) {
   if (judgements.empty()) return "";
   const DecisionRule& rule = judgements.front().rule;
   const bool simple = rule.kind == DecisionRule::Kind::simple;
-  std::string text = fmt::format("Decision rule: {}. ", rule_title(rule, kind, options));
-  text += simple
-              ? "A parameter conforms when its magnitude does not exceed its tolerance T; its uncertainty is not "
-                "taken into account."
-              : "A parameter conforms up to T − g and does not conform above T + g; between the two it is undecided.";
-  if (rule.kind == DecisionRule::Kind::iso_14253_1) text += " g = 1.65 u";
-  if (rule.kind == DecisionRule::Kind::guard_band) text += " g was chosen";
-  if (!simple) text += fmt::format("; {}.", origins(judgements));
+  std::string text = fmt::format("Decision rule: {}. {}", rule_title(rule, kind, options), formula_of(rule.kind));
+  text += simple ? "." : fmt::format("; {}.", origin_of(judgements));
   if (any_probability(judgements))
-    text += fmt::format(" p_c: probability of conformity (JCGM 106), {}{}.", distributions(judgements),
-                        simple ? "; " + origins(judgements) : std::string());
-  if (const std::string symbols = contradicted(judgements); !symbols.empty())
-    text += fmt::format(
-        " {}: the verdict rests on the measured value, p_c on what remains of it without the bias that "
-        "noise has added; here they disagree.",
-        symbols);
+    text += fmt::format(" p_c: probability of conformity (JCGM 106), {}{}.", distribution_of(judgements),
+                        simple ? "; " + origin_of(judgements) : std::string());
+  if (any_range(judgements))
+    text += " Where p_c has two figures, it lies between them, whatever of what is held possible is true.";
   return text;
+}
+
+std::string incomplete_statement(std::span<const Judgement> judgements, const iso230_2::Assessment& assessment) {
+  constexpr std::string_view lacks = "the uncertainty is incomplete";
+  const bool asks = std::ranges::any_of(judgements, [](const Judgement& j) {
+    return j.rule.kind != DecisionRule::Kind::simple && j.uncertainty.has_value();
+  });
+  const auto found = std::ranges::find_if(
+      assessment.findings, [&](const iso230_2::Finding& finding) { return finding.message.starts_with(lacks); });
+  if (!asks || found == assessment.findings.end()) return "";
+  return fmt::format("p_c and verdicts hold only as far as what lacks is negligible: {}.", found->message);
+}
+
+std::vector<std::string> withheld_statements(std::span<const Judgement> judgements) {
+  std::vector<std::string> reasons;
+  for (const Judgement& judgement : judgements)
+    if (!judgement.withheld.empty() && std::ranges::find(reasons, judgement.withheld) == reasons.end())
+      reasons.push_back(judgement.withheld);
+  for (std::string& reason : reasons) {
+    std::string symbols;
+    for (const Judgement& judgement : judgements)
+      if (judgement.withheld == reason)
+        symbols += fmt::format("{}{}", symbols.empty() ? "" : ", ", judgement.tolerance.parameter->symbol);
+    reason = fmt::format("{}: undecided, because {}.", symbols, reason);
+  }
+  return reasons;
 }
 
 RichText with_symbols(std::string_view statement) {

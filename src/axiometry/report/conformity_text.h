@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
@@ -13,9 +14,8 @@ namespace axiometry::report {
 /// "57.3 %", finer towards both ends: "99.95 %", "> 99.99 %", "< 0.01 %"; never 0 or 100 %, which no estimate gives.
 std::string shown_probability(double probability, const Options& options);
 
-/// The value and the U = 2 u that decided, to Options::uncertainty_digits of it; as show() has it where no u is known.
-ShownParameter show_judged(const iso230_2::Judgement& judgement, const iso230_2::Assessment& assessment, AxisKind kind,
-                           const Options& options);
+/// The same of p_c, from the least to the most that is held possible: "57.3 %", or "0.4 to 57.3 %".
+std::string shown_conformity(const uncertainty::Decision& decision, const Options& options);
 
 /// Decimals of T − g and T + g: one more than those of the value, so that a limit near it can be told from it.
 int limit_decimals(const ShownParameter& shown);
@@ -23,8 +23,19 @@ int limit_decimals(const ShownParameter& shown);
 /// "simple acceptance", "ISO 14253-1", "guard band of 3 µm"
 std::string rule_title(const uncertainty::DecisionRule& rule, AxisKind kind, const Options& options);
 
+/// Whose uncertainty stands beside the values: "U = 2 u by Annex A". Empty where there is none.
+std::string record_statement(const iso230_2::Assessment& assessment, const Options& options);
+
 /// The rule that was used, its formula, and where u came from. Nothing without a judgement.
 std::string rule_statement(std::span<const iso230_2::Judgement> judgements, AxisKind kind, const Options& options);
+
+/// Why nothing was decided on some parameters, a sentence for each reason: "A, E: undecided, because …".
+/// That the uncertainty which decides is known to lack something; empty under simple acceptance, and where nothing
+/// lacks.
+std::string incomplete_statement(std::span<const iso230_2::Judgement> judgements,
+                                 const iso230_2::Assessment& assessment);
+
+std::vector<std::string> withheld_statements(std::span<const iso230_2::Judgement> judgements);
 
 /// The statement with its symbols T, g, u and U in italics.
 RichText with_symbols(std::string_view statement);

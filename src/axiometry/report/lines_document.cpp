@@ -12,6 +12,7 @@
 #include "axiometry/base/version.h"
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/figures/figures.h"
+#include "axiometry/report/finding_text.h"
 #include "axiometry/report/lines_sections.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
@@ -35,35 +36,47 @@ std::string editions(const LinesSubject& subject) {
               : fmt::format("{}, parameters as in {}", iso230_6::edition, iso230_2::edition);
 }
 
-std::string names_of(const LinesSubject& subject, bool conforming) {
+bool is_tested(const AssessedLine& line) {
+  return claim(iso230_2::claims_of(line.line.test, line.assessment), iso230_2::ClaimKind::tested).holds();
+}
+
+std::string names_of(const LinesSubject& subject, bool tested) {
   std::string names;
   for (const AssessedLine& line : subject.lines)
-    if (line.assessment.conforming() == conforming) names += (names.empty() ? "" : ", ") + line.line.id;
+    if (is_tested(line) == tested) names += (names.empty() ? "" : ", ") + line.line.id;
   return names;
 }
 
 bool all_conform(const LinesSubject& subject) { return names_of(subject, false).empty() && !subject.lines.empty(); }
 
-std::vector<NamedFindings> findings_of(const LinesSubject& subject) {
-  std::vector<NamedFindings> all;
-  for (const AssessedLine& line : subject.lines) all.push_back({line.line.id, line.assessment.findings});
+/// The findings of every line in the unit that was asked for.
+std::vector<std::vector<iso230_2::Finding>> findings_of(const LinesSubject& subject, const Options& options) {
+  std::vector<std::vector<iso230_2::Finding>> all;
+  for (const AssessedLine& line : subject.lines)
+    all.push_back(
+        shown_findings(line.assessment.findings, line.assessment, line.line.test.metadata.axis.kind, options));
   return all;
 }
 
-Notice conformance_notice(const LinesSubject& subject) {
-  if (all_conform(subject)) {
-    Notice notice{Tone::normal, plain(fmt::format("All lines according to {}", editions(subject))), {}};
-    const bool incomplete = std::ranges::any_of(subject.lines, [](const AssessedLine& line) {
-      return std::ranges::any_of(line.assessment.findings,
-                                 [](const auto& finding) { return finding.severity == Severity::missing; });
-    });
-    if (incomplete)
-      notice.lines.push_back(plain("Not everything that the report shall state was given; see Findings."));
-    return notice;
-  }
-  Notice notice{Tone::bad, plain("Not every line keeps its standard, see Findings"), {}};
+Section findings_of_lines(const LinesSubject& subject, const Options& options) {
+  const auto findings = findings_of(subject, options);
+  std::vector<NamedFindings> named;
+  for (std::size_t k = 0; k < findings.size(); ++k) named.push_back({subject.lines[k].line.id, findings[k]});
+  return finding_section(named);
+}
+
+bool any_departs(const LinesSubject& subject) {
+  return std::ranges::any_of(subject.lines, [](const AssessedLine& line) { return !line.assessment.conforming(); });
+}
+
+Notice conformance_notice(const LinesSubject& subject, const Options& options) {
+  if (all_conform(subject))
+    return {Tone::normal, plain(fmt::format("All lines tested in accordance with {}", editions(subject))), {}};
+  Notice notice{any_departs(subject) ? Tone::bad : Tone::caution,
+                plain("Not every line may be called tested in accordance with its standard, see Claims"),
+                {}};
   if (const std::string good = names_of(subject, true); !good.empty())
-    notice.lines.push_back(plain(fmt::format("According to the standard: {}.", good)));
+    notice.lines.push_back(plain(fmt::format("Tested in accordance with the standard: {}.", good)));
   notice.lines.push_back(plain(fmt::format("Evaluated with its formulas only: {}.", names_of(subject, false))));
   std::vector<std::string> named;
   for (const AssessedLine& line : subject.lines)
@@ -71,7 +84,9 @@ Notice conformance_notice(const LinesSubject& subject) {
       const bool told = std::ranges::find(named, finding.message) != named.end();
       if (finding.severity != Severity::departure || told || named.size() >= departures_named) continue;
       named.push_back(finding.message);
-      notice.lines.push_back(joined({strong_verbatim(line.line.id), plain(": "), finding_line(finding)}));
+      const AxisKind kind = line.line.test.metadata.axis.kind;
+      notice.lines.push_back(joined({strong_verbatim(line.line.id), plain(": "),
+                                     finding_line(shown_finding(finding, line.assessment, kind, options))}));
     }
   return notice;
 }
@@ -116,15 +131,15 @@ std::optional<Notice> tolerances_notice(const LinesSubject& subject) {
   return notice;
 }
 
-std::vector<Notice> status(const LinesSubject& subject) {
+std::vector<Notice> status(const LinesSubject& subject, const Options& options) {
   std::vector<Notice> all;
-  if (!all_conform(subject)) all.push_back(conformance_notice(subject));
+  if (!all_conform(subject)) all.push_back(conformance_notice(subject, options));
   Notice serious{Tone::bad, plain("The lengths or the station are in doubt"), {}};
   for (const tracking::Finding& finding : subject.evaluation.findings)
     if (finding.serious) serious.lines.push_back(sentence(finding.message));
   if (!serious.lines.empty()) all.push_back(std::move(serious));
   if (auto notice = tolerances_notice(subject)) all.push_back(*std::move(notice));
-  if (all_conform(subject)) all.push_back(conformance_notice(subject));
+  if (all_conform(subject)) all.push_back(conformance_notice(subject, options));
   if (!subject.plan.lost.empty()) {
     Notice lost{Tone::caution, plain("Not all lines could be measured from this station"), {}};
     for (const LostLine& line : subject.plan.lost)
@@ -156,7 +171,7 @@ Document front_page(const LinesSubject& subject, const Options& options) {
   document.identity.push_back({plain("Date of test"), stated("test.date", metadata)});
   document.identity.push_back({plain("Report number"), stated("test.report_number", metadata)});
   std::ranges::move(further_identity(metadata), std::back_inserter(document.identity));
-  document.status = status(subject);
+  document.status = status(subject, options);
   for (const AssessedLine& line : subject.lines)
     if (document.label.empty()) document.label = line.assessment.label;
   if (!document.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + document.label), {}});
@@ -314,7 +329,8 @@ Document compose(const LinesSubject& subject, const Options& options) {
   if (subject.evaluation.squareness) sections.push_back(squareness_section(subject, options));
   sections.push_back(length_difference_section(subject, options));
   for (const AssessedLine& line : subject.lines) sections.push_back(line_section(line, options));
-  Section findings = finding_section(findings_of(subject));
+  sections.push_back(lines_claim_section(subject));
+  Section findings = findings_of_lines(subject, options);
   if (auto table = tracking_finding_table(subject.evaluation.findings))
     findings.blocks.insert(findings.blocks.begin(), *std::move(table));
   sections.push_back(std::move(findings));

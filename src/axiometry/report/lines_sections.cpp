@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "axiometry/report/claim_text.h"
 #include "axiometry/report/figures/lines_overview.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
@@ -22,9 +23,8 @@ using iso230_2::ParameterInfo;
 constexpr std::array<std::string_view, 5> overview_parameters = {"E", "R", "B", "A", "M"};
 
 bool any_uncertainty(const LinesSubject& subject) {
-  return std::ranges::any_of(subject.lines, [](const AssessedLine& line) {
-    return uncertainty_shown(line.assessment) != UncertaintyShown::none;
-  });
+  return std::ranges::any_of(
+      subject.lines, [](const AssessedLine& line) { return iso230_2::method_of_record(line.assessment).has_value(); });
 }
 
 TableCell number_cell(double x, int decimals, const Options& options) {
@@ -53,8 +53,11 @@ std::vector<TableCell> overview_row(const AssessedLine& line, bool with_U, const
   for (std::string_view key : overview_parameters) append_parameter(row, key, line, with_U && wants_U(key), options);
   row.push_back(number_cell(line.line.slope_um_per_m, 2, options));
   row.push_back(number_cell(line.line.slope_uncertainty_um_per_m, 2, options));
-  const bool conforming = line.assessment.conforming();
-  row.push_back(conforming ? TableCell{plain("conforming"), Tone::good} : TableCell{strong("departs"), Tone::bad});
+  const iso230_2::Claims claims = iso230_2::claims_of(line.line.test, line.assessment);
+  const iso230_2::Claim& tested = claim(claims, iso230_2::ClaimKind::tested);
+  row.push_back(tested.holds()            ? TableCell{plain("kept"), Tone::good}
+                : is_contradicted(tested) ? TableCell{strong("departs"), Tone::bad}
+                                          : TableCell{strong("not all stated"), Tone::caution});
   return row;
 }
 
@@ -72,7 +75,7 @@ Table overview_table(const LinesSubject& subject, const Options& options) {
   }
   table.columns.push_back({plain("Slope / µm/m"), Align::decimal, false, false, true});
   table.columns.push_back({italic("u"), Align::decimal});
-  table.columns.push_back({plain("Standard kept")});
+  table.columns.push_back({plain("Tested after it")});
   for (const AssessedLine& line : subject.lines) table.rows.push_back(overview_row(line, with_U, options));
   table.dense = true;
   table.notes = {
@@ -218,6 +221,30 @@ Section overview_section(const LinesSubject& subject, const Options& options) {
   Section section{"overview", "All lines", true, {}};
   section.blocks.emplace_back(overview_table(subject, options));
   section.blocks.emplace_back(lines_overview_figure(subject, options));
+  return section;
+}
+
+Section lines_claim_section(const LinesSubject& subject) {
+  Section section{"claims", "Claims", false, {}};
+  Table table;
+  table.columns = {{plain("Line"), Align::start, true},
+                   {plain("Computed after clause 3")},
+                   {plain("Tested in accordance")},
+                   {plain("Report complete")},
+                   {plain("Clauses that speak against the test")}};
+  for (const AssessedLine& line : subject.lines) {
+    const iso230_2::Claims claims = iso230_2::claims_of(line.line.test, line.assessment);
+    std::vector<TableCell> row = {TableCell{strong_verbatim(line.line.id)}};
+    for (const iso230_2::Claim& claim : claims)
+      row.push_back(claim.holds() ? TableCell{plain("Yes"), Tone::good}
+                                  : TableCell{strong("No"), is_contradicted(claim) ? Tone::bad : Tone::caution});
+    std::vector<std::string> clauses;
+    for (const iso230_2::Finding& point : claim(claims, iso230_2::ClaimKind::tested).against)
+      if (std::ranges::find(clauses, point.clause) == clauses.end()) clauses.push_back(point.clause);
+    row.push_back(clauses.empty() ? quiet_cell("–") : text_cell(fmt::format("{}", fmt::join(clauses, ", "))));
+    table.rows.push_back(std::move(row));
+  }
+  section.blocks.emplace_back(std::move(table));
   return section;
 }
 

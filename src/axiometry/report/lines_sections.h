@@ -13,6 +13,9 @@ Subject subject_of(const AssessedLine& line);
 /// One row per line, and the diagram of all.
 Section overview_section(const LinesSubject& subject, const Options& options);
 
+/// The three claims of every line, and the clauses that speak against its test.
+Section lines_claim_section(const LinesSubject& subject);
+
 /// The largest values of the diagonals, and what they do not tell. Needs a diagonal.
 Section diagonal_section(const LinesSubject& subject, const Options& options);
 

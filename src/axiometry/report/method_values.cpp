@@ -12,18 +12,11 @@ namespace axiometry::report {
 
 namespace {
 
-/// A spread below a picometre is what rounding leaves of none.
-constexpr double rounding_noise = 1e-6;
-
 using iso230_2::Contribution;
 using iso230_2::ParameterDistribution;
 
-std::size_t index_of(const iso230_2::ParameterInfo& parameter) {
-  return static_cast<std::size_t>(&parameter - iso230_2::parameters);
-}
-
 double half_width(const ParameterDistribution& d) {
-  return (d.summary.symmetric.upper - d.summary.symmetric.lower) / 2.0;
+  return (std::max(d.high, d.value) - std::min(d.low, d.value)) / 2.0;
 }
 
 /// U of Annex A and of the GUM are for 95 %: an interval for another probability says nothing about them.
@@ -33,11 +26,10 @@ bool comparable(double coverage) { return std::abs(coverage - 0.95) < 1e-9; }
 struct RowStyle {
   const Options& options;
   ParameterScale scale;
+  AxisKind kind;
 
-  int decimals(double uncertainty) const {
-    const double shown = uncertainty * scale.per_native;
-    return shown > rounding_noise ? decimals_for(shown, options.uncertainty_digits)
-                                  : std::max(0, *options.deviation_decimals + scale.further_decimals);
+  int value_decimals(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessment& assessment) const {
+    return parameter_decimals(parameter, assessment, kind, options);
   }
   std::string number(double native, int places) const {
     return format_fixed(native * scale.per_native, places, options.numbers);
@@ -46,34 +38,25 @@ struct RowStyle {
 
 ShownDistribution shown(const ParameterDistribution& d, const RowStyle& style) {
   const auto& s = d.summary;
-  const int places = style.decimals(s.sd);
+  const double low = std::min(d.low, d.value), high = std::max(d.high, d.value);
+  const int places = uncertainty_decimals(Deviation::native((high - low) / 4.0), style.scale, style.options);
+  const int places_of_u = uncertainty_decimals(Deviation::native(s.sd), style.scale, style.options);
   const auto number = [&](double native) { return style.number(native, places); };
-  const bool outside = d.value < s.symmetric.lower || d.value > s.symmetric.upper;
-  return {number(s.mean),
-          s.sd == 0.0 ? "0" : number(s.sd),
-          number(d.bias()),
-          number(s.symmetric.lower),
-          number(s.symmetric.upper),
-          number(s.shortest.lower),
-          number(s.shortest.upper),
-          shown_short(s.tolerance * style.scale.per_native, style.options, 1),
-          s.stable,
-          outside};
+  const bool outside = d.value < d.low || d.value > d.high;
+  return {number(s.mean),   s.sd == 0.0 ? "0" : style.number(s.sd, places_of_u),
+          number(d.bias()), number(low),
+          number(high),     shown_short(s.tolerance * style.scale.per_native, style.options, 1),
+          s.stable,         outside};
 }
 
 MethodRow row(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessment& assessment, const RowStyle& style) {
   MethodRow row;
   row.parameter = &parameter;
   std::optional<double> half;
-  std::optional<int> places;
-  const auto see = [&](double uncertainty) {
-    places = std::max(places.value_or(style.decimals(uncertainty)), style.decimals(uncertainty));
-  };
   if (assessment.monte_carlo) {
-    if (const auto& d = assessment.monte_carlo->distributions[index_of(parameter)]) {
+    if (const auto& d = assessment.monte_carlo->distributions[iso230_2::index_of(parameter)]; d && d->refusal.empty()) {
       row.monte_carlo = shown(*d, style);
       if (comparable(assessment.monte_carlo->coverage)) half = half_width(*d);
-      see(d->summary.sd);
     }
   }
   if (const auto* gum = assessment.gum ? assessment.gum->find(parameter.key) : nullptr) {
@@ -81,15 +64,13 @@ MethodRow row(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessme
     row.gum_U = shown_uncertainty(U, style.scale, style.options);
     if (half) row.gum_width = width_words(U.in_native(), *half, style.options);
     if (!half && !row.monte_carlo) half = U.in_native();
-    see(U.in_native());
   }
   if (const auto U = assessment.annex_a ? assessment.annex_a->U.*parameter.member : std::nullopt) {
     row.annex_a_U = shown_uncertainty(*U, style.scale, style.options);
     if (half) row.annex_a_width = width_words(U->in_native(), *half, style.options);
-    see(U->in_native());
   }
   const double value = (assessment.evaluation.parameters.*parameter.member)->in_native();
-  row.value = style.number(value, places.value_or(style.decimals(0.0)));
+  row.value = style.number(value, style.value_decimals(parameter, assessment));
   return row;
 }
 
@@ -97,7 +78,7 @@ MethodRow row(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessme
 
 std::vector<MethodRow> method_rows(const iso230_2::Assessment& assessment, AxisKind kind, const Options& asked) {
   const Options options = fitted(asked, assessment.evaluation.parameters);
-  const RowStyle style{options, parameter_scale(kind, options.unit)};
+  const RowStyle style{options, parameter_scale(kind, options.unit), kind};
   std::vector<MethodRow> rows;
   for (const auto& parameter : iso230_2::parameters)
     if (assessment.evaluation.parameters.*parameter.member) rows.push_back(row(parameter, assessment, style));
@@ -115,16 +96,38 @@ std::string width_words(double U, double half_width, const Options& options) {
   return fmt::format("{}× {}", format_fixed(ratio, std::max(0, decimals_for(ratio, 2)), options.numbers), which);
 }
 
-std::string measurand_statement(iso230_2::Measurand measurand, std::size_t runs) {
+std::string measurand_statement(iso230_2::Measurand measurand, std::size_t runs, bool uncorrected) {
+  std::string text;
   if (measurand == iso230_2::Measurand::this_test)
-    return "The uncertainty is that of this test: by how much the parameters may differ from those that the same "
-           "approaches would have given with perfect instruments at 20 °C. The scatter of the machine itself is part "
-           "of the result and not of its uncertainty.";
-  return fmt::format(
-      "The uncertainty is that of this machine: by how much the parameters of this test may differ from those that "
-      "the axis has in the long run. Besides instruments and temperature it counts that {} {} per direction {} only a "
-      "sample.",
-      runs, runs == 1 ? "approach" : "approaches", runs == 1 ? "is" : "are");
+    text =
+        "The uncertainty is that of this test: by how much the parameters may differ from those that the same "
+        "approaches would have given with perfect instruments at 20 °C. The scatter of the machine itself is part "
+        "of the result and not of its uncertainty.";
+  else
+    text = fmt::format(
+        "The uncertainty is that of this machine: by how much the parameters of this test may differ from those that "
+        "the axis has in the long run. Besides instruments and temperature it counts that {} {} per direction {} only "
+        "a "
+        "sample.",
+        runs, runs == 1 ? "approach" : "approaches", runs == 1 ? "is" : "are");
+  if (uncorrected)
+    text += " What the findings tell as not corrected is not in it: without a correction it does not hold.";
+  return text;
+}
+
+std::string method_statement(const iso230_2::Assessment& assessment) {
+  const auto method = iso230_2::method_of_record(assessment);
+  if (!method) return "";
+  return fmt::format("Method of record: {}. It alone stands with the results and decides; others are for comparison.",
+                     iso230_2::method_title(*method));
+}
+
+std::string hypothesis_statement(const iso230_2::Assessment& assessment) {
+  const auto* run = iso230_2::run_with_intervals(assessment);
+  if (run == nullptr || std::ranges::count(run->hypotheses, false, &iso230_2::NoiseHypothesis::refuted) < 2) return "";
+  return "u, mean, bias and the histogram are those of one hypothesis about the noise, of each parameter the one with "
+         "the "
+         "largest u; the interval holds for all of them, and for noise of any size up to what they say";
 }
 
 std::string trials_statement(const iso230_2::MonteCarlo& monte_carlo) {
@@ -139,6 +142,12 @@ std::string trials_statement(const iso230_2::MonteCarlo& monte_carlo) {
     if (const auto& d = monte_carlo.distributions[p]; d && !d->summary.stable)
       symbols.append(symbols.empty() ? "" : ", ").append(iso230_2::parameters[p].symbol);
   return text + "; not stable within the numerical tolerance: " + symbols;
+}
+
+std::string refusal_statement(const iso230_2::MonteCarlo& monte_carlo) {
+  for (const auto& d : monte_carlo.distributions)
+    if (d && !d->refusal.empty()) return std::string(iso230_2::refusal_sentence) + d->refusal;
+  return "";
 }
 
 std::string type_a_statement(const iso230_2::MonteCarlo& monte_carlo) {
@@ -157,7 +166,7 @@ std::string outside_statement(std::span<const MethodRow> rows) {
     if (row.monte_carlo && row.monte_carlo->value_outside)
       symbols.append(symbols.empty() ? "" : ", ").append(row.parameter->symbol);
   if (symbols.empty()) return "";
-  return "Measured values outside their own interval, since known noise or systematic inputs explain part of them: " +
+  return "Intervals widened to hold the measured value, of which known noise or systematic inputs explain a part: " +
          symbols;
 }
 
@@ -214,7 +223,7 @@ std::vector<Contribution> gum_contributions(const iso230_2::GumUncertainty& gum)
   std::vector<Contribution> all;
   for (std::size_t k = 0; k < gum.sources.size(); ++k) {
     Contribution own{gum.sources[k].key, gum.sources[k].title, {}};
-    for (const auto& p : gum.parameters) own.u[index_of(*p.parameter)] = p.contributions[k].in_native();
+    for (const auto& p : gum.parameters) own.u[iso230_2::index_of(*p.parameter)] = p.contributions[k].in_native();
     all.push_back(std::move(own));
   }
   return all;
@@ -235,9 +244,15 @@ void drop_rounding(std::vector<Contribution>& all) {
 
 }  // namespace
 
+iso230_2::UncertaintyMethod contributing_method(const iso230_2::Assessment& assessment) {
+  const auto* run = iso230_2::run_with_intervals(assessment);
+  return run != nullptr && !run->contributions.empty() ? iso230_2::UncertaintyMethod::monte_carlo
+                                                       : iso230_2::UncertaintyMethod::gum;
+}
+
 std::vector<Contribution> contributions(const iso230_2::Assessment& assessment) {
   std::vector<Contribution> all;
-  if (assessment.monte_carlo) all = assessment.monte_carlo->contributions;
+  if (const auto* run = iso230_2::run_with_intervals(assessment)) all = run->contributions;
   if (all.empty() && assessment.gum) all = gum_contributions(*assessment.gum);
   drop_rounding(all);
   const auto order = main_parameters(assessment.evaluation.parameters);
@@ -254,7 +269,7 @@ std::vector<std::size_t> main_parameters(const iso230_2::AxisParameters& measure
     std::vector<std::size_t> found;
     for (std::string_view key : keys) {
       const auto& parameter = *iso230_2::find_parameter(key);
-      if (measured.*parameter.member) found.push_back(index_of(parameter));
+      if (measured.*parameter.member) found.push_back(iso230_2::index_of(parameter));
     }
     return found;
   };

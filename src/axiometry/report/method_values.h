@@ -14,22 +14,22 @@
 /// numbers and say the same sentences.
 namespace axiometry::report {
 
-/// What the Monte Carlo method says about one parameter. All numbers end where u does.
+/// What the Monte Carlo method says about one parameter. Mean, bias and interval end where a quarter of
+/// the interval's width does, u where it does itself.
 struct ShownDistribution {
   std::string mean;
   std::string u;
-  std::string bias;  ///< value − mean
-  std::string lower, upper;
-  std::string shortest_lower, shortest_upper;
+  std::string bias;            ///< value − mean
+  std::string lower, upper;    ///< of the interval that is stated, which holds the value
   std::string tolerance;       ///< δ of JCGM 101, 7.9.2; the half of the last place shown where it is met
   bool stable = false;         ///< whether δ is met
-  bool value_outside = false;  ///< whether the measured value lies outside the symmetric interval
+  bool value_outside = false;  ///< whether the interval had to be widened to hold the measured value
 };
 
 /// One parameter by every method that was run.
 struct MethodRow {
   const iso230_2::ParameterInfo* parameter = nullptr;
-  std::string value;      ///< ends where the smallest of the uncertainties does
+  std::string value;      ///< as show() shows it
   std::string annex_a_U;  ///< k = 2; empty where the method says nothing
   std::string gum_U;      ///< likewise
   std::optional<ShownDistribution> monte_carlo;
@@ -44,16 +44,27 @@ std::vector<MethodRow> method_rows(const iso230_2::Assessment& assessment, AxisK
 /// one of them is zero.
 std::string width_words(double U, double half_width, const Options& options);
 
-/// Two whole sentences: which question the uncertainty answers. `runs`: approaches per direction.
-std::string measurand_statement(iso230_2::Measurand measurand, std::size_t runs);
+/// Whole sentences: which question the uncertainty answers. `runs`: approaches per direction. Says where the value
+/// still holds effects that were not corrected, for which no uncertainty stands.
+std::string measurand_statement(iso230_2::Measurand measurand, std::size_t runs, bool uncorrected);
+
+/// Which of the methods is that of record, a sentence; empty where nothing was estimated.
+std::string method_statement(const iso230_2::Assessment& assessment);
+
+/// Whose u, mean and histogram stand beside an interval that holds for several hypotheses; empty where there is one.
+/// Without full stop.
+std::string hypothesis_statement(const iso230_2::Assessment& assessment);
 
 /// "1 000 000 trials, as asked for" or how an adaptive run ended. Without full stop.
 std::string trials_statement(const iso230_2::MonteCarlo& monte_carlo);
 
+/// Why a run states no interval; empty where it states one. Without full stop.
+std::string refusal_statement(const iso230_2::MonteCarlo& monte_carlo);
+
 /// How the sampling of the approaches enters; empty for this_test.
 std::string type_a_statement(const iso230_2::MonteCarlo& monte_carlo);
 
-/// "Measured values outside their own interval, …: R, R↑"; empty where there is none. Without full stop.
+/// "Intervals widened to hold the measured value, …: R, R↑"; empty where there is none. Without full stop.
 std::string outside_statement(std::span<const MethodRow> rows);
 
 /// "uniform from −0.85 to 0.85", to five digits.
@@ -67,6 +78,8 @@ std::string shown_percent(double share, const Options& options);
 /// Whole number with thin spaces: "1 000 000".
 std::string shown_count(std::size_t count);
 
+/// The method that contributions() are from.
+iso230_2::UncertaintyMethod contributing_method(const iso230_2::Assessment& assessment);
 /// What each input contributes, from the Monte Carlo method or, where that does not say, from the GUM's budget;
 /// largest first for the first of main_parameters(). Inputs without effect on any parameter come last.
 std::vector<iso230_2::Contribution> contributions(const iso230_2::Assessment& assessment);

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 
+#include "axiometry/report/claim_text.h"
 #include "axiometry/report/figures/conformity.h"
 #include "axiometry/report/figures/contribution.h"
 #include "axiometry/report/figures/distribution.h"
+#include "axiometry/report/figures/drift_recording.h"
 #include "axiometry/report/figures/figures.h"
 #include "axiometry/report/figures/plate.h"
 #include "axiometry/report/figures/symbols.h"
@@ -30,15 +32,15 @@ std::string subject_line(const Metadata& metadata, const Options& options) {
   return line;
 }
 
-std::string status_line(const iso230_2::Assessment& assessment, const Axis& axis) {
-  if (assessment.conforming()) return fmt::format("Evaluated according to {}", edition_of(axis));
+std::string status_line(const Subject& subject) {
+  const iso230_2::Claims claims = iso230_2::claims_of(subject.test, subject.assessment);
+  const std::string standing = standing_text(claims, subject.test.metadata.axis);
   std::vector<std::string> clauses;
-  for (const iso230_2::Finding& finding : assessment.findings) {
+  for (const iso230_2::Finding& finding : claim(claims, iso230_2::ClaimKind::tested).against) {
     const bool departs = finding.severity == iso230_2::Severity::departure;
     if (departs && std::ranges::find(clauses, finding.clause) == clauses.end()) clauses.push_back(finding.clause);
   }
-  return fmt::format("Evaluated with the formulas of {}; not an {} result (departs from {})", edition_of(axis),
-                     standard_of(axis), fmt::join(clauses, ", "));
+  return clauses.empty() ? standing : fmt::format("{} (departs from {})", standing, fmt::join(clauses, ", "));
 }
 
 Text text(std::string_view line, Point at, double size, Colour colour, bool bold) {
@@ -88,10 +90,10 @@ Figure picture(const Subject& subject, const Options& options) {
   if (auto conformity = conformity_figure(subject, options)) parts.push_back(*std::move(conformity));
   if (auto distributions = distribution_figure(subject, options)) parts.push_back(*std::move(distributions));
   if (auto contributions = contribution_figure(subject, options)) parts.push_back(*std::move(contributions));
+  if (auto recording = drift_recording_figure(subject, options)) parts.push_back(*std::move(recording));
   for (Figure& part : parts) part = with_words_translated(std::move(part), options);
   return on_paper(std::move(parts), {subject_line(subject.test.metadata, options),
-                                     translated(status_line(subject.assessment, subject.test.metadata.axis), options),
-                                     subject.test.metadata.conditions.date});
+                                     translated(status_line(subject), options), subject.test.metadata.conditions.date});
 }
 
 Figure picture(const Document& document) {

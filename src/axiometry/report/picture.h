@@ -8,7 +8,7 @@
 namespace axiometry::report {
 
 /// All figures of a subject as one picture on white, headed by what was tested and whether the result
-/// may be called an ISO 230-2 result: a picture travels without its report.
+/// may be called tested after the standard: a picture travels without its report.
 Figure picture(const Subject& subject, const Options& options);
 
 /// The figures of a document in the same way.

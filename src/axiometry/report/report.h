@@ -9,7 +9,9 @@
 #include "axiometry/base/result.h"
 #include "axiometry/language/language.h"
 #include "axiometry/model/test.h"
+#include "axiometry/report/verified.h"
 #include "axiometry/standards/iso230_2_assessment.h"
+#include "axiometry/standards/iso230_2_record.h"
 #include "axiometry/standards/iso230_2_tolerance.h"
 
 namespace axiometry::report {
@@ -36,15 +38,11 @@ struct Subject {
   const Test& test;
   const iso230_2::Assessment& assessment;
   std::span<const iso230_2::Judgement> judgements;
+  std::optional<VerifiedFigures> verified{};  ///< where all of it was recomputed before
 };
 
-/// Where the uncertainty beside a value comes from: Annex A where it was estimated, since that is what the standard
-/// asks for, else the GUM, else the Monte Carlo method.
-enum class UncertaintyShown { none, annex_a, gum, monte_carlo };
-UncertaintyShown uncertainty_shown(const iso230_2::Assessment& assessment);
-
-/// Parameter value and uncertainty as shown to people: U to `uncertainty_digits` significant digits,
-/// the value to U's last place; without U to `deviation_decimals`.
+/// Parameter value and uncertainty of record (iso230_2_record.h) as shown to people: U to `uncertainty_digits`
+/// significant digits, the value to U's last place; without U to `deviation_decimals`.
 struct ShownParameter {
   std::string value;       ///< "9.6"; "not applicable" where the parameter does not exist
   std::string U;           ///< "4.3" or ""; of Annex A or the GUM

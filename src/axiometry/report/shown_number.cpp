@@ -27,8 +27,20 @@ ParameterScale parameter_scale(AxisKind kind, DisplayUnit unit) {
   return {deviation_unit(kind), 1.0, 0};
 }
 
+int uncertainty_decimals(Deviation uncertainty, const ParameterScale& scale, const Options& options) {
+  constexpr double rounding_noise = 1e-6;  // native
+  return uncertainty.in_native() > rounding_noise
+             ? decimals_for(uncertainty.in_native() * scale.per_native, options.uncertainty_digits)
+             : std::max(0, *options.deviation_decimals + scale.further_decimals);
+}
+
 std::string shown_deviation(Deviation deviation, const Options& options) {
   return format_fixed(deviation.in_native(), *options.deviation_decimals, options.numbers);
+}
+
+std::string shown_limit(Deviation limit, const ParameterScale& scale, const Options& options) {
+  constexpr int digits_of_decimals = 12;  // more would show what the conversion of units leaves
+  return shown_short(limit.in_native() * scale.per_native, options, digits_of_decimals);
 }
 
 std::string shown_uncertainty(Deviation U, const ParameterScale& scale, const Options& options) {

@@ -21,8 +21,21 @@ struct ParameterScale {
 };
 ParameterScale parameter_scale(AxisKind kind, DisplayUnit unit);
 
+/// Where an uncertainty of two digits ends, and what stands beside it; below a picometre, which is what rounding leaves
+/// of none, where deviations do. Contract: deviation_decimals are chosen.
+int uncertainty_decimals(Deviation uncertainty, const ParameterScale& scale, const Options& options);
+
+/// Where the value of a parameter ends wherever it is shown to people: where the uncertainty beside it does, else with
+/// the deviations. Negative for tens, hundreds.
+int parameter_decimals(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessment& assessment, AxisKind kind,
+                       const Options& options);
+
 /// To Options::deviation_decimals (contract: chosen), in the native unit.
 std::string shown_deviation(Deviation deviation, const Options& options);
+
+/// A limit with every digit that it was stated with, in the unit of the scale: no value may seem to keep one that it
+/// exceeds.
+std::string shown_limit(Deviation limit, const ParameterScale& scale, const Options& options);
 
 /// A contribution to the uncertainty to Options::uncertainty_digits, in the unit of the scale.
 std::string shown_uncertainty(Deviation U, const ParameterScale& scale, const Options& options);

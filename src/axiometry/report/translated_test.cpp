@@ -3,6 +3,7 @@
 // Reports of many kinds in German: nothing in them stays English but what the user wrote.
 #include "axiometry/report/translated.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -134,9 +135,7 @@ void expect_german(const Reported& reported) {
 }
 
 Reported with_methods(Reported reported, bool gum, bool monte_carlo) {
-  if (gum)
-    reported.assessment.gum =
-        iso230_2::gum(reported.test.metadata, reported.test.series, reported.assessment.evaluation).value();
+  if (gum) reported.assessment.gum = iso230_2::gum(reported.test, reported.assessment.evaluation).value();
   if (monte_carlo) {
     reported.assessment.monte_carlo = made_up_monte_carlo(reported.assessment.evaluation);
     reported.assessment.monte_carlo->notes.clear();
@@ -379,7 +378,7 @@ TEST(GermanPicture, HasGermanTitles) {
   Reported report = reported_table2();
   report.options = in_german;
   EXPECT_THAT(report.written("svg"), HasSubstr("Bild 3b."));
-  EXPECT_THAT(report.written("svg"), HasSubstr("Ausgewertet nach ISO 230-2:2014"));
+  EXPECT_THAT(report.written("svg"), HasSubstr("Geprüft in Übereinstimmung mit ISO 230-2:2014"));
 }
 
 TEST(GermanPlanSheet, SaysItsLabelInTheFootToo) {

@@ -71,7 +71,7 @@ void set_estimators(PositionResult& position, Value s_up, Value s_down) {
   position.s_down = s_down;
   position.R_up = s_up ? some(width * s_up->in_native()) : std::nullopt;
   position.R_down = s_down ? some(width * s_down->in_native()) : std::nullopt;
-  const bool exists = position.reversal && (s_up || s_down);
+  const bool exists = position.reversal && s_up && s_down;
   position.R = exists ? some(repeatability_bound(position)) : std::nullopt;
 }
 

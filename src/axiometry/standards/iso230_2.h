@@ -37,7 +37,8 @@ struct PositionResult {
   std::optional<Deviation> s_down;     ///< s_i↓, 3.18
   std::optional<Deviation> R_up;       ///< R_i↑ = 4 s_i↑, 3.19
   std::optional<Deviation> R_down;     ///< R_i↓ = 4 s_i↓, 3.19
-  std::optional<Deviation> R;  ///< R_i, 3.20: the largest of 2s_i↑ + 2s_i↓ + |B_i|, R_i↑, R_i↓; needs B_i
+  /// R_i, 3.20: the largest of 2s_i↑ + 2s_i↓ + |B_i|, R_i↑, R_i↓; needs s_i of both directions, and so B_i.
+  std::optional<Deviation> R;
 };
 
 /// The parameters of the axis (3.16 to 3.27). Absent means "not applicable": a bidirectional one
@@ -115,8 +116,8 @@ struct Evaluation {
 /// Where readings are missing, each parameter is taken over the targets where its terms exist. E needs
 /// both directions; A some s_i in both; M, B and B̄ a target with both; R that and some s_i in both
 /// directions. Where some s_i exist and another does not, 0 stands for it, and in R for the B_i of a target
-/// with one direction: this keeps the ordering below and makes the result a lower bound. assess() then
-/// marks it as departing from the standard.
+/// with one direction: this keeps the ordering below and makes the result a lower bound, also of targets that have
+/// no R_i of their own. assess() then marks it as departing from the standard.
 ///
 /// Checked on every result (contract): E ≥ E↑, E↓, M, B; A ≥ E, A↑, A↓, R; R ≥ R↑, R↓, B; |B̄| ≤ B.
 ///

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 
+#include "axiometry/base/decimal_tie.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/standards/iso230_2_programme.h"
@@ -230,7 +231,11 @@ Result<Test> apply_artefact(Test test) {
                   const double distance = calibrated[i] - calibrated[0];
                   const double strain = temperature ? temperature->strain(reading.share) : 0.0;
                   const double deviation = ((distance - nominal) + distance * strain) * um_per_mm - reading.deviation;
-                  return deviation - reading.deviation;
+                  // Four positions and three operations, each half an ulp of the largest of them; twice that.
+                  const double magnitude =
+                      (std::abs(calibrated[i]) + std::abs(calibrated[0]) + std::abs(nominal)) * um_per_mm;
+                  return (strain == 0.0 ? nearest_decimal(deviation, 4.0 * unit_roundoff * magnitude) : deviation) -
+                         reading.deviation;
                 }));
   record.smallest = changed.smallest;
   record.largest = changed.largest;

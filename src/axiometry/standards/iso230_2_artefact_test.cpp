@@ -225,17 +225,18 @@ TEST(ArtefactUncertainty, TakesTheDevicesPlaceInAnnexA) {
   ASSERT_TRUE(annex);
   const Contributor& device = annex->budget.front();
   EXPECT_EQ(device.title, "Calibration of the artefact");
-  EXPECT_NEAR(device.U->in_native(), std::hypot(0.8, 2.0 * 0.5), 1e-12);
+  EXPECT_NEAR(device.U->in_native(), 0.8 + 2.0 * 0.5, 1e-12) << "a + b·L unless the certificate says otherwise";
   const Contributor& probing = annex->budget.back();
   EXPECT_EQ(probing.key, "probing");
-  EXPECT_NEAR(annex->U.E->in_native(), std::sqrt(0.64 + 1.0 + 0.36), 1e-12);
+  EXPECT_NEAR(annex->U.E->in_native(), std::sqrt(1.8 * 1.8 + 0.36), 1e-12);
   EXPECT_NEAR(annex->U.B->in_native(), std::sqrt(2.0) * 0.6, 1e-12);
   EXPECT_FALSE(annex->U.R);  // nothing known acts on it
   EXPECT_THAT(annex->notes, Contains(HasSubstr("takes the place of the measuring device")));
 }
 
 TEST(ArtefactUncertainty, ReachesTheGumAndMonteCarloThroughTheOneList) {
-  const axiometry::Test test = with_uncertainty();
+  axiometry::Test test = with_uncertainty();
+  test.metadata.artefact.calibration_sum = CalibrationSum::quadratic;
   const auto inputs = uncertainty_inputs(test.metadata, test.series);
   ASSERT_TRUE(inputs);
   const auto input = [&](std::string_view key) {
@@ -250,13 +251,13 @@ TEST(ArtefactUncertainty, ReachesTheGumAndMonteCarloThroughTheOneList) {
   EXPECT_EQ(input("probing").effect, Effect::target_direction);
 
   const auto evaluation = evaluate(test.series);
-  const auto by_gum = gum(test.metadata, test.series, evaluation);
+  const auto by_gum = gum(test, evaluation);
   ASSERT_TRUE(by_gum && *by_gum);
   // M lies between the ends of the travel: scale 1 µm/m over 0.5 m, calibration of two places, probing averaged over
   // both sides.
   const double expected = std::sqrt(0.25 + 2.0 * 0.16 + 2.0 * 0.09 / 2.0);
   EXPECT_NEAR((*by_gum)->find("M")->uncertainty.u.in_native(), expected, 0.02);
-  const auto by_trials = monte_carlo(test.metadata, test.series, evaluation, {});
+  const auto by_trials = monte_carlo(test, evaluation, {});
   ASSERT_TRUE(by_trials && *by_trials);
 }
 
@@ -283,6 +284,18 @@ TEST(ArtefactUncertainty, IsAbsentWithoutAnArtefact) {
   const auto annex = annex_a(test.metadata, test.series, evaluate(test.series));
   EXPECT_EQ(annex->budget.size(), 7u);
   EXPECT_EQ(annex->budget.front().title, "Measuring device");
+}
+
+/// Calibrated less indicated positions are decimals as both of them are: no binary rounding lifts E over its limit.
+TEST(Artefact, GivesDeviationsAsTheDecimalsOfBothPositions) {
+  axiometry::Test test{
+      {}, make_series({0, 50, 100, 150, 200}, {{-4.8, -4.4, -2.1, 3.4, -3.2}}, {{-0.1, -4.2, -0.8, 2.8, -1.9}}), {}};
+  test.metadata.artefact.type = "ball array";
+  test.metadata.artefact.calibrated_positions = {-0.0026, 49.9978, 100.0009, 150.0009, 199.9998};
+  const axiometry::Test made = apply_artefact(test).value();
+  EXPECT_NEAR(made.series.cell(0, Direction::up)[0], 4.8, 1e-15);
+  EXPECT_NEAR(made.series.cell(3, Direction::up)[0], 0.1, 1e-15);
+  EXPECT_NEAR(made.series.cell(4, Direction::down)[0], 4.3, 2e-15);
 }
 
 }  // namespace

@@ -20,6 +20,12 @@ std::string_view label_of(const Metadata& metadata, const Series& series) {
   return both ? "" : "one direction of approach only, not for acceptance";
 }
 
+/// How the inputs of the uncertainty were resolved, where that is not plain.
+void add_input_remarks(std::vector<Finding>& findings, const ResolvedInputs& inputs) {
+  for (const ResolvedRemark& remark : inputs.remarks)
+    findings.push_back({"8.2.1", remark.missing ? Severity::missing : Severity::note, remark.message});
+}
+
 /// What the reader of the file had to say and what else must be known of the readings, each among its like. They rest
 /// on no clause.
 void add_remarks(std::vector<Finding>& findings, const Test& test, Depth depth) {
@@ -53,10 +59,18 @@ bool Assessment::conforming() const {
 Assessment assess(const Test& test, Depth depth) {
   Assessment result;
   result.evaluation = evaluate(test.series);
-  result.annex_a = annex_a(test.metadata, test.series, result.evaluation);
+  result.inputs = resolve_inputs(test.metadata, test.series, test.provenance.stated);
+  result.annex_a = annex_a(test.metadata, test.series, result.evaluation, test.provenance.stated);
   result.findings = find_departures(test.metadata, test.series, result.evaluation, result.annex_a, depth);
   if (depth == Depth::every_finding)
     for (Finding& finding : artefact_findings(test)) result.findings.push_back(std::move(finding));
+  result.method_of_record = test.metadata.gum.method;
+  result.uncorrected = uncorrected_effects(test);
+  if (depth == Depth::every_finding)
+    for (const UncorrectedEffect& effect : result.uncorrected)
+      result.findings.push_back(
+          {"4.1", Severity::note, effect.reason() + "; no verdict on which it could matter is given"});
+  if (depth == Depth::every_finding) add_input_remarks(result.findings, result.inputs);
   add_remarks(result.findings, test, depth);
   std::ranges::stable_sort(result.findings, {}, &Finding::severity);
   result.label = label_of(test.metadata, test.series);

@@ -85,6 +85,39 @@ std::string size_text(double x) {
   return (x < 0.0 ? "−" : "") + format_exact(std::round(std::abs(x) * power) / power);
 }
 
+namespace {
+
+// Of a deviation within a message: its text, and its value for who shows it otherwise. No text has such bytes.
+constexpr char text_mark = '\x01';
+constexpr char value_mark = '\x02';
+constexpr char end_mark = '\x03';
+
+}  // namespace
+
+std::string deviation_text(AxisKind kind, double x) {
+  return fmt::format("{}{} {}{}{}{}", text_mark, size_text(x), deviation_unit(kind), value_mark, format_exact(x),
+                     end_mark);
+}
+
+std::string deviation_text(const Case& c, double x) { return deviation_text(c.kind(), x); }
+
+Finding finding(std::string clause, Severity severity, std::string_view marked) {
+  Finding result{std::move(clause), severity, {}};
+  while (!marked.empty()) {
+    const std::size_t start = marked.find(text_mark);
+    result.message += marked.substr(0, start);
+    if (start == std::string_view::npos) break;
+    const std::size_t value = marked.find(value_mark, start), end = marked.find(end_mark, start);
+    AXIOMETRY_CONTRACT(value != std::string_view::npos && end != std::string_view::npos && value < end);
+    const auto x = parse_number(marked.substr(value + 1, end - value - 1));
+    AXIOMETRY_CONTRACT(x.has_value());
+    result.deviations.push_back({result.message.size(), value - start - 1, Deviation::native(*x)});
+    result.message += marked.substr(start + 1, value - start - 1);
+    marked.remove_prefix(end + 1);
+  }
+  return result;
+}
+
 std::string position_text(AxisKind kind, double position) {
   return figure(position) + (kind == AxisKind::linear ? " mm" : "°");
 }
@@ -101,8 +134,15 @@ std::vector<Finding> find_departures(const Metadata& metadata, const Series& ser
                                      const std::optional<AnnexA>& uncertainty, Depth depth) {
   const rules::Case c = rules::make_case(metadata, series, evaluation, uncertainty);
   std::vector<Finding> in_clause_order;
+  bool drift_told = false;
   for (const auto& [rule, departs] : rules::every_rule) {
     if (!departs && depth == Depth::departures_only) continue;
+    if (rule == rules::straight_slope)
+      for (Finding& finding : rules::scatter_findings(c)) {  // several of one rule
+        drift_told = drift_told || finding.clause == rules::progression_clause;
+        in_clause_order.push_back(std::move(finding));
+      }
+    if (rule == rules::ordered_progression && drift_told) continue;  // the same, with its size
     auto finding = rule(c);
     if (!finding) continue;
     AXIOMETRY_CONTRACT(departs || finding->severity != Severity::departure);

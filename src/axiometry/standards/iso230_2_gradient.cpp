@@ -4,30 +4,38 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace axiometry::iso230_2 {
 namespace {
 
 using Terms = std::initializer_list<CellTerm>;
 
-/// The largest value seen, with what it depends on.
+/// The largest values seen, as far as rounding cannot tell them apart, with what each depends on.
 class Largest {
  public:
-  void see(double value, Terms terms) {
-    if (value_ && *value_ >= value) return;
-    value_ = value;
-    terms_ = terms;
+  void see(double value, Terms terms) { seen_.push_back({value, terms}); }
+  void see(const Largest& other) { seen_.insert(seen_.end(), other.seen_.begin(), other.seen_.end()); }
+
+  std::vector<Gradient> terms(double bound) const {
+    std::vector<Gradient> tied;
+    if (seen_.empty()) return tied;
+    const double largest = std::ranges::max_element(seen_, {}, &Seen::value)->value;
+    for (const Seen& seen : seen_)
+      if (seen.value >= largest - bound) tied.push_back(seen.terms);
+    if (tied.size() > 2 * tied_at_each_end) tied.erase(tied.begin() + tied_at_each_end, tied.end() - tied_at_each_end);
+    return tied;
   }
-  void see(const Largest& other) {
-    if (!other.value_ || (value_ && *value_ >= *other.value_)) return;
-    *this = other;
-  }
-  const Gradient& terms() const { return terms_; }
 
  private:
-  std::optional<double> value_;
-  Gradient terms_;
+  static constexpr std::ptrdiff_t tied_at_each_end = 8;
+  struct Seen {
+    double value = 0.0;
+    Gradient terms;
+  };
+  std::vector<Seen> seen_;
 };
 
 /// Terms of the same target and direction in one, without those that have cancelled.
@@ -57,10 +65,16 @@ struct Range {
     largest.see(other.largest);
     smallest.see(other.smallest);
   }
-  Gradient terms() const {
-    Gradient all = largest.terms();
-    all.insert(all.end(), smallest.terms().begin(), smallest.terms().end());
-    return merged(std::move(all));
+  std::vector<Gradient> terms(double bound) const {
+    std::vector<Gradient> combinations;
+    const std::vector<Gradient> smallest_terms = smallest.terms(bound);
+    for (const Gradient& high : largest.terms(bound))
+      for (const Gradient& low : smallest_terms) {
+        Gradient all = high;
+        all.insert(all.end(), low.begin(), low.end());
+        combinations.push_back(merged(std::move(all)));
+      }
+    return combinations;
   }
 };
 
@@ -88,18 +102,20 @@ struct BothParts {
   Largest B;
   Largest R;
 
-  void see(std::size_t i, const PositionResult& p) {
+  void see(std::size_t i, const PositionResult& p, double bound) {
     using enum Direction;
     if (!p.reversal) return;
     const double mean = p.mean->in_native();
     const double reversal = p.reversal->in_native();
-    const double sign = reversal < 0.0 ? -1.0 : 1.0;
     means.largest.see(mean, {{i, up, 0.5, 0.0}, {i, down, 0.5, 0.0}});
     means.smallest.see(-mean, {{i, up, -0.5, 0.0}, {i, down, -0.5, 0.0}});
-    B.see(std::abs(reversal), {{i, up, sign, 0.0}, {i, down, -sign, 0.0}});
     const double s = (p.s_up ? p.s_up->in_native() : 0.0) + (p.s_down ? p.s_down->in_native() : 0.0);
-    R.see(coverage_factor * s + std::abs(reversal),
-          {{i, up, sign, p.s_up ? coverage_factor : 0.0}, {i, down, -sign, p.s_down ? coverage_factor : 0.0}});
+    for (const double sign : {1.0, -1.0}) {
+      if (sign * reversal < -bound) continue;  // a reversal of 0 has both signs
+      B.see(std::abs(reversal), {{i, up, sign, 0.0}, {i, down, -sign, 0.0}});
+      R.see(coverage_factor * s + std::abs(reversal),
+            {{i, up, sign, p.s_up ? coverage_factor : 0.0}, {i, down, -sign, p.s_down ? coverage_factor : 0.0}});
+    }
   }
 };
 
@@ -117,7 +133,26 @@ Gradient mean_reversal(const std::vector<PositionResult>& positions) {
 
 }  // namespace
 
-std::array<Gradient, std::size(parameters)> parameter_gradients(const Evaluation& evaluation) {
+double tie_bound(const Evaluation& evaluation) {
+  constexpr double native_per_position = 3600.0;  // ″ per °; µm per mm are fewer
+  double largest = 0.0;
+  double n = 0.0;
+  for (const PositionResult& p : evaluation.positions) {
+    const double count = static_cast<double>(std::max(p.count_up, p.count_down));
+    n = std::max(n, count);
+    const double position = native_per_position * std::abs(p.target.in_native());
+    for (const auto& [mean, s] : {std::pair(p.mean_up, p.s_up), std::pair(p.mean_down, p.s_down)}) {
+      if (!mean) continue;
+      // No reading is farther from the mean than √n s.
+      const double spread = s ? std::sqrt(count) * s->in_native() : 0.0;
+      largest = std::max(largest, std::abs(mean->in_native()) + spread + position);
+    }
+  }
+  return (8.0 * n + 32.0) * std::numeric_limits<double>::epsilon() * largest;
+}
+
+std::array<std::vector<Gradient>, std::size(parameters)> parameter_gradients(const Evaluation& evaluation) {
+  const double bound = tie_bound(evaluation);
   DirectionParts up;
   DirectionParts down;
   BothParts both;
@@ -125,7 +160,7 @@ std::array<Gradient, std::size(parameters)> parameter_gradients(const Evaluation
     const PositionResult& p = evaluation.positions[i];
     up.see(i, Direction::up, p.mean_up, p.s_up);
     down.see(i, Direction::down, p.mean_down, p.s_down);
-    both.see(i, p);
+    both.see(i, p, bound);
   }
   Range E = up.means;
   E.see(down.means);
@@ -136,10 +171,18 @@ std::array<Gradient, std::size(parameters)> parameter_gradients(const Evaluation
   R.see(down.R);
 
   // In the order of `parameters`.
-  std::array<Gradient, std::size(parameters)> gradients = {
-      A.terms(),        up.boundaries.terms(), down.boundaries.terms(), E.terms(),
-      up.means.terms(), down.means.terms(),    both.means.terms(),      R.terms(),
-      up.R.terms(),     down.R.terms(),        both.B.terms(),          mean_reversal(evaluation.positions)};
+  std::array<std::vector<Gradient>, std::size(parameters)> gradients = {A.terms(bound),
+                                                                        up.boundaries.terms(bound),
+                                                                        down.boundaries.terms(bound),
+                                                                        E.terms(bound),
+                                                                        up.means.terms(bound),
+                                                                        down.means.terms(bound),
+                                                                        both.means.terms(bound),
+                                                                        R.terms(bound),
+                                                                        up.R.terms(bound),
+                                                                        down.R.terms(bound),
+                                                                        both.B.terms(bound),
+                                                                        {mean_reversal(evaluation.positions)}};
   for (std::size_t k = 0; k < gradients.size(); ++k)
     if (!(evaluation.parameters.*parameters[k].member)) gradients[k].clear();
   return gradients;

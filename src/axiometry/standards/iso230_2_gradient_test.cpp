@@ -51,7 +51,8 @@ void expect_derivatives(const Series& series) {
           const double after = (moved(evaluation, i, d, mean, step).*member)->in_native();
           const double quotient = (after - (evaluation.parameters.*member)->in_native()) / step;
           double derivative = 0.0;
-          for (const CellTerm& term : gradients[k])
+          ASSERT_EQ(gradients[k].size(), 1u) << parameters[k].key << ": nothing is tied";
+          for (const CellTerm& term : gradients[k].front())
             if (term.target == i && term.direction == d) derivative += mean ? term.by_mean : term.by_s;
           EXPECT_NEAR(derivative, quotient, 1e-6) << parameters[k].key << " target " << i << (mean ? " mean" : " s");
         }
@@ -83,8 +84,34 @@ TEST(ParameterGradients, OfAnAxisThatIsExtremeAtOneTargetHoldTheMeanNoMore) {
   const auto series = testing_support::make_series({0, 10}, {{0, -9}, {0, 9}}, {});
   const auto gradients = parameter_gradients(evaluate(series));
   ASSERT_EQ(gradients[1].size(), 1u);
-  EXPECT_EQ(gradients[1][0].by_mean, 0.0);
-  EXPECT_EQ(gradients[1][0].by_s, 4.0);
+  ASSERT_EQ(gradients[1][0].size(), 1u);
+  EXPECT_EQ(gradients[1][0][0].by_mean, 0.0);
+  EXPECT_EQ(gradients[1][0][0].by_s, 4.0);
+}
+
+TEST(ParameterGradients, OfTargetsThatShareAnExtremeAreOneEach) {
+  // 0.1 + 0.2 is not 0.3 in binary: both means of ↑ are 0.3.
+  const auto series = testing_support::make_series({0, 10, 20}, {{0.1, 0.3, -1}, {0.5, 0.3, -1}}, {});
+  const auto gradients = parameter_gradients(evaluate(series));
+  const std::size_t E_up = static_cast<std::size_t>(find_parameter("E_up") - parameters);
+  ASSERT_EQ(gradients[E_up].size(), 2u);
+  EXPECT_EQ(gradients[E_up][0][0].target, 0u);
+  EXPECT_EQ(gradients[E_up][1][0].target, 1u);
+}
+
+TEST(ParameterGradients, AreFewHoweverManyTargetsShareAnExtreme) {
+  const std::vector<double> flat(200, 0.0);
+  std::vector<double> targets;
+  for (int i = 0; i < 200; ++i) targets.push_back(i);
+  const auto gradients =
+      parameter_gradients(evaluate(testing_support::make_series(targets, {flat, flat}, {flat, flat})));
+  for (const auto& tied : gradients) EXPECT_LE(tied.size(), 256u);
+}
+
+TEST(TieBound, IsFarBelowTheLastDigitOfDataAndAboveTheirRounding) {
+  const double bound = tie_bound(evaluate(testing_support::table2::series()));
+  EXPECT_LT(bound, 1e-6);
+  EXPECT_GT(bound, 1e-10);
 }
 
 }  // namespace

@@ -69,10 +69,11 @@ class ParameterBudget {
         return model_.station->sd_mm2[k] *
                std::abs(over_targets([&](std::size_t target) { return model_.station->sensitivity(target); }));
       case Effect::scale: return lever_m_ * u;
+      case Effect::displacement: return is_displacement() ? u : 0.0;
       case Effect::target: return u * of_targets(model_.inputs.up_down_correlation);
       case Effect::target_direction: return u * of_targets(0.0);
       case Effect::run: return u * of_runs();
-      case Effect::reading: return u * of_readings();
+      case Effect::reading: return input.key == "environmental_variation" ? of_environment() : u * of_readings();
     }
     return 0.0;
   }
@@ -112,6 +113,11 @@ class ParameterBudget {
     return sum;
   }
 
+  /// Whether the parameter is a distance between two places; a reversal is not.
+  bool is_displacement() const {
+    return std::ranges::any_of(terms_, [](const TargetTerms& t) { return t.by_mean[0] + t.by_mean[1] != 0.0; });
+  }
+
   double of_targets(double r) const {
     double squares = 0.0;
     // (a + b)² − 2 (1 − r) a b, so that nothing remains of a reversal at r = 1
@@ -146,6 +152,21 @@ class ParameterBudget {
       if (n > 1.0) squares += squared(term.by_s) / (n - 1.0);
     });
     return std::sqrt(squares);
+  }
+
+  /// The scatter of this_machine holds its part in s.
+  double of_environment() const {
+    WeightedReadings sum{{}, of_readings()};
+    for_each_cell([&](const CellTerm& term, std::span<const double> readings, double n, double mean, double s) {
+      const bool in_s = !model_.takes_scatter(static_cast<std::size_t>(n)) && s > 0.0;
+      const std::size_t cell = static_cast<std::size_t>(term.direction) * series_.target_count() + term.target;
+      for (std::size_t j = 0; j < readings.size(); ++j) {
+        if (std::isnan(readings[j])) continue;
+        const double by_s = in_s ? term.by_s * (readings[j] - mean) / ((n - 1.0) * s) : 0.0;
+        sum.terms.push_back({cell * series_.run_count() + j, term.by_mean / n + by_s});
+      }
+    });
+    return model_.environment->of(sum);
   }
 
   /// Shifts that are common to a run: the derivative by each, over all cells that the run has. The scatter of
@@ -191,6 +212,9 @@ std::vector<GumSource> list_sources(const GumModel& model) {
   };
   add_product(model.machine_thermal, "machine_thermal_product", "α ΔT");
   add_product(model.device_thermal, "device_thermal_product", "α_D ΔT_D");
+  if (model.alignment_mean > 0.0)
+    sources.push_back({"alignment_mean", "1 − f_a", "Mean error of the alignment, not corrected", "21", "",
+                       model.alignment_mean, "µm/m", ""});
   if (model.station)
     sources.push_back({"station_mean", "E Δ²", "Mean error of the station, not corrected", "Lee et al. 19", "",
                        model.station->mean_mm2, "mm²", ""});
@@ -218,10 +242,24 @@ GumParameter propagate_parameter(const GumModel& model, const ParameterBudget& b
   }
   for (const auto* factor : {&model.machine_thermal, &model.device_thermal})
     if (const double u = thermal_product(*factor); u > 0.0) add(budget.lever_m() * u, infinite);
+  if (model.alignment_mean > 0.0) add(budget.lever_m() * model.alignment_mean, infinite);
   if (model.station) add(std::abs(budget.station_mean()), infinite);
   if (model.measurand == Measurand::this_machine)
     result.contributions.push_back(Deviation::native(budget.add_approaches(sum)));
   result.uncertainty = sum.expanded(correlated);
+  return result;
+}
+
+/// Of the targets that share an extreme, those whose budget has the largest u; the first of equal ones.
+GumParameter widest(const GumModel& model, const Series& series, const Evaluation& evaluation,
+                    const std::vector<Gradient>& tied) {
+  constexpr double larger = 1.0 + 1e-9;  // more than what another order of summing makes of one budget
+  GumParameter result;
+  for (const Gradient& gradient : tied) {
+    GumParameter parameter = propagate_parameter(model, ParameterBudget(model, series, evaluation, gradient));
+    const double u = parameter.uncertainty.u.in_native();
+    if (u > larger * result.uncertainty.u.in_native()) result = std::move(parameter);
+  }
   return result;
 }
 
@@ -255,6 +293,7 @@ void add_notes(GumUncertainty& result, const GumModel& model, const Evaluation& 
   note_factor(result, model.machine_thermal, "machine");
   note_factor(result, model.device_thermal, "device");
   note_noise(result, model, evaluation);
+  if (model.environment && !model.environment->note().empty()) result.notes.push_back(model.environment->note());
   if (model.station)
     result.notes.push_back(
         "The length difference of the station grows with the square of its offset: to first order the squares are "
@@ -292,12 +331,12 @@ const GumParameter* GumUncertainty::find(std::string_view key) const {
   return found == parameters.end() ? nullptr : &*found;
 }
 
-Result<std::optional<GumUncertainty>> gum(const Metadata& metadata, const Series& series,
-                                          const Evaluation& evaluation) {
-  AXIOMETRY_TRY(UncertaintyInputs inputs, uncertainty_inputs(metadata, series));
-  const Measurand measurand = measurand_of(metadata);
+Result<std::optional<GumUncertainty>> gum(const Test& test, const Evaluation& evaluation) {
+  const Series& series = test.series;
+  AXIOMETRY_TRY(UncertaintyInputs inputs, uncertainty_inputs(test.metadata, series, test.provenance.stated));
+  const Measurand measurand = measurand_of(test.metadata);
   if (inputs.inputs.empty() && measurand == Measurand::this_test) return std::nullopt;
-  const GumModel model = make_model(metadata, series, std::move(inputs), measurand);
+  const GumModel model = make_model(test, std::move(inputs), measurand);
 
   GumUncertainty result;
   result.measurand = measurand;
@@ -306,13 +345,12 @@ Result<std::optional<GumUncertainty>> gum(const Metadata& metadata, const Series
   result.device_thermal = model.device_thermal;
   result.alignment = model.alignment;
   result.sources = list_sources(model);
-  result.positions = propagate_positions(model, evaluation);
-  auto gradients = parameter_gradients(evaluation);
+  result.positions = propagate_positions(model, series, evaluation);
+  const auto gradients = parameter_gradients(evaluation);
   for (std::size_t k = 0; k < std::size(parameters); ++k) {
     const ParameterInfo& info = parameters[k];
     if (!(evaluation.parameters.*info.member)) continue;
-    GumParameter parameter =
-        propagate_parameter(model, ParameterBudget(model, series, evaluation, std::move(gradients[k])));
+    GumParameter parameter = widest(model, series, evaluation, gradients[k]);
     if (parameter.uncertainty.u.in_native() == 0.0) continue;
     parameter.parameter = &info;
     parameter.value = *(evaluation.parameters.*info.member);

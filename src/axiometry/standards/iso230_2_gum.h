@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
-#include "axiometry/model/metadata.h"
+#include "axiometry/model/test.h"
 #include "axiometry/standards/iso230_2.h"
 #include "axiometry/standards/iso230_2_inputs.h"
 
@@ -62,7 +62,7 @@ struct PositionUncertainty {
 /// A source of uncertainty, one line of every budget.
 struct GumSource {
   std::string key;  ///< of the input; "approaches" (type A), "machine_thermal_product", "device_thermal_product",
-                    ///< "station_mean"
+                    ///< "alignment_mean", "station_mean"
   std::string symbol;
   std::string title;
   std::string source;        ///< equation
@@ -99,7 +99,9 @@ struct GumUncertainty {
 /// nor that measurand were given). Fails as uncertainty_inputs() does.
 ///
 /// - this_test: the systematic inputs, and the known noise u of a reading (and of a run) as it passes into means
-///   (u/√n) and, to first order, into s (u/√(n − 1)). The scatter of the machine itself is no uncertainty here.
+///   (u/√n) and, to first order, into s (u/√(n − 1)). The scatter of the machine itself is no uncertainty here. E_VE as
+///   a drift or a random walk moves neighbouring readings alike (environment_modes.h): its covariance is propagated in
+///   place of u². Of an unknown kind the largest u of all that the readings do not refute counts (iso230_2_noise.h).
 /// - this_machine: the systematic inputs, and type A: s/√n of a mean and s/√(2(n − 1)) of s, ν = n − 1 at each target
 ///   and direction. The known noise is part of s and not counted again; what runs have in common is taken out of the
 ///   single s²/n and shared by all targets. A single approach has no s: there the known noise counts.
@@ -113,9 +115,16 @@ struct GumUncertainty {
 /// - ν_eff is not defined for correlated inputs: where 0 < |r| < 1 and a `target` input acts, in eq. 10 unless r = 0,
 ///   for this_machine with what runs have in common. Then k = 2, and it is said.
 ///
+/// - The readings are not corrected for the mean of f_a, which is below 1: in the parameters it counts as a source of
+/// its
+///   own, alignment_mean, beside u[f_a]. The positions are the paper's.
+/// - p_m is the position as read: (p_n + x)/f_t where the readings were corrected for expansion (`nde.applied` = yes),
+///   p_n + x where nobody says so.
+///
 /// The parameters are extremes; linearised, they follow the targets that are extreme in this test (parameter_
-/// gradients()). Their bias, and another target taking over, only the Monte Carlo method sees; a note says so.
-/// A parameter on which no source acts has no uncertainty here: ±0 would be a false claim.
-Result<std::optional<GumUncertainty>> gum(const Metadata& metadata, const Series& series, const Evaluation& evaluation);
+/// gradients(); of targets that share an extreme those with the largest u). Their bias, and another target taking over,
+/// only the Monte Carlo method sees; a note says so. A parameter on which no source acts has no uncertainty here: ±0
+/// would be a false claim.
+Result<std::optional<GumUncertainty>> gum(const Test& test, const Evaluation& evaluation);
 
 }  // namespace axiometry::iso230_2

@@ -77,7 +77,7 @@ ExpandedUncertainty ComponentSum::expanded(bool correlated) const {
   return result;
 }
 
-GumModel make_model(const Metadata& metadata, const Series& series, UncertaintyInputs inputs, Measurand measurand) {
+GumModel make_model(const Test& test, UncertaintyInputs inputs, Measurand measurand) {
   GumModel model;
   model.measurand = measurand;
   model.inputs = std::move(inputs);
@@ -87,12 +87,15 @@ GumModel make_model(const Metadata& metadata, const Series& series, UncertaintyI
     const FactorMoments moments = alignment_moments(angle->distribution);
     const double u = moments.standard_deviation;
     model.alignment = FactorUncertainty{moments.mean, u, u, u};
+    model.alignment_mean = -moments.mean / model.alignment_factor();
   }
-  model.station = station(model.inputs, series);
-  model.expansion_in_readings = metadata.nde.applied == false;
+  model.station = station(model.inputs, test.series);
+  model.expansion_in_readings = test.metadata.nde.applied != true;
   for (const UncertaintyInput& input : model.inputs.inputs) {
     model.components.push_back(component_of(input));
-    if (input.effect == Effect::run) model.run_noise = std::hypot(model.run_noise, model.components.back().u);
+    const double u = model.components.back().u;
+    if (input.effect == Effect::run) model.run_noise = std::hypot(model.run_noise, u);
+    if (input.key == "environmental_variation") model.environment.emplace(test, model.inputs, u);
   }
   return model;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "axiometry/standards/iso230_2_gum.h"
+#include "axiometry/standards/iso230_2_gum_environment.h"
 #include "axiometry/standards/station_offset.h"
 
 /// What the law of propagation needs of the inputs: their u and ν, the factors, the noise. For the sources
@@ -58,8 +59,12 @@ struct GumModel {
   std::optional<FactorUncertainty> device_thermal;
   std::optional<FactorUncertainty> alignment;
   std::optional<StationModel> station;
-  bool expansion_in_readings = false;  ///< the readings are not corrected for it
-  double run_noise = 0.0;              ///< standard uncertainty of what a run has in common
+  /// What the readings show too little on average because of the alignment, for which they are not corrected: one more
+  /// source (GUM, F.2.4.5), µm/m. It moves parameters; the positions are those of the paper.
+  double alignment_mean = 0.0;
+  bool expansion_in_readings = false;            ///< nobody says that the readings were corrected for it
+  double run_noise = 0.0;                        ///< standard uncertainty of what a run has in common
+  std::optional<EnvironmentEffect> environment;  ///< where E_VE is an input
 
   double thermal_factor() const { return machine_thermal ? 1.0 + 1e-6 * machine_thermal->departure : 1.0; }
   double alignment_factor() const { return alignment ? 1.0 + 1e-6 * alignment->departure : 1.0; }
@@ -67,12 +72,13 @@ struct GumModel {
   bool takes_scatter(std::size_t n) const { return measurand == Measurand::this_machine && n > 1; }
 };
 
-GumModel make_model(const Metadata& metadata, const Series& series, UncertaintyInputs inputs, Measurand measurand);
+GumModel make_model(const Test& test, UncertaintyInputs inputs, Measurand measurand);
 
 /// The product of both uncertainties of a thermal factor, µm/m: 0 where eq. 15 is used alone.
 double thermal_product(const std::optional<FactorUncertainty>& factor);
 
 /// Eqs. 8 to 10 at every target.
-std::vector<PositionUncertainty> propagate_positions(const GumModel& model, const Evaluation& evaluation);
+std::vector<PositionUncertainty> propagate_positions(const GumModel& model, const Series& series,
+                                                     const Evaluation& evaluation);
 
 }  // namespace axiometry::iso230_2

@@ -25,7 +25,7 @@ Metadata with(std::vector<InputDistribution> distributions, Measurand measurand 
 }
 
 GumUncertainty of(const Metadata& metadata, const Series& series = testing_support::table2::series()) {
-  auto result = gum(metadata, series, evaluate(series));
+  auto result = gum(axiometry::Test{metadata, series, {}}, evaluate(series));
   EXPECT_TRUE(result) << result.error().message;
   return result->value();
 }
@@ -37,25 +37,62 @@ double u(const GumUncertainty& result, std::string_view key) {
 
 TEST(Gum, IsNothingWithoutInputs) {
   const Series series = testing_support::table2::series();
-  EXPECT_FALSE(gum({}, series, evaluate(series)).value());
-  EXPECT_TRUE(gum(with({}, Measurand::this_machine), series, evaluate(series)).value()) << "the approaches are known";
+  EXPECT_FALSE(gum(axiometry::Test{{}, series, {}}, evaluate(series)).value());
+  EXPECT_TRUE(gum(axiometry::Test{with({}, Measurand::this_machine), series, {}}, evaluate(series)).value())
+      << "the approaches are known";
 }
 
 TEST(Gum, FailsAsTheInputsDo) {
   const Series series = testing_support::table2::series();
-  EXPECT_FALSE(gum(with({{"scale", "normal 0"}}), series, evaluate(series)));
+  EXPECT_FALSE(gum(axiometry::Test{with({{"scale", "normal 0"}}), series, {}}, evaluate(series)));
 }
 
 TEST(Gum, OfAScaleErrorFollowsTheDistanceOfTheExtremes) {
   const auto result = of(with({{"scale:optics", "normal 0 2"}}));
-  // The largest mean of Table 2 is at target 3 ↓ (353.834 mm), the smallest at target 8 ↑ (1234.304 mm).
-  EXPECT_NEAR(u(result, "E"), 2.0 * (1234.304 - 353.834) / 1000.0, close);
+  // The largest mean of Table 2 is at targets 2 and 3 ↓ (175.077 and 353.834 mm), the smallest at target 8 ↑ (1234.304
+  // mm): the longer lever counts.
+  EXPECT_NEAR(u(result, "E"), 2.0 * (1234.304 - 175.077) / 1000.0, close);
   EXPECT_EQ(result.find("B"), nullptr);
   EXPECT_EQ(result.find("R"), nullptr);
   EXPECT_EQ(result.find("B_mean"), nullptr);
   EXPECT_THAT(result.notes, Contains(HasSubstr("No given input acts on R, R↑, R↓, B, B̄")));
   EXPECT_EQ(result.find("E")->uncertainty.k, 2.0);
   EXPECT_EQ(result.find("E")->uncertainty.coverage, Coverage::normal);
+}
+
+TEST(Gum, OfTargetsThatShareAnExtremeDoesNotDependOnTheLastBit) {
+  const auto u_of = [](const auto& up, const auto& down) {
+    return u(of(with({{"scale:optics", "normal 0 2"}, {"reading", "uniform -1 1"}}),
+                testing_support::make_series(testing_support::table2::targets, up, down)),
+             "E");
+  };
+  auto up = testing_support::table2::up;
+  auto down = testing_support::table2::down;
+  const double expected = u_of(up, down);
+  std::ranges::sort(down);
+  do {
+    EXPECT_NEAR(u_of(up, down), expected, 1e-12 * expected);
+  } while (std::ranges::next_permutation(down).found);
+  std::mt19937 random(14);
+  for (int trial = 0; trial < 50; ++trial) {
+    auto changed = testing_support::table2::down;
+    for (auto& run : changed)
+      for (double& x : run) x = std::nextafter(x, random() % 2 ? 99.0 : -99.0);
+    EXPECT_NEAR(u_of(up, changed), expected, 1e-12 * expected);
+  }
+}
+
+TEST(Gum, OfAPositionDividesByTheThermalFactorWhereTheReadingsWereCorrectedAlone) {
+  auto metadata = with({});
+  metadata.uncertainty.machine_temperature_difference = TemperatureDifference::kelvin(10);
+  metadata.uncertainty.machine_temperature_range = TemperatureDifference::kelvin(2);
+  metadata.uncertainty.machine_expansion = ExpansionCoefficient::um_per_m_K(100);
+  const auto thermal = [&](std::optional<bool> applied) {
+    metadata.nde.applied = applied;
+    return of(metadata).positions[10].up->thermal.in_native();
+  };
+  EXPECT_EQ(thermal(std::nullopt), thermal(false)) << "p_m is what was read";
+  EXPECT_NEAR(thermal(true) / thermal(false), 1.0 + 1e-6 * 1000, 1e-9) << "p_m = (p_n + x)/f_t";
 }
 
 TEST(Gum, OfAReadingsNoiseIsThatOfMeansAndEstimators) {
@@ -132,7 +169,7 @@ TEST(Gum, AddsTheProductOfExpansionAndTemperatureWhereEquation15IsBlind) {
   const auto result = of(known);
   EXPECT_NEAR(result.machine_thermal->u_linear, 6.75, 0.006);
   EXPECT_NEAR(result.machine_thermal->u, 7.03, 0.005);
-  EXPECT_NEAR(u(result, "E"), result.machine_thermal->u * (1234.304 - 353.834) / 1000.0, 1e-9);
+  EXPECT_NEAR(u(result, "E"), result.machine_thermal->u * (1234.304 - 175.077) / 1000.0, 1e-9);
   EXPECT_EQ(result.sources.back().key, "machine_thermal_product");
   EXPECT_GT(result.find("E")->contributions.back().in_native(), 1.0);
 }

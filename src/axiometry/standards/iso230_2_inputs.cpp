@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "axiometry/base/text.h"
+#include "axiometry/standards/iso230_2_artefact.h"
 #include "axiometry/standards/iso230_2_inputs_items.h"
 #include "axiometry/standards/station_offset.h"
 
@@ -102,9 +103,9 @@ Result<UncertaintyInput> own_input(const InputDistribution& given, AxisKind kind
       std::string(unit), "as given"};
 }
 
-Result<void> lay_over(UncertaintyInputs& result, const Metadata& metadata) {
+Result<void> lay_over(UncertaintyInputs& result, const Metadata& metadata, const ResolvedInputs& resolved) {
   std::vector<std::string_view> seen;
-  for (const InputDistribution& given : metadata.gum.distributions) {
+  for (const InputDistribution& given : resolved.distributions) {
     if (given.input.empty() && given.distribution.empty()) continue;
     if (std::ranges::find(seen, given.input) != seen.end())
       return fail(fmt::format("found two distributions of the input {}, expected one", text::quoted(given.input)));
@@ -112,7 +113,11 @@ Result<void> lay_over(UncertaintyInputs& result, const Metadata& metadata) {
     const KnownInput* known = find_known_input(given.input);
     AXIOMETRY_TRY(UncertaintyInput input, known ? known_input(given, *known, metadata.axis.kind, result.notes)
                                                 : own_input(given, metadata.axis.kind, result.notes));
-    std::erase_if(result.inputs, [&](const UncertaintyInput& before) { return before.key == input.key; });
+    // The calibration of the device may have two inputs, or that of its constant part.
+    std::erase_if(result.inputs, [&](const UncertaintyInput& before) {
+      return before.key == input.key || (input.key == "device" && before.key == "device_constant" &&
+                                         std::ranges::find(seen, before.key) == seen.end());
+    });
     result.inputs.push_back(std::move(input));
   }
   return {};
@@ -156,6 +161,7 @@ std::string_view effect_key(Effect effect) {
                                        "alignment",
                                        "station",
                                        "scale",
+                                       "displacement",
                                        "target",
                                        "target_direction",
                                        "run",
@@ -163,20 +169,23 @@ std::string_view effect_key(Effect effect) {
   return keys[static_cast<std::size_t>(effect)];
 }
 
-Result<UncertaintyInputs> uncertainty_inputs(const Metadata& metadata, const Series& series) {
+Result<UncertaintyInputs> uncertainty_inputs(const Metadata& metadata, const Series& series,
+                                             const StatedItems& stated) {
   const double correlation = metadata.gum.up_down_correlation.value_or(1.0);
   if (!(correlation >= -1.0 && correlation <= 1.0))
     return fail(fmt::format("found a correlation of {} between ↑ and ↓, expected a number from −1 to 1", correlation));
-  UncertaintyInputs result = inputs_of_items(metadata, series);
-  AXIOMETRY_TRY_VOID(lay_over(result, metadata));
+  const ResolvedInputs resolved = resolve_inputs(metadata, series, stated);
+  UncertaintyInputs result = inputs_of_items(metadata, resolved);
+  AXIOMETRY_TRY_VOID(lay_over(result, metadata, resolved));
   AXIOMETRY_TRY_VOID(place_station(result, metadata));
-  result = complete_pairs(std::move(result), metadata);
+  result = complete_pairs(std::move(result), metadata, resolved);
   note_expansion(result, metadata, series);
   const auto rank = [](const UncertaintyInput& input) { return find_known_input(input.key); };
   std::ranges::stable_sort(result.inputs, [&](const UncertaintyInput& a, const UncertaintyInput& b) {
     return rank(a) != nullptr && (rank(b) == nullptr || rank(a) < rank(b));
   });
   result.up_down_correlation = correlation;
+  result.of_artefact = artefact_takes_place_of_device(metadata);
   return result;
 }
 

@@ -24,8 +24,6 @@ using uncertainty::Distribution;
 using uncertainty::Normal;
 using uncertainty::Uniform;
 
-constexpr double absurd_scale = 1e9;  // µm/m, a device that knows nothing
-
 constexpr std::array catalogue = {
     KnownInput{"machine_expansion", "α", "Expansion coefficient of the machine", "17, A.7", Effect::machine_expansion,
                "µm/(m·°C)", ""},
@@ -41,6 +39,8 @@ constexpr std::array catalogue = {
     KnownInput{"station_smaller", "Δ₂", "Station beside the line, smaller component", "Lee et al. 19", Effect::station,
                "mm", ""},
     KnownInput{"device", "c_c", "Calibration of the measuring device", "23, A.1 to A.3", Effect::scale, "µm/m", "″"},
+    KnownInput{"device_constant", "c_c0", "Calibration of the measuring device, constant part", "23, A.1",
+               Effect::displacement, "µm", ""},
     KnownInput{"artefact_calibration", "c_a", "Calibration of the artefact", "Annex D, A.1", Effect::target, "µm", ""},
     KnownInput{"artefact_calibration_length", "c_al", "Calibration of the artefact, by length", "Annex D, A.2",
                Effect::scale, "µm/m", ""},
@@ -63,71 +63,17 @@ Distribution uniform_about(double centre, double width) {
   return valid(Uniform{centre - width / 2.0, centre + width / 2.0});
 }
 
-/// A number with where it came from when nobody gave it.
-struct Sourced {
-  double value = 0.0;
-  std::string note;
-};
-
-std::optional<Sourced> sourced(const std::optional<ExpansionCoefficient>& x, std::string note) {
-  return x ? std::optional(Sourced{x->in_um_per_m_K(), std::move(note)}) : std::nullopt;
-}
-
-/// The largest departure from 20 °C that sensors of this role have shown, with its sign.
-std::optional<Sourced> sourced_from_sensors(const Environment& environment, std::string_view role) {
-  const auto largest = largest_sensor_difference(environment, role);
-  return largest ? std::optional(Sourced{*largest, "largest of the sensors"}) : std::nullopt;
-}
-
-/// What is known about the expansion of the machine or of the device.
+/// Machine or measuring device, with the words for it.
 struct ThermalItems {
-  std::string key;
-  std::string whose;
-  std::optional<Sourced> alpha;
-  std::optional<Sourced> difference;
-  std::optional<double> temperature_range;  // R(θ)
-  std::optional<double> alpha_range;        // R(α)
+  std::string_view key;
+  std::string_view whose;
+  const std::optional<ResolvedBody>& body;
 };
 
-std::optional<Sourced> difference_of(const std::optional<TemperatureDifference>& given, const Environment& environment,
-                                     std::string_view role) {
-  return given ? std::optional(Sourced{given->in_kelvin(), ""}) : sourced_from_sensors(environment, role);
-}
+ThermalItems machine_items(const ResolvedInputs& resolved) { return {"machine", "machine", resolved.machine}; }
+ThermalItems device_items(const ResolvedInputs& resolved) { return {"device", "measuring device", resolved.device}; }
 
-ThermalItems machine_items(const Metadata& metadata) {
-  const AnnexAInputs& annex = metadata.uncertainty;
-  ThermalItems items{"machine", "machine", {}, {}, {}, {}};
-  const auto of_the_correction = sourced(metadata.nde.machine_expansion, "of the NDE correction");
-  if (metadata.nde.applied == true) items.alpha = of_the_correction;
-  for (const auto& other :
-       {sourced(annex.machine_expansion, ""), sourced(metadata.axis.scale_expansion, "of the scale"), of_the_correction,
-        std::optional(Sourced{expansion_usual, "assumed"})})
-    if (!items.alpha) items.alpha = other;
-  items.difference = difference_of(annex.machine_temperature_difference, metadata.environment, "machine");
-  if (annex.machine_temperature_range) items.temperature_range = annex.machine_temperature_range->in_kelvin();
-  if (annex.machine_expansion_range) items.alpha_range = annex.machine_expansion_range->in_um_per_m_K();
-  return items;
-}
-
-ThermalItems device_items(const Metadata& metadata) {
-  const AnnexAInputs& annex = metadata.uncertainty;
-  ThermalItems items{"device", "measuring device", {}, {}, {}, {}};
-  items.alpha = sourced(annex.device_expansion, "");
-  if (!items.alpha) items.alpha = sourced(metadata.nde.equipment_expansion, "of the NDE correction");
-  items.difference = difference_of(annex.device_temperature_difference, metadata.environment, "equipment");
-  if (annex.device_temperature_range) items.temperature_range = annex.device_temperature_range->in_kelvin();
-  if (annex.device_expansion_range) items.alpha_range = annex.device_expansion_range->in_um_per_m_K();
-  return items;
-}
-
-/// What an artefact is made of expands in any case; what is said of an interferometer often includes it.
-bool device_has_temperature(const Metadata& metadata) {
-  const AnnexAInputs& annex = metadata.uncertainty;
-  if (annex.device_temperature_range || annex.device_temperature_difference || annex.device_expansion_range)
-    return true;
-  const auto items = device_items(metadata);
-  return artefact_takes_place_of_device(metadata) && items.alpha && items.alpha->value != 0.0 && items.difference;
-}
+std::string note_of(const ResolvedValue& value) { return std::string(origin_note(value.origin)); }
 
 /// What stands for the measuring device is an artefact.
 std::string_view title_with_artefact(std::string_view key) {
@@ -137,23 +83,11 @@ std::string_view title_with_artefact(std::string_view key) {
   return "";
 }
 
-/// Whether somebody asked for an uncertainty: sensors and coefficients alone are items of clause 8.1.
-bool uncertainty_asked_for(const Metadata& metadata) {
-  const AnnexAInputs& annex = metadata.uncertainty;
-  const GumInputs& gum = metadata.gum;
-  return annex.device_calibration || annex.device_calibration_per_length || annex.device_error_range ||
-         annex.misalignment || annex.machine_expansion || annex.machine_temperature_range ||
-         annex.machine_temperature_difference || annex.machine_expansion_range || device_has_temperature(metadata) ||
-         metadata.artefact.calibration_uncertainty || metadata.artefact.calibration_uncertainty_per_length ||
-         metadata.artefact.probing_uncertainty || annex.environmental_variation || gum.axis_resolution ||
-         gum.instrument_resolution || gum.environment_sensitivity || gum.alignment_angle || gum.run_drift ||
-         station_offset(metadata) || !gum.distributions.empty();
-}
-
 /// Adds to the inputs of one test.
 class Collector {
  public:
-  Collector(const Metadata& metadata, UncertaintyInputs inputs) : metadata_(metadata), result_(std::move(inputs)) {}
+  Collector(const Metadata& metadata, const ResolvedInputs& resolved, UncertaintyInputs inputs)
+      : metadata_(metadata), resolved_(resolved), result_(std::move(inputs)) {}
 
   void add(std::string_view key, Distribution distribution, std::string note = {}) {
     result_.inputs.push_back(
@@ -164,38 +98,42 @@ class Collector {
   void note(std::string text) { result_.notes.push_back(std::move(text)); }
   UncertaintyInputs take() && { return std::move(result_); }
 
-  void add_thermal(ThermalItems items) {
-    if (!items.temperature_range && !items.difference) {
-      if (items.alpha_range)
-        note(fmt::format("R(α) of the {} is left out because its temperature was not given", items.whose));
-      return;
-    }
-    if (!items.alpha) {
-      if (items.temperature_range)
-        note(fmt::format("R(θ) of the {} is left out because its α was not given", items.whose));
-      if (!items.difference) return;
-      items.temperature_range.reset();
-      items.alpha = Sourced{0.0, "not given"};
-    }
+  void add_thermal(const ThermalItems& items, const std::optional<ExpansionCoefficient>& stated_range) {
+    const bool known = items.body && (items.body->temperature_range || items.body->difference);
+    if (!known && stated_range)
+      note(fmt::format("R(α) of the {} is left out because its temperature was not given", items.whose));
+    if (!known) return;
+    ResolvedBody body = *items.body;
     const std::string key = fmt::format("{}_temperature", items.key);
-    if (!items.difference && !replaced(key))
+    const bool without_alpha = !body.expansion && !replaced(fmt::format("{}_expansion", items.key));
+    if (!body.expansion) body.expansion = ResolvedValue{};
+    if (!body.difference && !replaced(key))
       note(fmt::format("The temperature of the {} was not given; 20 °C ± R(θ)/2 is assumed, and α counts as known",
                        items.whose));
-    if (!items.temperature_range && !replaced(key))
+    if (!body.temperature_range && !replaced(key))
       note(fmt::format("R(θ) of the {} was not given; its temperature counts as known", items.whose));
-    add_expansion(items, items.difference.has_value());
-    const Sourced difference = items.difference.value_or(Sourced{0.0, "assumed"});
-    add(key, uniform_about(difference.value, items.temperature_range.value_or(0.0)), difference.note);
+    add_expansion(items, body, without_alpha ? "not given" : note_of(*body.expansion), body.difference.has_value());
+    const ResolvedValue difference = body.difference.value_or(ResolvedValue{0.0, InputOrigin::assumed});
+    add(key, uniform_about(difference.value, body.temperature_range ? body.temperature_range->value : 0.0),
+        note_of(difference));
   }
 
-  void add_expansion(const ThermalItems& items, bool uncertain) {
+  void add_expansion(const ThermalItems& items, const ResolvedBody& body, std::string origin, bool uncertain) {
     const std::string key = fmt::format("{}_expansion", items.key);
-    if (items.alpha->note == "assumed" && !replaced(key))
+    const bool range_stated = body.expansion_range && body.expansion_range->origin != InputOrigin::assumed;
+    if (body.expansion->origin == InputOrigin::assumed && !replaced(key))
       note(fmt::format("α of the {} was not given; 12 µm/(m·°C) is assumed (Table A.2)", items.whose));
-    if (uncertain && !items.alpha_range && !replaced(key))
+    if (uncertain && !range_stated && !replaced(key))
       note(fmt::format("R(α) of the {} was not given; 2 µm/(m·°C) is assumed (A.2.4.3)", items.whose));
-    const double width = uncertain ? items.alpha_range.value_or(expansion_range_usual) : 0.0;
-    add(key, uniform_about(items.alpha->value, width), items.alpha->note);
+    const double width = !uncertain ? 0.0 : body.expansion_range ? body.expansion_range->value : expansion_range_usual;
+    add(key, uniform_about(body.expansion->value, width), std::move(origin));
+  }
+
+  /// R(θ) of a device whose α nobody knows.
+  void note_device_range() {
+    const bool stated = metadata_.uncertainty.device_temperature_range.has_value();
+    if (stated && !(resolved_.device && resolved_.device->temperature_range))
+      note("R(θ) of the measuring device is left out because its α was not given");
   }
 
   /// With the station of a tracking interferometer there is no misalignment.
@@ -205,71 +143,64 @@ class Collector {
     if (metadata_.gum.alignment_angle || metadata_.uncertainty.misalignment) note(std::string(followed_beam_note));
   }
 
-  void add_alignment(double length_m) {
-    if (metadata_.gum.alignment_angle) {
-      add("alignment", uniform_about(0.0, 2.0 * metadata_.gum.alignment_angle->in_deg()));
-    } else if (metadata_.uncertainty.misalignment) {
-      const double angle = std::atan(metadata_.uncertainty.misalignment->in_mm() / (1000.0 * length_m));
-      add("alignment", uniform_about(0.0, 2.0 * angle * 180.0 / std::numbers::pi), "from the misalignment over L");
-    }
+  void add_alignment() {
+    if (const auto& angle = resolved_.alignment_deg)
+      add("alignment", uniform_about(0.0, 2.0 * angle->value), note_of(*angle));
   }
 
   void add_environment() {
-    const auto& K = metadata_.gum.environment_sensitivity;
-    if (!K) return;
-    const Environment& air = metadata_.environment;
-    const auto start = air.air_temperature_start ? air.air_temperature_start : air.air_temperature_end;
-    std::optional<Sourced> difference;
-    if (start) {
-      const double end = air.air_temperature_end.value_or(*start).in_celsius();
-      difference = Sourced{(start->in_celsius() + end) / 2.0 - reference_temperature, "ΔT_e from the air temperature"};
-    }
-    if (metadata_.gum.environment_temperature_difference)
-      difference = Sourced{metadata_.gum.environment_temperature_difference->in_kelvin(), ""};
-    if (difference)
-      add("environment", valid(Normal{0.0, std::abs(K->in_um_per_m_K() * difference->value)}), difference->note);
-    else
+    const auto& K = resolved_.environment_sensitivity;
+    const auto& difference = resolved_.environment_difference;
+    if (K && difference)
+      add("environment", valid(Normal{0.0, std::abs(K->value * difference->value)}), note_of(*difference));
+    else if (metadata_.gum.environment_sensitivity)
       note("K of the instrument is left out because the air temperature was not given");
   }
 
   /// U of a certificate is normal with k = 2: a constant part at each place of the artefact for itself, a part in
-  /// proportion to the length for all of them together. What probing does in the same way in every run.
+  /// proportion to the length for all of them together, both wider where the certificate adds them up. What probing
+  /// does in the same way in every run.
   void add_artefact() {
-    const Artefact& artefact = metadata_.artefact;
-    if (const auto& U = artefact.calibration_uncertainty)
-      add("artefact_calibration", valid(Normal{0.0, U->in_native() / 2.0}));
-    if (const auto& U = artefact.calibration_uncertainty_per_length)
-      add("artefact_calibration_length", valid(Normal{0.0, U->in_um_per_m() / 2.0}));
-    if (const auto& U = artefact.probing_uncertainty) add("probing", valid(Normal{0.0, U->in_native() / 2.0}));
+    const ResolvedCalibration& certificate = resolved_.artefact_calibration;
+    const double widening = certificate.widening(resolved_.length_m.value);
+    if (const auto& U = certificate.constant)
+      add("artefact_calibration", valid(Normal{0.0, widening * U->value / 2.0}), sum_note(certificate));
+    if (const auto& U = certificate.per_length)
+      add("artefact_calibration_length", valid(Normal{0.0, widening * U->value / 2.0}), sum_note(certificate));
+    if (const auto& U = resolved_.probing) add("probing", valid(Normal{0.0, U->value / 2.0}));
     const AnnexAInputs& annex = metadata_.uncertainty;
     if (annex.device_calibration || annex.device_calibration_per_length || annex.device_error_range)
       note("The artefact takes the place of the measuring device, whose calibration and error range are left out");
   }
 
-  void add_device_linear(double length_m) {
-    const AnnexAInputs& annex = metadata_.uncertainty;
-    if (annex.device_calibration) {
-      const double sd = annex.device_calibration->in_native() / 2.0 / length_m;
-      if (sd <= absurd_scale)
-        add("device", valid(Normal{0.0, sd}), "over L");
-      else
-        note(fmt::format("The calibration of the device is left out: at L = {} m it has no sensible value", length_m));
-    } else if (annex.device_calibration_per_length) {
-      add("device", valid(Normal{0.0, annex.device_calibration_per_length->in_um_per_m() / 2.0}));
-    } else if (annex.device_error_range) {
-      add("device", uniform_about(0.0, annex.device_error_range->in_um_per_m()));
+  static std::string sum_note(const ResolvedCalibration& certificate) {
+    if (!certificate.both()) return "";
+    return certificate.sum == CalibrationSum::linear ? "of a + b·L" : "of √(a² + (b·L)²)";
+  }
+
+  /// A constant U is what any two targets, however near, may differ by, alone as beside a part per metre: a + 0·L says
+  /// the same as a. Both are widened as far as U(l) of the certificate asks for at any length.
+  void add_device_linear() {
+    for (const std::string& text : resolved_.device_notes) note(text);
+    const ResolvedCalibration& certificate = resolved_.device_calibration;
+    const double length_m = resolved_.length_m.value;
+    if (certificate.both()) {
+      const double widening = certificate.widening(length_m);
+      add("device", valid(Normal{0.0, widening * certificate.per_length->value / 2.0}), sum_note(certificate));
+      add("device_constant", valid(Normal{0.0, widening * certificate.constant->value / 2.0}), sum_note(certificate));
+    } else if (certificate.constant) {
+      add("device_constant", valid(Normal{0.0, certificate.constant->value / 2.0}));
+    } else if (certificate.per_length) {
+      add("device", valid(Normal{0.0, certificate.per_length->value / 2.0}));
+    } else if (resolved_.device_error_range) {
+      add("device", uniform_about(0.0, resolved_.device_error_range->value));
     }
-    if (annex.device_calibration.has_value() + annex.device_calibration_per_length.has_value() +
-            annex.device_error_range.has_value() >
-        1)
-      note(fmt::format("Of several statements about the measuring device the calibration uncertainty in {} was taken",
-                       annex.device_calibration ? "µm" : "µm/m"));
   }
 
   void add_device_rotary() {
-    const auto& U = metadata_.uncertainty.device_calibration;
+    const auto& U = resolved_.device_calibration.constant;
     if (!U) return;
-    add("device", valid(Normal{0.0, U->in_native() / 2.0}));
+    add("device", valid(Normal{0.0, U->value / 2.0}));
     note("On a rotary axis the calibration of the device counts as independent from target to target");
   }
 
@@ -291,9 +222,9 @@ class Collector {
     const bool expansion = has("expansion");
     if (expansion == has("temperature")) return;
     if (!expansion) {
-      ThermalItems known = items;
-      if (!known.alpha) known.alpha = Sourced{expansion_usual, "assumed"};
-      add_expansion(known, true);
+      ResolvedBody known = items.body.value_or(ResolvedBody{});
+      if (!known.expansion) known.expansion = ResolvedValue{expansion_usual, InputOrigin::assumed};
+      add_expansion(items, known, note_of(*known.expansion), true);
     } else {
       add(fmt::format("{}_temperature", items.key), uniform_about(0.0, 0.0), "assumed");
       note(fmt::format("The temperature of the {} was not given; it counts as 20 °C exactly", items.whose));
@@ -303,11 +234,11 @@ class Collector {
  private:
   /// Nothing is assumed where a distribution is given.
   bool replaced(std::string_view key) const {
-    return std::ranges::find(metadata_.gum.distributions, key, &InputDistribution::input) !=
-           metadata_.gum.distributions.end();
+    return std::ranges::find(resolved_.distributions, key, &InputDistribution::input) != resolved_.distributions.end();
   }
 
   const Metadata& metadata_;
+  const ResolvedInputs& resolved_;
   UncertaintyInputs result_;
 };
 
@@ -332,22 +263,21 @@ UncertaintyInput make_input(const KnownInput& known, AxisKind kind, Distribution
           std::move(note)};
 }
 
-UncertaintyInputs inputs_of_items(const Metadata& metadata, const Series& series) {
-  Collector collector(metadata, {});
-  if (!uncertainty_asked_for(metadata)) return std::move(collector).take();
-  const auto& length = metadata.uncertainty.length;
-  const double length_m = (length ? length->in_mm() : series.travel_native()) / 1000.0;
+UncertaintyInputs inputs_of_items(const Metadata& metadata, const ResolvedInputs& resolved) {
+  Collector collector(metadata, resolved, {});
+  if (!resolved.asked_for) return std::move(collector).take();
   if (metadata.axis.kind == AxisKind::linear) {
-    collector.add_thermal(machine_items(metadata));
-    if (device_has_temperature(metadata)) collector.add_thermal(device_items(metadata));
+    collector.add_thermal(machine_items(resolved), metadata.uncertainty.machine_expansion_range);
+    collector.note_device_range();
+    collector.add_thermal(device_items(resolved), metadata.uncertainty.device_expansion_range);
     if (const auto offset = station_offset(metadata))
       collector.add_station(*offset);
     else
-      collector.add_alignment(length_m);
+      collector.add_alignment();
     if (artefact_takes_place_of_device(metadata))
       collector.add_artefact();
     else
-      collector.add_device_linear(length_m);
+      collector.add_device_linear();
     collector.add_environment();
   } else {
     collector.add_device_rotary();
@@ -358,10 +288,10 @@ UncertaintyInputs inputs_of_items(const Metadata& metadata, const Series& series
   return std::move(collector).take();
 }
 
-UncertaintyInputs complete_pairs(UncertaintyInputs inputs, const Metadata& metadata) {
-  Collector collector(metadata, std::move(inputs));
-  collector.complete_pair(machine_items(metadata));
-  collector.complete_pair(device_items(metadata));
+UncertaintyInputs complete_pairs(UncertaintyInputs inputs, const Metadata& metadata, const ResolvedInputs& resolved) {
+  Collector collector(metadata, resolved, std::move(inputs));
+  collector.complete_pair(machine_items(resolved));
+  collector.complete_pair(device_items(resolved));
   return std::move(collector).take();
 }
 

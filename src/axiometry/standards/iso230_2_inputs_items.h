@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "axiometry/standards/iso230_2_inputs.h"
+#include "axiometry/standards/iso230_2_resolved_inputs.h"
 
 /// The inputs that single items of the metadata stand for. For iso230_2_inputs.cpp alone, which lays the given
 /// distributions over them.
@@ -30,10 +31,10 @@ UncertaintyInput make_input(const KnownInput& known, AxisKind kind, uncertainty:
                             std::string note);
 
 /// Without the given distributions; the correlation is left at 1.
-UncertaintyInputs inputs_of_items(const Metadata& metadata, const Series& series);
+UncertaintyInputs inputs_of_items(const Metadata& metadata, const ResolvedInputs& resolved);
 
 /// α̂ or ΔT̂ as the items have it, for a pair of which only the other half was given as a distribution: α with
 /// the width R(α), ΔT without any. Adds a note.
-UncertaintyInputs complete_pairs(UncertaintyInputs inputs, const Metadata& metadata);
+UncertaintyInputs complete_pairs(UncertaintyInputs inputs, const Metadata& metadata, const ResolvedInputs& resolved);
 
 }  // namespace axiometry::iso230_2

@@ -60,7 +60,7 @@ TEST(UncertaintyInputs, FollowFromTheItemsOfAnnexA) {
   const auto in = inputs_of(testing_support::table2::complete_test().metadata);
   EXPECT_THAT(keys_of(in), ElementsAre("machine_expansion", "machine_temperature", "alignment", "device",
                                        "environmental_variation"));
-  EXPECT_EQ(find(in, "machine_expansion").distribution.mean(), 11.0) << "that of the correction, which was applied";
+  EXPECT_EQ(find(in, "machine_expansion").distribution.mean(), 12.0) << "as Annex A, whatever the correction took";
   EXPECT_NEAR(sd(in, "machine_expansion"), 2.0 / std::sqrt(12.0), 1e-12);
   EXPECT_NEAR(find(in, "machine_temperature").distribution.mean(), 1.0, 1e-12);
   EXPECT_NEAR(sd(in, "machine_temperature"), 0.2 / std::sqrt(12.0), 1e-12);
@@ -92,14 +92,21 @@ TEST(UncertaintyInputs, TakeAnUnknownTemperatureForTwentyDegrees) {
   EXPECT_EQ(sd(in, "machine_expansion"), 0.0);
 }
 
-TEST(UncertaintyInputs, StateTheDeviceRelativeToL) {
+/// 3 µm alone says what 3 µm + 0 µm/m · L says.
+TEST(UncertaintyInputs, OfACalibrationKnowWhatTwoTargetsMayDifferBy) {
   Metadata m;
   m.uncertainty.length = Length::mm(2000);
   m.uncertainty.device_calibration = Deviation::native(3);
   m.uncertainty.device_error_range = RelativeLength::um_per_m(9);
   const auto in = inputs_of(m);
-  EXPECT_NEAR(sd(in, "device"), 0.75, 1e-15);
-  EXPECT_THAT(in.notes, ElementsAre(HasSubstr("calibration uncertainty in µm was taken")));
+  EXPECT_EQ(sd(in, "device_constant"), 1.5);
+  EXPECT_THAT(in.notes, ElementsAre(HasSubstr("the calibration was taken")));
+  m.uncertainty.device_calibration_per_length = RelativeLength::um_per_m(0);
+  EXPECT_EQ(sd(inputs_of(m), "device_constant"), 1.5);
+  m.uncertainty.device_calibration_per_length.reset();
+  m.gum.distributions = {{"device", "normal 0 0.7"}};
+  EXPECT_THAT(keys_of(inputs_of(m)), ElementsAre("device")) << "the distribution takes the place of the certificate";
+  m.gum.distributions.clear();
   m.uncertainty.device_calibration.reset();
   EXPECT_NEAR(sd(inputs_of(m), "device"), 9.0 / std::sqrt(12.0), 1e-12);
 }

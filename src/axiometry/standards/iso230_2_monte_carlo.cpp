@@ -6,10 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/standards/iso230_2_gross_errors.h"
+#include "axiometry/standards/iso230_2_scatter.h"
 #include "axiometry/standards/iso230_2_trials.h"
+#include "axiometry/standards/test_course.h"
 
 namespace axiometry::iso230_2 {
 namespace {
+
+constexpr double first_share = 0.97;  // 20 000 trials know u to 1 %, of heavy tails to 2 %
 
 constexpr std::size_t least_runs_of_t = 4;  // variance (n − 1)/(n − 3) s²/n
 
@@ -101,30 +106,171 @@ Result<Contribution> contribution(const SettledTrials& model, const MonteCarloOp
   return found;
 }
 
-Result<std::vector<Contribution>> contributions(const Series& series, const Evaluation& evaluation,
-                                                const UncertaintyInputs& inputs, const MonteCarloOptions& options,
-                                                Measurand measurand) {
+/// Everything that trials of one test are drawn from.
+struct Subject {
+  const Test& test;
+  const TestCourse& course;
+  const Evaluation& evaluation;
+  const UncertaintyInputs& inputs;
+  const MonteCarloOptions& options;
+  Measurand measurand;
+
+  bool drifts() const { return measurand == Measurand::this_test || options.type_a == TypeA::pooled; }
+  /// Of the readings as they were taken: a correction hides it.
+  double step() const { return step_of(test.as_measured ? *test.as_measured : test.series); }
+  NoiseQuestion question() const { return {test.metadata, test.series, course, inputs, drifts(), {}, step()}; }
+};
+
+/// The largest of all hypotheses about the noise, parameter by parameter.
+Result<Contribution> input_contribution(const Subject& subject, std::size_t k) {
+  const UncertaintyInput& input = subject.inputs.inputs[k];
+  NoiseQuestion question = subject.question();
+  question.only_input = k;
+  Contribution largest{input.key, input.title, {}};
+  const auto models = noise_models(question).models;
+  for (std::size_t h = acts_as_noise(input.effect) && models.size() > 1 ? 1 : 0; h < models.size(); ++h) {
+    const TrialModelOptions chosen{Measurand::this_test, subject.options.type_a, subject.options.seed, true, k};
+    const SettledTrials model({subject.test.series, subject.inputs, models[h], chosen}, subject.test.series,
+                              subject.evaluation);
+    AXIOMETRY_TRY(const Contribution own, contribution(model, subject.options, input.key, input.title));
+    for (std::size_t p = 0; p < std::size(parameters); ++p) largest.u[p] = std::max(largest.u[p], own.u[p]);
+  }
+  return largest;
+}
+
+Result<std::vector<Contribution>> contributions(const Subject& subject) {
   std::vector<Contribution> found;
+  const MonteCarloOptions& options = subject.options;
   if (options.contribution_trials == 0) return found;
-  for (std::size_t k = 0; k < inputs.inputs.size(); ++k) {
-    const UncertaintyInput& input = inputs.inputs[k];
-    if (measurand == Measurand::this_machine && in_scatter(input.effect)) {
+  for (std::size_t k = 0; k < subject.inputs.inputs.size(); ++k) {
+    const UncertaintyInput& input = subject.inputs.inputs[k];
+    if (subject.measurand == Measurand::this_machine && in_scatter(input.effect)) {
       found.push_back({input.key, input.title, {}});  // in "sampling" already
       continue;
     }
-    const SettledTrials model({series, inputs, {Measurand::this_test, options.type_a, options.seed, true, k}}, series,
-                              evaluation);
-    AXIOMETRY_TRY(Contribution own, contribution(model, options, input.key, input.title));
+    AXIOMETRY_TRY(Contribution own, input_contribution(subject, k));
     found.push_back(std::move(own));
   }
-  if (measurand == Measurand::this_machine) {
+  if (subject.measurand == Measurand::this_machine) {
     const UncertaintyInputs none;
-    const SettledTrials model({series, none, {measurand, options.type_a, options.seed, true, std::nullopt}}, series,
-                              evaluation);
+    const NoiseModel exact{{}, {ReadingNoise{}}, nullptr};
+    const TrialModelOptions chosen{subject.measurand, options.type_a, options.seed, true, std::nullopt};
+    const SettledTrials model({subject.test.series, none, exact, chosen}, subject.test.series, subject.evaluation);
     AXIOMETRY_TRY(Contribution own, contribution(model, options, "sampling", "Sampling of the approaches"));
     found.push_back(std::move(own));
   }
   return found;
+}
+
+/// What holds for every hypothesis, and for noise of any size up to what it says.
+void find_envelope(ParameterDistribution& d) {
+  d.low = d.by_hypothesis.front().symmetric.lower;
+  d.high = d.by_hypothesis.front().symmetric.upper;
+  for (std::size_t h = 1; h < d.by_hypothesis.size(); ++h) {
+    const uncertainty::OutputSummary& own = d.by_hypothesis[h];
+    const double low = own.symmetric.lower + std::min(0.0, d.shift_of(h));
+    const double high = own.symmetric.upper + std::max(0.0, d.shift_of(h));
+    if (low < d.low) {
+      d.low = low;
+      d.low_from = h;
+    }
+    if (high > d.high) {
+      d.high = high;
+      d.high_from = h;
+    }
+    if (own.sd > d.by_hypothesis[d.summary_from].sd) d.summary_from = h;
+  }
+  d.summary = d.by_hypothesis[d.summary_from];
+}
+
+/// What is stated has the digits of the largest u and of half the widest interval of all hypotheses: none needs to be
+/// known better. `share` of both sizes counts.
+void widen(uncertainty::LeastTolerance& tolerance, const uncertainty::OutputSummary& own, int digits,
+           double share = 1.0) {
+  const double half = 0.5 * (own.symmetric.upper - own.symmetric.lower);
+  tolerance.u = std::max(tolerance.u, uncertainty::numerical_tolerance(share * own.sd, digits));
+  tolerance.ends = std::max(tolerance.ends, uncertainty::numerical_tolerance(share * half, digits));
+}
+
+/// That of every output, from no more trials than tell how large it is, and of a little less: what is found in the end
+/// may be just below a power of ten that these trials were above.
+Result<std::vector<uncertainty::LeastTolerance>> stated_tolerances(std::span<const SettledTrials> models,
+                                                                   uncertainty::MonteCarloOptions options) {
+  options.trials = 2 * uncertainty::block_size;
+  std::vector<uncertainty::LeastTolerance> tolerances(models.front().outputs().size());
+  for (const SettledTrials& model : models) {
+    AXIOMETRY_TRY(const auto own, uncertainty::propagate(std::cref(model), tolerances.size(), options));
+    for (std::size_t k = 0; k < tolerances.size(); ++k)
+      widen(tolerances[k], own.outputs[k], options.digits, first_share);
+  }
+  return tolerances;
+}
+
+/// Whether all of them are known as well as that, after however many trials.
+bool is_stable(std::span<const uncertainty::OutputSummary> hypotheses, int digits) {
+  uncertainty::LeastTolerance tolerance;
+  for (const uncertainty::OutputSummary& own : hypotheses) widen(tolerance, own, digits);
+  return std::ranges::all_of(hypotheses, [&](const uncertainty::OutputSummary& own) {
+    return own.sd == 0.0 || (2 * std::max(own.mean_error, own.sd_error) <= tolerance.u &&
+                             2 * std::max(own.symmetric_error.lower, own.symmetric_error.upper) <= tolerance.ends);
+  });
+}
+
+/// Trials of every hypothesis, one after the other.
+Result<void> propagate_hypotheses(MonteCarlo& result, const Subject& subject, std::span<const NoiseModel> noises) {
+  std::vector<SettledTrials> models;
+  for (const NoiseModel& noise : noises) {
+    const TrialModelOptions chosen{subject.measurand, subject.options.type_a, subject.options.seed, true, std::nullopt};
+    models.emplace_back(TrialModel(subject.test.series, subject.inputs, noise, chosen), subject.test.series,
+                        subject.evaluation);
+  }
+  const auto outputs = models.front().outputs();
+  uncertainty::MonteCarloOptions propagation = subject.options.propagation;
+  if (!propagation.trials && models.size() > 1) {
+    AXIOMETRY_TRY(propagation.least_tolerances, stated_tolerances(models, propagation));
+  }
+  std::vector<uncertainty::MonteCarloResult> all;
+  for (const SettledTrials& model : models) {
+    AXIOMETRY_TRY(auto own, uncertainty::propagate(std::cref(model), outputs.size(), propagation));
+    result.trials = std::max(result.trials, own.trials);
+    result.adaptive = own.adaptive;
+    all.push_back(std::move(own));
+  }
+  std::vector<std::string_view> constant;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const ParameterInfo& parameter = *outputs[k];
+    ParameterDistribution d;
+    d.value = (subject.evaluation.parameters.*parameter.member)->in_native();
+    for (auto& own : all) d.by_hypothesis.push_back(std::move(own.outputs[k]));
+    find_envelope(d);
+    if (d.summary.sd == 0.0) {
+      constant.push_back(parameter.symbol);
+      continue;
+    }
+    if (d.by_hypothesis.size() > 1) d.summary.stable = is_stable(d.by_hypothesis, propagation.digits);
+    result.stable = result.stable && d.summary.stable;
+    result.distributions[index_of(&parameter)] = std::move(d);
+  }
+  if (!constant.empty()) result.notes.push_back(no_claim_note(constant));
+  return {};
+}
+
+/// Readings that no normal scatter explains break the models of all that is drawn from it.
+void refuse_where_outliers(MonteCarlo& result, const Subject& subject) {
+  const auto found = gross_errors(subject.test.series, subject.course, subject.step());
+  if (found.empty()) return;
+  const GrossError& worst = found.front();
+  std::string reason = fmt::format(
+      "{} of run {} at {:.6g} {} departs by {:.3g} {} from the other approaches, {:.1f} times the standard deviation "
+      "of "
+      "such a departure",
+      arrow(worst.direction), worst.run + 1, subject.test.series.targets()[worst.target].in_native(),
+      position_unit(subject.test.metadata.axis.kind), worst.departure.in_native(),
+      deviation_unit(subject.test.metadata.axis.kind), worst.factor);
+  if (found.size() > 1) reason += fmt::format("; such readings: {}", found.size());
+  for (auto& d : result.distributions)
+    if (d) d->refusal = reason;
+  result.notes.push_back(std::string(refusal_sentence) + reason);
 }
 
 /// Noise is treated as normal, whatever its distribution.
@@ -134,10 +280,25 @@ std::vector<std::string> notes_on(const UncertaintyInputs& inputs, Measurand mea
       std::ranges::any_of(inputs.inputs, [](const UncertaintyInput& input) { return in_scatter(input.effect); }))
     notes.emplace_back(scatter_note);
   for (const UncertaintyInput& input : inputs.inputs)
-    if (acts_as_noise(input.effect) && !std::holds_alternative<uncertainty::Normal>(input.distribution.form()))
+    if (acts_as_noise(input.effect) && input.key != "environmental_variation" &&
+        !std::holds_alternative<uncertainty::Normal>(input.distribution.form()))
       notes.push_back(fmt::format("{} acts as noise of the readings and is taken as normal with its standard deviation",
                                   input.title));
   return notes;
+}
+
+/// What the interval holds for, and what it assumes.
+void note_hypotheses(std::vector<std::string>& notes, std::span<const NoiseHypothesis> hypotheses) {
+  if (hypotheses.size() < 2) return;
+  for (const NoiseHypothesis& hypothesis : hypotheses) {
+    if (hypothesis.refuted)
+      notes.push_back(fmt::format("Noise refuted by the readings (p = {:.1g}): {}; {}", hypothesis.p.value_or(0.0),
+                                  hypothesis.title, hypothesis.reason));
+    else if (hypothesis.reason.empty())
+      notes.push_back(fmt::format("The interval holds for: {}", hypothesis.title));
+    else
+      notes.push_back(fmt::format("The interval holds for: {}; {}", hypothesis.title, hypothesis.reason));
+  }
 }
 
 }  // namespace
@@ -150,41 +311,33 @@ std::optional<TypeA> find_type_a(std::string_view key) {
   return static_cast<TypeA>(found - std::begin(type_a_keys));
 }
 
-Result<std::optional<MonteCarlo>> monte_carlo(const Metadata& metadata, const Series& series,
-                                              const Evaluation& evaluation, const MonteCarloOptions& options) {
-  const Measurand measurand = measurand_of(metadata);
-  AXIOMETRY_TRY(const UncertaintyInputs inputs, uncertainty_inputs(metadata, series));
+Result<std::optional<MonteCarlo>> monte_carlo(const Test& test, const Evaluation& evaluation,
+                                              const MonteCarloOptions& options) {
+  const Measurand measurand = measurand_of(test.metadata);
+  AXIOMETRY_TRY(const UncertaintyInputs inputs, uncertainty_inputs(test.metadata, test.series, test.provenance.stated));
   if (inputs.inputs.empty() && measurand == Measurand::this_test) return std::nullopt;
-  AXIOMETRY_TRY_VOID(check(series, inputs, options.type_a, measurand));
-  const SettledTrials model({series, inputs, {measurand, options.type_a, options.seed, true, std::nullopt}}, series,
-                            evaluation);
-  AXIOMETRY_TRY(auto result, uncertainty::propagate(std::ref(model), model.outputs().size(), options.propagation));
-
-  MonteCarlo monte_carlo{measurand,
-                         options.type_a,
-                         options.seed,
-                         result.trials,
-                         result.adaptive,
-                         true,
-                         options.propagation.coverage,
-                         {},
-                         inputs.inputs,
-                         {},
-                         notes_on(inputs, measurand)};
-  std::vector<std::string_view> constant;
-  for (std::size_t k = 0; k < model.outputs().size(); ++k) {
-    const ParameterInfo& parameter = *model.outputs()[k];
-    if (result.outputs[k].sd == 0.0) {
-      constant.push_back(parameter.symbol);
-      continue;
-    }
-    monte_carlo.stable = monte_carlo.stable && result.outputs[k].stable;
-    monte_carlo.distributions[index_of(&parameter)] = {(evaluation.parameters.*parameter.member)->in_native(),
-                                                       std::move(result.outputs[k])};
-  }
-  if (!constant.empty()) monte_carlo.notes.push_back(no_claim_note(constant));
-  AXIOMETRY_TRY(monte_carlo.contributions, contributions(series, evaluation, inputs, options, measurand));
-  return monte_carlo;
+  AXIOMETRY_TRY_VOID(check(test.series, inputs, options.type_a, measurand));
+  const TestCourse course = course_of(test);
+  const Subject subject{test, course, evaluation, inputs, options, measurand};
+  NoiseModels noise = noise_models(subject.question());
+  MonteCarlo result{measurand,
+                    options.type_a,
+                    options.seed,
+                    0,
+                    false,
+                    true,
+                    options.propagation.coverage,
+                    {},
+                    inputs.inputs,
+                    {},
+                    notes_on(inputs, measurand),
+                    std::move(noise.hypotheses)};
+  result.notes.insert(result.notes.end(), noise.notes.begin(), noise.notes.end());
+  note_hypotheses(result.notes, result.hypotheses);
+  AXIOMETRY_TRY_VOID(propagate_hypotheses(result, subject, noise.models));
+  if (noise.models.size() > 1 || measurand == Measurand::this_machine) refuse_where_outliers(result, subject);
+  AXIOMETRY_TRY(result.contributions, contributions(subject));
+  return result;
 }
 
 }  // namespace axiometry::iso230_2

@@ -9,8 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "axiometry/model/test.h"
 #include "axiometry/standards/iso230_2.h"
 #include "axiometry/standards/iso230_2_inputs.h"
+#include "axiometry/standards/iso230_2_noise.h"
 #include "axiometry/uncertainty/monte_carlo.h"
 
 /// The Monte Carlo method (JCGM 101:2008) through the whole evaluation of clause 3: the distribution of every
@@ -50,10 +52,30 @@ struct Contribution {
 
 /// One parameter, in the order of `parameters`; numbers in the native deviation unit.
 struct ParameterDistribution {
-  double value = 0.0;                                   ///< measured, clause 3
-  uncertainty::OutputSummary summary;                   ///< y, u(y), intervals, histogram
-  double bias() const { return value - summary.mean; }  ///< what noise has added to the measured value
+  double value = 0.0;  ///< measured, clause 3
+  /// Of the hypothesis with the largest u: y, u(y), histogram; stable only where all are, to the digits of what is
+  /// stated
+  uncertainty::OutputSummary summary;
+  double bias() const { return value - summary.mean; }      ///< what noise has added to the measured value
+  std::vector<uncertainty::OutputSummary> by_hypothesis{};  ///< in the order of those that are not refuted
+  /// The interval that is stated: lowest lower and highest upper end of all hypotheses, and of each moved by
+  /// shift_of().
+  double low = 0.0;
+  double high = 0.0;
+  std::size_t low_from = 0;  ///< the hypotheses, among those not refuted, that give these ends …
+  std::size_t high_from = 0;
+  std::size_t summary_from = 0;  ///< … and the summary
+  std::string refusal{};         ///< why no interval is stated; empty where one is
+
+  /// By how much the mean of a hypothesis lies below that of the first, "none". Noise of a size between nothing and
+  /// what the hypothesis says moves the value by less, with no larger spread: the distribution moved back by all of it
+  /// is held possible too.
+  double shift_of(std::size_t hypothesis) const { return by_hypothesis.front().mean - by_hypothesis[hypothesis].mean; }
 };
+
+/// What a refusal reads like as a sentence of its own.
+inline constexpr std::string_view refusal_sentence =
+    "No interval is stated, since no normal scatter explains a reading: ";
 
 struct MonteCarlo {
   Measurand measurand = Measurand::this_test;
@@ -69,12 +91,13 @@ struct MonteCarlo {
   std::vector<UncertaintyInput> inputs;
   std::vector<Contribution> contributions;
   std::vector<std::string> notes;
+  std::vector<NoiseHypothesis> hypotheses;  ///< about the noise: all that were considered, those refuted too
 };
 
 /// Nothing when no input was given and the measurand is this test: then nothing is known about its uncertainty.
 /// Fails on inputs that make no sense (iso230_2_inputs.h), on an input without a finite variance that acts as
 /// noise, on this_machine with a single approach per direction (its scatter cannot be known), and when stopped.
-Result<std::optional<MonteCarlo>> monte_carlo(const Metadata& metadata, const Series& series,
-                                              const Evaluation& evaluation, const MonteCarloOptions& options);
+Result<std::optional<MonteCarlo>> monte_carlo(const Test& test, const Evaluation& evaluation,
+                                              const MonteCarloOptions& options);
 
 }  // namespace axiometry::iso230_2

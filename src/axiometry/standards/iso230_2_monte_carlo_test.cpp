@@ -36,14 +36,14 @@ Metadata with_inputs(std::vector<InputDistribution> distributions) {
 }
 
 MonteCarlo run(const Metadata& metadata, const Series& series, const MonteCarloOptions& chosen) {
-  auto result = monte_carlo(metadata, series, evaluate(series), chosen);
+  auto result = monte_carlo(axiometry::Test{metadata, series, {}}, evaluate(series), chosen);
   if (!result || !*result) throw std::logic_error(result ? "nothing" : result.error().message);
   return **std::move(result);
 }
 
 TEST(PositioningMonteCarlo, SaysNothingWhereNothingIsKnown) {
   const Series series = table2::series();
-  const auto result = monte_carlo({}, series, evaluate(series), options(1000));
+  const auto result = monte_carlo(axiometry::Test{{}, series, {}}, evaluate(series), options(1000));
   ASSERT_TRUE(result);
   EXPECT_FALSE(result->has_value());
 }
@@ -181,7 +181,8 @@ TEST(PositioningMonteCarlo, KeepsTheAlignmentAtItsEstimateWhereAnotherInputVarie
   UncertaintyInputs inputs;
   inputs.inputs.push_back(input(Effect::alignment, uncertainty::Uniform{-1.0, 1.0}));
   inputs.inputs.push_back(input(Effect::scale, uncertainty::Constant{0.0}));
-  const TrialModel model(series, inputs, {Measurand::this_test, TypeA::pooled, 1, true, 1});
+  const NoiseModel exact{{}, {ReadingNoise{}}, nullptr};
+  const TrialModel model(series, inputs, exact, {Measurand::this_test, TypeA::pooled, 1, true, 1});
   std::vector<double> outputs(std::size(parameters) * 100);
   model(0, {outputs, 100});
   EXPECT_NEAR(outputs[0], evaluate(series).parameters.A->in_native(), 1e-9);
@@ -204,14 +205,15 @@ TEST(PositioningMonteCarlo, RefusesThisMachineForASingleApproach) {
   const Series series = testing_support::make_series({0, 10, 20}, {{0, 1, 2}}, {{1, 2, 3}});
   Metadata metadata;
   metadata.gum.measurand = Measurand::this_machine;
-  const auto result = monte_carlo(metadata, series, evaluate(series), options(1000));
+  const auto result = monte_carlo(axiometry::Test{metadata, series, {}}, evaluate(series), options(1000));
   ASSERT_FALSE(result);
   EXPECT_THAT(result.error().message, testing::HasSubstr("single approach"));
 }
 
 TEST(PositioningMonteCarlo, RefusesNoiseOfInfiniteVariance) {
   const Series series = table2::series();
-  const auto result = monte_carlo(with_inputs({{"reading", "t 2 0 0.1"}}), series, evaluate(series), options(1000));
+  const auto result = monte_carlo(axiometry::Test{with_inputs({{"reading", "t 2 0 0.1"}}), series, {}},
+                                  evaluate(series), options(1000));
   ASSERT_FALSE(result);
   EXPECT_THAT(result.error().message, testing::HasSubstr("standard deviation"));
 }
@@ -235,9 +237,9 @@ TEST(PositioningMonteCarlo, HoldsTheTruthInNinetyFivePercent) {
       }
     }
     const Series series = *Series::make_dense(targets, n, seen);
-    UncertaintyInputs inputs;
-    inputs.inputs.push_back(input(Effect::reading, uncertainty::Normal{0.0, 0.7}));
-    const TrialModel model(series, inputs, {Measurand::this_test, TypeA::pooled, k + 1, true, std::nullopt});
+    const UncertaintyInputs inputs;
+    const NoiseModel noise{{}, {ReadingNoise{.reading = 0.7}}, nullptr};
+    const TrialModel model(series, inputs, noise, {Measurand::this_test, TypeA::pooled, k + 1, true, std::nullopt});
     std::vector<double> outputs(std::size(parameters) * trials);
     model(0, {outputs, trials});
     const AxisParameters true_parameters = evaluate(*Series::make_dense(targets, n, truth)).parameters;

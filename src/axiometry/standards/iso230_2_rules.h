@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "axiometry/standards/iso230_2_assessment.h"
 #include "axiometry/standards/iso230_2_programme.h"
@@ -36,6 +39,9 @@ struct Case {
 Case make_case(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
                const std::optional<AnnexA>& uncertainty);
 
+/// Whether an item is given and says something: "-" and "n/a" do not.
+bool is_stated(const Field& field, const Metadata& metadata);
+
 using Rule = std::optional<Finding>(const Case&);
 
 // Clauses 3 and 4: what was measured, and where (iso230_2_rules_conditions.cpp).
@@ -48,6 +54,11 @@ Rule straight_slope;                  // 3.24
 Rule temperature_without_correction;  // 4.1
 Rule temperature_change;              // 4.1
 Rule ordered_progression;             // 4.3
+
+inline constexpr const char* progression_clause = "4.3";  ///< of an ordered progression of deviations
+
+/// Clauses 3.18 and 4.3: outliers, uneven scatter, shifts and drifts of the runs (iso230_2_rules_scatter.cpp).
+std::vector<Finding> scatter_findings(const Case& c);
 
 // Clause 5: the test programme (iso230_2_rules_programme.cpp).
 Rule equally_spaced_targets;    // 5.2
@@ -77,25 +88,35 @@ Rule diagonal_line;   // ISO 230-6
 Rule line_in_space;   // 8.1
 Rule station_stated;  // 8.2.1
 
+/// Acceptance and reverification must keep off the sampling points (5.2); a test whose purpose was not told may be one.
+bool may_serve_acceptance(std::string_view purpose);
+/// A title as it reads within a sentence: "Date of test" begins small, "NDE correction" does not.
+std::string within_sentence(std::string_view title);
 /// At most three decimals, no trailing zeros: "1744.209", "0.1".
 std::string figure(double x);
 /// Of a deviation, to three significant digits or to the unit, without trailing zeros and with a true minus sign:
 /// "0.0213", "−2554".
 std::string size_text(double x);
+/// "0.0213 µm", "−2554 ″", marked so that departure(), missing() and note() find it (Finding::deviations).
+std::string deviation_text(AxisKind kind, double x);
+std::string deviation_text(const Case& c, double x);
 /// "1744.209 mm", "315°".
 std::string position_text(AxisKind kind, double position);
 std::string position_text(const Case& c, double position);
 /// "target 3 (353.834 mm)".
 std::string target_text(const Case& c, std::size_t target);
 
-inline Finding departure(std::string clause, std::string message) {
-  return {std::move(clause), Severity::departure, std::move(message)};
+/// Of a message whose deviations are marked.
+Finding finding(std::string clause, Severity severity, std::string_view marked);
+
+inline Finding departure(std::string clause, std::string_view message) {
+  return finding(std::move(clause), Severity::departure, message);
 }
-inline Finding missing(std::string clause, std::string message) {
-  return {std::move(clause), Severity::missing, std::move(message)};
+inline Finding missing(std::string clause, std::string_view message) {
+  return finding(std::move(clause), Severity::missing, message);
 }
-inline Finding note(std::string clause, std::string message) {
-  return {std::move(clause), Severity::note, std::move(message)};
+inline Finding note(std::string clause, std::string_view message) {
+  return finding(std::move(clause), Severity::note, message);
 }
 
 }  // namespace axiometry::iso230_2::rules

@@ -8,10 +8,10 @@
 #include <string_view>
 
 #include "axiometry/base/text.h"
+#include "axiometry/standards/iso230_2_resolved_inputs.h"
 #include "axiometry/standards/iso230_2_reversal.h"
 #include "axiometry/standards/iso230_2_rules.h"
 #include "axiometry/standards/iso230_2_slope.h"
-#include "axiometry/standards/usual_expansion.h"
 
 namespace axiometry::iso230_2::rules {
 namespace {
@@ -138,10 +138,10 @@ std::optional<Finding> straight_slope(const Case& c) {
   if (!slope || slope->remainder.in_native() > 0.3 * E) return std::nullopt;
   return note(
       "3.24",
-      fmt::format("found a straight slope of {} µm/m, without which E would be {} µm instead of {} µm; such a slope "
+      fmt::format("found a straight slope of {} µm/m, without which E would be {} instead of {}; such a slope "
                   "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
-                  size_text(1000.0 * slope->per_position_native), size_text(slope->remainder.in_native()), size_text(E),
-                  is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
+                  size_text(1000.0 * slope->per_position_native), deviation_text(c, slope->remainder.in_native()),
+                  deviation_text(c, E), is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
 }
 
 std::optional<Finding> same_reversal_everywhere(const Case& c) {
@@ -155,12 +155,11 @@ std::optional<Finding> same_reversal_everywhere(const Case& c) {
   const double measured = (repeated ? p.R : p.E)->in_native();
   const double without = (repeated ? common->without.R : common->without.E)->in_native();
   if (!(measured > 0.0) || without > 0.75 * measured) return std::nullopt;
-  const std::string_view unit = deviation_unit(c.kind());
-  return note("3.17", fmt::format("found nearly the same reversal error at every target, {} {} on average, without "
-                                  "which {} would be {} {} instead of {} {}; such a reversal error comes from play or "
-                                  "from its compensation, and nothing of it is removed",
-                                  size_text(p.B_mean->in_native()), unit, repeated ? "R" : "E", size_text(without),
-                                  unit, size_text(measured), unit));
+  return note("3.17", fmt::format("found nearly the same reversal error at every target, {} on average, without which "
+                                  "{} would be {} instead of {}; such a reversal error comes from play or from its "
+                                  "compensation, and nothing of it is removed",
+                                  deviation_text(c, p.B_mean->in_native()), repeated ? "R" : "E",
+                                  deviation_text(c, without), deviation_text(c, measured)));
 }
 
 std::optional<Finding> temperature_without_correction(const Case& c) {
@@ -173,17 +172,15 @@ std::optional<Finding> temperature_without_correction(const Case& c) {
   const auto distance = [](const Thermometer& t) { return std::abs(t.worst() - 20.0); };
   const Thermometer& worst = *std::ranges::max_element(thermometers, {}, distance);
   if (distance(worst) <= same_temperature || corrects_itself(c.metadata)) return std::nullopt;
-  const auto alpha =
-      c.metadata.axis.scale_expansion ? c.metadata.axis.scale_expansion : c.metadata.nde.machine_expansion;
-  const double per_m_K = alpha ? alpha->in_um_per_m_K() : expansion_usual;
+  const double per_m_K = machine_expansion(c.metadata);
   const std::string found = fmt::format("found {} °C at {}", figure(worst.worst()), worst.name);
   if (!c.metadata.nde.applied)
     return missing("4.1", found + " and no word whether differential expansion was corrected, expected nde.applied");
   return departure(
       "4.1",
       fmt::format("{} and no correction for differential expansion, expected one off 20 °C: the machine expands by "
-                  "about {} µm over {} at {} µm/(m·°C)",
-                  found, figure(std::round(per_m_K * distance(worst) * c.travel() / 100.0) / 10.0),
+                  "about {} over {} at {} µm/(m·°C)",
+                  found, deviation_text(c, std::round(per_m_K * distance(worst) * c.travel() / 100.0) / 10.0),
                   position_text(c, c.travel()), figure(per_m_K)));
 }
 
@@ -217,11 +214,11 @@ std::optional<Finding> ordered_progression(const Case& c) {
   const std::size_t ordered = std::max(rising, falling);
   if (ordered < 2 || static_cast<double>(ordered) <= share * static_cast<double>(cells)) return std::nullopt;
   return note(
-      "4.3",
-      fmt::format("found {} of {} targets and directions {} from run to run, by {} {} on average from the first run to "
+      progression_clause,
+      fmt::format("found {} of {} targets and directions {} from run to run, by {} on average from the first run to "
                   "the last, expected no ordered progression: a sign that the machine was not thermally stable",
                   ordered, cells, up ? "rising" : "falling",
-                  size_text(std::abs(up ? rise : fall) / static_cast<double>(ordered)), deviation_unit(c.kind())));
+                  deviation_text(c, std::abs(up ? rise : fall) / static_cast<double>(ordered))));
 }
 
 }  // namespace axiometry::iso230_2::rules

@@ -27,14 +27,12 @@ std::string listed(const std::vector<std::string>& items) {
   return list;
 }
 
-/// Acceptance and reverification must keep off the sampling points; a test whose purpose was not told
-/// may be one.
+}  // namespace
+
 bool may_serve_acceptance(std::string_view purpose) {
   const std::string word = text::to_lower(purpose);
   return word.empty() || word.find("accept") != word.npos || word.find("verif") != word.npos;
 }
-
-}  // namespace
 
 std::optional<Finding> equally_spaced_targets(const Case& c) {
   const std::size_t m = c.series.target_count();

@@ -28,14 +28,6 @@ std::vector<std::string> stretches(const std::vector<std::size_t>& indices) {
   return all;
 }
 
-/// A title as it reads within a sentence: "Date of test" begins small, "NDE correction" does not.
-std::string within_sentence(std::string_view title) {
-  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
-  std::string text(title);
-  if (text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' && is_small(text[1])) text[0] += 'a' - 'A';
-  return text;
-}
-
 /// "air temperature at the start" and "… at the end" become one item.
 void add_item(std::vector<std::string>& items, std::string_view title) {
   constexpr std::string_view start = " at the start", end = " at the end";
@@ -77,9 +69,29 @@ std::vector<std::string> contributors_left_out(const Case& c) {
 
 }  // namespace
 
+std::string within_sentence(std::string_view title) {
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  std::string text(title);
+  if (text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' && is_small(text[1])) text[0] += 'a' - 'A';
+  return text;
+}
+
 std::optional<Finding> parameters_not_applicable(const Case& c) {
   if (std::max(c.runs.up, c.runs.down) != 1) return std::nullopt;
   return note("6.2", "with one approach from each direction s, R and A (3.18 to 3.22, 3.26, 3.27) are not applicable");
+}
+
+bool is_stated(const Field& field, const Metadata& metadata) {
+  if (!is_given(field, metadata)) return false;
+  const FieldValue value = field.get(metadata);
+  const auto* stated = std::get_if<std::string>(&value);
+  if (stated == nullptr) return true;
+  const std::string word = text::to_lower(*stated);
+  const bool dashes = std::ranges::none_of(
+      word, [](unsigned char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || c >= 0x80; });
+  return !dashes &&
+         std::ranges::none_of(std::initializer_list<std::string_view>{"n/a", "na", "unknown", "tbd", "unbekannt"},
+                              [&](std::string_view nothing) { return word == nothing; });
 }
 
 std::optional<Finding> items_of_identification(const Case& c) {
@@ -89,7 +101,7 @@ std::optional<Finding> items_of_identification(const Case& c) {
   };
   std::vector<Group> absent;
   for (const Field& field : metadata_fields()) {
-    if (!is_wanted(field, c.metadata) || is_given(field, c.metadata)) continue;
+    if (!is_wanted(field, c.metadata) || is_stated(field, c.metadata)) continue;
     auto group = std::ranges::find(absent, group_of(field.key), &Group::key);
     if (group == absent.end()) group = absent.insert(group, {group_of(field.key), {}});
     add_item(group->items, field.title);

@@ -92,7 +92,7 @@ TEST(Station, ChangesNothingWhereItIsNotGiven) {
 TEST(Station, HasItsSquareAsAnInputOfTheLawOfPropagation) {
   const Series series = rising();
   const Metadata metadata = beside(0.8, 0.5);
-  const GumUncertainty result = gum(metadata, series, evaluate(series)).value().value();
+  const GumUncertainty result = gum(axiometry::Test{metadata, series, {}}, evaluate(series)).value().value();
   const double mean = 0.64 + 0.25;
   const double slope =
       1000.0 * (0.5 / std::hypot(near_mm, std::sqrt(mean)) - 0.5 / std::hypot(far_mm, std::sqrt(mean)));
@@ -115,7 +115,8 @@ TEST(Station, IsDrawnExactlyByTheMonteCarloMethod) {
   const Series series = rising();
   MonteCarloOptions options;
   options.propagation.trials = 200'000;
-  const auto result = monte_carlo(beside(0.8, 0.0), series, evaluate(series), options).value().value();
+  const auto result =
+      monte_carlo(axiometry::Test{beside(0.8, 0.0), series, {}}, evaluate(series), options).value().value();
   const auto& E = result.distributions[3].value();
   // Quantiles of z² at 2.5 % and 97.5 %.
   EXPECT_NEAR(E.summary.symmetric.lower, 12.0 + difference_um(0.64 * 0.000982069117175), 1e-3);
@@ -133,7 +134,7 @@ TEST(Station, ContributesEachOfItsDirectionsForItself) {
   MonteCarloOptions options;
   options.propagation.trials = 20'000;
   options.contribution_trials = 20'000;
-  const auto result = monte_carlo(metadata, series, evaluate(series), options).value().value();
+  const auto result = monte_carlo(axiometry::Test{metadata, series, {}}, evaluate(series), options).value().value();
   ASSERT_EQ(result.contributions.size(), 3u);
   const auto exact = [](double u) { return 1000.0 * (0.5 / near_mm - 0.5 / far_mm) * std::sqrt(2.0) * u * u; };
   EXPECT_NEAR(result.contributions[0].u[3], exact(0.8), 0.05 * exact(0.8));

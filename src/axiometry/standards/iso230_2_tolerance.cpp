@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/special_functions.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -14,40 +14,53 @@ using uncertainty::Decision;
 using uncertainty::DecisionRule;
 using uncertainty::Verdict;
 
-constexpr double annex_a_coverage_factor = 2.0;  // U = 2 u (A.2.1)
+constexpr double share_of_limit_negligible = 0.01;
 
-/// P(−limit ≤ B̄ ≤ limit): the one signed parameter can leave its tolerance on either side.
-double probability_within(double value, const ParameterUncertainty& known, double limit) {
-  const double u = known.standard.u.in_native();
-  if (const auto* distribution = known.distribution)
-    return std::max(0.0, distribution->probability_below(limit) - distribution->probability_below(-limit));
-  if (u == 0.0) return std::abs(value) <= limit ? 1.0 : 0.0;
-  return numeric::normal_probability((limit - value) / u) - numeric::normal_probability((-limit - value) / u);
+bool is_signed(const ParameterInfo& parameter) { return parameter.member == &AxisParameters::B_mean; }
+
+struct Question {
+  const ParameterInfo& parameter;
+  double value = 0.0;
+  double limit = 0.0;
+  const DecisionRule& rule;
+};
+
+Decision decide_on(const Question& asked, const JudgedWith& with) {
+  uncertainty::MeasuredValue measured{.value = asked.value};
+  measured.either_sign = is_signed(asked.parameter);
+  measured.rounding = with.slack.of(asked.parameter, asked.value);
+  if (const auto& known = with.uncertainties[index_of(asked.parameter)]) measured.belief = known->belief;
+  return decide(measured, asked.limit, asked.rule);
 }
 
-/// The decision with another probability of conformity, on which its risks rest.
-Decision with_probability(Decision decision, double probability) {
-  decision.probability_conforming = probability;
-  if (decision.consumer_risk) decision.consumer_risk = 1.0 - probability;
-  if (decision.producer_risk) decision.producer_risk = probability;
-  return decision;
+/// Whether a value that is off by the size of an effect, to either side, could be on the other side of where the
+/// verdicts change.
+bool could_turn(const Decision& decision, const Question& asked, double size) {
+  const double magnitude = std::abs(asked.value);
+  const auto within_reach = [&](double border) { return std::abs(magnitude - border) <= size; };
+  return within_reach(asked.limit - decision.guard_band) || within_reach(asked.limit + decision.rejection_band);
 }
 
-Decision decide_on(const ParameterInfo& parameter, double value, const std::optional<ParameterUncertainty>& known,
-                   double limit, const DecisionRule& rule) {
-  uncertainty::MeasuredValue measured{.value = std::abs(value)};
-  if (!known) return decide(measured, limit, rule);
-  measured.standard_uncertainty = known->standard.u.in_native();
-  const bool is_signed = parameter.member == &AxisParameters::B_mean;
-  if (is_signed) return with_probability(decide(measured, limit, rule), probability_within(value, *known, limit));
-  if (known->distribution != nullptr) measured.distribution = *known->distribution;
-  return decide(measured, limit, rule);
+/// The largest of the effects on a parameter; one of unknown size is larger than any.
+const UncorrectedEffect* largest_effect(const ParameterInfo& parameter, std::span<const UncorrectedEffect> effects) {
+  const auto size = [&](const UncorrectedEffect& effect) {
+    const auto own = effect.on(parameter);
+    return own ? std::abs(own->in_native()) : std::numeric_limits<double>::infinity();
+  };
+  const auto largest = std::ranges::max_element(effects, {}, size);
+  return largest == effects.end() ? nullptr : &*largest;
 }
 
-std::size_t index_of(const ParameterInfo& parameter) {
-  const auto* found = std::ranges::find(parameters, parameter.member, &ParameterInfo::member);
-  AXIOMETRY_CONTRACT(found != std::end(parameters));
-  return static_cast<std::size_t>(found - std::begin(parameters));
+/// The effect that no verdict on this value may leave out of account, if all of them together are not negligible.
+const UncorrectedEffect* in_the_way(const Decision& decision, const Question& asked, const JudgedWith& with) {
+  double together = 0.0;
+  for (const UncorrectedEffect& effect : with.uncorrected) {
+    const auto size = effect.on(asked.parameter);
+    together += size ? std::abs(size->in_native()) : std::numeric_limits<double>::infinity();
+  }
+  if (together == 0.0) return nullptr;
+  const bool negligible = together <= share_of_limit_negligible * asked.limit && !could_turn(decision, asked, together);
+  return negligible ? nullptr : largest_effect(asked.parameter, with.uncorrected);
 }
 
 /// Rank of a verdict among several: the largest decides.
@@ -74,22 +87,19 @@ std::string_view tolerance_source_key(ToleranceSource source) {
   return "";
 }
 
-std::string_view method_key(UncertaintyMethod method) {
-  switch (method) {
-    case UncertaintyMethod::annex_a: return "annex_a";
-    case UncertaintyMethod::gum: return "gum";
-    case UncertaintyMethod::monte_carlo: return "monte_carlo";
+std::vector<Tolerance> merged_limits(std::vector<Tolerance> below, std::span<const Tolerance> over) {
+  for (const Tolerance& tolerance : over) {
+    const auto same = std::ranges::find(below, tolerance.parameter, &Tolerance::parameter);
+    if (same == below.end()) {
+      below.push_back(tolerance);
+      continue;
+    }
+    Tolerance winner = tolerance;
+    winner.replaced = std::move(same->replaced);
+    winner.replaced.push_back({same->limit, same->source});
+    *same = std::move(winner);
   }
-  return "";
-}
-
-std::string_view method_title(UncertaintyMethod method) {
-  switch (method) {
-    case UncertaintyMethod::annex_a: return "Annex A";
-    case UncertaintyMethod::gum: return "GUM";
-    case UncertaintyMethod::monte_carlo: return "Monte Carlo";
-  }
-  return "";
+  return below;
 }
 
 std::vector<Tolerance> stated_tolerances(const Metadata& metadata) {
@@ -106,26 +116,9 @@ std::vector<Tolerance> stated_tolerances(const Metadata& metadata) {
   return tolerances;
 }
 
-ParameterUncertainties deciding_uncertainties(const Assessment& assessment) {
-  ParameterUncertainties all;
-  for (std::size_t k = 0; k < std::size(parameters); ++k) {
-    const ParameterInfo& parameter = parameters[k];
-    if (assessment.monte_carlo && assessment.monte_carlo->distributions[k]) {
-      const uncertainty::OutputSummary& summary = assessment.monte_carlo->distributions[k]->summary;
-      const bool drawn = summary.distribution.trials() > 0;
-      all[k] = {{Deviation::native(summary.sd), UncertaintyMethod::monte_carlo, assessment.monte_carlo->measurand},
-                drawn ? &summary.distribution : nullptr};
-    } else if (const GumParameter* gum = assessment.gum ? assessment.gum->find(parameter.key) : nullptr) {
-      all[k] = {{gum->uncertainty.u, UncertaintyMethod::gum, assessment.gum->measurand}};
-    } else if (assessment.annex_a && assessment.annex_a->U.*parameter.member) {
-      const Deviation U = *(assessment.annex_a->U.*parameter.member);
-      all[k] = {{Deviation::native(U.in_native() / annex_a_coverage_factor), UncertaintyMethod::annex_a}};
-    }
-  }
-  return all;
+bool Judgement::has_guard_band() const {
+  return withheld.empty() && (rule.kind == DecisionRule::Kind::simple || (magnitude && uncertainty));
 }
-
-bool Judgement::has_guard_band() const { return rule.kind == DecisionRule::Kind::simple || (magnitude && uncertainty); }
 
 std::optional<Deviation> Judgement::acceptance_limit() const {
   const double limit = tolerance.limit.in_native() - decision.guard_band;
@@ -135,21 +128,28 @@ std::optional<Deviation> Judgement::acceptance_limit() const {
 
 std::optional<Deviation> Judgement::rejection_limit() const {
   if (!has_guard_band()) return std::nullopt;
-  return Deviation::native(tolerance.limit.in_native() + decision.guard_band);
+  return Deviation::native(tolerance.limit.in_native() + decision.rejection_band);
 }
 
 std::vector<Judgement> judge(const AxisParameters& measured, std::span<const Tolerance> tolerances,
-                             const DecisionRule& rule, const ParameterUncertainties& uncertainties) {
+                             const DecisionRule& rule, const JudgedWith& with) {
   std::vector<Judgement> judgements;
   for (const Tolerance& tolerance : tolerances) {
     AXIOMETRY_CONTRACT(tolerance.parameter != nullptr);
     Judgement judgement{tolerance, rule, {}, {}, {}};
     if (const std::optional<Deviation> value = measured.*(tolerance.parameter->member)) {
       judgement.magnitude = Deviation::native(std::abs(value->in_native()));
-      const auto& known = uncertainties[index_of(*tolerance.parameter)];
-      if (known) judgement.uncertainty = known->standard;
-      judgement.decision =
-          decide_on(*tolerance.parameter, value->in_native(), known, tolerance.limit.in_native(), rule);
+      const auto& known = with.uncertainties[index_of(*tolerance.parameter)];
+      if (known) judgement.uncertainty = known->stated;
+      const Question asked{*tolerance.parameter, value->in_native(), tolerance.limit.in_native(), rule};
+      judgement.decision = decide_on(asked, with);
+      if (const UncorrectedEffect* effect = in_the_way(judgement.decision, asked, with)) {
+        judgement.withheld = effect->reason();
+        judgement.decision = {};
+        judgement.decision.verdict = Verdict::undecided;
+      } else if (!known && judgement.decision.verdict == Verdict::undecided) {
+        judgement.withheld = with.refusals[index_of(*tolerance.parameter)];
+      }
     }
     judgements.push_back(std::move(judgement));
   }
@@ -158,8 +158,11 @@ std::vector<Judgement> judge(const AxisParameters& measured, std::span<const Tol
 
 std::optional<Verdict> overall_verdict(std::span<const Judgement> judgements) {
   if (judgements.empty()) return std::nullopt;
-  return std::ranges::max(judgements, {}, [](const Judgement& j) { return gravity(j.decision.verdict); })
-      .decision.verdict;
+  const auto verdict_of = [](const Judgement& judgement) { return judgement.decision.verdict; };
+  const Verdict worst =
+      verdict_of(*std::ranges::max_element(judgements, {}, [&](const Judgement& j) { return gravity(verdict_of(j)); }));
+  const bool all_judged = std::ranges::find(judgements, Verdict::not_applicable, verdict_of) == judgements.end();
+  return worst == Verdict::conforms && !all_judged ? Verdict::undecided : worst;
 }
 
 }  // namespace axiometry::iso230_2

@@ -15,13 +15,6 @@ using Kind = DecisionRule::Kind;
 
 Tolerance limit(std::string_view key, double um) { return {find_parameter(key), Deviation::native(um)}; }
 
-/// The same u for every parameter.
-ParameterUncertainties all_with(double u) {
-  ParameterUncertainties all;
-  all.fill(ParameterUncertainty{{Deviation::native(u), UncertaintyMethod::annex_a}});
-  return all;
-}
-
 AxisParameters measured() {
   AxisParameters p;
   p.A = Deviation::native(10);
@@ -29,9 +22,23 @@ AxisParameters measured() {
   return p;
 }
 
-Verdict verdict(std::string_view key, double um, DecisionRule rule, const ParameterUncertainties& uncertainties) {
+/// The same u for every parameter.
+JudgedWith all_with(double u) {
+  const AxisParameters values = measured();
+  JudgedWith with;
+  for (std::size_t k = 0; k < std::size(parameters); ++k) {
+    const auto& value = values.*parameters[k].member;
+    const double x = value ? value->in_native() : 0.0;
+    with.uncertainties[k] = ParameterUncertainty{
+        {UncertaintyMethod::annex_a, {}, Deviation::native(u), Deviation::native(2 * u), {x - 2 * u, x + 2 * u}},
+        uncertainty::Belief::normal(x, u)};
+  }
+  return with;
+}
+
+Verdict verdict(std::string_view key, double um, DecisionRule rule, const JudgedWith& with) {
   const Tolerance one[] = {limit(key, um)};
-  return judge(measured(), one, rule, uncertainties).front().decision.verdict;
+  return judge(measured(), one, rule, with).front().decision.verdict;
 }
 
 TEST(Judge, ComparesMagnitudesAndTakesTheLimitItselfForConforming) {
@@ -49,16 +56,16 @@ TEST(Judge, HasNoVerdictOnWhatDoesNotExist) {
   EXPECT_FALSE(judgements[0].acceptance_limit());
 }
 
-TEST(Judge, KeepsAGuardBandOf165StandardUncertaintiesOnBothSidesUnderIso14253) {
+TEST(Judge, LeavesFivePercentOfRiskOnBothSidesUnderIso14253) {
   const DecisionRule rule{Kind::iso_14253_1};
-  EXPECT_EQ(verdict("A", 11.66, rule, all_with(1)), Verdict::conforms);
-  EXPECT_EQ(verdict("A", 11.64, rule, all_with(1)), Verdict::undecided);
-  EXPECT_EQ(verdict("A", 8.36, rule, all_with(1)), Verdict::undecided);
-  EXPECT_EQ(verdict("A", 8.34, rule, all_with(1)), Verdict::does_not_conform);
+  EXPECT_EQ(verdict("A", 11.645, rule, all_with(1)), Verdict::conforms);
+  EXPECT_EQ(verdict("A", 11.644, rule, all_with(1)), Verdict::undecided);
+  EXPECT_EQ(verdict("A", 8.356, rule, all_with(1)), Verdict::undecided);
+  EXPECT_EQ(verdict("A", 8.355, rule, all_with(1)), Verdict::does_not_conform);
   const Tolerance one[] = {limit("A", 12)};
   const Judgement judgement = judge(measured(), one, rule, all_with(2)).front();
-  EXPECT_DOUBLE_EQ(judgement.acceptance_limit()->in_native(), 12 - 3.3);
-  EXPECT_DOUBLE_EQ(judgement.rejection_limit()->in_native(), 12 + 3.3);
+  EXPECT_NEAR(judgement.acceptance_limit()->in_native(), 12 - 3.2897072539, 1e-9);  // 2 · 1.6448536270
+  EXPECT_NEAR(judgement.rejection_limit()->in_native(), 12 + 3.2897072539, 1e-9);
 }
 
 TEST(Judge, DecidesNothingUnderIso14253WithoutUncertainty) {
@@ -72,9 +79,9 @@ TEST(Judge, DecidesNothingUnderIso14253WithoutUncertainty) {
 TEST(Judge, HasNoAcceptanceLimitWhereTheGuardBandIsWiderThanTheTolerance) {
   const Tolerance one[] = {limit("A", 3)};
   const Judgement judgement = judge(measured(), one, {Kind::iso_14253_1}, all_with(4)).front();
-  EXPECT_EQ(judgement.decision.verdict, Verdict::does_not_conform);  // 10 > 3 + 6.6
+  EXPECT_EQ(judgement.decision.verdict, Verdict::does_not_conform);  // 10 > 3 + 6.58
   EXPECT_FALSE(judgement.acceptance_limit());
-  EXPECT_DOUBLE_EQ(judgement.rejection_limit()->in_native(), 9.6);
+  EXPECT_NEAR(judgement.rejection_limit()->in_native(), 9.5794145080, 1e-9);
 }
 
 // Φ(1) and Φ(−1) to ten digits, from tables.
@@ -101,12 +108,13 @@ uncertainty::SampledDistribution uniform_from_minus_5_to_15() {
 
 TEST(Judge, TakesTheProbabilityFromADistributionWhereThereIsOne) {
   const auto uniform = uniform_from_minus_5_to_15();
-  ParameterUncertainties uncertainties;
-  uncertainties.fill(ParameterUncertainty{{Deviation::native(5.77), UncertaintyMethod::monte_carlo}, &uniform});
+  JudgedWith with = all_with(5.77);
+  for (auto& known : with.uncertainties)
+    known->belief = uncertainty::Belief::sampled(known->belief.value(), {{&uniform}});
   const Tolerance limits[] = {limit("A", 12), limit("B_mean", 4)};
-  const auto judgements = judge(measured(), limits, {}, uncertainties);
-  EXPECT_NEAR(*judgements[0].decision.probability_conforming, 0.85, 1e-12);
-  EXPECT_NEAR(*judgements[1].decision.probability_conforming, 0.4, 1e-12);  // −4 to 4 of 20
+  const auto judgements = judge(measured(), limits, {}, with);
+  EXPECT_NEAR(judgements[0].decision.probability_range->least, 0.85, 1e-12);
+  EXPECT_NEAR(judgements[1].decision.probability_range->least, 0.4, 1e-12);  // −4 to 4 of 20
   EXPECT_NEAR(*judgements[1].decision.consumer_risk, 0.6, 1e-12);
 }
 
@@ -123,43 +131,71 @@ TEST(Judge, FindsTheWorstOfAllVerdicts) {
   };
   EXPECT_EQ(of({}), std::nullopt);
   EXPECT_EQ(of({limit("R", 1)}), Verdict::not_applicable);
-  EXPECT_EQ(of({limit("R", 1), limit("A", 20)}), Verdict::conforms);
+  EXPECT_EQ(of({limit("A", 20)}), Verdict::conforms);
+  EXPECT_EQ(of({limit("R", 1), limit("A", 20)}), Verdict::undecided);  // R does not exist
+  EXPECT_EQ(of({limit("R", 1), limit("A", 2)}), Verdict::does_not_conform);
   EXPECT_EQ(of({limit("A", 10), limit("A", 20)}), Verdict::undecided);
   EXPECT_EQ(of({limit("A", 10), limit("A", 20), limit("A", 2)}), Verdict::does_not_conform);
 }
 
-TEST(DecidingUncertainty, IsHalfTheExpandedOneOfAnnexA) {
-  const auto assessment = assess(testing_support::table2::complete_test());
-  const auto uncertainties = deciding_uncertainties(assessment);
-  for (std::size_t k = 0; k < std::size(parameters); ++k) {
-    ASSERT_TRUE(uncertainties[k]) << parameters[k].key;
-    EXPECT_EQ(uncertainties[k]->standard.method, UncertaintyMethod::annex_a);
-    EXPECT_DOUBLE_EQ(2 * uncertainties[k]->standard.u.in_native(),
-                     (assessment.annex_a->U.*parameters[k].member)->in_native());
+/// 5 µm on lengths, nothing on what repeats.
+UncorrectedEffect expansion(double um) {
+  return {"expansion", "thermal expansion, about 5 µm over the travel,", Deviation::native(um), Deviation::native(0),
+          "--correct nde"};
+}
+
+TEST(Judge, WithholdsEveryVerdictOnAValueThatHoldsAnUncorrectedEffect) {
+  const UncorrectedEffect effects[] = {expansion(5)};
+  JudgedWith with = all_with(0.1);
+  with.uncorrected = effects;
+  for (const double um : {2.0, 9.0, 20.0}) {
+    for (const Kind kind : {Kind::simple, Kind::iso_14253_1, Kind::guard_band}) {
+      const Tolerance one[] = {limit("A", um)};
+      const Judgement judgement = judge(measured(), one, {kind}, with).front();
+      EXPECT_EQ(judgement.decision.verdict, Verdict::undecided);
+      EXPECT_FALSE(judgement.decision.probability_conforming);
+      EXPECT_FALSE(judgement.decision.probability_range);
+      EXPECT_FALSE(judgement.acceptance_limit());
+      EXPECT_FALSE(judgement.rejection_limit());
+      EXPECT_EQ(
+          judgement.withheld,
+          "thermal expansion, about 5 µm over the travel, is neither corrected nor in the uncertainty; --correct nde "
+          "mends that");
+    }
   }
+  EXPECT_EQ(verdict("B_mean", 3.5, {Kind::iso_14253_1}, with), Verdict::conforms);  // does not act on it
 }
 
-TEST(DecidingUncertainty, PrefersMonteCarloToTheGumAndThatToAnnexA) {
-  const axiometry::Test test = testing_support::table2::complete_test();
-  Assessment assessment = assess(test);
-  assessment.gum = gum(test.metadata, test.series, assessment.evaluation).value();
-  for (const auto& uncertainty : deciding_uncertainties(assessment))
-    EXPECT_EQ(uncertainty->standard.method, UncertaintyMethod::gum);
-  MonteCarloOptions few;
-  few.propagation.trials = 10'000;
-  few.contribution_trials = 0;
-  assessment.monte_carlo = monte_carlo(test.metadata, test.series, assessment.evaluation, few).value();
-  assessment.monte_carlo->distributions[1].reset();  // as for a parameter that the method knows nothing about
-  const auto uncertainties = deciding_uncertainties(assessment);
-  EXPECT_EQ(uncertainties[0]->standard.method, UncertaintyMethod::monte_carlo);
-  EXPECT_EQ(uncertainties[0]->distribution, &assessment.monte_carlo->distributions[0]->summary.distribution);
-  EXPECT_EQ(uncertainties[0]->standard.u.in_native(), assessment.monte_carlo->distributions[0]->summary.sd);
-  EXPECT_EQ(uncertainties[1]->standard.method, UncertaintyMethod::gum);
+TEST(Judge, PassesOverAnEffectThatIsSmallAndCouldTurnNothing) {
+  const UncorrectedEffect effects[] = {expansion(0.09)};
+  JudgedWith with = all_with(0.1);
+  with.uncorrected = effects;
+  EXPECT_EQ(verdict("A", 20, {}, with), Verdict::conforms);
+  EXPECT_EQ(verdict("A", 10.05, {}, with), Verdict::undecided);  // 10.09 would not conform
+  EXPECT_EQ(verdict("A", 9.95, {}, with), Verdict::undecided);
+  const UncorrectedEffect of_unknown_size[] = {
+      {"sign", "the reversed sign of the instrument", {}, {}, "--correct sign"}};
+  with.uncorrected = of_unknown_size;
+  EXPECT_EQ(verdict("A", 20, {}, with), Verdict::undecided);
+  EXPECT_EQ(verdict("B_mean", 20, {}, with), Verdict::undecided);
 }
 
-TEST(DecidingUncertainty, IsAbsentWhereNoneWasEstimated) {
-  for (const auto& uncertainty : deciding_uncertainties(assess({{}, testing_support::table2::series(), {}})))
-    EXPECT_FALSE(uncertainty);
+TEST(MergedLimits, AreOfEachParameterTheOneOfTheHighestAuthorityAndRememberTheOthers) {
+  const auto from = [](std::string_view key, double um, ToleranceSource source) {
+    return Tolerance{find_parameter(key), Deviation::native(um), source};
+  };
+  using enum ToleranceSource;
+  std::vector<Tolerance> all = {from("A", 8, axis), from("B", 5, axis)};
+  all = merged_limits(std::move(all), std::vector{from("A", 9, test), from("E", 4, test)});
+  all = merged_limits(std::move(all), std::vector{from("A", 10, user)});
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].limit.in_native(), 10);
+  ASSERT_EQ(all[0].replaced.size(), 2u);
+  EXPECT_EQ(all[0].replaced[0].source, axis);
+  EXPECT_EQ(all[0].replaced[1].limit.in_native(), 9);
+  EXPECT_EQ(all[1].limit.in_native(), 5);  // B of the axis stays
+  EXPECT_EQ(all[1].source, axis);
+  EXPECT_EQ(all[2].source, test);
 }
 
 TEST(StatedTolerances, FollowTheMetadataForEveryParameter) {

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "axiometry/numeric/moments.h"
-#include "axiometry/standards/alignment.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -15,26 +14,10 @@ namespace {
 // Streams of random numbers; inputs take one each, from first_of_inputs on.
 constexpr std::uint64_t of_posterior = 0;
 constexpr std::uint64_t of_sampling = of_posterior + ReadingPosterior::streams;
-constexpr std::uint64_t first_of_inputs = of_sampling + 1;  // and after them the errors of targets
+constexpr std::uint64_t of_drift = of_sampling + 1;
+constexpr std::uint64_t first_of_inputs = of_drift + 1;  // and after them the errors of targets
 
 constexpr double m_per_mm = 1e-3;
-
-/// Known noise: inputs of one effect add up in quadrature.
-ReadingNoise noise_of(const UncertaintyInputs& inputs, const TrialModelOptions& options) {
-  ReadingNoise noise{.up_down_correlation = inputs.up_down_correlation};
-  for (std::size_t k = 0; k < inputs.inputs.size(); ++k) {
-    if (options.only_input && *options.only_input != k) continue;
-    const UncertaintyInput& input = inputs.inputs[k];
-    const double sd = input.distribution.standard_deviation().value_or(0.0);
-    double* of_effect = input.effect == Effect::reading            ? &noise.reading
-                        : input.effect == Effect::run              ? &noise.run
-                        : input.effect == Effect::target           ? &noise.target
-                        : input.effect == Effect::target_direction ? &noise.target_direction
-                                                                   : nullptr;
-    if (of_effect != nullptr) *of_effect = std::hypot(*of_effect, sd);
-  }
-  return noise;
-}
 
 bool is_long_run(const TrialModelOptions& options) {
   return options.sampling && options.measurand == Measurand::this_machine;
@@ -44,6 +27,16 @@ ReadingPosterior::Asked asked_of(const TrialModelOptions& options) {
   return is_long_run(options) ? ReadingPosterior::Asked::long_run : ReadingPosterior::Asked::readings;
 }
 
+/// The readings less what is expected of the drift.
+Series without(const Series& series, std::span<const double> drift) {
+  std::vector<double> readings;
+  for (Direction direction : {Direction::up, Direction::down})
+    for (std::size_t i = 0; i < series.target_count(); ++i)
+      for (double x : series.cell(i, direction)) readings.push_back(x - drift[readings.size()]);
+  auto still = Series::make_dense({series.targets().begin(), series.targets().end()}, series.run_count(), readings);
+  return still ? *std::move(still) : series;  // which it would leave at the edge of what a reading may be
+}
+
 /// f_t(α, ΔT) − f_t(α̂, ΔT̂) in µm/m, α in µm/(m·°C); the difference of (14) without cancellation.
 double expansion_error(double alpha, double dT, double alpha_estimate, double dT_estimate) {
   const double strain = alpha * dT;
@@ -51,22 +44,25 @@ double expansion_error(double alpha, double dT, double alpha_estimate, double dT
   return (strain_estimate - strain) / ((1.0 + 1e-6 * strain) * (1.0 + 1e-6 * strain_estimate));
 }
 
-/// cos θ in µm/m about 1 for θ in °; sin² does not cancel where cos does.
-double cosine_error(double theta_deg) {
+/// For θ in °, in µm/m: 1/cos θ − 1, by which an instrument at this angle to the axis shows too little; cos θ − 1 of
+/// an artefact, which along the axis is shorter than it is long. sin² does not cancel where cos does. At 90°, where
+/// nothing is shown, a finite number.
+double cosine_error(double theta_deg, bool of_artefact) {
   const double s = std::sin(0.5 * theta_deg * std::numbers::pi / 180.0);
-  return -2e6 * s * s;
+  return of_artefact ? -2e6 * s * s : 2e6 * s * s / std::max(1.0 - 2.0 * s * s, 1e-9);
 }
 
 }  // namespace
 
-TrialModel::TrialModel(const Series& series, const UncertaintyInputs& inputs, const TrialModelOptions& options)
-    : series_(series),
-      inputs_(inputs),
-      options_(options),
-      layout_(series),
-      posterior_(series, options.sampling ? noise_of(inputs, options) : ReadingNoise{}, asked_of(options)) {
+TrialModel::TrialModel(const Series& series, const UncertaintyInputs& inputs, const NoiseModel& noise,
+                       const TrialModelOptions& options)
+    : series_(series), inputs_(inputs), options_(options), layout_(series), drift_(noise.drift) {
   find_length_errors();
   if (inputs.station) station_.emplace(series.targets(), *inputs.station);
+  noise_ = options.sampling ? noise.shares : std::vector<ReadingNoise>{ReadingNoise{}};
+  if (!options.sampling) drift_.reset();
+  const std::optional<Series> still = drift_ ? std::optional(without(series, drift_->expected())) : std::nullopt;
+  for (const ReadingNoise& share : noise_) posteriors_.emplace_back(still ? *still : series, share, asked_of(options));
 }
 
 /// Draws of one input.
@@ -89,11 +85,11 @@ void TrialModel::find_length_errors() {
     return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
   };
   for (std::size_t k = 0; k < all.size(); ++k) {
-    LengthError error{all[k].effect, k, std::nullopt, 0.0};
+    LengthError error{all[k].effect, k, std::nullopt};
     switch (error.effect) {
       case Effect::machine_expansion: error.temperature = find(Effect::machine_temperature); break;
       case Effect::device_expansion: error.temperature = find(Effect::device_temperature); break;
-      case Effect::alignment: error.mean_cosine = alignment_moments(all[k].distribution).mean; break;
+      case Effect::alignment:
       case Effect::scale: break;
       default: continue;
     }
@@ -111,9 +107,9 @@ std::vector<double> TrialModel::draw(const LengthError& error, std::uint64_t pla
     const double dT_estimate = inputs_.inputs[*error.temperature].distribution.mean();
     for (std::size_t t = 0; t < chunk; ++t) values[t] = expansion_error(values[t], dT[t], own.mean(), dT_estimate);
   } else if (error.effect == Effect::alignment) {
-    // Its estimate is the mean cosine, not the cosine of the mean.
+    // The readings have no correction for it: each draw takes out all of it, not what departs from the mean.
     const bool varied = !options_.only_input || *options_.only_input == error.input;
-    for (double& value : values) value = varied ? cosine_error(value) - error.mean_cosine : 0.0;
+    for (double& value : values) value = varied ? cosine_error(value, inputs_.of_artefact) : 0.0;
   }
   return values;
 }
@@ -130,7 +126,7 @@ std::vector<double> TrialModel::length_errors(std::uint64_t place) const {
 
 /// Each cell for itself: σ² + u² from χ², μ from the normal distribution that follows (together Student's t).
 void TrialModel::draw_t_scaled(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> sds) const {
-  const ReadingNoise noise = noise_of(inputs_, options_);
+  const ReadingNoise& noise = noise_.front();
   const double noise_variance = std::pow(noise.reading, 2) + std::pow(noise.run, 2);
   std::vector<double> normals(chunk * (series_.run_count() + 1));
   for (std::size_t c = 0; c < 2 * series_.target_count(); ++c) {
@@ -201,7 +197,7 @@ void TrialModel::add_station_errors(std::uint64_t place, std::size_t rows_per_ce
 
 /// The errors of single targets, where no posterior has taken them out of the readings: rows of one cell move alike.
 void TrialModel::add_target_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const {
-  const ReadingNoise noise = noise_of(inputs_, options_);
+  const ReadingNoise& noise = noise_.front();
   if (noise.target == 0.0 && noise.target_direction == 0.0) return;
   const std::size_t targets = series_.target_count();
   const double r = noise.up_down_correlation;
@@ -219,18 +215,36 @@ void TrialModel::add_target_errors(std::uint64_t place, std::size_t rows_per_cel
   }
 }
 
+/// What any two places differ by: it makes the parameters that are distances between two places longer or shorter, and
+/// has no part in reversals and scatter. A distance below 0 has its ends exchanged.
+void TrialModel::add_displacement_errors(std::uint64_t place, numeric::Rows<double> outputs) const {
+  for (std::size_t k = 0; k < inputs_.inputs.size() && series_.target_count() > 1; ++k) {
+    if (inputs_.inputs[k].effect != Effect::displacement) continue;
+    const std::vector<double> error = draws(k, place);
+    for (std::size_t p = 0; p < layout_.outputs().size(); ++p) {
+      const std::string_view key = layout_.outputs()[p]->key;
+      if (!(key.starts_with('A') || key.starts_with('E') || key.starts_with('M'))) continue;
+      const auto row = outputs.row(p, chunk);
+      for (std::size_t t = 0; t < chunk; ++t) row[t] = std::abs(row[t] + error[t]);
+    }
+  }
+}
+
 void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const {
   const bool long_run = is_long_run(options_);
   const numeric::RandomKey posterior_key{options_.seed, of_posterior, place};
+  const numeric::RandomKey drift_key{options_.seed, of_drift, place};
+  const ReadingPosterior& posterior = posteriors_[place % posteriors_.size()];
   if (long_run && options_.type_a != TypeA::resampled) {
     std::vector<double> means(layout_.cell_rows() * chunk), estimators(layout_.cell_rows() * chunk);
     const numeric::Rows<double> mean_rows{means, chunk}, estimator_rows{estimators, chunk};
     if (options_.type_a == TypeA::pooled) {
-      posterior_.draw_long_run(posterior_key, mean_rows, estimator_rows);
+      posterior.draw_long_run(posterior_key, mean_rows, estimator_rows);
     } else {
       draw_t_scaled(place, mean_rows, estimator_rows);
       add_target_errors(place, 1, mean_rows);
     }
+    if (drift_) drift_->subtract_from_means(drift_key, mean_rows);
     add_length_errors(place, 1, mean_rows);
     add_station_errors(place, 1, mean_rows);
     evaluate_batch(layout_, CellMoments<double>{{means, chunk}, {estimators, chunk}}, chunk, outputs);
@@ -242,7 +256,8 @@ void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) 
     draw_resampled(place, rows);
     add_target_errors(place, series_.run_count(), rows);
   } else {
-    posterior_.draw_readings(posterior_key, rows);
+    posterior.draw_readings(posterior_key, rows);
+    if (drift_) drift_->subtract_from_readings(drift_key, rows);
   }
   add_length_errors(place, series_.run_count(), rows);
   add_station_errors(place, series_.run_count(), rows);
@@ -254,6 +269,7 @@ void TrialModel::operator()(std::uint64_t block, uncertainty::BlockOutputs outpu
   for (std::size_t begin = 0; begin < outputs.trials; begin += chunk) {
     const std::uint64_t place = block * (uncertainty::block_size / chunk) + begin / chunk;
     draw_chunk(place, numeric::Rows<double>{drawn, chunk});
+    add_displacement_errors(place, numeric::Rows<double>{drawn, chunk});
     const std::size_t count = std::min(chunk, outputs.trials - begin);
     for (std::size_t p = 0; p < layout_.outputs().size(); ++p)
       std::copy_n(drawn.begin() + static_cast<std::ptrdiff_t>(p * chunk), count,

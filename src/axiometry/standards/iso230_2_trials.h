@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "axiometry/standards/iso230_2_batch.h"
 #include "axiometry/standards/iso230_2_inputs.h"
 #include "axiometry/standards/iso230_2_monte_carlo.h"
+#include "axiometry/standards/iso230_2_noise.h"
 #include "axiometry/standards/iso230_2_posterior.h"
 #include "axiometry/standards/station_offset.h"
 #include "axiometry/uncertainty/monte_carlo.h"
@@ -28,8 +30,9 @@ struct TrialModelOptions {
 
 class TrialModel {
  public:
-  /// Refers to series and inputs, which must outlive it.
-  TrialModel(const Series& series, const UncertaintyInputs& inputs, const TrialModelOptions& options);
+  /// Refers to series and inputs, which must outlive it. The noise is that of the model, whatever the inputs say.
+  TrialModel(const Series& series, const UncertaintyInputs& inputs, const NoiseModel& noise,
+             const TrialModelOptions& options);
 
   /// Parameters that exist, in the order of `parameters`: one row of outputs each.
   std::span<const ParameterInfo* const> outputs() const { return layout_.outputs(); }
@@ -47,7 +50,6 @@ class TrialModel {
     Effect effect = Effect::scale;
     std::size_t input = 0;                   ///< of UncertaintyInputs; α where there are two
     std::optional<std::size_t> temperature;  ///< ΔT
-    double mean_cosine = 0.0;                ///< of the alignment: E cos θ − 1, µm/m
   };
 
   void find_length_errors();
@@ -57,6 +59,7 @@ class TrialModel {
   void add_length_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
   void add_station_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
   void add_target_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
+  void add_displacement_errors(std::uint64_t place, numeric::Rows<double> outputs) const;
   void draw_t_scaled(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> sds) const;
   void draw_resampled(std::uint64_t place, numeric::Rows<double> readings) const;
   void draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const;
@@ -67,7 +70,9 @@ class TrialModel {
   BatchLayout layout_;
   std::vector<LengthError> length_errors_;
   std::optional<StationErrors> station_;
-  ReadingPosterior posterior_;
+  std::vector<ReadingNoise> noise_;           ///< shares, which the chunks of trials take in turn
+  std::vector<ReadingPosterior> posteriors_;  ///< one for each share
+  std::shared_ptr<const DriftPosterior> drift_;
 };
 
 }  // namespace axiometry::iso230_2

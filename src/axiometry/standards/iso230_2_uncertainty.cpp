@@ -12,8 +12,8 @@
 
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2_artefact.h"
+#include "axiometry/standards/iso230_2_resolved_inputs.h"
 #include "axiometry/standards/station_offset.h"
-#include "axiometry/standards/usual_expansion.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -39,33 +39,8 @@ struct Term {
   Input input;
 };
 
-template <typename Quantity>
-Input given(const std::optional<Quantity>& quantity, double (Quantity::*in_unit)() const) {
-  return quantity ? Input(Known{((*quantity).*in_unit)(), ""}) : std::nullopt;
-}
-Input given(const std::optional<ExpansionCoefficient>& x) { return given(x, &ExpansionCoefficient::in_um_per_m_K); }
-Input given(const std::optional<TemperatureDifference>& x) { return given(x, &TemperatureDifference::in_kelvin); }
-Input given(const std::optional<RelativeLength>& x) { return given(x, &RelativeLength::in_um_per_m); }
-Input given(const std::optional<Deviation>& x) { return given(x, &Deviation::in_native); }
-Input given(const std::optional<Length>& x) { return given(x, &Length::in_mm); }
-
-Input followed(Input input, std::string_view note) {
-  if (input) input->note = note;
-  return input;
-}
-
-/// The first of several sources that is known.
-Input first_of(std::initializer_list<Input> sources) {
-  for (const Input& source : sources)
-    if (source) return source;
-  return std::nullopt;
-}
-
-/// Largest |T − 20 °C| that the sensors of one role have shown.
-Input largest_of_sensors(const Environment& environment, std::string_view role) {
-  const auto largest = largest_sensor_difference(environment, role);
-  return largest ? Input(Known{*largest, "largest of the sensors"}) : std::nullopt;
-}
+Input given(const std::optional<Deviation>& x) { return x ? Input(Known{x->in_native(), ""}) : std::nullopt; }
+Input given(const MaybeResolved& x) { return x ? Input(Known{x->value, origin_note(x->origin)}) : std::nullopt; }
 
 /// Whether anything of Annex A was given. L alone says nothing about an uncertainty, and what has no clause
 /// belongs to other methods.
@@ -75,7 +50,7 @@ bool annex_a_given(const Metadata& metadata) {
                                return field.key.starts_with("uncertainty.") && field.key != "uncertainty.length_mm" &&
                                       !field.clause.empty() && is_given(field, metadata);
                              }) ||
-         station_offset(metadata) ||
+         metadata.gum.alignment_angle || station_offset(metadata) ||
          (artefact_takes_place_of_device(metadata) &&
           (metadata.artefact.calibration_uncertainty || metadata.artefact.calibration_uncertainty_per_length ||
            metadata.artefact.probing_uncertainty));
@@ -107,12 +82,14 @@ Contributor product(Contributor contributor, double factor, std::initializer_lis
 /// Builds the budget and remembers what had to be assumed.
 class AnnexABudget {
  public:
-  AnnexABudget(const Metadata& metadata, const Series& series)
-      : metadata_(metadata), in_(metadata.uncertainty), targets_(series.targets()), station_(station_offset(metadata)) {
+  AnnexABudget(const Metadata& metadata, const Series& series, const StatedItems& stated)
+      : metadata_(metadata),
+        resolved_(resolve_inputs(metadata, series, stated)),
+        targets_(series.targets()),
+        station_(station_offset(metadata)) {
     linear_ = metadata.axis.kind == AxisKind::linear;
     artefact_ = artefact_takes_place_of_device(metadata);
-    length_ = first_of({given(in_.length), Known{series.travel_native(), "measured travel"}});
-    length_->value /= 1000.0;
+    length_ = given(resolved_.length_m);
   }
 
   std::vector<Contributor> rows() {
@@ -137,30 +114,32 @@ class AnnexABudget {
   Term L() const { return {"L", "m", length_}; }
   std::string_view deviation() const { return deviation_unit(metadata_.axis.kind); }
 
-  /// A constant part and one in proportion to the length, independent of each other.
+  /// A constant part and one in proportion to the length, put together as the certificate says.
+  Contributor certificate(Contributor row, const ResolvedCalibration& stated) const {
+    if (!stated.constant && !stated.per_length) return row;
+    if (stated.constant) row.inputs.push_back({"U_CALIBRATION", stated.constant->value, deviation(), ""});
+    if (stated.per_length) {
+      row.formula = !stated.both() ? "A.2" : stated.sum == CalibrationSum::linear ? "A.1 + A.2" : "A.1, A.2";
+      row.inputs.push_back({"U_CALIBRATION", stated.per_length->value, "µm/m", ""});
+      row.inputs.push_back({"L", length_->value, "m", length_->note});
+    }
+    row.U = Deviation::native(stated.at(length_m()));
+    return row;
+  }
+
   Contributor artefact() {
-    const Input constant = given(metadata_.artefact.calibration_uncertainty);
-    const Input per_length = given(metadata_.artefact.calibration_uncertainty_per_length);
-    Contributor row{"device", "U_DEVICE", "Calibration of the artefact", "A.1", {}, {}};
-    if (in_.device_calibration || in_.device_calibration_per_length || in_.device_error_range)
+    const AnnexAInputs& of_device = metadata_.uncertainty;
+    if (of_device.device_calibration || of_device.device_calibration_per_length || of_device.device_error_range)
       notes_.push_back(
           "The artefact takes the place of the measuring device, whose calibration and error range are "
           "left out");
-    if (!constant && !per_length) return row;
-    if (constant) row.inputs.push_back({"U_CALIBRATION", constant->value, deviation(), ""});
-    if (per_length) {
-      row.formula = constant ? "A.1, A.2" : "A.2";
-      row.inputs.push_back({"U_CALIBRATION", per_length->value, "µm/m", ""});
-      row.inputs.push_back({"L", length_->value, "m", length_->note});
-    }
-    row.U = Deviation::native(
-        std::hypot(constant ? constant->value : 0.0, per_length ? per_length->value * length_->value : 0.0));
-    return row;
+    return certificate({"device", "U_DEVICE", "Calibration of the artefact", "A.1", {}, {}},
+                       resolved_.artefact_calibration);
   }
 
   Contributor probing() {
     return product({"probing", "U_PROBING", "Probing of the artefact", "Annex D", {}, {}}, 1.0,
-                   {{"U_PROBING", deviation(), given(metadata_.artefact.probing_uncertainty)}});
+                   {{"U_PROBING", deviation(), given(resolved_.probing)}});
   }
 
   /// Not in the annex: the range of the errors over the targets, with the probability of an expanded uncertainty.
@@ -180,18 +159,11 @@ class AnnexABudget {
 
   Contributor device() {
     if (artefact_) return artefact();
-    const Input absolute = given(in_.device_calibration);
-    const Input per_length = linear_ ? given(in_.device_calibration_per_length) : std::nullopt;
-    const Input range = linear_ ? given(in_.device_error_range) : std::nullopt;
     Contributor row{"device", "U_DEVICE", "Measuring device", "A.1", {}, {}};
-    if (absolute.has_value() + per_length.has_value() + range.has_value() > 1)
-      notes_.push_back(fmt::format("Of several statements about the measuring device the {} was taken (formula {})",
-                                   absolute ? "calibration uncertainty in µm" : "calibration uncertainty in µm/m",
-                                   absolute ? "A.1" : "A.2"));
-    if (absolute) return product(row, 1.0, {{"U_CALIBRATION", deviation(), absolute}});
-    row.formula = per_length ? "A.2" : range ? "A.3" : "A.1";
-    if (per_length) return product(row, 1.0, {{"U_CALIBRATION", "µm/m", per_length}, L()});
-    return product(row, expanded_per_range, {{"R_DEVICE", "µm/m", range}, L()});
+    notes_.insert(notes_.end(), resolved_.device_notes.begin(), resolved_.device_notes.end());
+    if (!resolved_.device_error_range) return certificate(std::move(row), resolved_.device_calibration);
+    row.formula = "A.3";
+    return product(row, expanded_per_range, {{"R_DEVICE", "µm/m", given(resolved_.device_error_range)}, L()});
   }
 
   Contributor misalignment() {
@@ -202,9 +174,9 @@ class AnnexABudget {
                     {},
                     {}};
     if (!linear_) return row;
-    const Input range = given(in_.misalignment);
+    const Input range = given(resolved_.misalignment_mm);
     if (station_) {
-      if (range) notes_.emplace_back(followed_beam_note);
+      if (metadata_.uncertainty.misalignment) notes_.emplace_back(followed_beam_note);
       return row;
     }
     const double L_m = length_m();
@@ -229,14 +201,12 @@ class AnnexABudget {
   Contributor m_machine() {
     const Contributor row{"m_machine", "U_M,MACHINE TOOL", "Temperature measurement of the machine tool", "A.5", {},
                           {}};
-    const Input range = linear_ ? given(in_.machine_temperature_range) : std::nullopt;
-    if (!range) return row;
-    const Input alpha = first_of(
-        {given(in_.machine_expansion), followed(given(metadata_.axis.scale_expansion), "of the scale"),
-         followed(given(metadata_.nde.machine_expansion), "of the NDE correction"), Known{expansion_usual, "assumed"}});
-    if (alpha->note == "assumed")
+    if (!resolved_.machine || !resolved_.machine->temperature_range) return row;
+    const ResolvedBody& body = *resolved_.machine;
+    if (body.expansion->origin == InputOrigin::assumed)
       notes_.push_back("α of the machine tool was not given; 12 µm/(m·°C) is assumed (Table A.2)");
-    return product(row, expanded_per_range, {{"α", "µm/(m·°C)", alpha}, L(), {"R(θ)", "°C", range}});
+    return product(row, expanded_per_range,
+                   {{"α", "µm/(m·°C)", given(body.expansion)}, L(), {"R(θ)", "°C", given(body.temperature_range)}});
   }
 
   Contributor m_device() {
@@ -247,20 +217,19 @@ class AnnexABudget {
         "A.6",
         {},
         {}};
-    const Input range = linear_ ? given(in_.device_temperature_range) : std::nullopt;
-    if (!range) return row;
-    const Input alpha = first_of(
-        {given(in_.device_expansion), followed(given(metadata_.nde.equipment_expansion), "of the NDE correction")});
-    if (!alpha) notes_.push_back("R(θ) of the measuring device is left out because its α was not given (formula A.6)");
-    return product(row, expanded_per_range, {{"α", "µm/(m·°C)", alpha}, L(), {"R(θ)", "°C", range}});
+    if (linear_ && metadata_.uncertainty.device_temperature_range &&
+        !(resolved_.device && resolved_.device->temperature_range && resolved_.device->expansion))
+      notes_.push_back("R(θ) of the measuring device is left out because its α was not given (formula A.6)");
+    if (!resolved_.device) return row;
+    return product(row, expanded_per_range,
+                   {{"α", "µm/(m·°C)", given(resolved_.device->expansion)},
+                    L(),
+                    {"R(θ)", "°C", given(resolved_.device->temperature_range)}});
   }
 
   Contributor e_machine() {
     const Contributor row{"e_machine", "U_E,MACHINE TOOL", "Expansion coefficient of the machine tool", "A.7", {}, {}};
-    if (!linear_) return row;
-    return expansion_term(
-        row, "machine tool", in_.machine_expansion_range,
-        first_of({given(in_.machine_temperature_difference), largest_of_sensors(metadata_.environment, "machine")}));
+    return expansion_term(row, "machine tool", resolved_.machine, metadata_.uncertainty.machine_expansion_range);
   }
 
   Contributor e_device() {
@@ -271,35 +240,38 @@ class AnnexABudget {
         "A.8",
         {},
         {}};
-    // What an artefact is made of expands; what is said of an interferometer often includes it.
-    const auto& alpha = in_.device_expansion ? in_.device_expansion : metadata_.nde.equipment_expansion;
-    const bool expands = artefact_ && alpha && alpha->in_um_per_m_K() != 0.0;
-    if (!linear_ || !(in_.device_temperature_difference || in_.device_expansion_range || expands)) return row;
-    return expansion_term(
-        row, artefact_ ? "artefact" : "measuring device", in_.device_expansion_range,
-        first_of({given(in_.device_temperature_difference), largest_of_sensors(metadata_.environment, "equipment")}));
+    // R(θ) alone does not say that what the device shows depends on its temperature.
+    const AnnexAInputs& in = metadata_.uncertainty;
+    const auto& alpha = resolved_.device ? resolved_.device->expansion : MaybeResolved();
+    const bool expands = artefact_ && alpha && alpha->value != 0.0;
+    if (!(in.device_temperature_difference || in.device_expansion_range || expands)) return row;
+    return expansion_term(row, artefact_ ? "artefact" : "measuring device", resolved_.device,
+                          in.device_expansion_range);
   }
 
-  Contributor expansion_term(const Contributor& row, std::string_view whose,
-                             const std::optional<ExpansionCoefficient>& range, Input difference) {
-    if (!difference) {
-      if (range)
+  Contributor expansion_term(const Contributor& row, std::string_view whose, const std::optional<ResolvedBody>& body,
+                             const std::optional<ExpansionCoefficient>& stated_range) {
+    if (!linear_) return row;
+    if (!body || !body->difference) {
+      if (stated_range)
         notes_.push_back(fmt::format("R(α) of the {} is left out because its temperature was not given", whose));
       return row;
     }
-    if (!range) notes_.push_back(fmt::format("R(α) of the {} was not given; 2 µm/(m·°C) is assumed (A.2.4.3)", whose));
+    if (body->expansion_range->origin == InputOrigin::assumed)
+      notes_.push_back(fmt::format("R(α) of the {} was not given; 2 µm/(m·°C) is assumed (A.2.4.3)", whose));
+    Input difference = given(body->difference);
     difference->value = std::abs(difference->value);
-    const Input R_alpha = first_of({given(range), Known{expansion_range_usual, "assumed"}});
-    return product(row, expanded_per_range, {{"ΔT", "°C", difference}, L(), {"R(α)", "µm/(m·°C)", R_alpha}});
+    return product(row, expanded_per_range,
+                   {{"ΔT", "°C", difference}, L(), {"R(α)", "µm/(m·°C)", given(body->expansion_range)}});
   }
 
   Contributor environmental_variation() {
     return product({"eve", "U_EVE", "Environmental variation", "A.9", {}, {}}, expanded_per_range,
-                   {{"E_VE", deviation(), given(in_.environmental_variation)}});
+                   {{"E_VE", deviation(), given(metadata_.uncertainty.environmental_variation)}});
   }
 
   const Metadata& metadata_;
-  const AnnexAInputs& in_;
+  ResolvedInputs resolved_;
   std::span<const Position> targets_;
   std::optional<StationOffset> station_;
   bool linear_ = true;
@@ -313,8 +285,22 @@ std::optional<Deviation> find_U(const std::vector<Contributor>& budget, std::str
   return row == budget.end() ? std::nullopt : row->U;
 }
 
+struct RepeatabilityFactors {  // of U_EVE in (A.11) and (A.14)
+  double unidirectional = 2.0, bidirectional = 2.2;
+};
+
+/// As printed; of an environment that is stated to vary slowly, one swing of E_VE over the test
+/// (docs/theory/annex-a.md).
+RepeatabilityFactors repeatability_factors(std::size_t runs, bool slow) {
+  if (!slow || runs < 2) return {};
+  const auto n = double(runs);
+  const double swing = std::numbers::sqrt2 / expanded_per_range * std::sqrt(n / (n - 1.0));
+  return {swing, swing + 1.0 / (expanded_per_range * n)};
+}
+
 /// (A.11) to (A.19) for the parameters that exist. A parameter of whose contributors none is known has no U.
-AxisParameters combine(const std::vector<Contributor>& budget, std::size_t runs, const AxisParameters& measured) {
+AxisParameters combine(const std::vector<Contributor>& budget, std::size_t runs, bool slow,
+                       const AxisParameters& measured) {
   const auto eve = find_U(budget, "eve");
   const double U_eve = eve ? eve->in_native() : 0.0;
   const double n = static_cast<double>(runs);
@@ -325,12 +311,12 @@ AxisParameters combine(const std::vector<Contributor>& budget, std::size_t runs,
     any = true;
     if (row.key != "eve") squares += row.U->in_native() * row.U->in_native();
   }
-  const double R_unidirectional = 2.0 * U_eve;  // A.11
-  // Both sides of a place are probed with errors of their own, the same in every run.
-  const auto probing = find_U(budget, "probing");
+  const RepeatabilityFactors of_R = repeatability_factors(runs, slow);
+  const double R_unidirectional = of_R.unidirectional * U_eve;  // A.11
+  const auto probing = find_U(budget, "probing");  // both sides of a place, each with its error, in every run
   const double probed = probing ? std::numbers::sqrt2 * probing->in_native() : 0.0;
   const double reversal = std::hypot((runs == 5 ? 0.9 : 2.0 / std::sqrt(n)) * U_eve, probed);  // A.12, A.13
-  const double R = 2.2 * U_eve;                                                                // A.14
+  const double R = of_R.bidirectional * U_eve;                                                 // A.14
   const double E = std::sqrt(squares + U_eve * U_eve / n);                                     // A.15, A.17
   const double M = std::sqrt(squares + U_eve * U_eve / (2.0 * n));                             // A.16, A.18
   const double A = std::hypot(E, R_unidirectional);                                            // A.19
@@ -354,8 +340,7 @@ std::vector<std::string> general_notes(const AnnexA& annex, const Metadata& meta
   if (metadata.axis.kind == AxisKind::rotary)
     notes.push_back(
         "Annex A is written for linear axes: of its contributors the device (A.1) and the environmental variation "
-        "(A.9) "
-        "are combined in ″, the terms in µm/m do not apply");
+        "(A.9) are combined in ″, the terms in µm/m do not apply");
   else if (artefact_takes_place_of_device(metadata) && !find_U(annex.budget, "m_device"))
     notes.push_back(
         "The artefact takes the place of the measuring device (Annex D); R(θ) of its temperature was not given, and "
@@ -365,25 +350,40 @@ std::vector<std::string> general_notes(const AnnexA& annex, const Metadata& meta
         "U_M,DEVICE and U_E,DEVICE count as zero: right if the statement about the device includes its temperature, or "
         "if the device takes the temperature of the machine (A.6, A.8)");
   if (annex.runs != 5 && annex.runs != 1)
-    notes.push_back(fmt::format(
-        "For n = {} the factors printed for n = 5 and n = 1 are generalised: U_EVE²/n in A.15, U_EVE²/2n in "
-        "A.16, 2 U_EVE/√n in A.12; those of A.11 and A.14 are kept",
-        annex.runs));
+    notes.push_back(
+        fmt::format("For n = {} the factors printed for n = 5 and n = 1 are generalised: U_EVE²/n in A.15, U_EVE²/2n "
+                    "in A.16, 2 U_EVE/√n in A.12; those of A.11 and A.14 are kept",
+                    annex.runs));
+  if (annex.slow_environment && annex.runs > 1) {
+    const RepeatabilityFactors factors = repeatability_factors(annex.runs, true);
+    notes.push_back(
+        fmt::format("The environmental variation is stated to be slow: A.11 and A.14 take {:.2f} and {:.2f}, for one "
+                    "swing over the "
+                    "test, in place of 2.0 and 2.2, which are for noise of single readings",
+                    factors.unidirectional, factors.bidirectional));
+  } else if (find_U(annex.budget, "eve") && metadata.gum.environment_kind != EnvironmentKind::white)
+    notes.push_back(
+        "The factors of U_EVE in A.11 to A.18 take it for noise of single readings; a slow drift moves neighbouring "
+        "readings alike, see the Monte Carlo method");
   if (annex.U.B_mean) notes.push_back("For B̄ the annex has no formula; U(B), which bounds it, is stated");
   return notes;
 }
 
 }  // namespace
 
-std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, const Evaluation& evaluation) {
+std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
+                              const StatedItems& stated) {
   if (!annex_a_given(metadata)) return std::nullopt;
-  AnnexABudget budget(metadata, series);
+  AnnexABudget budget(metadata, series, stated);
   AnnexA result;
   result.budget = budget.rows();
   if (std::ranges::none_of(result.budget, [](const Contributor& row) { return row.U.has_value(); }))
     return std::nullopt;
   result.runs = smallest_count(series);
-  result.U = combine(result.budget, result.runs, evaluation.parameters);
+  const auto kind = metadata.gum.environment_kind.value_or(EnvironmentKind::unknown);
+  result.slow_environment =
+      (kind == EnvironmentKind::drift || kind == EnvironmentKind::random_walk) && find_U(result.budget, "eve");
+  result.U = combine(result.budget, result.runs, result.slow_environment, evaluation.parameters);
   const bool too_long = metadata.axis.kind == AxisKind::linear && budget.length_m() > length_limit_m;
   result.notes = std::move(budget).notes();
   for (std::string& note : general_notes(result, metadata)) result.notes.push_back(std::move(note));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axiometry/model/metadata.h"
+#include "axiometry/model/origins.h"
 #include "axiometry/standards/iso230_2.h"
 
 /// ISO 230-2:2014, Annex A: simplified expanded uncertainty (k = 2) of every parameter of the axis,
@@ -50,6 +51,7 @@ struct AnnexA {
   std::vector<Contributor> budget;  ///< always all seven, in the order of A.2; then probing and station, if given
   AxisParameters U;                 ///< expanded uncertainty, k = 2, of each parameter that exists (but see below)
   std::size_t runs = 0;             ///< n used: the smallest number of approaches in any measured cell
+  bool slow_environment = false;    ///< E_VE is stated as drift or random walk: other factors in A.11 and A.14
   std::vector<std::string> notes;   ///< what was assumed or generalised
   std::optional<CorrectedRepeatability> corrected;  ///< when E_VE is given and R exists
 };
@@ -61,17 +63,21 @@ struct AnnexA {
 /// - L: `inputs.length`, else the measured travel.
 /// - n = 5 and n = 1 as printed. For other n (generalised here): U_EVE²/n in (A.15), U_EVE²/2n in
 ///   (A.16), 2·U_EVE/√n in (A.12); it is 0.894 for n = 5 where 0.9 is printed and 2 for n = 1 as (A.13).
+/// - E_VE stated as a drift or a random walk (generalised here): U(R↑) and U(R) take √2/0.6 √(n/(n − 1)) and 1/(0.6 n)
+///   more than that in place of 2.0 and 2.2; 2.64 and 2.97 for n = 5. E, M and B, which a slow variation moves less
+///   than noise of the same range, keep theirs.
 /// - U(B̄) is not in the annex: U(B), which bounds it.
 /// - α of the machine: given, else that of the scale, else of the NDE correction, else 12 µm/(m·°C)
 ///   (Table A.2), noted as assumed. R(α): given, else 2 µm/(m·°C) (A.2.4.3), when ΔT is known. ΔT: given,
 ///   else the largest |T − 20 °C| of the sensors with role "machine". For the device alike, but only when
 ///   one of ΔT and R(α) was given: without, its statement is taken to include its temperature.
-/// - Of several statements about the device: calibration in µm (A.1), else in µm/m (A.2), else the error
-///   range (A.3), noted.
-/// - An artefact (Annex D) takes the place of the device: U_DEVICE is the root of the squares of its constant U and of
-///   that in proportion to L, whatever is said of another device; it counts as expanding where its α is known and not
-///   0. U of one probing is the same in every run: it counts as one more contributor to E, M and A and, since both
-///   sides of a place are probed, √2 times to B.
+/// - Which of several statements counts, and what follows where one is missing: iso230_2_resolved_inputs.h. Of equally
+///   strong ones about the device the calibration (A.1, A.2) before the error range (A.3).
+/// - A calibration with a constant part a and one of b per metre: U_DEVICE = a + b·L, or √(a² + (b·L)²) where the
+///   certificate says so; of an artefact likewise.
+/// - An artefact (Annex D) takes the place of the device, whatever is said of another device; it counts as expanding
+///   where its α is known and not 0. U of one probing is the same in every run: it counts as one more contributor to E,
+///   M and A and, since both sides of a place are probed, √2 times to B.
 /// - A tracking interferometer whose station is uncertain across the line (TrackingInputs; station_offset.h) adds a
 ///   contributor that the annex does not know, to E, M and A: what the range of the length difference over the targets
 ///   stays below with 95 %. Readings are not corrected for its mean, so that the whole range counts. It shifts both
@@ -82,6 +88,7 @@ struct AnnexA {
 ///   do not.
 ///
 /// Inputs are ≥ 0 (ΔT may be negative; its magnitude counts): model/fields.h checks them on entry.
-std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, const Evaluation& evaluation);
+std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
+                              const StatedItems& stated = {});
 
 }  // namespace axiometry::iso230_2

@@ -44,6 +44,23 @@ TEST(AnnexA, IsAbsentWithoutAnyInput) {
   EXPECT_FALSE(annex_of(m, metre(5))) << "nobody asked for a budget";
 }
 
+/// A.11 and A.14 are for noise of single readings; one swing over the test scatters the approaches more.
+TEST(AnnexA, TakesOneSwingOverTheTestWhereTheEnvironmentIsStatedToBeSlow) {
+  Metadata m;
+  m.uncertainty.environmental_variation = Deviation::native(1.0 / 0.6);  // U_EVE = 1
+  const AnnexA printed = annex_of(m, metre(5)).value();
+  EXPECT_NEAR(printed.U.R_up->in_native(), 2.0, 1e-12);
+  for (const auto kind : {EnvironmentKind::drift, EnvironmentKind::random_walk}) {
+    m.gum.environment_kind = kind;
+    const AnnexA slow = annex_of(m, metre(5)).value();
+    EXPECT_TRUE(slow.slow_environment);
+    EXPECT_NEAR(slow.U.R_up->in_native(), 2.6352, 1e-4);
+    EXPECT_NEAR(slow.U.R->in_native(), 2.6352 + 1.0 / 3.0, 1e-4);
+    EXPECT_EQ(slow.U.E->in_native(), printed.U.E->in_native());
+    EXPECT_THAT(slow.notes, Contains(HasSubstr("A.11 and A.14 take 2.64 and 2.97")));
+  }
+}
+
 TEST(AnnexA, ListsAllSevenContributorsInOrder) {
   Metadata m;
   m.uncertainty.device_calibration = Deviation::native(1);
@@ -63,10 +80,26 @@ TEST(AnnexA, PrefersTheCalibrationToTheErrorRangeAndSaysSo) {
   EXPECT_EQ(row(*annex_of(m, metre(5)), "device").formula, "A.3");
   m.uncertainty.device_calibration_per_length = RelativeLength::um_per_m(2);
   EXPECT_DOUBLE_EQ(U(*annex_of(m, metre(5)), "device"), 2.0);
-  EXPECT_THAT(annex_of(m, metre(5))->notes, Contains(HasSubstr("A.2")));
+  EXPECT_THAT(annex_of(m, metre(5))->notes, Contains(HasSubstr("the calibration was taken")));
+}
+
+TEST(AnnexA, AddsBothPartsOfACalibrationAsTheCertificateDoes) {
+  Metadata m;
   m.uncertainty.device_calibration = Deviation::native(0.7);
   EXPECT_DOUBLE_EQ(U(*annex_of(m, metre(5)), "device"), 0.7);
-  EXPECT_THAT(annex_of(m, metre(5))->notes, Contains(HasSubstr("A.1")));
+  EXPECT_EQ(row(*annex_of(m, metre(5)), "device").formula, "A.1");
+  m.uncertainty.device_calibration_per_length = RelativeLength::um_per_m(2);
+  EXPECT_DOUBLE_EQ(U(*annex_of(m, metre(5)), "device"), 2.7);
+  EXPECT_EQ(row(*annex_of(m, metre(5)), "device").formula, "A.1 + A.2");
+  m.uncertainty.device_calibration_sum = CalibrationSum::quadratic;
+  EXPECT_DOUBLE_EQ(U(*annex_of(m, metre(5)), "device"), std::hypot(0.7, 2.0));
+}
+
+TEST(AnnexA, TakesTheMisalignmentFromTheAngleWhereThatIsStated) {
+  Metadata m;
+  m.gum.alignment_angle = Angle::deg(0.1);
+  const double R = 1000.0 * std::tan(0.1 * M_PI / 180.0);
+  EXPECT_NEAR(U(*annex_of(m, metre(5)), "misalignment"), 0.3 * R * R, 1e-9);
 }
 
 TEST(AnnexA, TakesTheMeasuredTravelForALengthNotGiven) {

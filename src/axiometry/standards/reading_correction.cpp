@@ -33,11 +33,6 @@ Result<Test> applied(Test test, AppliedCorrection record, const ReadingChange& c
   return std::move(changed.test);
 }
 
-bool was_applied(const Test& test, std::string_view id) {
-  const auto& done = test.provenance.corrections;
-  return std::ranges::any_of(done, [&](const AppliedCorrection& correction) { return correction.id == id; });
-}
-
 /// Slope of the displayed positions over the targets: near 1, or near −1 for a sensor that counts the other way.
 double slope_of_displayed(const Test& test) {
   const Series& series = test.series;
@@ -92,7 +87,7 @@ Result<TestAir> air_for(const Test& test, std::string_view id, AirEquation equat
   if (test.metadata.axis.kind == AxisKind::rotary)
     return fail(fmt::format("found a rotary axis, expected a linear one to correct readings for {}",
                             id == "air" ? "the air" : "the dead path"));
-  if (was_applied(test, id))
+  if (was_corrected(test, id))
     return fail(fmt::format("found readings that are already corrected ({}), expected each correction once", id));
   std::ranges::copy(missing_for_air(test.metadata), std::back_inserter(missing));
   if (!missing.empty())
@@ -153,6 +148,11 @@ Result<Test> correct_drift(Test test) {
 
 }  // namespace
 
+bool was_corrected(const Test& test, std::string_view id) {
+  const auto& done = test.provenance.corrections;
+  return std::ranges::any_of(done, [&](const AppliedCorrection& correction) { return correction.id == id; });
+}
+
 Result<Test> correct_readings(Test test, const CorrectionRequest& request) {
   const AirEquation equation = request.air.value_or(AirEquation::ciddor);
   if (request.sign) {
@@ -179,14 +179,14 @@ Result<Test> correct_readings(Test test, const CorrectionRequest& request) {
 std::vector<SourceRemark> remarks_on_readings(const Test& test) {
   const InstrumentSettings& instrument = test.metadata.instrument;
   std::vector<SourceRemark> remarks;
-  if (instrument.sign_reversed == true && !was_applied(test, "sign"))
+  if (instrument.sign_reversed == true && !was_corrected(test, "sign"))
     remarks.push_back(
         {false, "the sign of the instrument is said to be reversed, and its readings were taken as they are"});
-  if (instrument.gain && *instrument.gain != 1.0 && !was_applied(test, "gain"))
+  if (instrument.gain && *instrument.gain != 1.0 && !was_corrected(test, "gain"))
     remarks.push_back(
         {false, fmt::format("a gain of {} of the sensor was given, and its readings were taken as they are",
                             format_exact(*instrument.gain))});
-  if (was_applied(test, "drift"))
+  if (was_corrected(test, "drift"))
     remarks.push_back({false,
                        "a drift was taken out that was estimated from the readings themselves: what the machine "
                        "does while it warms up is gone with it"});

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/base/result.h"
@@ -47,6 +48,9 @@ struct CorrectionRequest {
 /// time; `air` without n_0, `dead-path` without L_d; `nde` as correct_expansion() does; `drift` without two readings
 /// from one direction at any target.
 Result<Test> correct_readings(Test test, const CorrectionRequest& request);
+
+/// Whether this program has made the correction with this id ("air", as in CorrectionRequest) already.
+bool was_corrected(const Test& test, std::string_view id);
 
 /// What must be known of the readings beside the provenance: that the sensor counts the other way or has a gain other
 /// than 1 and was not corrected for it, or that a drift was taken out which was estimated from the readings themselves.

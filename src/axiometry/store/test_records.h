@@ -16,9 +16,12 @@ namespace axiometry::store {
 struct Figure {
   std::string parameter;  ///< key: "A"
   double value = 0.0;
-  std::optional<double> U;      ///< k = 2, or half of the interval; absent where none was found
+  std::optional<double> U;      ///< expanded; absent where none was found, and of a method that states an interval
   std::optional<double> limit;  ///< of the tolerance
   std::string verdict;          ///< "conforms", "does not conform", "undecided" or empty without limit
+  std::optional<double> low{};  ///< of the interval that is stated: value ± U, or one that is not symmetric
+  std::optional<double> high{};
+  std::string method{};  ///< of record: "annex_a", "gum", "monte_carlo"; empty of versions from before it was kept
 };
 
 /// What was computed of one version of a test.
@@ -146,6 +149,7 @@ struct TrendPoint {
   std::string unit;
   bool conforming = false;
   std::string label;
+  std::string verdict{};        ///< of all tolerances together; empty without any
   std::vector<Figure> figures;  ///< of the parameters that were asked for
 };
 

@@ -229,12 +229,13 @@ Result<std::map<Id, std::vector<Figure>>> figures_of(Connection& connection, std
   if (parameters.empty()) return figures;
   AXIOMETRY_TRY(
       const Rows rows,
-      connection.query(fmt::format("SELECT f.test, f.parameter, f.value, f.expanded_uncertainty, f.tolerance, "
-                                   "f.verdict FROM test_list l JOIN figure f ON f.test = l.test AND "
-                                   "f.version = l.version WHERE {} AND f.parameter IN ({}) ORDER BY f.test, "
-                                   "f.place",
-                                   among(connection, "l.test", 1), places(2, parameters.size())),
-                       values));
+      connection.query(
+          fmt::format("SELECT f.test, f.parameter, f.value, f.expanded_uncertainty, f.tolerance, "
+                      "f.verdict, f.low, f.high, f.method FROM test_list l JOIN figure f ON f.test = l.test AND "
+                      "f.version = l.version WHERE {} AND f.parameter IN ({}) ORDER BY f.test, "
+                      "f.place",
+                      among(connection, "l.test", 1), places(2, parameters.size())),
+          values));
   for (const Row& row : rows) figures[row.integer(0)].push_back(figure_of(row, 1));
   return figures;
 }
@@ -327,6 +328,7 @@ Result<std::vector<TrendPoint>> find_trend(Connection& connection, Id axis, std:
                       .unit = std::move(test.unit),
                       .conforming = test.conforming,
                       .label = std::move(test.label),
+                      .verdict = std::move(test.verdict),
                       .figures = std::move(figures[test.id])});
   }
   std::ranges::sort(points, {}, [](const TrendPoint& p) { return std::tie(p.measured_on, p.test); });

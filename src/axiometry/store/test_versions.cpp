@@ -20,7 +20,7 @@ constexpr std::string_view evaluation_columns =
     "test, version, program, standard, options, seed, unit, conforming, verdict, label, result";
 constexpr std::size_t longest_date = 200;  // an index has no room for more
 constexpr std::string_view figure_columns =
-    "test, version, place, parameter, value, expanded_uncertainty, tolerance, verdict";
+    "test, version, place, parameter, value, expanded_uncertainty, tolerance, verdict, low, high, method";
 
 /// Without sha256, in the order of version_columns.
 std::vector<Cell> cells_of(const TestVersion& v) {
@@ -37,7 +37,15 @@ std::vector<Cell> cells_of(const Evaluation& e) {
           e.result};
 }
 
-std::vector<Cell> cells_of(const Figure& f) { return {f.parameter, f.value, cell(f.U), cell(f.limit), f.verdict}; }
+std::vector<Cell> cells_of(const Figure& f) {
+  return {f.parameter, f.value, cell(f.U), cell(f.limit), f.verdict, cell(f.low), cell(f.high), f.method};
+}
+
+/// As they were fingerprinted before there was a method of record, where there is none.
+std::span<const Cell> attested(std::span<const Cell> cells, const Figure& figure) {
+  constexpr std::size_t of_record = 3;
+  return figure.method.empty() ? cells.first(cells.size() - of_record) : cells;
+}
 
 TestVersion version_from(const Row& row) {
   TestVersion version;
@@ -96,7 +104,10 @@ Figure figure_of(const Row& row, std::size_t first) {
           .value = row.real(first + 1),
           .U = row.optional_real(first + 2),
           .limit = row.optional_real(first + 3),
-          .verdict = row.text(first + 4)};
+          .verdict = row.text(first + 4),
+          .low = row.optional_real(first + 5),
+          .high = row.optional_real(first + 6),
+          .method = row.text(first + 7)};
 }
 
 std::string fingerprint(const TestVersion& version) {
@@ -104,7 +115,10 @@ std::string fingerprint(const TestVersion& version) {
   print.add(cells_of(version)).add(cells_of(version.evaluation));
   for (const InstrumentUse& use : version.instruments)
     print.add_cell(Cell(use.instrument)).add_cell(Cell(std::int64_t{use.version}));
-  for (const Figure& figure : version.evaluation.figures) print.add(cells_of(figure));
+  for (const Figure& figure : version.evaluation.figures) {
+    const std::vector<Cell> cells = cells_of(figure);
+    print.add(attested(cells, figure));
+  }
   return print.finish();
 }
 

@@ -178,7 +178,7 @@ Result<StationLocation> locate_station(std::span<const LocationPoint> points, co
   judge_rank(linear, noise);
   name_surface(linear, refined, noise, points, location);
   location.refined = refined.fit;
-  if (location.surface != CriticalSurface::cone) location.refined.mirror_mm = choice.mirror;
+  if (can_be_told(location.surface)) location.refined.mirror_mm = choice.mirror;
   if (points.size() >= 5) location.linear = linear.fit;
   if (location.has_linear()) add_uncertainties(linear, refined, location);
   if (location.linear && !location.has_linear()) forget_station(*location.linear);
@@ -190,7 +190,7 @@ Result<StationLocation> locate_station(std::span<const LocationPoint> points, co
   add_misreading_findings(points, options, refined, location.findings);
   add_scatter_findings(refined, location.findings);
   if (location.has_linear()) add_difference_findings(location);
-  if (!location.refined.converged && location.surface != CriticalSurface::cone)
+  if (!location.refined.converged && can_be_told(location.surface))
     location.findings.push_back({true, "the refinement did not converge"});
   std::ranges::stable_partition(location.findings, [](const Finding& f) { return f.serious; });
   return location;

@@ -24,7 +24,7 @@
 namespace axiometry::tracking {
 
 /// Where a·p + bΔL + c = 0 for all points, so that eq. 14 has no unique solution. The refined problem is regular on all
-/// of them but the cone; points on a plane or a hyperboloid leave it a second station.
+/// of them but the line and the cone; points on a plane or a hyperboloid leave it a second station.
 enum class CriticalSurface {
   none,
   plane,        ///< all points on one plane: the station or its mirror image
@@ -34,6 +34,7 @@ enum class CriticalSurface {
   hyperboloid,  ///< likewise; the other focus may be the station as well
   cone,         ///< about an axis through the station: all beams at one angle to it. No estimator can tell the station
   repeated,     ///< fewer than five different points
+  line,         ///< all points on one line: the station anywhere on a circle about it. No estimator can tell it
 };
 std::string_view critical_surface_name(CriticalSurface surface);
 

@@ -20,8 +20,13 @@ bool is_cone(const RefinedSolution& refined) {
   return !(refined.fit.singular_values[3] / std::sqrt(n) > hidden);
 }
 
-/// Root of the sum of squares of the distances from the best plane.
-double off_plane_mm(std::span<const LocationPoint> points) {
+/// Roots of the sums of squares of the distances from the best line and the best plane.
+struct Extents {
+  double off_line_mm = 0.0;
+  double off_plane_mm = 0.0;
+  Vector3 along;  ///< of the best line, a unit vector
+};
+Extents extents_of(std::span<const LocationPoint> points) {
   Vector3 centre;
   for (const LocationPoint& p : points) centre += 1.0 / static_cast<double>(points.size()) * p.at_mm;
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 3);
@@ -29,7 +34,10 @@ double off_plane_mm(std::span<const LocationPoint> points) {
     const Vector3 d = points[i].at_mm - centre;
     rows.row(static_cast<Eigen::Index>(i)) << d.x, d.y, d.z;
   }
-  return rows.jacobiSvd().singularValues()[2];
+  const auto svd = rows.jacobiSvd(Eigen::ComputeThinV);
+  const auto values = svd.singularValues();
+  const auto along = svd.matrixV().col(0);
+  return {std::hypot(values[1], values[2]), values[2], {along[0], along[1], along[2]}};
 }
 
 double off_sphere_mm(std::span<const LocationPoint> points) {
@@ -62,6 +70,7 @@ std::string direction_text(Vector3 d) {
 
 std::string surface_text(const StationLocation& location) {
   switch (location.surface) {
+    case CriticalSurface::line: return "all points lie on one line";
     case CriticalSurface::plane: return "all points lie on one plane";
     case CriticalSurface::sphere: return "all points lie on a sphere about the station (all lengths are alike)";
     case CriticalSurface::repeated: return "fewer than five points are different";
@@ -107,9 +116,14 @@ double largest_amplification(const std::vector<Vector3>& gain) {
 
 }  // namespace
 
+bool can_be_told(CriticalSurface surface) {
+  return surface != CriticalSurface::line && surface != CriticalSurface::cone;
+}
+
 std::string_view critical_surface_name(CriticalSurface surface) {
   switch (surface) {
     case CriticalSurface::none: return "none";
+    case CriticalSurface::line: return "line";
     case CriticalSurface::plane: return "plane";
     case CriticalSurface::sphere: return "sphere";
     case CriticalSurface::ellipsoid: return "ellipsoid";
@@ -124,11 +138,13 @@ std::string_view critical_surface_name(CriticalSurface surface) {
 void name_surface(const LinearSolution& linear, const RefinedSolution& refined, const MatrixNoise& noise,
                   std::span<const LocationPoint> points, StationLocation& location) {
   const auto set = [&](CriticalSurface surface) { location.surface = surface; };
+  const double root_n = std::sqrt(static_cast<double>(points.size()));
+  const Extents extents = extents_of(points);
+  if (extents.off_line_mm <= 3.0 * root_n * noise.point_mm) return set(CriticalSurface::line);
   if (is_cone(refined)) return set(CriticalSurface::cone);
   if (linear.fit.rank == 5) return set(CriticalSurface::none);
   if (different_points(points) < 5) return set(CriticalSurface::repeated);
-  const double root_n = std::sqrt(static_cast<double>(points.size()));
-  if (off_plane_mm(points) <= 3.0 * root_n * noise.point_mm) return set(CriticalSurface::plane);
+  if (extents.off_plane_mm <= 3.0 * root_n * noise.point_mm) return set(CriticalSurface::plane);
   if (off_sphere_mm(points) <= 3.0 * root_n * noise.length_mm) return set(CriticalSurface::sphere);
   const auto& v = linear.directions[4];
   const double a = std::hypot(v[0], v[1], v[2]), b = std::abs(v[3]);
@@ -159,7 +175,13 @@ void add_surface_findings(const LinearSolution& linear, const RefinedSolution& r
                            fit.rank, refined.fit.condition, direction_text(cone.axis),
                            flat ? "heights above the station" : "elevations")});
   }
-  if (location.surface != CriticalSurface::none && location.surface != CriticalSurface::cone)
+  if (location.surface == CriticalSurface::line)
+    findings.push_back(
+        {true,
+         fmt::format("all points lie on one line along {}: eq. 14 has rank {} of 5, the station may stand anywhere "
+                     "on a circle about that line, and no estimator can tell where; choose points off the line",
+                     direction_text(extents_of(points).along), fit.rank)});
+  if (can_be_told(location.surface) && location.surface != CriticalSurface::none)
     findings.push_back(
         {false, fmt::format("{}: eq. 14 has rank {} of 5 (smallest singular value {:.1e}, below the "
                             "{:.1e} that noise may produce) and gives no station; the refined one holds",
@@ -172,7 +194,7 @@ void add_surface_findings(const LinearSolution& linear, const RefinedSolution& r
           {false, fmt::format("eq. 14 is nearly critical (condition {}): an error of 1 µm in each length "
                               "moves its station by {} µm; rely on the refined one",
                               format_fixed(fit.condition, 0), format_fixed(worst, 0))});
-  if (location.surface != CriticalSurface::cone)
+  if (can_be_told(location.surface))
     if (const double worst = largest_amplification(refined.gain); worst > poor)
       findings.push_back({refined.weakest_u_mm > 1.0,
                           fmt::format("the points tell the station badly along {} (condition {}): an error of 1 µm in "

@@ -343,6 +343,20 @@ TEST(Station, NoEstimatorKnowsTheStationBelowACone) {
   }
 }
 
+TEST(Station, PointsOnOneLineAreNotCalledAPlane) {
+  for (const double off_mm : {0.0, 1e-6}) {
+    std::vector<Vector3> points;
+    for (int k = 0; k < 8; ++k)
+      points.push_back({100.0 + 70.0 * k, 200.0 + 35.0 * k + (k % 2) * off_mm, 300.0 - 20.0 * k});
+    const auto location = located(measured(points));
+    EXPECT_EQ(location.surface, CriticalSurface::line);
+    EXPECT_TRUE(location.is_serious());
+    EXPECT_TRUE(says(location, "all points lie on one line along")) << messages(location);
+    EXPECT_FALSE(says(location, "plane")) << messages(location);
+    EXPECT_FALSE(location.refined.mirror_mm);
+  }
+}
+
 TEST(Station, NonsenseAsAPlaceDoesNotDisturb) {
   for (const Vector3 near : {station + Vector3{50, -50, 50}, Vector3{-1e5, 3e4, 2e5}, six[0], Vector3{0, 0, 0}}) {
     const auto location = located(measured(six), {.near_mm = near});

@@ -63,6 +63,7 @@ class Run {
  public:
   Run(const BlockModel& model, std::size_t outputs, const MonteCarloOptions& options)
       : model_(model), outputs_(outputs), options_(options), adaptive_(!options.trials) {
+    AXIOMETRY_CONTRACT(options.least_tolerances.empty() || options.least_tolerances.size() == outputs);
     trials_end_ = adaptive_ ? options.trials_max : *options.trials;
     threads_ = options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   }
@@ -211,14 +212,24 @@ class Run {
 
   bool by_blocks() const { return adaptive_ && scatter_[0].mean.count >= static_cast<double>(first_blocks); }
 
+  LeastTolerance tolerance_of(std::size_t k) const {
+    const double own = numerical_tolerance(moments_[k].sd(), options_.digits);
+    if (options_.least_tolerances.empty()) return {own, own};
+    const LeastTolerance least = options_.least_tolerances[k];
+    return {std::max(own, least.u), std::max(own, least.ends)};
+  }
+
   /// 7.9.4: as many as make twice the standard error of every figure of every output at most δ.
   std::size_t blocks_needed() const {
     double needed = 0.0;
     for (std::size_t k = 0; k < outputs_; ++k) {
       const OutputScatter& s = scatter_[k];
-      const double tolerance = numerical_tolerance(moments_[k].sd(), options_.digits);
-      const double sd = std::max({s.mean.sd(), s.sd.sd(), s.lower.sd(), s.upper.sd()});
-      if (sd > 0.0) needed = std::max(needed, 4.0 * sd * sd / (tolerance * tolerance));
+      const LeastTolerance tolerance = tolerance_of(k);
+      const auto need = [&](double sd, double enough) {
+        if (sd > 0.0) needed = std::max(needed, 4.0 * sd * sd / (enough * enough));
+      };
+      need(std::max(s.mean.sd(), s.sd.sd()), tolerance.u);
+      need(std::max(s.lower.sd(), s.upper.sd()), tolerance.ends);
     }
     return needed < 1e9 ? static_cast<std::size_t>(std::ceil(needed)) : std::size_t{1'000'000'000};
   }
@@ -262,8 +273,9 @@ class Run {
       out.symmetric_error = {out.distribution.quantile_error((1.0 - options_.coverage) / 2),
                              out.distribution.quantile_error((1.0 + options_.coverage) / 2)};
     }
-    const double error = std::max({out.mean_error, out.sd_error, out.symmetric_error.lower, out.symmetric_error.upper});
-    out.stable = 2 * error <= out.tolerance;
+    const LeastTolerance tolerance = tolerance_of(k);
+    out.stable = 2 * std::max(out.mean_error, out.sd_error) <= tolerance.u &&
+                 2 * std::max(out.symmetric_error.lower, out.symmetric_error.upper) <= tolerance.ends;
     return out;
   }
 

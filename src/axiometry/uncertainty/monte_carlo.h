@@ -38,14 +38,23 @@ struct Progress {
   std::optional<std::size_t> of;  ///< to do, where it is known
 };
 
+/// What δ of an output is at least.
+struct LeastTolerance {
+  double u = 0.0;     ///< for mean and standard uncertainty
+  double ends = 0.0;  ///< for the ends of the interval
+};
+
 struct MonteCarloOptions {
   /// Rounded up to whole blocks only in the work, never in the result. Absent: adaptive (7.9), at least ten
   /// blocks, until the numerical tolerance of every output is met.
   std::optional<std::size_t> trials = std::nullopt;
   std::size_t trials_max = 20'000'000;  ///< adaptive runs end here, unstable outputs marked
   int digits = 2;                       ///< significant digits of u(y) that shall be stable (7.9.2)
-  double coverage = 0.95;               ///< p
-  unsigned threads = 0;                 ///< 0: as many as the machine has
+  /// Of every output; empty: what its own u says. For one of several models of the same outputs, of whose figures those
+  /// of the others may be the ones that are stated.
+  std::vector<LeastTolerance> least_tolerances = {};
+  double coverage = 0.95;  ///< p
+  unsigned threads = 0;    ///< 0: as many as the machine has
   /// Called about ten times a second from the calling thread; returning false stops within a block per thread.
   std::function<bool(const Progress&)> on_progress = {};
 };
@@ -60,7 +69,7 @@ struct OutputSummary {
   double sd_error = 0.0;     ///< of u(y)
   Interval symmetric_error;  ///< of the end points of the symmetric interval
   double tolerance = 0.0;    ///< δ, numerical tolerance of u(y), 7.9.2
-  bool stable = false;       ///< twice each standard error is at most δ, 7.9.4
+  bool stable = false;       ///< twice each standard error is at most δ, 7.9.4, or what was asked for
   Histogram histogram;
   SampledDistribution distribution;  ///< P(output ≤ x), quantiles
 };
@@ -76,8 +85,8 @@ double numerical_tolerance(double standard_uncertainty, int digits);
 
 /// Standard errors come from the scatter of blocks in an adaptive run (7.9.4), else from the moments and ranks of all
 /// trials. Fails when on_progress stopped it, when an output is not finite or is beyond 1e150, and on options that
-/// make no sense (trials below 100 or above 4e9, coverage outside 0 to 1, digits outside 1 to 4). What the model
-/// throws is thrown here.
+/// make no sense (trials below 100 or above 4e9, coverage outside 0 to 1, digits outside 1 to 4). Contract: least
+/// tolerances of all outputs or none. What the model throws is thrown here.
 Result<MonteCarloResult> propagate(const BlockModel& model, std::size_t outputs, const MonteCarloOptions& options);
 
 }  // namespace axiometry::uncertainty

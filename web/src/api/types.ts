@@ -5,6 +5,10 @@
 export type Parameter =
   | 'A' | 'A_up' | 'A_down' | 'E' | 'E_up' | 'E_down' | 'M' | 'R' | 'R_up' | 'R_down' | 'B' | 'B_mean';
 export type Verdict = 'conforms' | 'does not conform' | 'undecided';
+/** How an uncertainty was found; "annex-a", … where it is chosen by `uncertainty.method`. */
+export type Method = 'annex_a' | 'gum' | 'monte_carlo';
+/** Who stated a limit, the one that gives way to all others first: the test's own file, entered for this test, … */
+export type LimitSource = 'axis' | 'table' | 'test' | 'entered' | 'user';
 export type ErrorKind =
   | 'bad_input' | 'not_found' | 'conflict' | 'read_only' | 'full' | 'unavailable' | 'damaged' | 'refused';
 
@@ -53,6 +57,8 @@ export interface Result {
   label?: string;
   parameters: Record<Parameter, number | null>;
   uncertainty: {
+    record?: UncertaintyOfRecord;                      // what stands with the results and decides; all else is for comparison
+    inputs?: ResolvedInput[];                          // what was stated, and what counts of it
     annex_a?: Record<Parameter, number | null> | null;
     gum?: Record<Parameter, { value: number; u: number; U: number; k: number; nu_eff: number | null } | null> | null;
     monte_carlo?: Record<Parameter, MonteCarloOutput | null> | null;
@@ -63,17 +69,31 @@ export interface Result {
   positions: PositionResult[];
   tolerances?: Judgement[];
   findings: Finding[];
+  claims?: Claim[];                        // absent: `conforming` alone
+  information?: { smaller_repeatability?: { value: number; unit: string; text: string } | null };
   metadata: Record<string, unknown>;
   source: { file: string; sha256: string | null; format: string; [key: string]: unknown };
   program: { name: string; version: string };
   [key: string]: unknown;
 }
+/** Of the method of record, whose U is null where it states an interval alone; in µm or ″. */
+export interface UncertaintyOfRecord {
+  method: Method | null; chosen: boolean;
+  parameters: Record<Parameter, { u: number; U: number | null; low: number; high: number } | null>;
+}
+/** A statement about the uncertainty: which methods take it, and where it comes from; words in the reader's language. */
+export interface ResolvedInput {
+  key: string; symbol: string; title?: string; value: number | string; unit: string;
+  origin: string; origin_title?: string; use: 'all' | 'annex-a' | 'gum-and-monte-carlo' | 'none'; use_title?: string;
+}
 export interface MonteCarloOutput {
-  value: number; mean: number; u: number; bias: number; symmetric: [number, number]; shortest: [number, number];
+  value: number; mean: number; u: number; bias: number; low?: number; high?: number; refusal?: string;
+  symmetric: [number, number]; shortest: [number, number];   // of one hypothesis about the noise; low to high holds for all
   stable: boolean; histogram: { lower: number; width: number; counts: number[] };
 }
 export interface MonteCarloRun {
   trials: number; seed: number | string; stable: boolean; coverage: number; notes: string[];
+  hypotheses?: { key: string; title: string; refuted: boolean }[];
   contributions: { key: string; title: string; u: Record<Parameter, number | null> }[];
 }
 export interface AnnexABudget {
@@ -82,7 +102,7 @@ export interface AnnexABudget {
   notes: string[]; runs: number; coverage_factor: number;
 }
 export interface GumBudget {
-  sources: { key: string; symbol: string; title: string; source: string; distribution: string; u: number; unit: string; note: string }[];
+  sources: { key: string; symbol: string; title: string; source: string; distribution: string | null; u: number; unit: string; note: string }[];
   contributions: { key: string; u: Record<Parameter, number | null> }[];
   notes: string[]; [key: string]: unknown;
 }
@@ -93,6 +113,8 @@ export interface PositionResult {
 }
 /** As app/wire.cpp spells them: see docs/results.md, "tolerances". */
 export interface Judgement { parameter: Parameter; limit: number; verdict: string; [key: string]: unknown }
+/** What a result may be called, and what it lacks where it may not. */
+export interface Claim { key: 'computed' | 'tested' | 'reported'; title: string; holds: boolean; missing: string[] }
 export interface Finding { clause: string; severity: 'departure' | 'missing' | 'note'; message: string }
 
 /** Deviations as they were read; rows are targets, columns runs; null where there is none. */
@@ -107,14 +129,25 @@ export interface Evaluated {
   result: Result;
   readings: Readings;
   verdict: Verdict | null;                 // of all tolerances together
-  shown: { parameter: Parameter; value: string; U: string; interval: string; unit: string; limit: number | null; verdict: Verdict | null }[];
+  shown: Shown[];
   from_archive?: FromArchive;              // what it took from the archive beside the test itself
   milliseconds: number;                    // the evaluation took
 }
 
+/** A parameter as people read it, with the uncertainty of record, and what it was held against. */
+export interface Shown {
+  parameter: Parameter; value: string; U: string; interval: string; unit: string;
+  low: number | null; high: number | null; method: Method | null;
+  limit: number | null; source: LimitSource | null; replaced: ReplacedLimit[] | null;
+  verdict: Verdict | null;
+  withheld: string | null;                 // why nothing is decided, although there is a value
+}
+/** A limit of the same parameter that another one has taken the place of. */
+export interface ReplacedLimit { limit: number; source: LimitSource }
+
 /** Inputs of instruments that neither the file nor the changes state, calibrations that held on the day of the test, and
- *  limits of the axis where nothing else sets any (their judgements have the source "axis"). They are kept with a version
- *  as they were on its day. */
+ *  the limits of the axis, each of which holds where nothing else limits its parameter (the source "axis"). They are
+ *  kept with a version as they were on its day. */
 export interface FromArchive {
   instruments: { instrument: number; version: number; name: string; inputs: Changes }[];
   calibrations: Calibration[];
@@ -191,7 +224,11 @@ export interface TestRow {
   conforming: boolean; withdrawn: boolean; verdict: Verdict | null; label: string;
   figures: FigureOfTest[];
 }
-export interface FigureOfTest { parameter: Parameter; value: number; U: number | null; limit: number | null; verdict: Verdict | null }
+/** With the uncertainty of record: U is null where its method states the interval alone. */
+export interface FigureOfTest {
+  parameter: Parameter; value: number; U: number | null; low: number | null; high: number | null; method: Method | null;
+  limit: number | null; verdict: Verdict | null;
+}
 
 export interface Change { at: string; actor: string; reason: string }
 
@@ -243,6 +280,7 @@ export type Edit<T extends Entity> = Omit<T, 'id' | 'version' | 'change' | 'axes
 export interface Trend {
   axis: Axis; machine: { id: number; name: string }; unit: 'um' | 'arcsec';
   points: { test: number; version: number; title: string; measured_on: string; received_at: string; conforming: boolean;
+            verdict?: Verdict | null;      // of all limits together, also of parameters that the test does not have
             label: string; figures: FigureOfTest[] }[];
 }
 

@@ -13,7 +13,7 @@ import { aligned, make_plot, unzoom, zoom } from './chart/plot';
 import { pointed_at, watch_fingers } from './chart/pointer';
 import { PlainTip, plain_words } from './chart/tip';
 
-export type { ChartBand, ChartLine, ChartModel, ChartPlace, ChartProps, ChartSeries, Shape, Values } from './chart/model';
+export type { ChartBand, ChartLine, ChartModel, ChartPlace, ChartProps, ChartSeries, Ends, Shape, Values } from './chart/model';
 export { ChartLegend, Swatch } from './chart/legend';
 
 const t = texts({

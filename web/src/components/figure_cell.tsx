@@ -1,19 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { FigureOfTest, Parameter, Verdict } from '../api/types';
-import { ParameterSymbol } from './symbol';
+import type { FigureOfTest, Method, Parameter, Verdict } from '../api/types';
+import { absent, decimals_for, fixed } from '../numbers';
 import { Aligned, most_decimals } from './aligned';
-import { absent, figure_decimals, fixed } from '../numbers';
+import { ParameterSymbol } from './symbol';
+import { method_title } from './uncertainty';
 
-interface Shown { value: string; U: string; verdict: Verdict | null }
+/** A value with its uncertainty of record: U, or the interval where the method states that. */
+export interface ShownFigure { value: string; U: string; interval: string; method: Method | null; verdict: Verdict | null }
 
-export function shown_of(figures: readonly FigureOfTest[], parameter: Parameter): Shown | null {
-  const found = figures.find((figure) => figure.parameter === parameter);
-  if (!found) return null;
-  const decimals = figure_decimals(found.value, found.U);
-  return { value: fixed(found.value, decimals), U: found.U === null ? '' : fixed(found.U, decimals), verdict: found.verdict };
+const finest = 6;
+const noise = 5e-5;           // µm or ″: what is smaller comes from the arithmetic
+const sizes: readonly Parameter[] = ['A', 'A_up', 'A_down', 'E', 'E_up', 'E_down'];
+
+/** As the pages of the tests have them: two digits of the uncertainty; without one, of the test's A or E, but one at least. */
+function decimals_in(figures: readonly FigureOfTest[], { U, low, high }: FigureOfTest): number {
+  const u = U ?? (low !== null && high !== null ? (high - low) / 4 : 0);
+  if (u > 0) return Math.min(decimals_for(u, 2), finest);
+  const size = sizes.map((key) => figures.find((figure) => figure.parameter === key)?.value).find((value) => value !== undefined) ?? 0;
+  return size > noise ? Math.min(Math.max(decimals_for(size, 2), 1), finest) : 1;
 }
 
-/** The head of a column of values: the symbol stands above the values, "± U" above theirs. */
+export function shown_of(figures: readonly FigureOfTest[], parameter: Parameter): ShownFigure | null {
+  const found = figures.find((figure) => figure.parameter === parameter);
+  if (!found) return null;
+  const { value, U, low, high, method, verdict } = found;
+  const decimals = decimals_in(figures, found);
+  const interval = U === null && low !== null && high !== null ? `${fixed(low, decimals)}\u202f…\u2009${fixed(high, decimals)}` : '';
+  return { value: fixed(value, decimals), U: U === null ? '' : fixed(U, decimals), interval, method, verdict };
+}
+
+/** "± 4.3", or the interval; '' where nothing is known. */
+export const uncertainty_text = ({ U, interval }: ShownFigure): string => (U !== '' ? `±\u2009${U}` : interval);
+
+/** The head of a column of values: the symbol stands above the values, "± U" above theirs, where they have it. */
 export function ParameterHead({ parameter, unit, with_U = true }: { parameter: Parameter; unit?: string; with_U?: boolean }) {
   return <span><ParameterSymbol parameter={parameter} /><span class="plus-minus">{with_U && <>± <span class="symbol">U</span>{unit && ` ${unit}`}</>}</span></span>;
 }
@@ -22,13 +41,19 @@ export function ParameterHead({ parameter, unit, with_U = true }: { parameter: P
 export const column_decimals = (rows: readonly (readonly FigureOfTest[])[], parameter: Parameter): number =>
   most_decimals(rows.map((figures) => shown_of(figures, parameter)?.value));
 
-/** A parameter's value with its U, quieter, where there is one; `decimals` of the column that it stands in. */
-export function FigureCell({ shown, decimals = 0 }: { shown: Shown | null; decimals?: number }) {
+/** Whether any of them has a U, which the head of their column then names. */
+export const some_U = (rows: readonly (readonly FigureOfTest[])[]): boolean => rows.some((figures) => figures.some(({ U }) => U !== null));
+
+/** Whether any of them states an interval alone. */
+export const some_interval = (rows: readonly (readonly FigureOfTest[])[]): boolean => rows.some((figures) => figures.some(({ U, low }) => U === null && low !== null));
+
+/** A parameter's value with its uncertainty, quieter, where there is one; `decimals` of the column that it stands in. */
+export function FigureCell({ shown, decimals = 0 }: { shown: ShownFigure | null; decimals?: number }) {
   if (!shown) return <span class="quiet">{absent}</span>;
   return (
     <span class={shown.verdict === 'does not conform' ? 'over' : undefined}>
       <Aligned text={shown.value} decimals={decimals} />
-      <span class="plus-minus">{shown.U !== '' && `±\u2009${shown.U}`}</span>
+      <span class="plus-minus" title={shown.method === null ? undefined : method_title(shown.method)}>{uncertainty_text(shown)}</span>
     </span>
   );
 }

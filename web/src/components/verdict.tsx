@@ -16,10 +16,10 @@ const shapes = {
   none: 'M4 7a3 3 0 1 0 6 0a3 3 0 1 0-6 0',
 };
 
-/** A verdict with its sign; the word stays readable for all, also where only the sign is shown. */
-export function VerdictMark({ verdict, short = false }: { verdict: Verdict | null; short?: boolean }) {
-  const tone = verdict === 'conforms' ? 'good' : verdict === 'does not conform' ? 'bad' : verdict === 'undecided' ? 'caution' : 'none';
-  const word = t(verdict === 'conforms' ? 'conforms' : verdict === 'does not conform' ? 'does_not' : verdict === 'undecided' ? 'undecided' : 'none');
+export type Tone = keyof typeof shapes;
+
+/** A word with the sign of its tone; the word stays readable for all, also where only the sign is shown. */
+export function Mark({ tone, word, short = false }: { tone: Tone; word: string; short?: boolean }) {
   return (
     <span class={`mark ${tone} ${short ? 'short' : ''}`} title={short ? word : undefined}>
       <svg width="14" height="14" viewBox="0 0 14 14" aria-hidden="true">
@@ -28,4 +28,11 @@ export function VerdictMark({ verdict, short = false }: { verdict: Verdict | nul
       <span class={short ? 'visually-hidden' : ''}>{word}</span>
     </span>
   );
+}
+
+const tones = { conforms: 'good', 'does not conform': 'bad', undecided: 'caution' } as const;
+const words = { conforms: 'conforms', 'does not conform': 'does_not', undecided: 'undecided' } as const;
+
+export function VerdictMark({ verdict, short = false }: { verdict: Verdict | null; short?: boolean }) {
+  return <Mark tone={verdict === null ? 'none' : tones[verdict]} word={t(verdict === null ? 'none' : words[verdict])} short={short} />;
 }

@@ -38,7 +38,6 @@ constexpr double interval_cap_half_height = 3.0;
 constexpr double narrowest_interval = 2.0 * disc_radius + 1.0;  // a shorter one would hide behind the disc
 constexpr double fractions_least = 1.25;                        // of the tolerance that the scale shows
 constexpr double fractions_most = 2.0;
-constexpr double coverage_factor = 2.0;
 
 constexpr Colour accept_fill = ink::faint(ink::blue, 0.16);
 constexpr Colour reject_fill = ink::faint(ink::vermilion, 0.34);
@@ -76,15 +75,33 @@ void draw_zone(Operations& operations, const Rectangle& r, Zone zone) {
 struct Bar {
   const Judgement& judgement;
   double value = 0.0;
-  std::optional<double> U;     ///< half the width of the interval
-  std::optional<double> band;  ///< g; absent when not known
+  std::optional<uncertainty::Interval> interval;  ///< of record
+  std::optional<double> accepted_to;              ///< below 0 where nothing is accepted; absent when not known
+  std::optional<double> rejected_from;            ///< absent likewise
 };
+
+/// Of the magnitude: an interval of a signed parameter that holds zero begins there.
+uncertainty::Interval folded(const uncertainty::Interval& interval) {
+  const double low = std::abs(interval.lower);
+  const double high = std::abs(interval.upper);
+  const bool holds_zero = interval.lower < 0.0 && interval.upper > 0.0;
+  return {holds_zero ? 0.0 : std::min(low, high), std::max(low, high)};
+}
 
 Bar bar_of(const Judgement& judgement) {
   const double limit = judgement.tolerance.limit.in_native();
-  Bar bar{judgement, judgement.magnitude->in_native() / limit, {}, {}};
-  if (judgement.uncertainty) bar.U = coverage_factor * judgement.uncertainty->u.in_native() / limit;
-  if (judgement.has_guard_band()) bar.band = judgement.decision.guard_band / limit;
+  Bar bar{judgement, judgement.magnitude->in_native() / limit, {}, {}, {}};
+  if (judgement.uncertainty) {
+    const bool is_signed = judgement.tolerance.parameter->key == "B_mean";
+    const uncertainty::Interval& stated = judgement.uncertainty->interval;
+    const uncertainty::Interval shown =
+        is_signed ? folded(stated) : uncertainty::Interval{std::max(stated.lower, 0.0), stated.upper};
+    bar.interval = uncertainty::Interval{shown.lower / limit, shown.upper / limit};
+  }
+  if (judgement.has_guard_band()) {
+    bar.accepted_to = 1.0 - judgement.decision.guard_band / limit;
+    bar.rejected_from = 1.0 + judgement.decision.rejection_band / limit;
+  }
   return bar;
 }
 
@@ -92,7 +109,8 @@ double fractions_shown(const std::vector<Bar>& bars) {
   constexpr double margin = 0.06;
   double most = fractions_least;
   for (const Bar& bar : bars)
-    most = std::max(most, std::max(bar.value + bar.U.value_or(0.0), 1.0 + bar.band.value_or(0.0)) + margin);
+    most = std::max(most,
+                    std::max(bar.interval ? bar.interval->upper : bar.value, bar.rejected_from.value_or(1.0)) + margin);
   return std::min(most, fractions_most);
 }
 
@@ -111,8 +129,8 @@ void draw_zones(Operations& operations, const Bar& bar, const plot::Scale& x, do
   const double top = y - zone_height / 2.0;
   const double bottom = y + zone_height / 2.0;
   const auto at = [&](double fraction) { return x(std::clamp(fraction, 0.0, x.value_high)); };
-  const double accept_end = bar.band ? at(1.0 - *bar.band) : bar_left;
-  const double reject_begin = bar.band ? at(1.0 + *bar.band) : bar_right;
+  const double accept_end = bar.accepted_to ? at(*bar.accepted_to) : bar_left;
+  const double reject_begin = bar.rejected_from ? at(*bar.rejected_from) : bar_right;
   draw_zone(operations, {bar_left, top, accept_end, bottom}, Zone::accepted);
   draw_zone(operations, {accept_end, top, reject_begin, bottom}, Zone::undecided);
   draw_zone(operations, {reject_begin, top, bar_right, bottom}, Zone::rejected);
@@ -122,13 +140,12 @@ void draw_zones(Operations& operations, const Bar& bar, const plot::Scale& x, do
                             .fill = ink::none});
 }
 
-/// The interval ±U, cut at zero and at the end of the scale, and the value on it: a disc, or two heads in place of the
-/// one of the interval when it lies beyond the scale itself.
+/// The interval of record, cut at zero and at the end of the scale, and the value on it: a disc, or two heads in place
+/// of the one of the interval when it lies beyond the scale itself.
 void draw_value(Operations& operations, const Bar& bar, const plot::Scale& x, double y) {
   const bool beyond = bar.value > x.value_high;
-  if (bar.U) {
-    const double low = std::max(bar.value - *bar.U, 0.0);
-    const double high = bar.value + *bar.U;
+  if (bar.interval) {
+    const auto& [low, high] = *bar.interval;
     const double from = x(std::min(low, x.value_high));
     const double to = x(std::min(high, x.value_high));
     const auto cap = [&](double at) {
@@ -137,7 +154,7 @@ void draw_value(Operations& operations, const Bar& bar, const plot::Scale& x, do
     };
     if (to - from > narrowest_interval) {
       operations.push_back(plot::line({from, y}, {to, y}, ink::solid(ink::black, 0.9)));
-      if (bar.value > *bar.U) cap(from);
+      if (low > 0.0) cap(from);
       if (high <= x.value_high) cap(to);
     }
     if (high > x.value_high && !beyond) operations.push_back(arrow_at_end(y));
@@ -151,13 +168,15 @@ void draw_value(Operations& operations, const Bar& bar, const plot::Scale& x, do
       .centre = {x(bar.value), y}, .radius = disc_radius, .fill = ink::black, .stroke = ink::solid(ink::white, 0.5)});
 }
 
-/// "9.6 ± 4.3 of 10 µm", in English
+/// "9.6 ± 4.3 of 10 µm", "9.6 (8.0 to 12.3) of 10 µm", in English
 std::string value_text(const Judgement& judgement, const Subject& subject, const Options& options) {
   const AxisKind kind = subject.test.metadata.axis.kind;
-  const ShownParameter shown = show_judged(judgement, subject.assessment, kind, options);
+  const ShownParameter shown = show(*judgement.tolerance.parameter, subject.assessment, kind, options);
   const double limit = judgement.tolerance.limit.in_native() * parameter_scale(kind, options.unit).per_native;
-  return fmt::format("{}{} of {}\u00a0{}", shown.value, shown.U.empty() ? "" : " ± " + shown.U,
-                     shown_short(limit, options), shown.unit);
+  const std::string doubt = !shown.U.empty()          ? " ± " + shown.U
+                            : !shown.interval.empty() ? fmt::format(" ({})", shown.interval)
+                                                      : "";
+  return fmt::format("{}{} of {}\u00a0{}", shown.value, doubt, shown_short(limit, options), shown.unit);
 }
 
 void draw_row(Operations& operations, const Bar& bar, const plot::Scale& x, double y, const Subject& subject,
@@ -211,10 +230,10 @@ class Legend {
     name({plot::plain(text)});
   }
 
-  /// With the interval where there is one; `method` of all intervals, empty where they differ.
-  void value(bool with_uncertainty, std::string_view method) {
+  /// With the interval where there is one, and its method.
+  void value(std::optional<iso230_2::UncertaintyMethod> method) {
     const double middle = y_ - 2.5;
-    if (with_uncertainty) {
+    if (method) {
       operations_.push_back(plot::line({x_, middle}, {x_ + sample_width, middle}, ink::solid(ink::black, 0.9)));
       for (double at : {x_, x_ + sample_width})
         operations_.push_back(plot::line({at, middle - interval_cap_half_height},
@@ -224,9 +243,11 @@ class Legend {
                                .radius = disc_radius,
                                .fill = ink::black,
                                .stroke = ink::solid(ink::white, 0.5)});
-    if (with_uncertainty) {
-      name({plot::plain("value ± "), plot::italic("U"), plot::plain(" ("), plot::italic("k"),
-            plot::plain(fmt::format(" = 2{}{})", method.empty() ? "" : ", ", method))});
+    if (method == iso230_2::UncertaintyMethod::monte_carlo) {
+      name({plot::plain("value and interval (Monte Carlo)")});
+    } else if (method) {
+      name({plot::plain("value ± "), plot::italic("U"),
+            plot::plain(fmt::format(" ({})", iso230_2::method_title(*method)))});
     } else {
       name({plot::plain("value")});
     }
@@ -254,27 +275,24 @@ class Legend {
   double x_ = bar_left;
 };
 
-/// How U was found where it was found in one way for all.
-std::string_view common_method(const std::vector<Bar>& bars) {
-  std::string_view common;
-  for (const Bar& bar : bars) {
-    if (!bar.judgement.uncertainty) continue;
-    const std::string_view method = method_title(bar.judgement.uncertainty->method);
-    if (!common.empty() && common != method) return "";
-    common = method;
-  }
-  return common;
+/// All rest on one.
+std::optional<iso230_2::UncertaintyMethod> method_of(const std::vector<Bar>& bars) {
+  for (const Bar& bar : bars)
+    if (bar.judgement.uncertainty) return bar.judgement.uncertainty->method;
+  return std::nullopt;
 }
 
 void draw_legend(Operations& operations, const std::vector<Bar>& bars, double base_line, const Options& options) {
   Legend legend(operations, base_line, options);
-  const auto undecided_possible = [](const Bar& bar) { return !bar.band || *bar.band > 0.0; };
-  const bool any_band = std::ranges::any_of(bars, [](const Bar& bar) { return bar.band.has_value(); });
+  const auto undecided_possible = [](const Bar& bar) {
+    return !bar.accepted_to || *bar.accepted_to < *bar.rejected_from;
+  };
+  const bool any_band = std::ranges::any_of(bars, [](const Bar& bar) { return bar.accepted_to.has_value(); });
   if (any_band) legend.zone(Zone::accepted, "conforms");
   if (std::ranges::any_of(bars, undecided_possible)) legend.zone(Zone::undecided, "undecided");
   if (any_band) legend.zone(Zone::rejected, "does not conform");
   legend.limit();
-  legend.value(std::ranges::any_of(bars, [](const Bar& bar) { return bar.U.has_value(); }), common_method(bars));
+  legend.value(method_of(bars));
 }
 
 std::string description(const std::vector<Bar>& bars, const Subject& subject, const Options& options) {

@@ -12,7 +12,6 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::Judgement;
-using iso230_2::ParameterUncertainties;
 using testing::all_words;
 using ::testing::Contains;
 using testing::fault_of;
@@ -25,15 +24,24 @@ using Kind = DecisionRule::Kind;
 std::vector<Judgement> judged(const testing::Drawn& drawn, std::size_t count, double limit, double u,
                               const DecisionRule& rule) {
   std::vector<iso230_2::Tolerance> tolerances;
-  ParameterUncertainties uncertainties;
+  iso230_2::JudgedWith with;
   for (std::size_t k = 0; k < count; ++k) {
     const auto& parameter = iso230_2::parameters[k];
     const auto& value = drawn.assessment.evaluation.parameters.*parameter.member;
     const double magnitude = value ? std::max(std::abs(value->in_native()), 1e-3) : 1.0;
     tolerances.push_back({&parameter, Deviation::native(magnitude * limit)});
-    if (u > 0.0) uncertainties[k] = {{Deviation::native(magnitude * limit * u), iso230_2::UncertaintyMethod::annex_a}};
+    if (u > 0.0 && value) {
+      const double x = value->in_native();
+      const double own = magnitude * limit * u;
+      with.uncertainties[k] = iso230_2::ParameterUncertainty{{iso230_2::UncertaintyMethod::annex_a,
+                                                              {},
+                                                              Deviation::native(own),
+                                                              Deviation::native(2.0 * own),
+                                                              {x - 2.0 * own, x + 2.0 * own}},
+                                                             uncertainty::Belief::normal(x, own)};
+    }
   }
-  return iso230_2::judge(drawn.assessment.evaluation.parameters, tolerances, rule, uncertainties);
+  return iso230_2::judge(drawn.assessment.evaluation.parameters, tolerances, rule, with);
 }
 
 std::optional<Figure> drawn(const testing::Drawn& from, const std::vector<Judgement>& judgements) {
@@ -80,7 +88,7 @@ TEST(ConformityFigure, PutsEachValueOnTheScaleOfItsOwnTolerance) {
 TEST(ConformityFigure, SaysValueLimitAndVerdictInWords) {
   const auto example = testing::table_2();
   const auto words = all_words(*drawn(example, judged(example, 1, 2.0, 0.05, {Kind::iso_14253_1})));
-  EXPECT_THAT(words, IsSupersetOf({"A", "9.6 ± 1.9 of 19.1728\u00A0µm", "conforms", "undecided", "does not conform"}));
+  EXPECT_THAT(words, IsSupersetOf({"A", "9.6 of 19.1728\u00A0µm", "conforms", "undecided", "does not conform"}));
 }
 
 TEST(ConformityFigure, HasNoUndecidedZoneUnderSimpleAcceptance) {
@@ -97,7 +105,7 @@ TEST(ConformityFigure, CarriesTheLabelThatMustStandWhereverResultsDo) {
 TEST(ConformityFigure, DescribesItselfForThoseWhoCannotSeeIt) {
   const auto example = testing::table_2();
   EXPECT_EQ(drawn(example, judged(example, 1, 2.0, 0.05, {Kind::iso_14253_1}))->description,
-            "Each parameter against its tolerance: A = 9.6 ± 1.9 of 19.1728\u00A0µm, conforms.");
+            "Each parameter against its tolerance: A = 9.6 of 19.1728\u00A0µm, conforms.");
 }
 
 TEST(ConformityFigure, StaysInItsBoxWithoutOverlapInEveryCrowdedCase) {

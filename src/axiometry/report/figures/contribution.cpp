@@ -117,7 +117,9 @@ std::optional<Figure> contribution_figure(const Subject& subject, const Options&
     }
   }
   figure.height = header + head_height + input_pitch * static_cast<double>(all.size()) + 1.0;
-  figure.title = "Contributions of the inputs to the standard uncertainty, and their parts of the variance";
+  figure.title =
+      fmt::format("Contributions of the inputs to the standard uncertainty ({}), and their parts of the variance",
+                  iso230_2::method_title(contributing_method(subject.assessment)));
   figure.description = description(all, parameters, subject, options);
   return figure;
 }

@@ -38,12 +38,12 @@ constexpr double row_gap = 10.0;
 constexpr double panel_tick_length = 2.5;
 constexpr double bracket_cap_half_height = 2.0;
 
-constexpr Colour tail_fill = ink::faint(ink::blue, 0.13);
-constexpr Colour core_fill = ink::faint(ink::blue, 0.34);
+constexpr Colour histogram_fill = ink::faint(ink::blue, 0.25);
 const Stroke outline = ink::solid(ink::blue, 0.6);
 const Stroke value_line = ink::solid(ink::black, 1.1);
 const Stroke mean_line{.colour = ink::blue, .width = 0.9, .dashes = {3.0, 1.8}};
 const Stroke limit_line{.colour = ink::vermilion, .width = 1.1, .dashes = {6.0, 1.8, 1.0, 1.8}};
+const Stroke interval_line = ink::solid(ink::blue, 1.4);
 const Stroke annex_a_line = ink::solid(ink::grey, 0.9);
 const Stroke gum_line{.colour = ink::black, .width = 0.8, .dashes = {1.6, 1.2}};
 
@@ -52,14 +52,15 @@ constexpr std::string_view order[] = {"A", "A_up", "A_down", "E", "E_up", "E_dow
                                       "R", "R_up", "R_down", "M", "B",    "B_mean"};
 
 struct Bracket {
-  double U = 0.0;
+  double low = 0.0;
+  double high = 0.0;
   const Stroke* stroke = nullptr;
 };
 
 struct Panel {
   const iso230_2::ParameterInfo* parameter = nullptr;
   const ParameterDistribution* distribution = nullptr;
-  std::vector<Bracket> brackets;  ///< value ± U
+  std::vector<Bracket> brackets;  ///< the interval that is stated; value ± U of other methods
   std::vector<double> limits;     ///< of B̄ on both sides
 
   const uncertainty::OutputSummary& summary() const { return distribution->summary; }
@@ -70,10 +71,15 @@ Panel panel_of(const iso230_2::ParameterInfo& parameter, const ParameterDistribu
                const Subject& subject) {
   Panel panel{&parameter, &distribution, {}, {}};
   const auto& assessment = subject.assessment;
+  const double value = distribution.value;
+  panel.brackets.push_back({std::min(distribution.low, value), std::max(distribution.high, value), &interval_line});
+  const auto about_value = [&](Deviation U, const Stroke& stroke) {
+    panel.brackets.push_back({value - U.in_native(), value + U.in_native(), &stroke});
+  };
   if (const auto U = assessment.annex_a ? assessment.annex_a->U.*parameter.member : std::nullopt)
-    panel.brackets.push_back({U->in_native(), &annex_a_line});
+    about_value(*U, annex_a_line);
   if (const auto* gum = assessment.gum ? assessment.gum->find(parameter.key) : nullptr)
-    panel.brackets.push_back({gum->uncertainty.U.in_native(), &gum_line});
+    about_value(gum->uncertainty.U, gum_line);
   for (const auto& judgement : subject.judgements) {
     if (judgement.tolerance.parameter != &parameter) continue;
     const double limit = judgement.tolerance.limit.in_native();
@@ -89,7 +95,7 @@ std::vector<Panel> panels_of(const Subject& subject) {
     const auto& parameter = *iso230_2::find_parameter(key);
     const auto index = static_cast<std::size_t>(&parameter - iso230_2::parameters);
     const auto& distribution = subject.assessment.monte_carlo->distributions[index];
-    if (distribution) panels.push_back(panel_of(parameter, *distribution, subject));
+    if (distribution && distribution->refusal.empty()) panels.push_back(panel_of(parameter, *distribution, subject));
   }
   return panels;
 }
@@ -106,14 +112,16 @@ Range range_of(const Panel& panel, const Options& options) {
   const auto& histogram = panel.summary().histogram;
   Range range{histogram.lower, histogram.lower + histogram.width * static_cast<double>(histogram.counts.size())};
   range.see(panel.value());
+  range.see(panel.distribution->low);
+  range.see(panel.distribution->high);
   const bool flat = range.size() <= 1e-9 * std::max(std::abs(range.low), std::abs(range.high));
   const double place = std::pow(10.0, -*options.deviation_decimals);
   const double reach = flat ? std::max(0.2 * std::abs(panel.value()), place) : range.size();
   const Range most{range.low - reach, range.high + reach};
   if (flat) range = {range.low - reach / 2.0, range.high + reach / 2.0};
   for (const Bracket& bracket : panel.brackets) {
-    range.see(std::max(panel.value() - bracket.U, most.low));
-    range.see(std::min(panel.value() + bracket.U, most.high));
+    range.see(std::max(bracket.low, most.low));
+    range.see(std::min(bracket.high, most.high));
   }
   for (double limit : panel.limits)
     if (most.has(limit)) range.see(limit);
@@ -129,9 +137,9 @@ struct Place {
 
 /// The outline between two values, closed along the foot.
 Path area(const uncertainty::Histogram& histogram, double from, double to, double per_count, const Place& place,
-          Colour fill) {
+          Colour colour) {
   Path path{
-      .points = {{place.x(from), place.bottom}}, .closed = true, .stroke = ink::solid(ink::none, 0.0), .fill = fill};
+      .points = {{place.x(from), place.bottom}}, .closed = true, .stroke = ink::solid(ink::none, 0.0), .fill = colour};
   for (std::size_t k = 0; k < histogram.counts.size(); ++k) {
     const double left = histogram.lower + histogram.width * static_cast<double>(k);
     const double right = left + histogram.width;
@@ -148,21 +156,13 @@ void draw_histogram(Operations& operations, const Panel& panel, const Place& pla
   const auto& histogram = panel.summary().histogram;
   if (is_constant(histogram)) {
     const double x = place.x(panel.summary().mean);
-    operations.push_back(plot::line({x, place.top}, {x, place.bottom}, ink::solid(core_fill, 4.0)));
+    operations.push_back(plot::line({x, place.top}, {x, place.bottom}, ink::solid(histogram_fill, 4.0)));
     return;
   }
   const auto highest = static_cast<double>(*std::ranges::max_element(histogram.counts));
   const double per_count = 0.96 * (place.bottom - place.top) / std::max(highest, 1.0);
   const double end = histogram.lower + histogram.width * static_cast<double>(histogram.counts.size());
-  const auto [lower, upper] = panel.summary().symmetric;
-  const double from = std::clamp(lower, histogram.lower, end);
-  const double to = std::clamp(upper, from, end);
-  const auto add = [&](double left, double right, Colour fill) {
-    if (right > left) operations.push_back(area(histogram, left, right, per_count, place, fill));
-  };
-  add(histogram.lower, from, tail_fill);
-  add(from, to, core_fill);
-  add(to, end, tail_fill);
+  operations.push_back(area(histogram, histogram.lower, end, per_count, place, histogram_fill));
   Path whole = area(histogram, histogram.lower, end, per_count, place, ink::none);
   whole.closed = false;
   whole.stroke = outline;
@@ -189,10 +189,8 @@ void draw_bracket_end(Operations& operations, double value, const Place& place, 
 
 void draw_brackets(Operations& operations, const Panel& panel, const Place& place, double first_row) {
   for (std::size_t k = 0; k < panel.brackets.size(); ++k) {
-    const auto& [U, stroke] = panel.brackets[k];
+    const auto& [low, high, stroke] = panel.brackets[k];
     const double y = first_row + bracket_row * static_cast<double>(k);
-    const double low = panel.value() - U;
-    const double high = panel.value() + U;
     operations.push_back(
         plot::line({std::max(place.x(low), place.left), y}, {std::min(place.x(high), place.right), y}, *stroke));
     for (double end : {low, high}) draw_bracket_end(operations, end, place, y, *stroke);
@@ -283,10 +281,8 @@ std::vector<plot::LegendEntry> legend_of(const std::vector<Panel>& panels, const
     return plot::LegendEntry{stroke, {}, {}, {plot::plain(translated(text, options))}};
   };
   const std::string interval = shown_percent(assessment.monte_carlo->coverage, options) + " interval";
-  std::vector<plot::LegendEntry> entries = {entry(value_line, "measured"),
-                                            entry(mean_line, "mean of the distribution"),
-                                            {{}, core_fill, {}, {plot::plain(translated(interval, options))}}};
-  entries.back().line = outline;
+  std::vector<plot::LegendEntry> entries = {entry(value_line, "measured"), entry(mean_line, "mean of the distribution"),
+                                            entry(interval_line, interval)};
   if (assessment.annex_a)
     entries.push_back({annex_a_line, {}, {}, translated({plot::plain("Annex A, ± "), plot::italic("U")}, options)});
   if (assessment.gum)

@@ -32,7 +32,7 @@ Drawn with_all_methods(Drawn drawn) {
   const Series& series = drawn.test.series;
   auto& assessment = drawn.assessment;
   assessment.annex_a = iso230_2::annex_a(metadata, series, assessment.evaluation);
-  assessment.gum = iso230_2::gum(metadata, series, assessment.evaluation).value();
+  assessment.gum = iso230_2::gum(Test{metadata, series, {}}, assessment.evaluation).value();
   return with_monte_carlo(std::move(drawn));
 }
 

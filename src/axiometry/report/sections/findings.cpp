@@ -20,7 +20,7 @@ TableCell severity_cell(Severity severity) {
   return {};
 }
 
-constexpr std::string_view none = "None: nothing departs from clauses 4 to 8, and nothing they ask for is missing.";
+constexpr std::string_view none = "None: no rule has anything to say. What may be claimed stands in Claims.";
 
 /// What several tests have in common.
 struct Shared {

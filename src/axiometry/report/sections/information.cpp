@@ -7,6 +7,7 @@
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/standards/drift.h"
+#include "axiometry/standards/iso230_2_information.h"
 #include "axiometry/standards/iso230_2_slope.h"
 
 namespace axiometry::report {
@@ -41,11 +42,23 @@ Fact drift_fact(const Subject& subject, const Options& options) {
                               drift_statement(*drift, subject.test.metadata.axis.kind, options), drift->course.basis))};
 }
 
+Fact smaller_repeatability_fact(const iso230_2::SmallerRepeatability& smaller, const Subject& subject,
+                                const Options& options) {
+  const ShownParameter shown = show(*smaller.parameter, subject.assessment, subject.test.metadata.axis.kind, options);
+  RichText text = plain(fmt::format("{}\u00a0{} (", shown.value, shown.unit));
+  return {plain("Smaller of R↑ and R↓"),
+          {joined({text, symbol(smaller.parameter->symbol), plain("): "),
+                   sentence(iso230_2::smaller_repeatability_remark)})}};
+}
+
 }  // namespace
 
 Section information_section(const Subject& subject, const Options& options) {
   Facts facts;
   facts.facts = {slope_fact(subject, options), drift_fact(subject, options)};
+  if (const auto smaller =
+          iso230_2::smaller_repeatability(subject.test.metadata, subject.assessment.evaluation.parameters))
+    facts.facts.push_back(smaller_repeatability_fact(*smaller, subject, options));
   return {"information", "For information", true, {std::move(facts)}};
 }
 

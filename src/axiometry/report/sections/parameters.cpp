@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "axiometry/report/assumptions.h"
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/sections/sections.h"
@@ -52,19 +53,19 @@ std::vector<RichText> notes(const Subject& subject, const Options& options) {
   if (!repeated)
     notes.push_back(joined({plain("Repeatabilities "), italic("R"), plain(" and errors "), italic("A"),
                             plain(" do not exist where each target was approached once per direction (6.2).")}));
-  const UncertaintyShown shown = uncertainty_shown(assessment);
-  if (shown == UncertaintyShown::none) {
+  const auto method = iso230_2::method_of_record(assessment);
+  const bool others =
+      assessment.annex_a.has_value() + assessment.gum.has_value() + assessment.monte_carlo.has_value() > 1;
+  if (!method) {
     notes.push_back(joined({plain("The measurement uncertainty "), italic("U"),
                             plain(" was not estimated: no input of Annex A was given.")}));
-  } else if (shown != UncertaintyShown::annex_a) {
-    notes.push_back(joined({plain("Annex A says nothing here: "),
-                            plain(shown == UncertaintyShown::gum ? "U is that of the GUM"
-                                                                 : "the interval is that of "
-                                                                   "the Monte Carlo method"),
-                            plain("; see Uncertainty of the parameters.")}));
-  } else if (leaves_out_contributors(*assessment.annex_a, subject.test.metadata.axis.kind)) {
-    notes.push_back(joined({italic("U"), plain(" covers only the contributors that were given; see the budget.")}));
+  } else if (others) {
+    notes.push_back(plain(method_statement(assessment)));
   }
+  if (method == iso230_2::UncertaintyMethod::annex_a && assessment.annex_a &&
+      leaves_out_contributors(*assessment.annex_a, subject.test.metadata.axis.kind))
+    notes.push_back(joined({italic("U"), plain(" covers only the contributors that were given; see the budget.")}));
+  for (const std::string& sentence : interval_assumptions(subject, options)) notes.push_back(with_symbols(sentence));
   if (!subject.judgements.empty())
     notes.push_back(
         plain(fmt::format("Decision rule of the verdicts: {}; see Conformity to tolerances.",
@@ -78,16 +79,17 @@ const Judgement* judgement_of(const iso230_2::ParameterInfo& parameter, std::spa
   return found == judgements.end() ? nullptr : &*found;
 }
 
-/// What stands beside the values; a method other than Annex A is named.
+/// What stands beside the values, and by which method.
 RichText uncertainty_head(const iso230_2::Assessment& assessment, const Options& options) {
-  switch (uncertainty_shown(assessment)) {
-    case UncertaintyShown::gum: return joined({italic("U"), plain(" (GUM)")});
-    case UncertaintyShown::monte_carlo:
-      return plain(fmt::format("{} interval (Monte Carlo)", shown_percent(assessment.monte_carlo->coverage, options)));
-    default: break;
+  using enum iso230_2::UncertaintyMethod;
+  const auto method = iso230_2::method_of_record(assessment);
+  if (method == gum) return joined({italic("U"), plain(" (GUM)")});
+  if (method == monte_carlo) {
+    const double coverage = assessment.monte_carlo ? assessment.monte_carlo->coverage : 0.95;
+    return plain(fmt::format("{} (Monte Carlo)", shown_percent(coverage, options)));
   }
-  if (assessment.gum || assessment.monte_carlo) return joined({italic("U"), plain(" (Annex A)")});
-  return joined({italic("U"), plain(" ("), italic("k"), plain(" = 2)")});
+  if (method == annex_a) return joined({italic("U"), plain(" (Annex A, "), italic("k"), plain(" = 2)")});
+  return italic("U");
 }
 
 TableCell uncertainty_cell(const ShownParameter& shown) {
@@ -123,8 +125,7 @@ std::vector<TableCell> row(const iso230_2::ParameterInfo& parameter, const Subje
   row.push_back(exists ? TableCell{strong(shown.value)} : quiet_cell(shown.value));
   row.push_back(uncertainty_cell(shown));
   if (with_tolerances)
-    row.push_back(judgement ? text_cell(shown_short(judgement->tolerance.limit.in_native() * scale.per_native, options))
-                            : quiet_cell(""));
+    row.push_back(judgement ? text_cell(shown_limit(judgement->tolerance.limit, scale, options)) : quiet_cell(""));
   row.push_back(exists || judgement ? text_cell(shown.unit) : quiet_cell(""));
   if (with_tolerances) row.push_back(judgement ? verdict_cell(judgement->decision.verdict) : quiet_cell(""));
   row.push_back(quiet_cell(parameter.clause));

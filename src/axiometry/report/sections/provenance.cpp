@@ -46,6 +46,8 @@ Section provenance_section(const Subject& subject, const Options& options) {
       {plain("Edition of the standard"), text_cell(fmt::format("{}; {}", edition_of(subject.test.metadata.axis),
                                                                edition_remark(subject.test.metadata.axis)))},
   };
+  if (subject.verified)
+    facts.facts.push_back({plain("Verification"), text_cell(verified_statement(*subject.verified))});
   Section section{"provenance", "Provenance", false, {std::move(facts)}};
   std::size_t number = 0;
   for (const AppliedCorrection& correction : source.corrections)

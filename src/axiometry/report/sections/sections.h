@@ -10,6 +10,7 @@
 #include "axiometry/model/fields.h"
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
+#include "axiometry/standards/iso230_2_claims.h"
 
 /// The sections of a report, one source each. compose() puts them together.
 namespace axiometry::report {
@@ -33,6 +34,9 @@ Section parameter_section(const Subject& subject, const Options& options);
 
 /// Figures 2 and 3.
 Section figure_section(const Subject& subject, const Options& options);
+
+/// What may be said of the result with the name of the standard, and what speaks against it.
+Section claim_section(const Subject& subject, const Options& options);
 
 Section finding_section(std::span<const iso230_2::Finding> findings);
 

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "axiometry/base/version.h"
+#include "axiometry/report/claim_text.h"
 #include "axiometry/report/correction_text.h"
+#include "axiometry/report/finding_text.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/standards/test_standard.h"
@@ -54,27 +56,34 @@ std::size_t count(const std::vector<Finding>& findings, Severity severity) {
   return static_cast<std::size_t>(std::ranges::count(findings, severity, &Finding::severity));
 }
 
-Notice conforming_notice(const std::vector<Finding>& findings, const Axis& axis) {
-  Notice notice{Tone::normal, plain(fmt::format("Result according to {}", edition_of(axis))), {}};
-  if (count(findings, Severity::missing) > 0)
-    notice.lines.push_back(plain("Not everything that the report shall state was given; see Findings."));
-  return notice;
-}
-
-Notice departing_notice(const std::vector<Finding>& findings, const Axis& axis) {
-  Notice notice{Tone::bad,
-                plain(fmt::format("Evaluated with the formulas of {}; not an {} result, see Findings", edition_of(axis),
-                                  standard_of(axis))),
+/// What the result may be called, with what speaks most against more.
+Notice claim_notice(const Subject& subject, const iso230_2::Claims& claims, const Options& options) {
+  const Axis& axis = subject.test.metadata.axis;
+  const iso230_2::Claim& tested = claim(claims, iso230_2::ClaimKind::tested);
+  const iso230_2::Claim& reported = claim(claims, iso230_2::ClaimKind::reported);
+  const bool bad = is_contradicted(tested);
+  Notice notice{tested.holds() ? Tone::normal
+                : bad          ? Tone::bad
+                               : Tone::caution,
+                plain(standing_text(claims, axis)),
                 {}};
-  const std::size_t departures = count(findings, Severity::departure);
-  for (const Finding& finding : findings) {
+  const std::size_t departures = count(tested.against, Severity::departure);
+  for (const Finding& finding : tested.against) {
     if (finding.severity != Severity::departure) continue;
     if (notice.lines.size() == departures_named) {
       notice.lines.push_back(plain(fmt::format("… and {} more.", departures - departures_named)));
       break;
     }
-    notice.lines.push_back(finding_line(finding));
+    notice.lines.push_back(finding_line(shown_finding(finding, subject.assessment, axis.kind, options)));
   }
+  if (const std::size_t missing = count(tested.against, Severity::missing); missing > 0)
+    notice.lines.push_back(plain(
+        missing == 1 ? std::string("1 point of clauses 4 and 5 was not stated or not kept; see Claims.")
+                     : fmt::format("{} points of clauses 4 and 5 were not stated or not kept; see Claims.", missing)));
+  if (tested.holds() && !is_diagonal(axis))
+    notice.lines.push_back(plain("On the word of who tested for what no item states (4.1, 4.2, 5.1); see Claims."));
+  if (!reported.holds())
+    notice.lines.push_back(plain("Not everything that the report shall state was given; see Claims."));
   return notice;
 }
 
@@ -95,11 +104,9 @@ std::string running_head(const Metadata& metadata, const Options& options) {
   return shortened(head, running_head_length);
 }
 
-std::string running_status(const iso230_2::Assessment& assessment, const Axis& axis, const Options& options) {
-  std::string status = assessment.conforming()
-                           ? edition_of(axis)
-                           : fmt::format("Formulas of {}; not an {} result", edition_of(axis), standard_of(axis));
-  if (!assessment.label.empty()) status += " · " + assessment.label;
+std::string running_status(const Subject& subject, const iso230_2::Claims& claims, const Options& options) {
+  std::string status = standing_name(claims, subject.test.metadata.axis);
+  if (!subject.assessment.label.empty()) status += " · " + subject.assessment.label;
   return shortened(translated(status, options), running_status_length);
 }
 
@@ -122,13 +129,15 @@ Document title_page(const Subject& subject, const Options& options) {
   const Axis& axis = metadata.axis;
   document.title = is_diagonal(axis) ? "Diagonal displacement test of a machine tool"
                                      : "Positioning accuracy and repeatability of an NC axis";
-  document.edition = assessment.conforming() ? edition_of(axis) : fmt::format("Formulas of {}", edition_of(axis));
+  const iso230_2::Claims claims = iso230_2::claims_of(subject.test, assessment);
+  const bool holds = claim(claims, iso230_2::ClaimKind::tested).holds();
+  document.edition = standing_name(claims, axis);
   document.identity = {{plain(is_diagonal(axis) ? "Diagonal" : "Axis"), text_cell(description_of(axis))}};
   for (const auto& [name, key] : identity_fields) document.identity.push_back({plain(name), stated(key, metadata)});
   std::ranges::move(further_identity(metadata), std::back_inserter(document.identity));
-  if (!assessment.conforming()) document.status.push_back(departing_notice(assessment.findings, axis));
+  if (!holds) document.status.push_back(claim_notice(subject, claims, options));
   if (auto notice = tolerance_notice(subject, options)) document.status.push_back(*std::move(notice));
-  if (assessment.conforming()) document.status.push_back(conforming_notice(assessment.findings, axis));
+  if (holds) document.status.push_back(claim_notice(subject, claims, options));
   if (is_diagonal(axis))
     document.status.push_back(
         {Tone::caution,
@@ -146,7 +155,7 @@ Document title_page(const Subject& subject, const Options& options) {
   if (!metadata.conditions.report_number.empty())
     document.running_number =
         shortened(translated("Report " + metadata.conditions.report_number, options), running_number_length);
-  document.running_status = running_status(assessment, axis, options);
+  document.running_status = running_status(subject, claims, options);
   document.date = metadata.conditions.date;
   document.generator = fmt::format("Axiometry {}", version);
   return document;

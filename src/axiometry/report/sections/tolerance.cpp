@@ -14,7 +14,6 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::Judgement;
-using iso230_2::UncertaintyMethod;
 using uncertainty::Verdict;
 
 constexpr std::size_t values_named = 3;  // on the first page; all of them stand in the table of decisions
@@ -35,7 +34,6 @@ std::vector<Column> columns(Wanted want) {
   if (want.uncertainty) all.push_back({italic("u"), Align::decimal});
   all.push_back({joined({plain("Tolerance "), italic("T")}), Align::decimal});
   if (want.guard_band) {
-    all.push_back({italic("g"), Align::decimal});
     all.push_back({joined({italic("T"), plain(" − "), italic("g")}), Align::decimal});
     all.push_back({joined({italic("T"), plain(" + "), italic("g")}), Align::decimal});
   }
@@ -63,7 +61,7 @@ class RowNumbers {
       : options_(options),
         scale_(parameter_scale(subject.test.metadata.axis.kind, options.unit)),
         decimals_(limit_decimals(shown)) {}
-  TableCell exact(Deviation x) const { return text_cell(shown_short(x.in_native() * scale_.per_native, options_)); }
+  TableCell exact(Deviation x) const { return text_cell(shown_limit(x, scale_, options_)); }
   TableCell rounded(const std::optional<Deviation>& x) const {
     return x ? text_cell(format_fixed(x->in_native() * scale_.per_native, decimals_, options_.numbers))
              : quiet_cell("–");
@@ -77,26 +75,24 @@ class RowNumbers {
 
 std::vector<TableCell> decision_row(const Judgement& judgement, const Subject& subject, Wanted want,
                                     const Options& options) {
-  const auto& [tolerance, rule, magnitude, known, decision] = judgement;
+  const auto& [tolerance, rule, magnitude, known, decision, withheld] = judgement;
   const AxisKind kind = subject.test.metadata.axis.kind;
-  const ShownParameter shown = show_judged(judgement, subject.assessment, kind, options);
+  const ShownParameter shown = show(*judgement.tolerance.parameter, subject.assessment, kind, options);
   const RowNumbers numbers(subject, options, shown);
   const auto if_judged = [&](std::optional<Deviation> x) { return numbers.rounded(magnitude ? x : std::nullopt); };
   std::vector<TableCell> row = {{symbol(tolerance.parameter->symbol)}};
   row.push_back(magnitude ? TableCell{strong(shown.value)} : quiet_cell("–"));
-  if (want.uncertainty) row.push_back(known ? numbers.rounded(known->u) : quiet_cell("–"));
+  if (want.uncertainty)
+    row.push_back(known ? text_cell(shown_uncertainty(known->u, parameter_scale(kind, options.unit), options))
+                        : quiet_cell("–"));
   row.push_back(numbers.exact(tolerance.limit));
   if (want.guard_band) {
-    row.push_back(
-        if_judged(judgement.has_guard_band() ? std::optional(Deviation::native(decision.guard_band)) : std::nullopt));
     const bool none = magnitude && judgement.has_guard_band() && !judgement.acceptance_limit();
     row.push_back(none ? quiet_cell("none") : if_judged(judgement.acceptance_limit()));
     row.push_back(if_judged(judgement.rejection_limit()));
   }
   if (want.uncertainty) {
-    row.push_back(decision.probability_conforming
-                      ? text_cell(shown_probability(*decision.probability_conforming, options))
-                      : quiet_cell("–"));
+    row.push_back(decision.probability_range ? text_cell(shown_conformity(decision, options)) : quiet_cell("–"));
     row.push_back(risk_cell(decision, options));
   }
   row.push_back(verdict_cell(decision.verdict));
@@ -104,7 +100,7 @@ std::vector<TableCell> decision_row(const Judgement& judgement, const Subject& s
 }
 
 /// "Grinder, up to 500 mm, in limits.csv, …": the names are the user's, what stands between is not.
-RichText origin_text(std::string_view origin) {
+RichText origin_words(std::string_view origin) {
   const std::size_t in = origin.rfind(", in ");
   const std::size_t travel = in == std::string_view::npos || in == 0 ? in : origin.rfind(", ", in - 1);
   if (in == std::string_view::npos || travel == std::string_view::npos) return verbatim(origin);
@@ -128,23 +124,24 @@ RichText origins_of_limits(std::span<const Judgement> judgements) {
     if (symbols.empty()) continue;
     text = joined({text, plain(text.empty() ? "Limits: " : "; "), symbols,
                    plain(fmt::format(" from the {}{}", source_title(source), origin.empty() ? "" : " ")),
-                   origin_text(origin)});
+                   origin_words(origin)});
   }
   return joined({text, plain(".")});
 }
 
-/// "A = (9.6 ± 4.3) µm; tolerance 10 µm". A U that is not that of the table of parameters says which one it is.
+/// "A = (9.6 ± 4.3) µm (Annex A); tolerance 10 µm", "A = 9.6 µm, 8.0 to 12.3 µm (Monte Carlo); tolerance 10 µm"
 RichText value_and_tolerance(const Judgement& judgement, const Subject& subject, const Options& options) {
   const AxisKind kind = subject.test.metadata.axis.kind;
-  const ShownParameter shown = show_judged(judgement, subject.assessment, kind, options);
+  const ShownParameter shown = show(*judgement.tolerance.parameter, subject.assessment, kind, options);
   const std::string unit = (shown.unit == "″" || shown.unit == "°" ? "" : "\u00a0") + std::string(shown.unit);
-  const std::string value = shown.U.empty() ? shown.value : fmt::format("({} ± {})", shown.value, shown.U);
-  const bool of_annex_a = shown.U.empty() || judgement.uncertainty->method == UncertaintyMethod::annex_a;
-  const std::string method = of_annex_a ? "" : fmt::format(" ({})", method_title(judgement.uncertainty->method));
-  const double limit = judgement.tolerance.limit.in_native() * parameter_scale(kind, options.unit).per_native;
-  return joined(
-      {symbol(judgement.tolerance.parameter->symbol),
-       plain(fmt::format(" = {}{}{}; tolerance {}{}", value, unit, method, shown_short(limit, options), unit))});
+  std::string value = shown.value + unit;
+  if (!shown.U.empty()) value = fmt::format("({} ± {}){}", shown.value, shown.U, unit);
+  if (!shown.interval.empty()) value += fmt::format(", {}{}", shown.interval, unit);
+  const std::string method =
+      judgement.uncertainty ? fmt::format(" ({})", iso230_2::method_title(judgement.uncertainty->method)) : "";
+  const std::string limit = shown_limit(judgement.tolerance.limit, parameter_scale(kind, options.unit), options);
+  return joined({symbol(judgement.tolerance.parameter->symbol),
+                 plain(fmt::format(" = {}{}; tolerance {}{}", value, method, limit, unit))});
 }
 
 /// Of the parameters with the verdict of the whole, so that it can be weighed at a glance.
@@ -154,7 +151,7 @@ void append_values(Notice& notice, Verdict overall, const Subject& subject, cons
   std::size_t named = 0;
   for (const Judgement& judgement : subject.judgements) {
     if (!decisive(judgement)) continue;
-    if (named == values_named) {
+    if (named == values_named && all > values_named + 1) {
       notice.lines.push_back(plain(fmt::format("… and {} more.", all - named)));
       return;
     }
@@ -167,14 +164,18 @@ std::vector<RichText> notes(const Subject& subject, Wanted want, const Options& 
   std::vector<RichText> notes = {
       with_symbols(rule_statement(subject.judgements, subject.test.metadata.axis.kind, options))};
   notes.push_back(origins_of_limits(subject.judgements));
+  for (const std::string& withheld : withheld_statements(subject.judgements)) notes.push_back(plain(withheld));
+  if (const std::string lacks = incomplete_statement(subject.judgements, subject.assessment); !lacks.empty())
+    notes.push_back(plain(lacks));
   if (want.guard_band && std::ranges::any_of(subject.judgements, [](const Judgement& j) {
         return j.magnitude && j.has_guard_band() && !j.acceptance_limit();
       }))
     notes.push_back(with_symbols("none: g is larger than T, so that no value could be accepted."));
   if (want.uncertainty)
-    notes.push_back(plain(
-        "Risk of the verdict: the consumer’s, that an accepted parameter does not conform; the producer’s, that a "
-        "rejected one does."));
+    notes.push_back(
+        plain("Risk of the verdict, at most: the consumer’s, that an accepted parameter does not conform; the "
+              "producer’s, that "
+              "a rejected one does."));
   if (std::ranges::any_of(subject.judgements, [](const Judgement& j) { return !j.magnitude; }))
     notes.push_back(plain("no verdict: the parameter does not exist in this test."));
   return notes;
@@ -209,6 +210,7 @@ std::optional<Notice> tolerance_notice(const Subject& subject, const Options& op
     others = joined({others, plain(others.empty() ? "No verdict on " : " No verdict on "), unjudged,
                      plain(": not applicable to this test.")});
   append_values(notice, *overall, subject, options);
+  for (const std::string& withheld : withheld_statements(subject.judgements)) notice.lines.push_back(plain(withheld));
   if (!others.empty()) notice.lines.push_back(std::move(others));
   notice.lines.push_back(plain(fmt::format(
       "Decision rule: {}.", rule_title(subject.judgements.front().rule, subject.test.metadata.axis.kind, options))));

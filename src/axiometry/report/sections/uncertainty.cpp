@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "axiometry/report/figures/drift_recording.h"
 #include "axiometry/report/method_values.h"
+#include "axiometry/report/resolved_text.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/standards/iso230_2_artefact.h"
@@ -71,6 +73,26 @@ Table budget_table(const AnnexA& annex_a, const Metadata& metadata, const Option
   return table;
 }
 
+/// What was stated about the uncertainty, what counts of it and where it comes from.
+Table resolved_table(const std::vector<iso230_2::ResolvedRow>& rows, const Options& options) {
+  Table table;
+  table.caption = plain("Inputs as resolved");
+  table.columns = {{plain("Symbol"), Align::start, true},
+                   {plain("Input"), Align::start, false, true},
+                   {plain("Value"), Align::start, false, true},
+                   {plain("Origin"), Align::start, false, true},
+                   {plain("Used by"), Align::start, false, true}};
+  for (const iso230_2::ResolvedRow& row : rows) {
+    const bool used = row.use != iso230_2::InputUse::none;
+    table.rows.push_back({{symbol(row.symbol)},
+                          text_cell(input_title(row)),
+                          text_cell(input_value(row, options)),
+                          text_cell(origin_text(row)),
+                          used ? text_cell(use_text(row)) : TableCell{plain(use_text(row)), Tone::caution}});
+  }
+  return table;
+}
+
 constexpr std::string_view repeatability_keys[] = {"R", "R_up", "R_down"};
 
 /// R, R↑ and R↓ as measured and corrected.
@@ -78,8 +100,8 @@ Table corrected_axis_table(const Subject& subject, const Options& options) {
   const auto& assessment = subject.assessment;
   const AxisKind kind = subject.test.metadata.axis.kind;
   const ParameterScale scale = parameter_scale(kind, options.unit);
-  const int decimals = std::max(0, *options.deviation_decimals + scale.further_decimals);
-  const auto cell = [&](const std::optional<Deviation>& value) {
+  const auto cell = [&](const std::optional<Deviation>& value, const iso230_2::ParameterInfo& parameter) {
+    const int decimals = parameter_decimals(parameter, assessment, kind, options);
     return value ? text_cell(format_fixed(value->in_native() * scale.per_native, decimals, options.numbers))
                  : quiet_cell("not applicable");
   };
@@ -94,8 +116,8 @@ Table corrected_axis_table(const Subject& subject, const Options& options) {
     const auto* parameter = iso230_2::find_parameter(key);
     table.rows.push_back({{symbol(parameter->symbol)},
                           text_cell(parameter->title),
-                          cell(assessment.evaluation.parameters.*parameter->member),
-                          cell(assessment.annex_a->corrected->parameters.*parameter->member),
+                          cell(assessment.evaluation.parameters.*parameter->member, *parameter),
+                          cell(assessment.annex_a->corrected->parameters.*parameter->member, *parameter),
                           text_cell(scale.unit)});
   }
   return table;
@@ -142,13 +164,20 @@ Table corrected_position_table(const Subject& subject, const Options& options) {
 Section uncertainty_section(const Subject& subject, const Options& options) {
   Section section{"uncertainty", "Measurement uncertainty (Annex A)", true, {}};
   const auto& annex_a = subject.assessment.annex_a;
+  const auto& rows = subject.assessment.inputs.rows;
+  const auto add_inputs = [&] {
+    if (!rows.empty()) section.blocks.emplace_back(resolved_table(rows, options));
+    if (auto recording = drift_recording_figure(subject, options)) section.blocks.emplace_back(*std::move(recording));
+  };
   if (!annex_a) {
     section.blocks.emplace_back(Paragraph{plain("Not estimated: no input of Annex A was given."), Tone::quiet});
+    add_inputs();
     return section;
   }
-  section.blocks.emplace_back(
-      Paragraph{plain(measurand_statement(iso230_2::Measurand::this_test, subject.test.series.run_count()))});
+  section.blocks.emplace_back(Paragraph{plain(measurand_statement(
+      iso230_2::Measurand::this_test, subject.test.series.run_count(), !subject.assessment.uncorrected.empty()))});
   section.blocks.emplace_back(budget_table(*annex_a, subject.test.metadata, options));
+  add_inputs();
   if (annex_a->corrected) {
     section.blocks.emplace_back(corrected_axis_table(subject, options));
     section.blocks.emplace_back(corrected_position_table(subject, options));

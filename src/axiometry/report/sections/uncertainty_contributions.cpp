@@ -16,7 +16,8 @@ using iso230_2::Contribution;
 
 /// What it pays most to improve, parameter by parameter.
 Facts advice(const std::vector<Contribution>& all, const Subject& subject, const Options& options) {
-  Facts facts{"What to improve first", {}};
+  Facts facts{
+      fmt::format("What to improve first ({})", iso230_2::method_title(contributing_method(subject.assessment))), {}};
   for (std::size_t p : main_parameters(subject.assessment.evaluation.parameters))
     if (const auto first = leading(all, p, subject.assessment))
       facts.facts.push_back({joined({plain("Uncertainty of "), symbol(iso230_2::parameters[p].symbol)}),
@@ -64,7 +65,7 @@ Section contribution_section(const Subject& subject, const Options& options) {
     section.blocks.emplace_back(advice(all, subject, options));
     section.blocks.emplace_back(*std::move(figure));
   }
-  const bool by_trials = assessment.monte_carlo && !assessment.monte_carlo->contributions.empty();
+  const bool by_trials = !all.empty() && contributing_method(assessment) == iso230_2::UncertaintyMethod::monte_carlo;
   if (by_trials) {
     Table table = contribution_table(all, subject, options);
     const ParameterScale scale = parameter_scale(subject.test.metadata.axis.kind, options.unit);

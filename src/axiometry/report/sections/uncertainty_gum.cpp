@@ -31,19 +31,13 @@ Table parameter_table(const GumUncertainty& gum, AxisKind kind, const Options& o
   const auto shown = [&](Deviation u) { return text_cell(shown_uncertainty(u, scale, options)); };
   Table table;
   table.caption = plain(fmt::format("Expanded uncertainty of the parameters, {}", scale.unit));
-  table.columns = {{plain("Symbol"), Align::start, true},
-                   {plain("Parameter"), Align::start, false, true},
-                   {plain("Value"), Align::decimal},
-                   {italic("u"), Align::decimal},
-                   {symbol("ν_eff"), Align::decimal},
-                   {italic("k"), Align::decimal},
-                   {joined({italic("U"), plain(" = "), italic("k u")}), Align::decimal}};
+  table.columns = {
+      {plain("Symbol"), Align::start, true}, {plain("Parameter"), Align::start, false, true},
+      {italic("u"), Align::decimal},         {symbol("ν_eff"), Align::decimal},
+      {italic("k"), Align::decimal},         {joined({italic("U"), plain(" = "), italic("k u")}), Align::decimal}};
   for (const auto& p : gum.parameters) {
-    const double U = p.uncertainty.U.in_native() * scale.per_native;
     table.rows.push_back({{symbol(p.parameter->symbol)},
                           text_cell(p.parameter->title),
-                          text_cell(format_fixed(p.value.in_native() * scale.per_native,
-                                                 decimals_for(U, options.uncertainty_digits), options.numbers)),
                           shown(p.uncertainty.u),
                           degrees_cell(p.uncertainty, options),
                           text_cell(shown_k(p.uncertainty.k, options)),

@@ -16,6 +16,7 @@ using iso230_2::Effect;
 /// What one draw of an input is common to.
 std::string_view reach(Effect effect) {
   switch (effect) {
+    case Effect::displacement: return "any two positions";
     case Effect::target: return "each target";
     case Effect::target_direction: return "each target and direction";
     case Effect::run: return "each run";

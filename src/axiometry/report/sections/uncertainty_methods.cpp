@@ -29,7 +29,8 @@ class MethodTable {
       : assessment_(subject.assessment),
         scale_(parameter_scale(subject.test.metadata.axis.kind, options.unit)),
         rows_(method_rows(assessment_, subject.test.metadata.axis.kind, options)),
-        coverage_(assessment_.monte_carlo ? shown_percent(assessment_.monte_carlo->coverage, options) : "") {
+        run_(iso230_2::run_with_intervals(assessment_)),
+        coverage_(run_ != nullptr ? shown_percent(run_->coverage, options) : "") {
     table_.rows.resize(rows_.size());
   }
 
@@ -38,7 +39,7 @@ class MethodTable {
     add_measured();
     if (assessment_.annex_a) add_U("Annex A", plain(" (k = 2)"), &MethodRow::annex_a_U);
     if (assessment_.gum) add_U("GUM", {}, &MethodRow::gum_U);
-    if (assessment_.monte_carlo) add_monte_carlo();
+    if (run_ != nullptr) add_monte_carlo();
     add_widths();
     add_notes();
     return std::move(table_);
@@ -82,11 +83,11 @@ class MethodTable {
 
   /// How wide the simpler methods are against the best one that was run.
   void add_widths() {
-    const bool annex_a = assessment_.annex_a && (assessment_.monte_carlo || assessment_.gum);
-    const bool gum = assessment_.gum && assessment_.monte_carlo;
+    const bool annex_a = assessment_.annex_a && (run_ != nullptr || assessment_.gum);
+    const bool gum = assessment_.gum && run_ != nullptr;
     const std::size_t count = (annex_a ? 1 : 0) + (gum ? 1 : 0);
     if (count == 0) return;
-    table_.groups.push_back({plain(assessment_.monte_carlo ? "Against Monte Carlo" : "Against GUM"), count});
+    table_.groups.push_back({plain(run_ != nullptr ? "Against Monte Carlo" : "Against GUM"), count});
     const auto add = [&](std::string_view head, bool opens_group, std::string MethodRow::*member) {
       add_column({plain(head), Align::start, false, false, opens_group}, [&](const MethodRow& row) {
         const std::string& words = row.*member;
@@ -99,7 +100,9 @@ class MethodTable {
   }
 
   void add_notes() {
-    if (!assessment_.monte_carlo) return;
+    if (run_ == nullptr) return;
+    if (const std::string hypothesis = hypothesis_statement(assessment_); !hypothesis.empty())
+      table_.notes.push_back(sentence(hypothesis));
     table_.notes.push_back(plain(
         "Bias: value less mean. The parameters are extremes: noise in the readings pushes them apart and makes the "
         "bias positive; systematic inputs, such as a temperature, widen them more often than they narrow them and "
@@ -115,26 +118,22 @@ class MethodTable {
   const iso230_2::Assessment& assessment_;
   ParameterScale scale_;
   std::vector<MethodRow> rows_;
+  const iso230_2::MonteCarlo* run_;
   std::string coverage_;
   Table table_;
 };
 
-/// Both coverage intervals and what is known about the accuracy of the numbers themselves.
+/// The interval that is stated and what is known about the accuracy of the numbers themselves.
 Table interval_table(const Subject& subject, const Options& options) {
   const AxisKind kind = subject.test.metadata.axis.kind;
   const auto& monte_carlo = *subject.assessment.monte_carlo;
   Table table;
-  table.caption = joined({plain("Monte Carlo: coverage intervals and numerical tolerance"),
+  table.caption = joined({plain("Monte Carlo: coverage interval and numerical tolerance"),
                           unit_note(parameter_scale(kind, options.unit).unit)});
   const std::string coverage = shown_percent(monte_carlo.coverage, options);
-  table.groups = {{plain("Parameter"), 2},
-                  {plain(coverage + " symmetric"), 2},
-                  {plain(coverage + " shortest"), 2},
-                  {plain("Accuracy"), 2}};
+  table.groups = {{plain("Parameter"), 2}, {plain(coverage + " stated"), 2}, {plain("Accuracy"), 2}};
   table.columns = {{plain("Symbol"), Align::start, true},
                    {italic("u"), Align::decimal},
-                   {plain("from"), Align::decimal, false, false, true},
-                   {plain("to"), Align::decimal},
                    {plain("from"), Align::decimal, false, false, true},
                    {plain("to"), Align::decimal},
                    {plain("δ"), Align::decimal, false, false, true},
@@ -146,14 +145,19 @@ Table interval_table(const Subject& subject, const Options& options) {
                           text_cell(d.u),
                           text_cell(d.lower),
                           text_cell(d.upper),
-                          text_cell(d.shortest_lower),
-                          text_cell(d.shortest_upper),
                           text_cell(d.tolerance),
                           d.stable ? text_cell("yes") : TableCell{plain("no"), Tone::caution}});
   }
-  table.notes = {joined({plain("δ: half a unit of the last significant digit of "), italic("u"),
-                         plain(" that shall be right (JCGM 101, 7.9.2). Stable: mean, "), italic("u"),
-                         plain(" and the ends of the symmetric interval are known better than δ.")})};
+  table.notes = {
+      joined({plain("δ: half a unit of the last significant digit of "), italic("u"),
+              plain(monte_carlo.hypotheses.size() > 1 ? " that shall be right (JCGM 101, 7.9.2). Stable: mean and "
+                                                      : " that shall be right (JCGM 101, 7.9.2). Stable: mean, "),
+              italic("u"),
+              plain(monte_carlo.hypotheses.size() > 1
+                        ? " are known better than δ under every hypothesis about the noise, and the ends "
+                          "of its interval better than half a unit of the last such digit of half the "
+                          "widest."
+                        : " and the ends of the symmetric interval are known better than δ.")})};
   return table;
 }
 
@@ -164,6 +168,7 @@ Facts run_facts(const iso230_2::Assessment& assessment, const Options& options) 
   };
   if (assessment.monte_carlo) {
     const auto& run = *assessment.monte_carlo;
+    if (iso230_2::run_with_intervals(assessment) == nullptr) add("No interval", refusal_statement(run) + ".");
     add("Monte Carlo", "JCGM 101: every trial is a complete test that may have happened, evaluated by clause 3.");
     add("Run", trials_statement(run) + ".");
     add("Seed", fmt::format("{}; the same seed gives the same numbers on any number of threads.", run.seed));
@@ -184,11 +189,14 @@ Facts run_facts(const iso230_2::Assessment& assessment, const Options& options) 
 Section method_section(const Subject& subject, const Options& options) {
   const auto& assessment = subject.assessment;
   Section section{"methods", "Uncertainty of the parameters", true, {}};
-  section.blocks.emplace_back(
-      Paragraph{plain(measurand_statement(measurand_of(assessment), subject.test.series.run_count()))});
-  section.blocks.emplace_back(MethodTable(subject, options)());
+  section.blocks.emplace_back(Paragraph{plain(measurand_statement(
+      measurand_of(assessment), subject.test.series.run_count(), !assessment.uncorrected.empty()))});
+  section.blocks.emplace_back(Paragraph{plain(method_statement(assessment))});
+  if (assessment.annex_a || assessment.gum || iso230_2::run_with_intervals(assessment) != nullptr)
+    section.blocks.emplace_back(MethodTable(subject, options)());
   if (auto figure = distribution_figure(subject, options)) section.blocks.emplace_back(*std::move(figure));
-  if (assessment.monte_carlo) section.blocks.emplace_back(interval_table(subject, options));
+  if (iso230_2::run_with_intervals(assessment) != nullptr)
+    section.blocks.emplace_back(interval_table(subject, options));
   section.blocks.emplace_back(run_facts(assessment, options));
   return section;
 }

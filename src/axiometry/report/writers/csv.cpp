@@ -6,12 +6,13 @@
 //   target       of a position: its coordinate; empty for parameters
 //   target_unit  "mm" or "deg"
 //   name         key of the JSON output: "A_up"; of a position "mean_up", "n_up", …; of "monte_carlo" with what it is:
-//                "A_up.mean", ".u", ".bias", ".low", ".high" (symmetric interval), ".shortest_low", ".shortest_high"
+//                "A_up.mean", ".u", ".bias", ".low", ".high" (the interval that is stated), ".shortest_low",
+//                ".shortest_high"
 //   value        empty where it does not exist
 //   U            expanded uncertainty, of "parameter" after Annex A, k = 2; empty where none was estimated
 //   unit         "um", "mm", "nm", "arcsec", "deg"; empty for counts
 //   clause       of ISO 230-2:2014
-//   remark       what the result must not be mistaken for: not an ISO 230-2 (or 230-6) result, that it is a diagonal
+//   remark       what the result must not be mistaken for: not tested after the standard, that it is a diagonal
 //                after ISO 230-6, the label, which corrections of the readings it contains; else empty
 //   limit        of a parameter with a tolerance, in `unit`; else empty
 //   verdict      "conforms", "does not conform", "undecided" or "not applicable"; empty without a limit
@@ -21,6 +22,7 @@
 #include <fmt/format.h>
 
 #include "axiometry/base/text.h"
+#include "axiometry/report/claim_text.h"
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/writer.h"
@@ -40,6 +42,9 @@ struct Line {
   std::string_view clause;
   std::string limit{};
   std::string_view verdict{};
+  std::string low{};
+  std::string high{};
+  std::string_view method{};
 };
 
 std::string_view ascii_unit(std::string_view unit) {
@@ -57,13 +62,14 @@ class Csv {
         kind_(subject.test.metadata.axis.kind) {
     const Axis& axis = subject.test.metadata.axis;
     axis_ = text::no_formula(axis.name);
-    if (!subject.assessment.conforming()) remark_ = fmt::format("not an {} result", standard_of(axis));
-    if (is_diagonal(axis)) remark_ += fmt::format("{}{}", remark_.empty() ? "" : "; ", edition_of(axis));
+    const iso230_2::Claims claims = iso230_2::claims_of(subject.test, subject.assessment);
+    if (!claim(claims, iso230_2::ClaimKind::tested).holds()) remark_ = standing_text(claims, axis);
+    if (is_diagonal(axis) && remark_.empty()) remark_ = edition_of(axis);
     if (!subject.assessment.label.empty()) remark_ += (remark_.empty() ? "" : "; ") + subject.assessment.label;
     if (const std::string corrected = correction_statement(subject.test.provenance.corrections); !corrected.empty())
       remark_ += (remark_.empty() ? "" : "; ") + corrected;
     append_cells({"axis", "record", "target", "target_unit", "name", "value", "U", "unit", "clause", "remark", "limit",
-                  "verdict"});
+                  "verdict", "low", "high", "method"});
   }
 
   std::string number(double x) const {
@@ -80,7 +86,7 @@ class Csv {
   void append(const Line& line) {
     const std::string_view target_unit = line.target.empty() ? "" : ascii_unit(position_unit(kind_));
     append_cells({axis_, line.record, line.target, target_unit, line.name, line.value, line.U, line.unit, line.clause,
-                  remark_, line.limit, line.verdict});
+                  remark_, line.limit, line.verdict, line.low, line.high, line.method});
   }
 
   std::string take() { return std::move(text_); }
@@ -112,9 +118,15 @@ void append_parameters(Csv& csv, const Subject& subject, const Options& options)
               "",
               parameter.key,
               csv.number(assessment.evaluation.parameters.*parameter.member, scale.per_native),
-              assessment.annex_a ? csv.number(assessment.annex_a->U.*parameter.member, scale.per_native) : "",
+              "",
               ascii_unit(scale.unit),
               parameter.clause};
+    if (const auto known = iso230_2::uncertainty_of_record(assessment, parameter)) {
+      line.U = csv.number(known->U, scale.per_native);  // none of the Monte Carlo method, which states the interval
+      line.low = csv.number(known->interval.lower * scale.per_native);
+      line.high = csv.number(known->interval.upper * scale.per_native);
+      line.method = iso230_2::method_key(known->method);
+    }
     for (const iso230_2::Judgement& judgement : subject.judgements) {
       if (judgement.tolerance.parameter->key != parameter.key) continue;
       line.limit = csv.number(judgement.tolerance.limit, scale.per_native);
@@ -144,13 +156,13 @@ void append_gum(Csv& csv, const iso230_2::GumUncertainty& gum, const ParameterSc
 void append_monte_carlo(Csv& csv, const iso230_2::MonteCarlo& monte_carlo, const ParameterScale& scale) {
   for (std::size_t k = 0; k < std::size(iso230_2::parameters); ++k) {
     const auto& d = monte_carlo.distributions[k];
-    if (!d) continue;
+    if (!d || !d->refusal.empty()) continue;
     const auto& s = d->summary;
     const std::pair<std::string_view, double> numbers[] = {{"mean", s.mean},
                                                            {"u", s.sd},
                                                            {"bias", d->bias()},
-                                                           {"low", s.symmetric.lower},
-                                                           {"high", s.symmetric.upper},
+                                                           {"low", d->low},
+                                                           {"high", d->high},
                                                            {"shortest_low", s.shortest.lower},
                                                            {"shortest_high", s.shortest.upper}};
     for (const auto& [what, number] : numbers) {
@@ -168,6 +180,8 @@ Result<std::string> write(const Subject& subject, const Options& options) {
   if (subject.assessment.gum) append_gum(csv, *subject.assessment.gum, scale);
   if (subject.assessment.monte_carlo) append_monte_carlo(csv, *subject.assessment.monte_carlo, scale);
   append_positions(csv, subject);
+  for (const iso230_2::Claim& claim : iso230_2::claims_of(subject.test, subject.assessment))
+    csv.append({"claim", "", iso230_2::claim_key(claim.kind), claim.holds() ? "yes" : "no", "", "", ""});
   return csv.take();
 }
 

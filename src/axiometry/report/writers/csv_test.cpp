@@ -17,9 +17,11 @@ using testing_support::reported_without_metadata;
 
 TEST(CsvWriter, HasOneLinePerParameterAndPerQuantityOfATarget) {
   const std::string csv = reported_table2().written("csv");
-  EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 12 + 11 * 11);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 12 + 11 * 11 + 3);
   EXPECT_EQ(std::ranges::count(csv, '\r'), std::ranges::count(csv, '\n'));
-  EXPECT_THAT(csv, StartsWith("axis,record,target,target_unit,name,value,U,unit,clause,remark,limit,verdict\r\n"));
+  EXPECT_THAT(
+      csv,
+      StartsWith("axis,record,target,target_unit,name,value,U,unit,clause,remark,limit,verdict,low,high,method\r\n"));
 }
 
 TEST(CsvWriter, GivesFullPrecision) {
@@ -48,8 +50,12 @@ TEST(CsvWriter, SaysInEveryLineWhatTheResultIsNot) {
   Reported table2 = reported_table2();
   table2.assessment.label = "step cycle (Annex B), not for acceptance";
   table2.assessment.findings.push_back({"5.3.2", iso230_2::Severity::departure, "found the step cycle"});
-  EXPECT_THAT(table2.written("csv"),
-              HasSubstr(",um,3.27,\"not an ISO 230-2 result; step cycle (Annex B), not for acceptance\",,\r\n"));
+  EXPECT_THAT(
+      table2.written("csv"),
+      HasSubstr(",um,3.27,\"Computed after clause 3 of ISO 230-2:2014; not a test in accordance with it; step cycle "
+                "(Annex B), not for acceptance\",,,5.31"));
+  EXPECT_THAT(table2.written("csv"), HasSubstr(",claim,,,tested,no,"));
+  EXPECT_THAT(reported_table2().written("csv"), HasSubstr(",claim,,,tested,yes,"));
 }
 
 TEST(CsvWriter, StatesLimitAndVerdictInTheUnitOfTheParameter) {
@@ -57,9 +63,9 @@ TEST(CsvWriter, StatesLimitAndVerdictInTheUnitOfTheParameter) {
   table2.options.unit = DisplayUnit::mm;
   table2.judge({testing_support::tolerance("A", 10), testing_support::tolerance("B", 4)});
   const std::string csv = table2.written("csv");
-  EXPECT_THAT(csv, HasSubstr(",mm,3.27,,0.01,conforms\r\n"));
-  EXPECT_THAT(csv, HasSubstr(",mm,3.16,,0.004,does not conform\r\n"));
-  EXPECT_THAT(csv, HasSubstr(",mm,3.24,,,\r\n"));
+  EXPECT_THAT(csv, HasSubstr(",mm,3.27,,0.01,conforms,0.005315831278904754,0.013856963829442135,annex_a\r\n"));
+  EXPECT_THAT(csv, HasSubstr(",mm,3.16,,0.004,does not conform,"));
+  EXPECT_THAT(csv, HasSubstr(",mm,3.24,,,,"));
 }
 
 TEST(CsvWriter, QuotesAndDefusesWhatASpreadsheetWouldMistake) {

@@ -72,8 +72,8 @@ function strokes_of(plot: uPlot, model: ChartModel): Stroke[] {
       const value = series.values[i];
       if (typeof value !== 'number') return;
       const y = plot.valToPos(value, 'y', true);
-      const reach = series.whisker?.[i];
-      if (typeof reach === 'number') all.push([x, plot.valToPos(value + reach, 'y', true), x, plot.valToPos(value - reach, 'y', true)]);
+      const ends = series.whisker?.[i];
+      if (ends) all.push([x, plot.valToPos(ends[1], 'y', true), x, plot.valToPos(ends[0], 'y', true)]);
       all.push(before && series.width !== 0 ? [...before, x, y] : [x, y, x, y]);
       before = [x, y];
     });

@@ -5,6 +5,9 @@ import type { ComponentChildren } from 'preact';
 export type Values = readonly (number | null)[];
 export type Shape = 'circle' | 'square' | 'diamond' | 'up' | 'down' | 'ring';
 
+/** Of a whisker: the ends of an interval, which need not lie evenly about the value. */
+export type Ends = readonly [low: number, high: number];
+
 export interface ChartSeries {
   key: string;               // stays the same while the values change
   label: string;
@@ -15,7 +18,7 @@ export interface ChartSeries {
   shape?: Shape | null;      // of the points; null: a line only
   size?: number;             // of the points in px; 6 when not given
   opacity?: number;          // 0 to 1
-  whisker?: Values;          // half lengths, drawn as value ± whisker
+  whisker?: readonly (Ends | null)[];
   aside?: number;            // px to the right of its place, so that whiskers of several series do not cover each other
   hidden?: boolean;
   quiet?: boolean;           // not found by the pointer: help lines
@@ -72,8 +75,9 @@ export function y_range(model: ChartModel, first: number, last: number): [number
     if (series.hidden) continue;
     for (let i = first; i <= last; i += 1) {
       const value = series.values[i] ?? null;
-      const reach = series.whisker?.[i] ?? 0;
-      if (value !== null) { take(value - reach); take(value + reach); }
+      if (value === null) continue;
+      take(value);
+      series.whisker?.[i]?.forEach(take);
     }
   }
   for (const band of model.bands ?? []) {

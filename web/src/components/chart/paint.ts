@@ -76,10 +76,10 @@ export function paint_whiskers(plot: uPlot, pen: CanvasRenderingContext2D, x: re
   pen.lineWidth = 1.25 * ratio;
   pen.setLineDash([]);
   const cap = cap_px * ratio;
-  for (const [i, value, left] of within(plot, x, series, ratio)) {
-    const reach = series.whisker[i];
-    if (typeof reach !== 'number' || reach <= 0) continue;
-    const [above, below] = [plot.valToPos(value + reach, 'y', true), plot.valToPos(value - reach, 'y', true)];
+  for (const [i, , left] of within(plot, x, series, ratio)) {
+    const ends = series.whisker[i];
+    if (!ends || ends[1] <= ends[0]) continue;
+    const [below, above] = ends.map((end) => plot.valToPos(end, 'y', true)) as [number, number];
     pen.beginPath();
     pen.moveTo(left, above); pen.lineTo(left, below);
     pen.moveTo(left - cap, above); pen.lineTo(left + cap, above);

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Fragment } from 'preact';
-import type { Parameter, Test, Vocabulary } from '../../api/types';
+import type { Method, Parameter, Test, Vocabulary } from '../../api/types';
 import { Swatch } from '../../components/chart';
 import { Aligned, most_decimals } from '../../components/aligned';
 import { narrow } from '../../components/narrow';
 import { ParameterSymbol } from '../../components/symbol';
+import { method_title } from '../../components/uncertainty';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
-import { absent, decimals_of, fixed, parsed } from '../../numbers';
+import { absent, decimals_of, fixed } from '../../numbers';
 import { printing } from '../../settings';
 import { all_parameters, main_parameters } from '../test/figures_text';
+import { record_method } from '../test/record_choice';
 import { look_of } from './curves';
 
 const t = texts({
@@ -23,21 +25,29 @@ const t = texts({
   unknown: ['no uncertainty is stated', 'ohne Angabe der Unsicherheit'],
   better: ['smaller', 'kleiner'],
   worse: ['larger', 'größer'],
-  legend: ['Differences to the first test. Strong: larger than the combined uncertainty √(U₁² + U₂²), with ▲ or ▼ where the parameter has no sign of its own. Quiet: within it. With a question mark: a test states no uncertainty. Errors that both tests have in common would make the true bound smaller.',
-           'Differenzen zur ersten Prüfung. Fett: größer als die kombinierte Unsicherheit √(U₁² + U₂²), mit ▲ oder ▼ bei Kennwerten ohne eigenes Vorzeichen. Blass: innerhalb. Mit Fragezeichen: eine Prüfung gibt keine Unsicherheit an. Gemeinsame Fehler beider Prüfungen würden die wahre Schranke verkleinern.'],
+  several: ['These tests state their uncertainties by different methods: {list}. Each is held against the other as its own method states it.',
+            'Diese Prüfungen geben ihre Unsicherheit nach verschiedenen Verfahren an: {list}. Verglichen wird jede so, wie ihr Verfahren sie angibt.'],
+  no_method: ['no uncertainty', 'ohne Unsicherheit'],
+  with_interval: ['Value, interval', 'Wert, Intervall'],
+  value_only: ['Value', 'Wert'],
+  legend: ['Differences to the first test. Strong: larger than the combined uncertainty √(U₁² + U₂²), of intervals their half widths, with ▲ or ▼ where the parameter has no sign of its own. Quiet: within it. With a question mark: a test states no uncertainty. Errors that both tests have in common would make the true bound smaller.',
+           'Differenzen zur ersten Prüfung. Fett: größer als die kombinierte Unsicherheit √(U₁² + U₂²), bei Intervallen mit ihrer halben Breite, mit ▲ oder ▼ bei Kennwerten ohne eigenes Vorzeichen. Blass: innerhalb. Mit Fragezeichen: eine Prüfung gibt keine Unsicherheit an. Gemeinsame Fehler beider Prüfungen würden die wahre Schranke verkleinern.'],
 });
 
 const most_beside_on_paper = 3;  // tests whose differences stand in columns of their own
 const longest_on_a_line = 18;  // letters of a title that is not broken
 
-interface Cell { value: number; text: string; U: number | null; U_text: string }
+interface Cell { value: number; text: string; half_width: number | null; U: string; interval: string }
 
 function cell_of(test: Test, parameter: Parameter): Cell | null {
   const shown = test.shown.find((row) => row.parameter === parameter);
   const value = test.result.parameters[parameter];
   if (!shown || value === null || value === undefined) return null;
-  return { value, text: shown.value, U: parsed(shown.U), U_text: shown.U };
+  const { low, high } = shown;
+  return { value, text: shown.value, half_width: low === null || high === null ? null : (high - low) / 2, U: shown.U, interval: shown.interval };
 }
+
+const head_of = (method: Method | null): string => t(method === null ? 'value_only' : method === 'monte_carlo' ? 'with_interval' : 'value');
 
 /** The parameters of all tests, with differences to the first one and whether they mean anything. */
 export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; vocabulary: Vocabulary | null }) {
@@ -46,6 +56,9 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
   if (!reference) return null;
   const decimals = most_decimals(tests.flatMap((test) => test.shown.map((row) => row.value)));
   const main = main_parameters(reference.result);
+  const methods = tests.map((test) => record_method(test));
+  const named = methods.map((method) => (method === null ? t('no_method') : method_title(method)));
+  const several = new Set(methods.filter((method) => method !== null)).size > 1;
   const stacked = narrow.value || (printing.value && tests.length > most_beside_on_paper);
   return (
     <section class={`panel flush parameters-table ${tests.length > 5 ? 'many' : ''}`}>
@@ -58,13 +71,14 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
               {tests.map((test, n) => (
                 <th key={test.id} scope="colgroup" colSpan={n === 0 || stacked ? 1 : 2} class="test-name">
                   <span class={test.title.length <= longest_on_a_line ? 'one-line' : ''}><Swatch series={look_of(n)} /> {test.title}</span>
+                  <span class="by-method quiet small">{named[n]}</span>
                 </th>
               ))}
             </tr>
             <tr>
               {tests.map((test, n) => (
                 <Fragment key={test.id}>
-                  <th scope="col" class="number value">{t('value')}</th>
+                  <th scope="col" class="number value">{head_of(methods[n] ?? null)}</th>
                   {n > 0 && !stacked && <th scope="col" class="number">{t('difference')}</th>}
                 </Fragment>
               ))}
@@ -88,6 +102,7 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
           </tbody>
         </table>
       </div>
+      {several && <p class="small foot several">{t('several', { list: [...new Set(named)].join(', ') })}</p>}
       {tests.length > 1 && <p class="small quiet foot">{t('legend')}</p>}
     </section>
   );
@@ -97,7 +112,8 @@ function Value({ test, parameter, decimals, stacked }: { test: Test; parameter: 
   const cell = cell_of(test, parameter);
   const shown = test.shown.find((row) => row.parameter === parameter);
   if (cell === null) return <>{absent}</>;
-  const uncertainty = cell.U_text !== '' && <span class="quiet uncertainty"> ± <Aligned text={cell.U_text} decimals={decimals} /></span>;
+  const uncertainty = cell.U !== '' ? <span class="quiet uncertainty"> ± <Aligned text={cell.U} decimals={decimals} /></span>
+    : cell.interval !== '' && <span class="quiet uncertainty"> ({cell.interval})</span>;
   return (
     <>
       <Aligned text={cell.text} decimals={decimals} />
@@ -117,8 +133,8 @@ function Difference({ to, test, parameter, column }: { to: Test; test: Test; par
   const change = parameter === 'B_mean' ? null : difference < 0 ? { sign: '▼', word: t('better') } : { sign: '▲', word: t('worse') };
   const figure = `${difference > 0 ? '+' : ''}${fixed(difference, Math.min(decimals_of(a.text), decimals_of(b.text)))}`;
   const text = <Aligned text={figure} decimals={column} />;
-  if (a.U === null || b.U === null) return <span class="unsure" title={t('unknown')}>{text}<span class="sign quiet">?<span class="visually-hidden"> {t('unknown')}</span></span></span>;
-  const beyond = Math.abs(difference) > Math.hypot(a.U, b.U);
+  if (a.half_width === null || b.half_width === null) return <span class="unsure" title={t('unknown')}>{text}<span class="sign quiet">?<span class="visually-hidden"> {t('unknown')}</span></span></span>;
+  const beyond = Math.abs(difference) > Math.hypot(a.half_width, b.half_width);
   if (!beyond) return <span class="quiet" title={t('within')}>{text}<span class="sign" /><span class="visually-hidden"> {t('within')}</span></span>;
   return (
     <strong title={`${change ? `${change.word}; ` : ''}${t('beyond')}`}>

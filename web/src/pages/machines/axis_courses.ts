@@ -3,7 +3,7 @@
 import { signal } from '@preact/signals';
 import { get } from '../../api/client';
 import type { Axis, Trend, Verdict } from '../../api/types';
-import { joint_verdict, parameters } from './parameters';
+import { parameters, verdict_of } from './parameters';
 
 const at_once = 4;
 
@@ -37,5 +37,5 @@ export function load_courses(axes: readonly Axis[]): () => void {
 /** Of the last test of an axis. */
 export function last_verdict(axis: number): Verdict | null {
   const points = complete.value.get(axis)?.points;
-  return joint_verdict(points?.[points.length - 1]?.figures ?? []);
+  return verdict_of(points?.[points.length - 1]);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { FigureOfTest, Parameter, Verdict } from '../../api/types';
+import type { FigureOfTest, Parameter, Trend, Verdict } from '../../api/types';
 import type { Shape } from '../../components/chart';
 
 /** In the order in which the library lists them. */
@@ -23,9 +23,17 @@ export function plain_symbol(parameter: Parameter): string {
 }
 
 /** Of several parameters together: the gravest. */
-export function joint_verdict(figures: readonly FigureOfTest[]): Verdict | null {
+function joint_verdict(figures: readonly FigureOfTest[]): Verdict | null {
   const found = figures.map((figure) => figure.verdict);
   if (found.includes('does not conform')) return 'does not conform';
   if (found.includes('undecided')) return 'undecided';
   return found.includes('conforms') ? 'conforms' : null;
 }
+
+/** Of a test: as it was given, since a limit of a parameter that the test lacks is in no figure. */
+export const verdict_of = (point: Trend['points'][number] | undefined): Verdict | null =>
+  point === undefined ? null : point.verdict === undefined ? joint_verdict(point.figures) : point.verdict;
+
+/** Whether a figure stands over its limit: as it was judged; one that nobody judged, against the limit that is drawn. */
+export const is_over = ({ value, verdict }: FigureOfTest, drawn: number | null): boolean =>
+  verdict === null ? drawn !== null && value > drawn : verdict === 'does not conform';

@@ -62,5 +62,7 @@ export const t = texts({
   value_in: ['Value / {unit}', 'Wert / {unit}'],
   limit_line: ['{parameter} ≤ {value} {unit}', '{parameter} ≤ {value} {unit}'],
   numbers: ['The same numbers', 'Dieselben Zahlen'],
-  click_hint: ['Bars: ± U. Dashed lines: limits. A click on a point opens its test.', 'Balken: ± U. Gestrichelt: Grenzwerte. Ein Klick auf einen Punkt öffnet die Prüfung.'],
+  by_method: ['uncertainty: {method}', 'Unsicherheit: {method}'],
+  other_limits: ['Held against limits of {n|its|their} own, which are not drawn: {named}.', 'Gegen eigene, nicht gezeichnete Grenzwerte beurteilt: {named}.'],
+  click_hint: ['Bars: uncertainty. Dashed lines: limits. A click on a point opens its test.', 'Balken: Unsicherheit. Gestrichelt: Grenzwerte. Ein Klick auf einen Punkt öffnet die Prüfung.'],
 });

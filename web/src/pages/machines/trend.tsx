@@ -2,7 +2,7 @@
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Limit, Parameter, Trend } from '../../api/types';
 import { use_get } from '../../api/use';
-import { Chart, ChartLegend, type ChartLine, type ChartPlace, type ChartSeries } from '../../components/chart';
+import { Chart, ChartLegend, type ChartLine, type ChartPlace, type ChartSeries, type Ends } from '../../components/chart';
 import { day_seconds } from '../../components/dates';
 import { FailureNotice } from '../../components/failure';
 import { ParameterSymbol } from '../../components/symbol';
@@ -10,11 +10,13 @@ import { DataTable } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
 import { absent, shortest, unit_sign } from '../../numbers';
 import { go } from '../../router';
-import { column_decimals, FigureCell, ParameterHead, shown_of } from '../../components/figure_cell';
-import { joint_verdict, look, parameters, plain_symbol } from './parameters';
+import { column_decimals, FigureCell, ParameterHead, shown_of, some_interval, some_U, uncertainty_text } from '../../components/figure_cell';
+import { differ, method_of, named_method, record_note } from '../../components/uncertainty';
+import { look, parameters, plain_symbol, verdict_of } from './parameters';
 import { t } from './texts';
 
 type Point = Trend['points'][number];
+const most_named = 3;
 
 /** A test that does not say when it was measured stands where it was received. */
 const day_of = (point: Point): string => point.measured_on || point.received_at.slice(0, 10);
@@ -33,7 +35,13 @@ function times(points: readonly Point[]): number[] {
 const by_day = (a: Point, b: Point): number =>
   seconds_of(a) - seconds_of(b) || a.test - b.test;
 
-/** The history of an axis: chosen parameters over time with U as bars and limits as lines, and the same as numbers. */
+/** The uncertainty of record as it was stated; ± U of a version from before its interval was kept. */
+function ends_of({ value, U, low, high }: Point['figures'][number]): Ends | null {
+  if (low !== null && high !== null) return [low, high];
+  return U === null ? null : [value - U, value + U];
+}
+
+/** The history of an axis: chosen parameters over time with their uncertainty as bars and limits as lines, and the same as numbers. */
 export function AxisTrend({ axis, version, height }: { axis: number; version: number; height: number }) {
   const [wanted, set_wanted] = useState<readonly Parameter[]>(['A', 'E', 'R', 'B']);
   const trend = use_get<Trend>(`/api/axes/${axis}/trend?parameters=${parameters.join(',')}&limit=500`);
@@ -51,7 +59,7 @@ export function AxisTrend({ axis, version, height }: { axis: number; version: nu
         items={given.map((key) => ({ key, label: <ParameterSymbol parameter={key} />, look: look(key), shown: wanted.includes(key) }))}
       />
       <TrendChart trend={trend.data} wanted={wanted} height={height} />
-      <p class="quiet small">{t('click_hint')}</p>
+      <p class="quiet small">{t('click_hint')} <span class="record-note">{record_note(trend.data.points.map(({ figures }) => figures))}</span> <OtherLimits trend={trend.data} wanted={wanted} /></p>
       <TrendTable trend={trend.data} wanted={given.filter((key) => wanted.includes(key))} />
     </div>
   );
@@ -67,6 +75,16 @@ function limits_of(trend: Trend, points: readonly Point[]): Limit[] {
   });
 }
 
+/** Tests that were held against other limits than those that are drawn. */
+function OtherLimits({ trend, wanted }: { trend: Trend; wanted: readonly Parameter[] }) {
+  const drawn = limits_of(trend, [...trend.points].sort(by_day));
+  const others = trend.points.filter((point) => point.figures.some(({ parameter, limit }) =>
+    limit !== null && wanted.includes(parameter) && drawn.some((one) => one.parameter === parameter && one.value !== limit)));
+  if (others.length === 0) return null;
+  const named = others.slice(0, most_named).map(({ title }) => title).join(', ') + (others.length > most_named ? ', …' : '');
+  return <span class="other-limits">{t('other_limits', { n: others.length, named })}</span>;
+}
+
 function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly Parameter[]; height: number }) {
   const unit = unit_sign(trend.unit);
   const points = useMemo(() => [...trend.points].sort(by_day), [trend]);
@@ -75,7 +93,7 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
     const figures = points.map((point) => point.figures.find((figure) => figure.parameter === key));
     return {
       key, label: plain_symbol(key), ...look(key), size: 7, aside: 3 * (wanted.indexOf(key) - (wanted.length - 1) / 2), across: true, hidden: !wanted.includes(key),
-      values: figures.map((figure) => figure?.value ?? null), whisker: figures.map((figure) => figure?.U ?? null),
+      values: figures.map((figure) => figure?.value ?? null), whisker: figures.map((figure) => (figure ? ends_of(figure) : null)),
     };
   }), [points, wanted]);
   const lines = useMemo((): ChartLine[] => limits_of(trend, points).filter((limit) => wanted.includes(limit.parameter)).map((limit) => ({
@@ -99,6 +117,7 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
             ))}
           </tbody>
         </table>
+        {method_of(point.figures) !== null && <div class="quiet">{t('by_method', { method: named_method(method_of(point.figures)) })}</div>}
       </>
     );
   };
@@ -107,9 +126,10 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
     const keys = place.series === null ? wanted : [parameters[place.series] as Parameter];
     const said = keys.map((key) => {
       const shown = point ? shown_of(point.figures, key) : null;
-      return `${plain_symbol(key)} ${shown?.value ?? absent}${shown && shown.U !== '' ? ` ± ${shown.U}` : ''} ${unit}`;
+      return [plain_symbol(key), shown?.value ?? absent, shown ? uncertainty_text(shown) : '', unit].filter((part) => part !== '').join(' ');
     });
-    return `${point ? day_of(point) : ''}, ${point?.title}: ${said.join('; ')}`;
+    const method = named_method(method_of(point?.figures ?? []));
+    return `${point ? day_of(point) : ''}, ${point?.title}: ${said.join('; ')}${method === '' ? '' : `; ${t('by_method', { method })}`}`;
   };
   return (
     <Chart
@@ -126,21 +146,24 @@ function Day({ point }: { point: Point }) {
 
 function TrendTable({ trend, wanted }: { trend: Trend; wanted: readonly Parameter[] }) {
   const points = [...trend.points].sort((a, b) => by_day(b, a));
+  const figures = points.map((point) => point.figures);
+  const named = differ(figures);
   return (
-    <details class="numbers" open={points.length <= 12}>
+    <details class={`numbers ${some_interval(figures) ? 'with-intervals' : ''}`} open={points.length <= 12}>
       <summary>{t('numbers')}</summary>
       <DataTable<Point>
         caption={t('trend_of', { axis: trend.axis.name })} rows={points} row_key={(point) => point.test}
         columns={[
           { key: 'measured', head: t('measured'), class: 'number-text wide-only', cell: (point) => <Day point={point} /> },
           { key: 'test', head: t('test'), row_head: true, cell: (point) => (
-            <><a href={`/tests/${point.test}`}>{point.title}</a><span class="only-narrow quiet small number-text"><Day point={point} /></span></>
+            <><a href={`/tests/${point.test}`}>{point.title}</a><span class="only-narrow quiet small number-text"><Day point={point} /></span>
+              {named && method_of(point.figures) !== null && <span class="by-method quiet small">{t('by_method', { method: named_method(method_of(point.figures)) })}</span>}</>
           ) },
           ...wanted.map((key) => ({
-            key, head: <ParameterHead parameter={key} unit={unit_sign(trend.unit)} />, number: true,
-            cell: (point: Point) => <FigureCell shown={shown_of(point.figures, key)} decimals={column_decimals(points.map(({ figures }) => figures), key)} />,
+            key, head: <ParameterHead parameter={key} unit={unit_sign(trend.unit)} with_U={some_U(figures)} />, number: true,
+            cell: (point: Point) => <FigureCell shown={shown_of(point.figures, key)} decimals={column_decimals(figures, key)} />,
           })),
-          { key: 'verdict', head: t('verdict'), cell: (point) => <VerdictMark verdict={joint_verdict(point.figures)} short /> },
+          { key: 'verdict', head: t('verdict'), cell: (point) => <VerdictMark verdict={verdict_of(point)} short /> },
         ]}
       />
     </details>

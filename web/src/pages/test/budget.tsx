@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
-import type { Evaluated, Parameter } from '../../api/types';
+import type { Evaluated, Method, Parameter } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Formula } from '../../components/formula';
+import { all_methods, method_title } from '../../components/uncertainty';
 import { texts } from '../../i18n/texts';
-import { fixed, shortest } from '../../numbers';
+import { decimals_of, fixed, shortest } from '../../numbers';
 import { Bars, type Bar } from './bars';
 import { distribution_words } from './distribution_words';
-import { all_parameters, plain_symbol } from './figures_text';
+import { all_parameters, plain_symbol, shown_of } from './figures_text';
 import { Histogram } from './histogram';
+import { record_method } from './record_choice';
+import { ResolvedInputs } from './resolved_inputs';
 import type { TestState } from './state';
 
 const t = texts({
   title: ['Uncertainty budget', 'Unsicherheitsbudget'],
   method: ['Method', 'Verfahren'],
-  annex_a: ['Annex A', 'Anhang A'],
-  gum: ['GUM', 'GUM'],
-  monte_carlo: ['Monte Carlo', 'Monte Carlo'],
   of: ['Budget of', 'Budget von'],
   contributor: ['Contributor', 'Beitrag'],
   input: ['Input', 'Eingangsgröße'],
@@ -34,21 +34,21 @@ const t = texts({
   notes: ['Notes', 'Anmerkungen'],
   stale: ['Without the unsaved changes: Monte Carlo has not been run for them.', 'Für die ungespeicherten Änderungen wurde Monte Carlo noch nicht gerechnet.'],
   run: ['Run Monte Carlo', 'Monte Carlo rechnen'],
+  compared: ['For comparison: of record is {method}.', 'Zum Vergleich: maßgeblich ist {method}.'],
   running: ['Drawing trials …', 'Versuche werden gezogen …'],
 });
 
-type Method = 'annex_a' | 'gum' | 'monte_carlo';
-
 const existing = (evaluated: Evaluated): Method[] =>
-  (['annex_a', 'gum', 'monte_carlo'] as Method[]).filter((method) => !!evaluated.result.uncertainty?.[method]);
+  all_methods.filter((method) => !!evaluated.result.uncertainty?.[method]);
 
 /** Where the uncertainty comes from, and what to improve first. */
 export function Budget({ state }: { state: TestState }) {
   const evaluated = state.evaluated.value;
   const methods = existing(evaluated);
-  const [wanted, set_wanted] = useState<Method>('annex_a');
+  const record = record_method(evaluated);
+  const [wanted, set_wanted] = useState<Method | null>(null);
   const [parameter, set_parameter] = useState<Parameter>('A');
-  const method = methods.includes(wanted) ? wanted : methods[0];
+  const method = [wanted, record].find((one) => one !== null && methods.includes(one)) ?? methods[0];
   const present = all_parameters.filter((one) => typeof evaluated.result.parameters[one] === 'number');
   const shown = present.includes(parameter) ? parameter : present[0];
   return (
@@ -59,7 +59,7 @@ export function Budget({ state }: { state: TestState }) {
           <div class="row no-print">
             <div class="segments" role="group" aria-label={t('method')}>
               {methods.map((one) => (
-                <button key={one} type="button" class="small" aria-pressed={one === method} onClick={() => set_wanted(one)}>{t(one)}</button>
+                <button key={one} type="button" class="small" aria-pressed={one === method} onClick={() => set_wanted(one)}>{method_title(one)}</button>
               ))}
             </div>
             {method !== 'annex_a' && (
@@ -72,10 +72,12 @@ export function Budget({ state }: { state: TestState }) {
           </div>
         )}
       </header>
+      {record !== null && method !== undefined && method !== record && <p class="small quiet">{t('compared', { method: method_title(record) })}</p>}
       {methods.length === 0 && <Nothing state={state} />}
       {method === 'annex_a' && <AnnexA evaluated={evaluated} />}
       {method === 'gum' && shown && <Gum evaluated={evaluated} parameter={shown} />}
       {method === 'monte_carlo' && shown && <MonteCarlo evaluated={evaluated} parameter={shown} />}
+      <ResolvedInputs inputs={evaluated.result.uncertainty?.inputs} />
       <Sampling state={state} />
     </section>
   );
@@ -149,13 +151,14 @@ function Gum({ evaluated, parameter }: { evaluated: Evaluated; parameter: Parame
       .filter((part) => part).join(' · ')} />,
   })));
   const total = uncertainty?.gum?.[parameter];
+  const decimals = decimals_of(shown_of(evaluated, parameter)?.value ?? '');
   const first = bars[0];
   const less = total && first?.size ? total.k * Math.sqrt(Math.max(0, total.u ** 2 - first.size ** 2)) : null;
   return (
     <>
       <Bars absent={t('not_acting')} head={{ what: t('input'), value: t('standard', { unit: unit_of(evaluated) }), share: t('share') }} bars={bars} />
       {total && first && less !== null && (
-        <p class="improve">{t('improve', { title: first.title, symbol: plain_symbol(parameter), less: fixed(less, 2), now: fixed(total.U, 2), unit: unit_of(evaluated) })}</p>
+        <p class="improve">{t('improve', { title: first.title, symbol: plain_symbol(parameter), less: fixed(less, decimals), now: fixed(total.U, decimals), unit: unit_of(evaluated) })}</p>
       )}
       <Notes notes={budget.notes} />
     </>
@@ -170,7 +173,7 @@ function MonteCarlo({ evaluated, parameter }: { evaluated: Evaluated; parameter:
   const bars = contribution_bars((run?.contributions ?? []).map((row) => ({ key: row.key, title: row.title, detail: '', u: row.u[parameter] })));
   return (
     <>
-      <Histogram output={output} run={run ?? null} unit={unit_of(evaluated)} symbol={plain_symbol(parameter)} />
+      <Histogram output={output} run={run ?? null} decimals={decimals_of(shown_of(evaluated, parameter)?.value ?? '')} unit={unit_of(evaluated)} symbol={plain_symbol(parameter)} />
       {bars.length > 0 && <Bars absent={t('not_acting')} head={{ what: t('input'), value: t('standard', { unit: unit_of(evaluated) }), share: t('share') }} bars={bars} />}
       <Notes notes={run?.notes ?? []} />
     </>

@@ -16,8 +16,9 @@ const t = texts({
 
 const forms = { constant: 1, uniform: 2, triangular: 2, arcsine: 2, trapezoidal: 3, ctrap: 3, normal: 2, t: 3 } as const;
 
-/** What is of no known form stays as it is. */
-export function distribution_words(text: string): string {
+/** What is of no known form stays as it is; what has no distribution has no words. */
+export function distribution_words(text: string | null): string {
+  if (text === null) return '';
   const [name, ...rest] = text.split(' ');
   const form = (Object.keys(forms) as (keyof typeof forms)[]).find((one) => one === name);
   const numbers = rest.map(parsed);

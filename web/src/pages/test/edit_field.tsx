@@ -6,7 +6,7 @@ import { texts } from '../../i18n/texts';
 import { parsed, shortest } from '../../numbers';
 import { decimal } from '../../settings';
 import { EditRecords } from './edit_records';
-import { field_unit, plain_text, same_value, stated_text, typed_text } from './field_value';
+import { field_unit, is_recording, plain_text, same_value, stated_text, typed_text } from './field_value';
 import { value_words } from './field_words';
 import type { TestState } from './state';
 
@@ -16,6 +16,9 @@ const t = texts({
   instrument_says: ['From {name}: {value}', 'Von {name}: {value}'],
   archive_says: ['Calibration from the archive: {value}', 'Kalibrierung aus dem Archiv: {value}'],
   axis_says: ['Limit of the axis: {value}', 'Grenzwert der Achse: {value}'],
+  over_axis: ['Takes the place of the limit of the axis: {value}', 'Tritt an die Stelle des Grenzwerts der Achse: {value}'],
+  clear: ['Clear', 'Leeren'],
+  clear_field: ['Clear {title}', '{title} leeren'],
   file_silent: ['Not in the file', 'Nicht in der Datei'],
   no_number: ['“{text}” is not a number', '„{text}“ ist keine Zahl'],
   too_small: ['Expected: at least {minimum}', 'Erwartet: mindestens {minimum}'],
@@ -76,6 +79,7 @@ function origin_of(state: TestState, field: FieldInfo, stated: string, changed: 
   const limit = taken?.axis?.limits.find((one) => field.key === `tolerance.${one.parameter}`);
   if (limit && stated === '' && !changed) return t('axis_says', { value: value_words(field, String(limit.value), vocabulary) });
   if (!changed) return null;
+  if (limit && stated === '' && state.text_of(field) !== '') return t('over_axis', { value: value_words(field, String(limit.value), vocabulary) });
   return stated === '' ? t('file_silent') : t('file_says', { value: value_words(field, stated, vocabulary) });
 }
 
@@ -101,7 +105,15 @@ function Control({ ids, state, field, vocabulary, stated }: {
       </select>
     );
   }
-  return <Typed ids={ids} field={field} text={text} placeholder={typed_text(field, stated)} change={(next) => state.put(field, next)} />;
+  if (is_recording(field, text)) {
+    return (
+      <div class="row recording">
+        <span class="number">{value_words(field, text, vocabulary)}</span>
+        <button {...ids} type="button" class="small" aria-label={t('clear_field', { title: field.title })} onClick={() => state.put(field, '')}>{t('clear')}</button>
+      </div>
+    );
+  }
+  return <Typed ids={ids} field={field} text={text} placeholder={is_recording(field, stated) ? '' : typed_text(field, stated)} change={(next) => state.put(field, next)} />;
 }
 
 /** An input that keeps what was typed as it was typed, until the value changes from elsewhere. */

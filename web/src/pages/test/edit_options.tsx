@@ -4,12 +4,15 @@ import type { Options, Vocabulary } from '../../api/types';
 import { Field } from '../../components/field';
 import { texts } from '../../i18n/texts';
 import { marked, parsed } from '../../numbers';
-import type { TestState } from './state';
+import { EditField } from './edit_field';
+import { record_method } from './record_choice';
+import { method_field, type TestState } from './state';
 
 const t = texts({
   title: ['Evaluation', 'Auswertung'],
   gum: ['Uncertainty by the GUM', 'Unsicherheit nach GUM'],
   monte_carlo: ['Uncertainty by Monte Carlo', 'Unsicherheit nach Monte Carlo'],
+  at_once: ['It is of record, and follows every change.', 'Es ist maßgeblich und folgt jeder Änderung.'],
   trials: ['Trials', 'Versuche'],
   trials_hint: ['Empty: until two digits are stable.', 'Leer: bis zwei Stellen stabil sind.'],
   seed: ['Seed', 'Startwert'],
@@ -31,18 +34,23 @@ export function EditOptions({ state, vocabulary }: { state: TestState; vocabular
     methods: options.methods.includes(method) ? options.methods.filter((one) => one !== method) : [...options.methods, method],
   });
   const running = state.busy.value === 'sampling';
+  const of_record = state.sampled_record.value;
+  const by_gum = record_method(state.evaluated.value) === 'gum' && !options.methods.includes('gum');
+  const method = vocabulary.fields.find((field) => field.key === method_field);
   return (
     <details class="edit-group" open>
       <summary>{t('title')}</summary>
       <div class="edit-options">
-        <label><input type="checkbox" checked={options.methods.includes('gum')} onChange={() => toggle('gum')} /> {t('gum')}</label>
-        <label><input type="checkbox" checked={sampled} onChange={() => toggle('monte-carlo')} /> {t('monte_carlo')}</label>
-        {sampled && (
+        {method && <EditField state={state} field={method} vocabulary={vocabulary} />}
+        <label><input type="checkbox" checked={options.methods.includes('gum') || by_gum} disabled={by_gum} onChange={() => toggle('gum')} /> {t('gum')}</label>
+        <label><input type="checkbox" checked={sampled || of_record} disabled={of_record && !sampled} onChange={() => toggle('monte-carlo')} /> {t('monte_carlo')}</label>
+        {(sampled || of_record) && (
           <div class="sampling-fields">
             <NumberField label={t('trials')} hint={t('trials_hint')} value={options.trials} empty low={100} high={10_000_000} put={(trials) => state.choose({ trials })} />
             <NumberField label={t('seed')} value={options.seed} low={0} high={Number.MAX_SAFE_INTEGER} put={(seed) => state.choose({ seed: seed ?? 1 })} />
             <CoverageField value={options.coverage} put={(coverage) => state.choose({ coverage })} />
-            <button type="button" disabled={running || !state.edited.value} onClick={() => state.run_monte_carlo()}>{running ? t('running') : t('run')}</button>
+            {of_record ? <span class="small quiet">{running ? t('running') : t('at_once')}</span>
+              : <button type="button" disabled={running || !state.edited.value} onClick={() => state.run_monte_carlo()}>{running ? t('running') : t('run')}</button>}
           </div>
         )}
         {vocabulary.corrections.length > 0 && <Corrections state={state} vocabulary={vocabulary} />}

@@ -9,7 +9,7 @@ import { EditOptions } from './edit_options';
 import { group_of, group_title } from './field_groups';
 import { stated_text } from './field_value';
 import { SaveDialog } from './save_dialog';
-import type { TestState } from './state';
+import { method_field, type TestState } from './state';
 
 const t = texts({
   title: ['Edit', 'Bearbeiten'],
@@ -29,7 +29,7 @@ const t = texts({
 });
 
 /** What is worked on most often comes first. */
-const first = ['tolerance', 'uncertainty'];
+const first = ['tolerance', 'uncertainty', 'drift'];
 
 function grouped(fields: readonly Field[]): [string, Field[]][] {
   const groups = new Map<string, Field[]>();
@@ -58,8 +58,9 @@ export function EditPanel({ state, vocabulary, adopt }: { state: TestState; voca
     const all = `${field.title} ${field.key} ${field.clause} ${field.description}`.toLowerCase();
     return words.every((word) => all.includes(word));
   };
-  const groups = grouped(vocabulary.fields.filter(fits));
   const filtered = words.length > 0 || only !== 'all';
+  // The method of record stands with the options of the evaluation, unless these are searched away.
+  const groups = grouped(vocabulary.fields.filter((field) => fits(field) && (filtered || field.key !== method_field)));
   const shown = (some: readonly [string, Field[]][]) => some.map(([group, fields]) => (
     <Group key={group} state={state} vocabulary={vocabulary} group={group} fields={fields} open={filtered} />
   ));
@@ -117,7 +118,7 @@ function Group({ state, vocabulary, group, fields, open }: {
   const given = fields.filter((field) => stated_text(field, metadata) !== '').length;
   const wanted = state.wanted_field.value;
   const asked = wanted !== null && fields.some((field) => field.key === wanted);
-  const [unfolded, set_unfolded] = useState(group === 'uncertainty');
+  const [unfolded, set_unfolded] = useState(group === 'uncertainty' || group === 'drift');
   if (asked && !unfolded) set_unfolded(true);
   return (
     <details class="edit-group" open={open || unfolded || asked} onToggle={(event) => { if (!open) set_unfolded(event.currentTarget.open); }}>

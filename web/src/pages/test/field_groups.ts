@@ -15,13 +15,18 @@ const t = texts({
   artefact: ['Artefact', 'Prüfkörper'],
   tolerance: ['Tolerances', 'Toleranzen'],
   uncertainty: ['Uncertainty inputs', 'Eingangsgrößen der Unsicherheit'],
+  drift: ['Environmental variation', 'Umgebungseinfluss'],
   tracking: ['Tracking interferometer', 'Tracking-Interferometer'],
 });
 
-const titled = ['test', 'machine', 'axis', 'equipment', 'nde', 'sensors', 'environment', 'instrument', 'artefact', 'tolerance', 'uncertainty', 'tracking'] as const;
+const titled = ['test', 'machine', 'axis', 'equipment', 'nde', 'sensors', 'environment', 'instrument', 'artefact', 'tolerance', 'uncertainty', 'drift', 'tracking'] as const;
 export const group_title = (group: string): string => {
   const known = titled.find((one) => one === group);
   return known === undefined ? group : t(known);
 };
 
-export const group_of = (field: Field): string => field.group || (field.key.split('.')[0] as string);
+/** What E_VE is, how it acts, and its recording: of one page of the drift test. */
+const of_drift: readonly string[] = ['environmental_variation', 'environment_kind', 'drift_recording', 'drift_interval_s'].map((name) => `uncertainty.${name}`);
+
+export const group_of = (field: Field): string =>
+  of_drift.includes(field.key) ? 'drift' : field.group || (field.key.split('.')[0] as string);

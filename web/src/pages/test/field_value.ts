@@ -54,6 +54,13 @@ export function typed_text(field: Field, text: string): string {
   return text.split(' ').map((word) => (parsed(word) === null ? word : marked(word))).join(' ');
 }
 
+const most_in_a_line = 24;
+
+export const numbers_in = (text: string): number => text.split(/\s+/).filter((word) => word !== '').length;
+
+/** Numbers that nobody reads one by one: they are counted. */
+export const is_recording = (field: Field, text: string): boolean => field.type === 'numbers' && numbers_in(text) > most_in_a_line;
+
 /** Whether two texts state the same value: "1.50" is 1.5. */
 export function same_value(field: Field, a: string, b: string): boolean {
   if (a === b) return true;

@@ -1,31 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values of metadata in words, with their units.
 import type { Evaluated, Field, Vocabulary } from '../../api/types';
+import { all_methods, method_title, method_word } from '../../components/uncertainty';
 import { texts } from '../../i18n/texts';
-import { field_unit, stated_text, typed_text } from './field_value';
+import { count } from '../../numbers';
+import { field_unit, is_recording, numbers_in, stated_text, typed_text } from './field_value';
 
 const t = texts({
   not_given: ['not given', 'nicht angegeben'],
   yes: ['yes', 'ja'],
   no: ['no', 'nein'],
   linear: ['linear', 'linear'],
+  quadratic: ['root of the squares', 'Wurzel der Quadratsumme'],
+  unknown: ['unknown: whatever the readings allow', 'unbekannt: was die Messwerte zulassen'],
+  white: ['white: from reading to reading', 'weiß: von Messwert zu Messwert'],
+  drift: ['drift: slowly', 'Drift: langsam'],
+  'random-walk': ['random walk: in steps that add up', 'Irrfahrt: in Schritten, die sich summieren'],
+  recorded: ['{n} numbers', '{n} Zahlen'],
   rotary: ['rotary', 'rotatorisch'],
   'this-test': ['this test', 'diese Prüfung'],
   'this-machine': ['this machine', 'diese Maschine'],
 });
 
-const own_words = ['yes', 'no', 'linear', 'rotary', 'this-test', 'this-machine'] as const;
+const own_words = ['yes', 'no', 'linear', 'rotary', 'this-test', 'this-machine', 'quadratic', 'unknown', 'white', 'drift', 'random-walk'] as const;
 
 /** A choice in words: cycles and rules have titles in the vocabulary. */
 function choice_title(vocabulary: Vocabulary, choice: string): string {
   const own = own_words.find((word) => word === choice);
   if (own !== undefined) return t(own);
+  const method = all_methods.find((one) => method_word(one) === choice);
+  if (method !== undefined) return method_title(method);
   return [...vocabulary.cycles, ...vocabulary.rules].find((one) => one.id === choice)?.title ?? choice;
 }
 
 /** A value that a change or a file states, as people read it. */
 export function value_words(field: Field, text: string, vocabulary: Vocabulary): string {
-  return field.type === 'choice' || field.type === 'boolean' ? choice_title(vocabulary, text) : typed_text(field, text);
+  if (field.type === 'choice' || field.type === 'boolean') return choice_title(vocabulary, text);
+  return is_recording(field, text) ? t('recorded', { n: count(numbers_in(text)) }) : typed_text(field, text);
 }
 
 /** "3.4 µm/m"; "not given" where there is nothing. */

@@ -3,6 +3,7 @@ import type { Field, Finding, Vocabulary } from '../../api/types';
 import { sentence } from '../../components/findings';
 import { Formula } from '../../components/formula';
 import { texts } from '../../i18n/texts';
+import { Claims } from './claims';
 import { group_of, group_title } from './field_groups';
 import { field_unit, stated_text } from './field_value';
 import type { TestState } from './state';
@@ -57,10 +58,11 @@ function named_fields(finding: Finding, vocabulary: Vocabulary, state: TestState
 
 /** What the standard finds to say about this test, in words, worst first. */
 export function Findings({ state, vocabulary }: { state: TestState; vocabulary: Vocabulary | null }) {
-  const { findings } = state.evaluated.value.result;
+  const { findings, claims } = state.evaluated.value.result;
   return (
     <section class="panel findings-panel">
       <header><h2>{t('title')}</h2></header>
+      {claims && claims.length > 0 && <Claims claims={claims} />}
       {findings.length === 0 && <p class="quiet">{t('none')}</p>}
       <div class="stack tight">
         {severities.filter((severity) => findings.some((finding) => finding.severity === severity)).map((severity) => (

@@ -2,8 +2,8 @@
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import { query, send } from '../../api/client';
-import type { Test } from '../../api/types';
-import { VerdictMark } from '../../components/verdict';
+import type { Claim, Test } from '../../api/types';
+import { Mark, VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
 import { bytes } from '../../numbers';
 import { ReasonDialog } from './reason_dialog';
@@ -16,6 +16,7 @@ const t = texts({
   standard: ['Standard', 'Norm'],
   file: ['File', 'Datei'],
   instruments: ['Instruments', 'Messmittel'],
+  not_claimed: ['not claimed: {title}', 'nicht behauptet: {title}'],
   not_a_result: ['not a result of this standard', 'kein Ergebnis nach dieser Norm'],
   report: ['Report', 'Bericht'],
   compare: ['Compare', 'Vergleichen'],
@@ -54,8 +55,8 @@ function Facts({ state }: { state: TestState }) {
       <Fact label={t('date')}>{measured_on(test)}</Fact>
       <Fact label={t('standard')}>
         {result.standard}{' '}
-        {!result.conforming && <span class="mark bad">{t('not_a_result')}</span>}
-        {result.label && <span class="label-words">{result.conforming ? '' : ' – '}{result.label}</span>}
+        {result.claims ? <Claimed claims={result.claims} /> : !result.conforming && <span class="mark bad">{t('not_a_result')}</span>}
+        {result.label && <span class="label-words">{!result.claims && result.conforming ? '' : ' – '}{result.label}</span>}
       </Fact>
       {test.instruments.length > 0 && (
         <Fact label={t('instruments')}>
@@ -72,6 +73,13 @@ function Facts({ state }: { state: TestState }) {
       </Fact>
     </dl>
   );
+}
+
+/** Whether the test was made as the standard wants it; all that may be claimed stands with the findings. */
+function Claimed({ claims }: { claims: readonly Claim[] }) {
+  const tested = claims.find(({ key }) => key === 'tested');
+  if (!tested) return null;
+  return <span class="claimed"><Mark tone={tested.holds ? 'good' : 'caution'} word={tested.holds ? tested.title : t('not_claimed', { title: tested.title })} /></span>;
 }
 
 /** The verdict; where there is none to be had, the way to the limits that would give one. */

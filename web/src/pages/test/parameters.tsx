@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Evaluated, MonteCarloOutput, Parameter, Verdict, Vocabulary } from '../../api/types';
+import type { Evaluated, Method, Parameter, Vocabulary } from '../../api/types';
 import { Aligned, most_decimals } from '../../components/aligned';
 import { ParameterSymbol } from '../../components/symbol';
+import { all_methods, method_title, stated_interval } from '../../components/uncertainty';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
-import { absent, decimals_of, fixed, parsed, shortest } from '../../numbers';
-import { main_parameters, type Shown } from './figures_text';
+import { absent, decimals_of, fixed, shortest } from '../../numbers';
+import { main_parameters, replaced_words, shown_of, source_word, tone_of, uncertainty_words, withheld_of, type Shown } from './figures_text';
+import { Stored } from './headline';
+import { Information } from './information';
 import { LimitBar } from './limit_bar';
+import { record_method } from './record_choice';
 import type { TestState } from './state';
 
 const t = texts({
-  glance: ['At a glance', 'Auf einen Blick'],
-  annex_a: ['Annex A', 'Anhang A'],
   title: ['Parameters', 'Kennwerte'],
   parameter: ['Parameter', 'Kennwert'],
   name: ['Name', 'Benennung'],
@@ -19,144 +21,119 @@ const t = texts({
   limit: ['Limit', 'Grenzwert'],
   against: ['Value against limit', 'Wert und Grenzwert'],
   verdict: ['Verdict', 'Entscheidung'],
-  kept: ['kept', 'gespeichert'],
-  of_limit: ['limit {limit}', 'Grenzwert {limit}'],
-  A: ['positioning error', 'Positioniergenauigkeit'],
-  E: ['systematic error', 'syst. Abweichung'],
-  R: ['repeatability', 'Wiederholpräzision'],
-  B: ['reversal error', 'Umkehrspanne'],
-  M: ['mean error', 'mittlere Abweichung'],
   no_uncertainty: ['no uncertainty stated', 'ohne Angabe der Unsicherheit'],
-  interval: ['Monte Carlo interval', 'Monte-Carlo-Intervall'],
+  interval: ['Interval', 'Intervall'],
+  of_record: ['of record', 'maßgeblich'],
+  compared: ['for comparison', 'zum Vergleich'],
   units: ['Values in {unit}.', 'Werte in {unit}.'],
-  units_U: ['Values in {unit}. U: expanded uncertainty, about 95 %.', 'Werte in {unit}. U: erweiterte Unsicherheit, rund 95 %.'],
+  units_U: ['Values in {unit}. U: expanded uncertainty, about 95 %. Of record is {method}, which decides.',
+            'Werte in {unit}. U: erweiterte Unsicherheit, rund 95 %. Maßgeblich ist {method}; danach wird entschieden.'],
+  units_interval: ['Values in {unit}. Of record is the interval by {method}, which decides.',
+                   'Werte in {unit}. Maßgeblich ist das Intervall nach {method}; danach wird entschieden.'],
 });
 
-const tone_of = (verdict: Verdict | null) =>
-  verdict === 'conforms' ? 'good' : verdict === 'does not conform' ? 'bad' : verdict === 'undecided' ? 'caution' : 'none';
+/** What stands beside the uncertainty of record, and decides nothing. */
+const compared_methods = (evaluated: Evaluated): Method[] =>
+  all_methods.filter((method) => method !== record_method(evaluated) && !!evaluated.result.uncertainty?.[method]);
 
-const shown_of = (evaluated: Evaluated, parameter: Parameter): Shown | undefined =>
-  evaluated.shown.find((row) => row.parameter === parameter);
-
-/** The expanded uncertainty as it is shown, as a number for the bar. */
-const number_of = (text: string): number | null => parsed(text);
-
-function Stored({ now, kept }: { now: Shown; kept: Shown | undefined }) {
-  if (kept === undefined || (kept.value === now.value && kept.U === now.U && kept.interval === now.interval)) return null;
-  const text = kept.U === '' ? `${kept.value} ${kept.interval}` : `${kept.value} ± ${kept.U}`;
-  return <span class="was small number">{t('kept')} {text}</span>;
+/** Of a method that is not of record, with the decimals of its row. */
+function compared_text(evaluated: Evaluated, method: Method, parameter: Parameter, decimals: number): string {
+  const { annex_a, gum, monte_carlo } = evaluated.result.uncertainty;
+  if (method === 'annex_a') return fixed(annex_a?.[parameter], decimals);
+  if (method === 'gum') return fixed(gum?.[parameter]?.U, decimals);
+  const output = monte_carlo?.[parameter];
+  const interval = output ? stated_interval(output) : null;
+  return interval ? interval.map((end) => fixed(end, decimals)).join(' … ') : absent;
 }
 
-type Letter = 'A' | 'E' | 'R' | 'B' | 'M';
+const head_of = (method: Method): string => (method === 'monte_carlo' ? t('interval') : 'U');
 
-/** The five figures that say how the axis is, large. */
-export function Headline({ state, vocabulary }: { state: TestState; vocabulary: Vocabulary | null }) {
-  const evaluated = state.evaluated.value;
-  const kept = state.test.value;
-  const main = main_parameters(evaluated.result);
-  // Bars without a limit stand on one scale, so that they can be compared with each other.
-  const reach = Math.max(...main.map((parameter) => Math.abs(evaluated.result.parameters[parameter] ?? 0) + (number_of(shown_of(evaluated, parameter)?.U ?? '') ?? 0)));
-  return (
-    <section class="panel headline" aria-label={t('glance')}>
-      {main.map((parameter) => {
-        const row = shown_of(evaluated, parameter);
-        const value = evaluated.result.parameters[parameter];
-        if (row === undefined || value === null) return null;
-        return (
-          <div key={parameter} class={`glance ${row.limit === null ? '' : tone_of(row.verdict)}`}>
-            <div class="row spread">
-              <span class="glance-symbol"><ParameterSymbol parameter={parameter} /></span>
-              {row.limit !== null && <VerdictMark verdict={row.verdict} short />}
-            </div>
-            <div class="small quiet" title={vocabulary?.parameters.find((one) => one.key === parameter)?.title}>{t(parameter.charAt(0) as Letter)}</div>
-            <div class="number figure">
-              <span class="glance-value">{row.value}</span>{' '}
-              <span>{row.U !== '' && <span class="glance-u">± {row.U}</span>} <span class="quiet">{row.unit}</span></span>
-              {row.U === '' && row.interval !== '' && <span class="small"> ({row.interval})</span>}
-            </div>
-            <LimitBar value={value} U={number_of(row.U)} limit={row.limit} tone={tone_of(row.verdict)} reach={reach} />
-            <div class="small quiet number">
-              {row.limit !== null && t('of_limit', { limit: shortest(row.limit) })} <Stored now={row} kept={shown_of(kept, parameter)} />
-            </div>
-          </div>
-        );
-      })}
-    </section>
-  );
+function foot_text(evaluated: Evaluated, method: Method | null): string {
+  const unit = evaluated.shown[0]?.unit ?? '';
+  if (method === null) return t('units', { unit });
+  return t(method === 'monte_carlo' ? 'units_interval' : 'units_U', { unit, method: method_title(method) });
 }
 
-interface Methods { annex_a: boolean; gum: boolean; monte_carlo: boolean }
-
-function methods_of(evaluated: Evaluated): Methods {
-  const uncertainty = evaluated.result.uncertainty;
-  return { annex_a: !!uncertainty?.annex_a, gum: !!uncertainty?.gum, monte_carlo: !!uncertainty?.monte_carlo };
-}
-
-function interval_text(output: MonteCarloOutput | null | undefined, decimals: number): string {
-  return output ? `${fixed(output.symmetric[0], decimals)} … ${fixed(output.symmetric[1], decimals)}` : absent;
-}
-
-/** All twelve parameters, with the uncertainty by every method that was run. */
+/** All twelve parameters: the uncertainty of record first, what other methods say behind it. */
 export function Parameters({ state, vocabulary }: { state: TestState; vocabulary: Vocabulary | null }) {
   const evaluated = state.evaluated.value;
-  const kept = state.test.value;
-  const methods = methods_of(evaluated);
+  const method = record_method(evaluated);
+  const others = compared_methods(evaluated);
   const decimals = most_decimals(evaluated.shown.map((row) => row.value));
   const limit_decimals = most_decimals(evaluated.shown.map((row) => shortest(row.limit)));
   const any_limit = evaluated.shown.some((row) => row.limit !== null);
+  const rows = others.length > 0 ? 2 : 1;
   return (
     <section class="panel flush parameters-panel">
-      <header><h2>{t('title')}</h2>{!methods.annex_a && !methods.gum && <span class="small quiet">{t('no_uncertainty')}</span>}</header>
+      <header><h2>{t('title')}</h2>{method === null && others.length === 0 && <span class="small quiet">{t('no_uncertainty')}</span>}</header>
       <div class="table-frame" tabIndex={0} role="region" aria-label={t('title')}>
-        <table class={`parameters ${any_limit ? 'judged' : ''} ${methods.monte_carlo ? 'sampled' : ''}`}>
+        <table class={`parameters ${any_limit ? 'judged' : ''} ${evaluated.result.uncertainty?.monte_carlo ? 'sampled' : ''}`}>
           <thead>
             <tr>
-              <th scope="col"><span class="visually-hidden">{t('parameter')}</span></th>
-              <th scope="col" class="name">{t('name')}</th>
-              <th scope="col" class="number">{t('value')}</th>
-              {methods.annex_a && <th scope="col" class="number">U <span class="method">{t('annex_a')}</span></th>}
-              {methods.gum && <th scope="col" class="number">U <span class="method">GUM</span></th>}
-              {methods.monte_carlo && <th scope="col" class="number">{t('interval')}</th>}
-              {any_limit && <th scope="col" class="number">{t('limit')}</th>}
-              {any_limit && <th scope="col"><span class="visually-hidden">{t('verdict')}</span></th>}
-              {any_limit && <th scope="col" class="bar-cell"><span class="visually-hidden">{t('against')}</span></th>}
+              <th scope="col" rowSpan={rows}><span class="visually-hidden">{t('parameter')}</span></th>
+              <th scope="col" rowSpan={rows} class="name">{t('name')}</th>
+              <th scope="col" rowSpan={rows} class="number">{t('value')}</th>
+              {method !== null && (
+                <th scope="col" rowSpan={rows} class="number of-record">{head_of(method)} <span class="method">{method_title(method)}</span><span class="line">{t('of_record')}</span></th>
+              )}
+              {any_limit && <th scope="colgroup" colSpan={2} rowSpan={rows}>{t('limit')}</th>}
+              {any_limit && <th scope="col" rowSpan={rows}><span class="visually-hidden">{t('verdict')}</span></th>}
+              {any_limit && <th scope="col" rowSpan={rows} class="bar-cell"><span class="visually-hidden">{t('against')}</span></th>}
+              {others.length > 0 && <th scope="colgroup" colSpan={others.length} class="compared">{t('compared')}</th>}
             </tr>
+            {others.length > 0 && (
+              <tr>{others.map((one) => <th key={one} scope="col" class="number compared">{head_of(one)} <span class="method">{method_title(one)}</span></th>)}</tr>
+            )}
           </thead>
           <tbody>
             {evaluated.shown.map((row) => (
-              <Row key={row.parameter} row={row} kept={shown_of(kept, row.parameter)} evaluated={evaluated} methods={methods}
+              <Row key={row.parameter} row={row} kept={shown_of(state.test.value, row.parameter)} evaluated={evaluated} method={method} others={others}
                    column={decimals} limit_column={limit_decimals} any_limit={any_limit} title={vocabulary?.parameters.find((p) => p.key === row.parameter)?.title ?? ''} />
             ))}
           </tbody>
         </table>
       </div>
-      <p class="small quiet foot">{t(methods.annex_a || methods.gum ? 'units_U' : 'units', { unit: evaluated.shown[0]?.unit ?? '' })}</p>
+      <p class="small quiet foot">{foot_text(evaluated, method)}</p>
+      <Information evaluated={evaluated} />
     </section>
   );
 }
 
-function Row({ row, kept, evaluated, methods, column, limit_column, any_limit, title }: {
-  row: Shown; kept: Shown | undefined; evaluated: Evaluated; methods: Methods; any_limit: boolean; title: string;
+function Row({ row, kept, evaluated, method, others, column, limit_column, any_limit, title }: {
+  row: Shown; kept: Shown | undefined; evaluated: Evaluated; method: Method | null; others: readonly Method[]; any_limit: boolean; title: string;
   column: number; limit_column: number;   // decimals of what stands above and below
 }) {
-  const uncertainty = evaluated.result.uncertainty;
-  const decimals = decimals_of(row.value);
   const value = evaluated.result.parameters[row.parameter];
+  const decimals = decimals_of(row.value);
+  const stated = row.U !== '' ? <Aligned text={row.U} decimals={column} /> : row.interval !== '' ? row.interval : absent;
   return (
     <tr class={main_parameters(evaluated.result).includes(row.parameter) ? 'main' : ''}>
       <th scope="row" title={title}><ParameterSymbol parameter={row.parameter} /></th>
       <td class="name">{title}</td>
       <td class="number"><Stored now={row} kept={kept} /> {value === null ? absent : <Aligned text={row.value} decimals={column} />}</td>
-      {methods.annex_a && <td class="number"><Aligned text={fixed(uncertainty?.annex_a?.[row.parameter], decimals)} decimals={column} /></td>}
-      {methods.gum && <td class="number"><Aligned text={fixed(uncertainty?.gum?.[row.parameter]?.U, decimals)} decimals={column} /></td>}
-      {methods.monte_carlo && <td class="number">{interval_text(uncertainty?.monte_carlo?.[row.parameter], decimals)}</td>}
-      {any_limit && <td class="number">{row.limit !== null && <Aligned text={shortest(row.limit)} decimals={limit_column} />}</td>}
-      {any_limit && <td class="verdict-cell">{row.limit !== null && <VerdictMark verdict={row.verdict} short />}</td>}
+      {method !== null && <td class="number of-record" title={uncertainty_words(row) === '' ? undefined : method_title(method)}>{stated}</td>}
+      {any_limit && <Limit row={row} decimals={limit_column} />}
+      {any_limit && <td class="verdict-cell" title={withheld_of(evaluated, row) ?? undefined}>{row.limit !== null && <VerdictMark verdict={row.verdict} short />}</td>}
       {any_limit && (
         <td class="bar-cell">
-          {row.limit !== null && value !== null && <LimitBar value={value} U={number_of(row.U)} limit={row.limit} tone={tone_of(row.verdict)} />}
+          {row.limit !== null && value !== null && <LimitBar value={value} low={row.low} high={row.high} limit={row.limit} tone={tone_of(row.verdict)} />}
         </td>
       )}
+      {others.map((one) => <td key={one} class="number compared"><Aligned text={compared_text(evaluated, one, row.parameter, decimals)} decimals={one === 'monte_carlo' ? 0 : column} /></td>)}
     </tr>
+  );
+}
+
+/** A limit, who stated it, and which it has taken the place of. */
+function Limit({ row, decimals }: { row: Shown; decimals: number }) {
+  if (row.limit === null) return <><td /><td /></>;
+  const replaced = replaced_words(row);
+  return (
+    <>
+      <td class="number limit-cell"><Aligned text={shortest(row.limit)} decimals={decimals} /></td>
+      <td class="origin small quiet" title={replaced === '' ? undefined : replaced}>
+        {row.source !== null && source_word(row.source)}{replaced !== '' && <span class="replaced">{replaced}</span>}
+      </td>
+    </>
   );
 }

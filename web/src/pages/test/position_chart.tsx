@@ -6,7 +6,8 @@ import { texts } from '../../i18n/texts';
 import { fixed, position_unit, shortest, unit_sign } from '../../numbers';
 import { decimal, language } from '../../settings';
 import { arrow, chart_model, drawable_limits, limit_colour, mean_uncertainty, position_uncertainties, run_key, type Part, type Way } from './chart_model';
-import { plain_symbol } from './figures_text';
+import { plain_symbol, position_decimals, type Quantity } from './figures_text';
+import { record_method } from './record_choice';
 import type { TestState } from './state';
 
 const t = texts({
@@ -19,6 +20,7 @@ const t = texts({
   mean: ['x̄', 'x̄'],
   bands: ['x̄ ± 2s', 'x̄ ± 2s'],
   uncertainty: ['x̄ ± U (GUM)', 'x̄ ± U (GUM)'],
+  compared: ['x̄ ± U (GUM, for comparison)', 'x̄ ± U (GUM, zum Vergleich)'],
   limits: ['limit', 'Grenzwert'],
   measured: ['as measured', 'wie gemessen'],
   of: ['limit of', 'Grenzwert von'],
@@ -84,7 +86,7 @@ export function PositionChart({ state, height }: { state: TestState; height: num
         <h2>{t('title')}</h2>
         <div class="row no-print">
           <ChartLegend label={t('legend')} on_toggle={(key) => set_hidden(toggled(hidden, key as Part))}
-            items={present_parts(evaluated, limits).map((part) => ({ key: part, label: t(part), look: part === 'limits' ? { ...looks.limits, colour: limit_colour(judged?.verdict ?? null) } : looks[part], shown: !hidden.has(part) }))} />
+            items={present_parts(evaluated, limits).map((part) => ({ key: part, label: t(part === 'uncertainty' && record_method(evaluated) !== 'gum' ? 'compared' : part), look: part === 'limits' ? { ...looks.limits, colour: limit_colour(judged?.verdict ?? null) } : looks[part], shown: !hidden.has(part) }))} />
           {limits.length > 1 && (
             <label class="small">{t('of')}
               <select value={limit ?? ''} onChange={(event) => set_limit(event.currentTarget.value as Parameter)}>
@@ -137,24 +139,25 @@ function reading_here(model: Model, place: ChartPlace): string | null {
     : `${series.label}: ${fixed(value, 2)}`;
 }
 
+const told: readonly (readonly [string, Quantity])[] = [
+  ['x̄↑', 'mean_up'], ['x̄↓', 'mean_down'], ['x̄', 'mean'], ['B', 'reversal'], ['s↑', 's_up'], ['s↓', 's_down'],
+];
+
 function Tip({ evaluated, model, place, with_U }: { evaluated: Evaluated; model: Model; place: ChartPlace; with_U: boolean }) {
   const position = evaluated.result.positions[model.order[place.index] ?? -1];
   if (!position) return null;
   const unit = unit_sign(evaluated.result.unit);
-  const rows: [string, number | null][] = [
-    ['x̄↑', position.mean_up], ['x̄↓', position.mean_down], ['x̄', position.mean], ['B', position.reversal],
-    ['s↑', position.s_up], ['s↓', position.s_down],
-  ];
+  const rows = told.map(([symbol, quantity]): [string, number | null, number] => [symbol, position[quantity], position_decimals(evaluated, quantity)]);
   const U = with_U ? mean_uncertainty(evaluated, model.order[place.index] ?? -1) : null;
-  if (U !== null) rows.push(['U(x̄)', U]);
+  if (U !== null) rows.push(['U(x̄)', U, position_decimals(evaluated, 'mean')]);
   const reading = reading_here(model, place);
   return (
     <>
       <div class="head">{t('target', { target: shortest(position.target), unit: position_unit(evaluated.result.axis.kind) })}</div>
       {reading !== null && <div class="number"><strong>{reading} {unit}</strong></div>}
       <table><tbody>
-        {rows.filter(([, value]) => value !== null).map(([symbol, value]) => (
-          <tr key={symbol}><td>{symbol}</td><td class="number">{fixed(value, 2)} {unit}</td></tr>
+        {rows.filter(([, value]) => value !== null).map(([symbol, value, decimals]) => (
+          <tr key={symbol}><td>{symbol}</td><td class="number">{fixed(value, decimals)} {unit}</td></tr>
         ))}
       </tbody></table>
     </>
@@ -167,8 +170,9 @@ function spoken(evaluated: Evaluated, model: Model, place: ChartPlace): string {
   const target = t('target', { target: shortest(position.target), unit: position_unit(evaluated.result.axis.kind) });
   const reading = reading_here(model, place);
   if (reading !== null) return `${target}: ${reading}`;
+  const number = (quantity: Quantity) => fixed(position[quantity], position_decimals(evaluated, quantity));
   return t('spoken', {
-    target, up: fixed(position.mean_up, 2), down: fixed(position.mean_down, 2), reversal: fixed(position.reversal, 2),
+    target, up: number('mean_up'), down: number('mean_down'), reversal: number('reversal'),
     unit: unit_sign(evaluated.result.unit),
   });
 }

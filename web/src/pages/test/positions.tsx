@@ -6,6 +6,7 @@ import { most_decimals } from '../../components/aligned';
 import { texts } from '../../i18n/texts';
 import { fixed, position_unit, shortest, unit_sign } from '../../numbers';
 import { decimal, language } from '../../settings';
+import { position_decimals, type Quantity } from './figures_text';
 import type { TestState } from './state';
 
 const t = texts({
@@ -21,7 +22,6 @@ const t = texts({
   number: ['No.', 'Nr.'],
 });
 
-type Quantity = Exclude<keyof PositionResult, 'target' | 'n_up' | 'n_down'>;
 const columns: readonly (readonly [Quantity, string, string])[] = [
   ['mean_up', 'x̄', '↑'], ['mean_down', 'x̄', '↓'], ['mean', 'x̄', ''], ['reversal', 'B', ''],
   ['s_up', 's', '↑'], ['s_down', 's', '↓'], ['R_up', 'R', '↑'], ['R_down', 'R', '↓'], ['R', 'R', ''],
@@ -59,15 +59,16 @@ export function Positions({ state }: { state: TestState }) {
   const present = columns.filter(([quantity]) => positions.some((position) => position[quantity] !== null));
   const all_open = open.size === positions.length;
   const strong = deciding(positions);
-  // As many as the parameters have, which are made of these.
-  const shown_decimals = Math.max(2, most_decimals(state.evaluated.value.shown.map((row) => row.value)));
-  const number = (value: number | null) => (digits ? shortest(value, 9) : fixed(value, shown_decimals));
+  const number = (value: number | null, quantity: Quantity) => (digits ? shortest(value, 9) : fixed(value, position_decimals(evaluated, quantity)));
+  // Single readings are no results: they keep a digit more than the parameters that are made of them.
+  const reading_decimals = 1 + most_decimals(evaluated.shown.map((row) => row.value));
+  const reading = (value: number | null) => (digits ? shortest(value, 9) : fixed(value, reading_decimals));
   const toggle = (i: number) => {
     const next = new Set(open);
     if (!next.delete(i)) next.add(i);
     set_open(next);
   };
-  const decimals = position_decimals(positions);
+  const decimals = target_decimals(positions);
   const here = state.target.value;
   const rows = useMemo(() => (
     <tbody>
@@ -85,16 +86,16 @@ export function Positions({ state }: { state: TestState }) {
               const decides = strong.get(`${i}:${quantity}`);
               return (
                 <td key={quantity} class={`number ${decides ? 'decides' : ''}`} title={decides ? t('decides', { symbol: decides }) : undefined}>
-                  {number(position[quantity])}
+                  {number(position[quantity], quantity)}
                 </td>
               );
             })}
           </tr>
-          {open.has(i) && <Single evaluated={evaluated} at={i} span={present.length + 1} number={number} />}
+          {open.has(i) && <Single evaluated={evaluated} at={i} span={present.length + 1} number={reading} />}
         </Fragment>
       ))}
     </tbody>
-  ), [positions, evaluated.readings, open, digits, here, language.value, decimal.value]);
+  ), [positions, evaluated.readings, evaluated.shown, open, digits, here, language.value, decimal.value]);
   return (
     <section class="panel flush positions-panel">
       <header>
@@ -124,7 +125,7 @@ export function Positions({ state }: { state: TestState }) {
 }
 
 /** As many decimals as the most exact target needs, at most 4, so that the column aligns. */
-function position_decimals(positions: readonly PositionResult[]): number {
+function target_decimals(positions: readonly PositionResult[]): number {
   return Math.max(0, ...positions.map(({ target }) => {
     const text = String(Number(target.toFixed(4)));
     return text.includes('.') ? text.length - text.indexOf('.') - 1 : 0;

@@ -7,6 +7,7 @@ import { Field } from '../../components/field';
 import { texts } from '../../i18n/texts';
 import { when } from '../../numbers';
 import { Differences, different_keys } from './differences';
+import { LimitChanges } from './limit_changes';
 import { ReasonDialog } from './reason_dialog';
 import { test_path, type TestState } from './state';
 
@@ -15,6 +16,7 @@ const t = texts({
   save: ['Save', 'Speichern'],
   name: ['Title of the test', 'Titel der Prüfung'],
   raw: ['The measured data stay as they are; version {version} stays readable.', 'Die Messdaten bleiben, wie sie sind; Version {version} bleibt lesbar.'],
+  awaited: ['Limits and verdicts of this edit are being evaluated …', 'Grenzwerte und Entscheidungen dieser Bearbeitung werden ausgewertet …'],
   base: ['Version {version}', 'Version {version}'],
   mine: ['This edit', 'Diese Bearbeitung'],
   conflict: ['Somebody else saved first', 'Jemand hat zuerst gespeichert'],
@@ -60,6 +62,9 @@ export function SaveDialog({ state, vocabulary, close, adopt }: Props) {
         { title: t('base', { version: test.version }), state: test },
         { title: t('mine'), state: { changes: state.changes.value, options: state.options.value } },
       ]} />
+      <div aria-live="polite">
+        {state.busy.value === 'no' ? state.edited.value && <LimitChanges before={test} after={state.evaluated.value} /> : <p class="quiet">{t('awaited')}</p>}
+      </div>
     </ReasonDialog>
   );
 }

@@ -27,6 +27,10 @@ export function failure_of(error: unknown): ApiError {
 export const test_path = (id: number | string, rest = '', more: Record<string, string | number | null> = {}): string =>
   `/api/tests/${encodeURIComponent(id)}${rest}${query({ ...more, decimal: decimal.value })}`;
 
+/** The field by which the method of record is chosen. */
+export const method_field = 'uncertainty.method';
+const sampling_pause_ms = 500;   // so that not every letter that is typed starts a simulation
+
 export class TestState {
   readonly test = signal<Test>(undefined as never);
   readonly changes = signal<Changes>({});
@@ -52,7 +56,13 @@ export class TestState {
   readonly edited = computed(() =>
     !same_changes(this.changes.value, this.test.value.changes) || !same_options(this.options.value, this.test.value.options));
   readonly dirty = computed(() => this.edited.value || this.title.value.trim() !== this.test.value.title);
-  /** Monte Carlo takes seconds, so a draft is without it until it is asked for. */
+  /** Whether the uncertainty of record comes from the Monte Carlo method: a draft without it would be judged by another. */
+  readonly sampled_record = computed(() => {
+    const stated = this.stated.value['uncertainty'] as Record<string, unknown> | undefined;
+    const chosen = this.changes.value[method_field] ?? stated?.['method'] ?? '';
+    return chosen === '' ? this.options.value.methods.includes('monte-carlo') : chosen === 'monte-carlo';
+  });
+  /** For comparison Monte Carlo takes seconds, so a draft is without it until it is asked for. */
   readonly lacks_sampling = computed(() =>
     this.draft.value !== null && this.options.value.methods.includes('monte-carlo') &&
     !this.draft.value.result.uncertainty?.monte_carlo);
@@ -165,7 +175,7 @@ export class TestState {
   /** Changes made in one go are one request; a request that is overtaken is given up. */
   private plan_evaluation(): void {
     window.clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.evaluate(false));
+    this.timer = window.setTimeout(() => void this.evaluate(false), this.sampled_record.peek() && this.edited.peek() ? sampling_pause_ms : 0);
   }
 
   run_monte_carlo(): void {
@@ -173,7 +183,8 @@ export class TestState {
     void this.evaluate(true);
   }
 
-  private async evaluate(sampling: boolean): Promise<void> {
+  private async evaluate(asked: boolean): Promise<void> {
+    const sampling = asked || this.sampled_record.peek();
     this.stop();
     if (!this.edited.value) {
       this.draft.value = null;

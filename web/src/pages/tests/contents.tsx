@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Fragment } from 'preact';
-import type { Preview } from '../../api/types';
+import type { Method, Preview } from '../../api/types';
 import { FigureCell, ParameterHead } from '../../components/figure_cell';
 import { Formula } from '../../components/formula';
 import { ParameterSymbol } from '../../components/symbol';
+import { method_title } from '../../components/uncertainty';
 import { VerdictMark } from '../../components/verdict';
 import { absent, marked, position_unit, shortest } from '../../numbers';
 import { Course } from './course';
@@ -17,10 +18,17 @@ const extent = (test: Previewed): string =>
 const glance = ['A', 'E', 'R', 'B'] as const;
 const shown_of = (test: Previewed, key: string) => test.evaluated?.shown.find((one) => one.parameter === key && /\d/.test(one.value)) ?? null;
 
+const is_sure = (test: Previewed): boolean => glance.some((key) => (shown_of(test, key)?.low ?? null) !== null);
+
+/** By which methods the uncertainties of these tests were found. */
+const methods_of = (tests: readonly Previewed[]): Method[] =>
+  [...new Set(tests.flatMap((test) => glance.map((key) => shown_of(test, key)?.method ?? null)))].filter((method) => method !== null);
+
 /** The tests of a file: what they are of and what comes out. */
 export function Contents({ preview }: { preview: Preview }) {
   const shown = preview.tests.slice(0, 8);
   const rest = preview.tests.length - shown.length;
+  const methods = methods_of(shown);
   const with_U = shown.some((test) => glance.some((key) => (shown_of(test, key)?.U ?? '') !== ''));
   return (
     <div class="contents table-frame" tabIndex={0} role="region" aria-label={preview.file.name}>
@@ -38,6 +46,7 @@ export function Contents({ preview }: { preview: Preview }) {
               <tr class={notes_of(test) ? 'noted' : undefined}>
                 <th scope="row">{[test.name, test.machine, test.axis && t('axis_of', { axis: test.axis })].filter((part) => part !== '').join(', ') || t('no_name')}
                   <span class="only-narrow quiet small">{test.measured_on} <span class="extent">{extent(test)}</span> ({test.evaluated?.shown[0]?.unit})</span>
+                  {methods.length > 1 && methods_of([test]).map((method) => <span key={method} class="by-method quiet small">{t('by_method', { method: method_title(method) })}</span>)}
                 </th>
                 <td class="number-text wide-only">{test.measured_on || absent}</td>
                 <td class="quiet small wide-only"><span class="extent-course"><span>{extent(test)}</span>{test.evaluated && <Course positions={test.evaluated.result.positions} />}</span></td>
@@ -45,7 +54,7 @@ export function Contents({ preview }: { preview: Preview }) {
                   const found = shown_of(test, key);
                   return (
                     <td key={key} class="number">
-                      {found ? <FigureCell shown={{ value: marked(found.value), U: marked(found.U), verdict: found.verdict }} /> : <span class="quiet">{absent}<span class="plus-minus" /></span>}
+                      {found ? <FigureCell shown={{ value: marked(found.value), U: marked(found.U), interval: found.interval, method: found.method, verdict: found.verdict }} /> : <span class="quiet">{absent}<span class="plus-minus" /></span>}
                     </td>
                   );
                 })}
@@ -57,6 +66,7 @@ export function Contents({ preview }: { preview: Preview }) {
           ))}
         </tbody>
       </table>
+      {methods.length === 1 && <p class="quiet small more">{t('record', { method: method_title(methods[0] as Method) })}</p>}
       {rest > 0 && <p class="quiet small more">{t('more_tests', { n: rest })}</p>}
     </div>
   );
@@ -67,7 +77,7 @@ function notes_of(test: Previewed) {
   if (!test.evaluated) return null;
   const { result } = test.evaluated;
   const gravest = result.findings.find((finding) => finding.severity === 'departure');
-  const sure = glance.some((key) => (shown_of(test, key)?.U ?? '') !== '');
+  const sure = is_sure(test);
   const other = test.evaluated.shown.filter((one) => ['E_up', 'E_down', 'R_up', 'R_down'].includes(one.parameter) && /\d/.test(one.value));
   if (result.conforming && sure) return null;
   return (

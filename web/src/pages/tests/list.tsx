@@ -10,7 +10,8 @@ import { DataTable, type Column, type Order } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
 import { absent, count, unit_sign } from '../../numbers';
 import { place, set_query } from '../../router';
-import { column_decimals, FigureCell, ParameterHead, shown_of } from '../../components/figure_cell';
+import { column_decimals, FigureCell, ParameterHead, shown_of, some_interval, some_U } from '../../components/figure_cell';
+import { differ, method_of, named_method, record_note } from '../../components/uncertainty';
 import { filter_keys, Filters } from './filters';
 import { incoming, kept_count } from './incoming';
 import { t } from './texts';
@@ -39,7 +40,7 @@ export function TestList({ on_choose }: { on_choose: () => void }) {
   const filtered = filter_keys.some((key) => place.value.query.has(key));
   if (page.data?.total === 0 && !filtered && offset === 0 && (health.value?.store.counts.tests ?? 0) === 0) return incoming.value.length > 0 ? null : <Welcome on_choose={on_choose} />;
   return (
-    <section class="panel flush test-list" aria-busy={page.loading}>
+    <section class={`panel flush test-list ${some_interval(page.data?.tests.map((row) => row.figures) ?? []) ? 'with-intervals' : ''}`} aria-busy={page.loading}>
       <header><h2>{t('list')}</h2><Comparison /></header>
       <Filters />
       {page.error && <FailureNotice error={page.error} retry={page.reload} />}
@@ -50,6 +51,7 @@ export function TestList({ on_choose }: { on_choose: () => void }) {
           row_class={(row) => (row.withdrawn ? 'withdrawn' : '')}
         />
       )}
+      {page.data && <p class="record-note quiet small">{record_note(page.data.tests.map((row) => row.figures))}</p>}
       {page.data && <Pager total={page.data.total} offset={offset} on_page={page.data.tests.length} />}
     </section>
   );
@@ -57,8 +59,10 @@ export function TestList({ on_choose }: { on_choose: () => void }) {
 
 function columns(rows: readonly TestRow[]): Column<TestRow>[] {
   const full = chosen.value.length >= most_compared;
-  const figure = (parameter: Parameter, decimals = column_decimals(rows.map((row) => row.figures), parameter)): Column<TestRow> => ({
-    key: parameter, head: <ParameterHead parameter={parameter} />, number: true, order: parameter, falling: true,
+  const figures = rows.map((row) => row.figures);
+  const named = differ(figures);
+  const figure = (parameter: Parameter, decimals = column_decimals(figures, parameter)): Column<TestRow> => ({
+    key: parameter, head: <ParameterHead parameter={parameter} with_U={some_U(figures)} />, number: true, order: parameter, falling: true,
     cell: (row) => <FigureCell shown={shown_of(row.figures, parameter)} decimals={decimals} />,
   });
   return [
@@ -81,6 +85,7 @@ function columns(rows: readonly TestRow[]): Column<TestRow>[] {
           {[row.machine?.name, row.axis?.name].filter(Boolean).join(', ')}
           {' '}<span class="number-text">{row.measured_on}</span> ({unit_sign(row.unit)})
         </span>
+        {named && method_of(row.figures) !== null && <span class="by-method quiet small">{t('by_method', { method: named_method(method_of(row.figures)) })}</span>}
         {row.label !== '' && <> <span class="tag" title={row.label}>{t('not_for_acceptance')}</span></>}
       </>
     ) },

@@ -43,6 +43,8 @@ export const t = texts({
   no_name: ['unnamed', 'ohne Namen'],
   axis_of: ['axis {axis}', 'Achse {axis}'],
 
+  record: ['Uncertainty: {method}', 'Unsicherheit: {method}'],
+  by_method: ['uncertainty: {method}', 'Unsicherheit: {method}'],
   course: ['Mean deviations over the axis, ↑ and ↓', 'Mittlere Abweichungen über die Achse, ↑ und ↓'],
   no_result: ['Not a result of the standard', 'Kein Ergebnis nach der Norm'],
   no_U: ['The file states no inputs of the uncertainty: U is not known.', 'Die Datei nennt keine Eingangsgrößen der Unsicherheit: U ist nicht bekannt.'],

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "axiometry/base/json.h"
+#include "axiometry/verification/clause3.h"
+#include "axiometry/verification/evidence.h"
+#include "axiometry/verification/ledger.h"
+
+/// The decisions about limits once more: ISO 14253-1, JCGM 106:2012.
+namespace axiometry::verification {
+
+/// What a decision is made from.
+struct Known {
+  const ExactParameters& measured;
+  const Interval& rounding;  ///< of the parameters, rounding_of()
+  const Drawn& drawn;
+};
+
+/// Decides every row of `tolerances` of a result (docs/results.md) again and compares verdict, probability, risks and
+/// limits; then `overall`, the verdict on all of them. Rules:
+///
+/// - simple: y ≤ T. guard-band: conforms y ≤ T − g, does not conform y > T + g.
+/// - iso14253-1: conforms where P(Y ≤ T) ≥ 0.95, does not conform where P(Y > T) ≥ 0.95. Y is normal about the value
+///   (after Student's t where the row has degrees of freedom), or as a Monte Carlo run drew it: then by each of the
+///   distributions held possible. What conforms has y ≤ T, what does not y > T.
+/// - Of B̄ the magnitude counts: y = |B̄|, P(−T ≤ Y ≤ T).
+/// - y = T is decided by decimals for parameters without roots. With roots a value up to 1e-9 of itself above its limit
+///   may count as at it; of a probability within 1e-9 of 0.95 both decisions are right.
+/// - A row that is withheld (a known effect is not corrected) is undecided whatever its numbers are.
+void check_decisions(const json::Value& rows, std::string_view overall, const Known& known, Ledger& ledger);
+
+}  // namespace axiometry::verification

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The uncertainty of record in words: which method found it, and how lists name it.
+import type { FigureOfTest, Method, MonteCarloOutput } from '../api/types';
+import { texts } from '../i18n/texts';
+
+const t = texts({
+  annex_a: ['Annex A', 'Anhang A'],
+  gum: ['GUM', 'GUM'],
+  monte_carlo: ['Monte Carlo', 'Monte Carlo'],
+  unnamed: ['method not kept', 'Verfahren nicht aufgezeichnet'],
+  of_record: ['Uncertainty of record: {method}.', 'Maßgebliche Unsicherheit: {method}.'],
+  of_each: ['Uncertainty of record: of each test by its own method, named with it.', 'Maßgebliche Unsicherheit: bei jeder Prüfung nach ihrem eigenen Verfahren, das dabeisteht.'],
+});
+
+export const method_title = (method: Method): string => t(method);
+
+/** As `uncertainty.method` takes it. */
+export const method_word = (method: Method): string => method.replace('_', '-');
+export const all_methods: readonly Method[] = ['annex_a', 'gum', 'monte_carlo'];
+
+/** What the Monte Carlo method states: an interval that holds for every kind of noise and the measured value; null where it refuses one. */
+export function stated_interval({ value, low, high, symmetric, refusal }: MonteCarloOutput): [number, number] | null {
+  if (refusal !== undefined) return null;
+  return [Math.min(value, low ?? symmetric[0]), Math.max(value, high ?? symmetric[1])];
+}
+
+const is_stated = ({ U, low }: FigureOfTest): boolean => U !== null || low !== null;
+
+/** By what a test's figures were found; null where none has an uncertainty, '' where an earlier program kept no method. */
+export function method_of(figures: readonly FigureOfTest[]): Method | '' | null {
+  const found = figures.find(is_stated);
+  return found ? (found.method ?? '') : null;
+}
+
+export const named_method = (method: Method | '' | null): string => (method === null ? '' : method === '' ? t('unnamed') : t(method));
+
+/** Of several tests: whether their uncertainties are of more than one kind. */
+export const differ = (tests: readonly (readonly FigureOfTest[])[]): boolean =>
+  new Set(tests.map(method_of).filter((method) => method !== null)).size > 1;
+
+/** What a list says of the uncertainties in it; nothing where there are none. */
+export function record_note(tests: readonly (readonly FigureOfTest[])[]): string {
+  const found = tests.map(method_of).find((method) => method !== null);
+  if (found === undefined) return '';
+  return differ(tests) ? t('of_each') : t('of_record', { method: named_method(found) });
+}

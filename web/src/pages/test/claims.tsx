@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the result may be called: three claims, each of its own.
+import type { Claim } from '../../api/types';
+import { sentence } from '../../components/findings';
+import { Formula } from '../../components/formula';
+import { Mark } from '../../components/verdict';
+import { texts } from '../../i18n/texts';
+
+const t = texts({
+  title: ['What may be claimed', 'Was behauptet werden darf'],
+  holds: ['holds', 'trifft zu'],
+  fails: ['does not hold', 'trifft nicht zu'],
+  missing: ['{n} {n|point is|points are} missing', '{n} {n|Punkt fehlt|Punkte fehlen}'],
+});
+
+export function Claims({ claims }: { claims: readonly Claim[] }) {
+  return (
+    <ul class="claims" aria-label={t('title')}>
+      {claims.map((claim) => (
+        <li key={claim.key}>
+          <Mark tone={claim.holds ? 'good' : 'caution'} word={t(claim.holds ? 'holds' : 'fails')} short /> <span class="claim-title"><Formula text={sentence(claim.title).replace(/\.$/, '')} /></span>
+          {claim.missing.length > 0 && (
+            <details class="small">
+              <summary>{t('missing', { n: claim.missing.length })}</summary>
+              <ul>{claim.missing.map((point) => <li key={point}><Formula text={sentence(point)} /></li>)}</ul>
+            </details>
+          )}
+        </li>
+      ))}
+    </ul>
+  );
+}
