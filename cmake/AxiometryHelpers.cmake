@@ -19,9 +19,6 @@ function(axiometry_settings)
     add_compile_options(-fsanitize=${AXIOMETRY_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     add_link_options(-fsanitize=${AXIOMETRY_SANITIZE})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # Half of the time to compile goes into asking of every pointer whether it is null or misaligned. The first ends
-      # under the sanitizer of addresses as well; both are asked by clang of all that reads foreign bytes (preset fuzz).
-      add_compile_options(-fno-sanitize=null,alignment)
       add_compile_options(-Wno-maybe-uninitialized) # said of variants that the sanitizers keep from being seen through
     endif()
   endif()

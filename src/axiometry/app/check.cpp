@@ -11,6 +11,7 @@
 #include "axiometry/app/case_model.h"
 #include "axiometry/app/case_text.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/nde_correction.h"
@@ -155,6 +156,8 @@ class CaseReader {
           s.at(1));
     AXIOMETRY_TRY(const formats::Unit* unit, read_deviation_unit(s, found, operation_->kind));
     std::size_t& runs = direction == Direction::up ? operation_->runs_up : operation_->runs_down;
+    if (runs == read_budget::runs)
+      return fail(fmt::format("found more than {} runs, expected fewer", read_budget::runs), s.at(0));
     for (std::size_t i = 0; i < operation_->targets.size(); ++i) {
       if (s.words[i + 1].is("-")) continue;
       AXIOMETRY_TRY(const double x, read_number(s, i + 1));

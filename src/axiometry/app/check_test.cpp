@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "axiometry/base/read_budget.h"
 #include "tests/support/series.h"
 
 namespace axiometry::app {
@@ -115,6 +116,15 @@ std::vector<std::filesystem::path> every_case() {
     if (entry.path().extension() == ".case") paths.push_back(entry.path());
   std::ranges::sort(paths);
   return paths;
+}
+
+TEST(CheckCase, TakesNoMoreRunsThanAnyOtherReader) {
+  std::string text = "operation iso230-2\ntargets 0 1 mm\n";
+  for (std::size_t run = 0; run <= read_budget::runs; ++run) text += "up 0 1 um\n";
+  const auto report = check_case(text, no_files);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().message, "found more than 10000 runs, expected fewer");
+  EXPECT_EQ(report.error().at.line, 3 + read_budget::runs);
 }
 
 TEST_P(ConformanceCases, Hold) {

@@ -7,6 +7,7 @@
 
 #include "axiometry/app/evaluate.h"
 #include "axiometry/app/source.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/plan_json.h"
@@ -108,12 +109,12 @@ Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& na
 }
 
 std::string recognised_format(std::string_view bytes) {
-  const auto format = formats::recognise(bytes.substr(0, head_size));
+  const auto format = formats::recognise(bytes.substr(0, read_budget::head_bytes));
   return format ? std::string((*format)->id) : "";
 }
 
 std::optional<formats::Guess> guess_measured(std::string_view bytes) {
-  if (formats::recognise_recording(bytes.substr(0, head_size))) return {};
+  if (formats::recognise_recording(bytes.substr(0, read_budget::head_bytes))) return {};
   auto found = formats::guess(bytes);
   if (!found) return {};
   return *std::move(found);

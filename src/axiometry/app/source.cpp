@@ -14,6 +14,7 @@
 
 #include "axiometry/app/fail_system.h"
 #include "axiometry/base/contract.h"
+#include "axiometry/base/read_budget.h"
 
 namespace axiometry::app {
 namespace {
@@ -70,9 +71,9 @@ Result<std::size_t> Source::read_file(std::span<char> buffer) {
 
 Result<std::string_view> Source::head() {
   if (!head_read_) {
-    head_.resize(head_size);
+    head_.resize(read_budget::head_bytes);
     std::size_t filled = 0;
-    while (filled < head_size) {
+    while (filled < read_budget::head_bytes) {
       AXIOMETRY_TRY(const std::size_t got, read_file(std::span(head_).subspan(filled)));
       if (got == 0) break;
       filled += got;

@@ -8,20 +8,15 @@
 #include <string>
 #include <string_view>
 
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/result.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/format.h"
 
 namespace axiometry::app {
 
-/// Bytes of a small file that stands beside the measured ones: a profile, a plan.
-inline constexpr std::size_t small_file_limit = std::size_t{64} << 20;
-
-/// Bytes by which the format of a file is recognised.
-inline constexpr std::size_t head_size = std::size_t{64} << 10;
-
 /// The whole of a file. Fails when it cannot be read and beyond the limit.
-Result<std::string> file_bytes(const std::string& name, std::size_t limit = small_file_limit);
+Result<std::string> file_bytes(const std::string& name, std::size_t limit = read_budget::file_bytes);
 
 /// A file's name without its folders, which are nobody else's business; "standard input" for "-".
 std::string base_name(const std::string& name);

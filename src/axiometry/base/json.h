@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/result.h"
 
 /// JSON (RFC 8259) as a tree that remembers where each value stood, so that a wrong value in a test
@@ -59,9 +60,9 @@ class Value {
 };
 
 struct ParseLimits {
-  std::size_t bytes = std::size_t{64} << 20;  ///< a test of a million readings has about 10 MB
-  std::size_t depth = 64;
-  std::size_t values = 4'000'000;  ///< a value takes about 60 bytes of memory
+  std::size_t bytes = read_budget::file_bytes;  ///< a test of a million readings has about 10 MB
+  std::size_t depth = read_budget::nesting;
+  std::size_t values = read_budget::json_values;
 };
 
 /// Fails, with line and column, on anything RFC 8259 does not allow, on a byte order mark other than

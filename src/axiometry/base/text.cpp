@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/utf8.h"
 
 namespace axiometry::text {
@@ -110,8 +111,10 @@ std::string no_formula(std::string_view s) {
 
 std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
   std::optional<std::string_view> best;
+  if (word.size() > read_budget::name_bytes) return best;
   std::size_t best_distance = word.size() / 3 + 1;
   for (std::string_view candidate : candidates) {
+    if (candidate.size() > word.size() + best_distance) continue;
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < best_distance) {
       best_distance = distance;

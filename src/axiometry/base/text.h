@@ -37,7 +37,8 @@ std::string csv_cell(std::string_view s, char separator = ',');
 /// Text of others for a table: behind an apostrophe where a spreadsheet would take it for a formula and run it.
 std::string no_formula(std::string_view s);
 
-/// The candidate with the smallest edit distance to `word`, if that is at most a third of its length.
+/// The candidate with the smallest edit distance to `word`, if that is at most a third of its length. Nothing for words
+/// of more than read_budget::name_bytes, which are no typing errors.
 std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace axiometry::text

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/read_budget.h"
 
 namespace axiometry {
 namespace {
@@ -35,6 +36,13 @@ TEST(Text, NamesTheNearestWordAndNoFarOne) {
   const std::vector<std::string_view> keys = {"machine.name", "machine.type"};
   EXPECT_EQ(text::nearest("machin.name", keys), "machine.name");
   EXPECT_EQ(text::nearest("zzz", keys), std::nullopt);
+}
+
+TEST(Text, TakesNoEndlessWordForATypingError) {
+  const std::string longest(read_budget::name_bytes, 'a');
+  EXPECT_EQ(text::nearest(longest, {longest}), longest);
+  EXPECT_EQ(text::nearest(longest + 'a', {longest, longest + 'a'}), std::nullopt);
+  EXPECT_EQ(text::nearest("machine", {std::string(1 << 20, 'm'), "machine.name", "machines"}), "machines");
 }
 
 TEST(NumberText, ReadsWholeNumbersOfAnyUsualSpelling) {

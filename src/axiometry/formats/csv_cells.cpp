@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/series_order.h"
 #include "axiometry/formats/text_source.h"
@@ -88,6 +89,9 @@ Result<std::vector<CsvCell>> split_row(std::string_view line, char delimiter, st
       k = end;
     }
     if (k >= line.size()) return cells;
+    if (cells.size() == read_budget::row_cells)
+      return fail(fmt::format("found more than {} fields in one row, expected fewer", read_budget::row_cells),
+                  {line_number, k + 2});
   }
 }
 
@@ -107,14 +111,14 @@ Result<void> check_cell_count(const std::vector<CsvCell>& cells, const RowShape&
 
 Result<std::size_t> run_number(std::string_view cell, TextPosition at) {
   const auto number = parse_number(cell);
-  if (number && *number >= 1 && *number <= static_cast<double>(run_limit) && std::floor(*number) == *number)
+  if (number && *number >= 1 && *number <= static_cast<double>(read_budget::runs) && std::floor(*number) == *number)
     return static_cast<std::size_t>(*number);
   const std::string_view advice =
       number && *number == 0 ? "; runs count from 1, so add 1 to every run, or read the file as the format generic"
                              : "";
-  return fail(
-      fmt::format("found the run {}, expected a whole number from 1 to {}{}", text::quoted(cell), run_limit, advice),
-      at);
+  return fail(fmt::format("found the run {}, expected a whole number from 1 to {}{}", text::quoted(cell),
+                          read_budget::runs, advice),
+              at);
 }
 
 char delimiter_of(std::string_view header_line) {

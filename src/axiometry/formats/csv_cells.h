@@ -35,7 +35,7 @@ struct RowShape {
 /// beyond the header (a delimiter at the end of every row) are let pass.
 Result<void> check_cell_count(const std::vector<CsvCell>& cells, const RowShape& shape);
 
-/// A run number from 1 to run_limit; "1.0", as data frames write it, is 1.
+/// A run number from 1 to read_budget::runs; "1.0", as data frames write it, is 1.
 Result<std::size_t> run_number(std::string_view cell, TextPosition at);
 
 /// The delimiter of a header line: whichever of semicolon, tab and comma parts it into most cells.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/generic_heads.h"
 
@@ -174,15 +175,13 @@ void read_as_long(Column& column, const Words& words) {
   }
 }
 
-/// No column is called so: a paragraph, or a list of numbers in one cell. Looking for words in it would take a time
-/// that grows with its square.
-constexpr std::size_t longest_name = 200;
-
 Column column_from(const CsvCell& cell) {
   Column column;
   column.name = cell.text;
   column.at_column = cell.column;
-  if (cell.text.size() > longest_name) return column;
+  // No column is called so: a paragraph, or a list of numbers in one cell. Looking for words in it would take a time
+  // that grows with its square.
+  if (cell.text.size() > read_budget::name_bytes) return column;
   const std::string name = without_brackets_around_signs(cell.text);
   const NameAndUnit parts = part_unit(text::trim(name));
   column.unit_text = std::string(parts.unit);

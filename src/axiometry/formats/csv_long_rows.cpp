@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/fixed_point.h"
 #include "axiometry/formats/series_order.h"
@@ -169,7 +170,7 @@ const char* LongRows::plain_cell(const char* p, ColumnRole role, int mark, Plain
     }
     case ColumnRole::run: {
       const detail::Digits digits = detail::digits_of_block(p);
-      if (digits.count == 0 || digits.value == 0 || digits.value > run_limit) return nullptr;
+      if (digits.count == 0 || digits.value == 0 || digits.value > read_budget::runs) return nullptr;
       row.run = static_cast<std::uint16_t>(digits.value - 1);
       return p + digits.count;
     }
@@ -194,7 +195,7 @@ bool LongRows::add_plain(const PlainRow& row) {
   RowReading reading{deviation, line_, targets_.number(target), row.run, row.direction};
   if (!layout_.run) {
     std::size_t& approaches = approaches_to(reading);
-    if (approaches >= run_limit) return false;
+    if (approaches >= read_budget::runs) return false;
     reading.run = static_cast<std::uint16_t>(approaches++);
   }
   readings_.push_back(reading);
@@ -303,8 +304,9 @@ Result<std::uint16_t> LongRows::run_of(const std::vector<CsvCell>& cells, const 
     return static_cast<std::uint16_t>(number - 1);
   }
   std::size_t& approaches = approaches_to(row);
-  if (approaches >= run_limit)
-    return fail(fmt::format("found more than {} approaches to one target, expected fewer", run_limit), {line_, 1});
+  if (approaches >= read_budget::runs)
+    return fail(fmt::format("found more than {} approaches to one target, expected fewer", read_budget::runs),
+                {line_, 1});
   return static_cast<std::uint16_t>(approaches++);
 }
 

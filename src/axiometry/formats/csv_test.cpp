@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "axiometry/base/read_budget.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/standards/iso230_2.h"
 #include "tests/support/repository_file.h"
@@ -253,6 +254,15 @@ TEST(Csv, MayBeTheUnicodeTextOfASpreadsheetOrHaveOldLineEnds) {
   const auto old = read_as("csv-wide", "target_mm,up1_um\r0,1\r5,2\r");
   EXPECT_EQ(at(old, 1, Direction::up, 0), 2);
   EXPECT_EQ(old.provenance.remarks.size(), 1u);
+}
+
+TEST(Csv, ARowOfMoreFieldsThanAnyTableHasIsRefusedBeforeItIsKept) {
+  std::string head = "target_mm";
+  for (std::size_t run = 1; run <= read_budget::row_cells; ++run) head += ",note";
+  const auto read = find_format("csv-wide")->read(head + "\n0,1\n");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message, "found more than 32768 fields in one row, expected fewer");
+  EXPECT_EQ(read.error().at.line, 1u);
 }
 
 TEST(Csv, HeadersMayHaveGoneThroughAWrongCodePage) {

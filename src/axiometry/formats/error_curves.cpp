@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/approaches.h"
 #include "axiometry/formats/decoded_text.h"
@@ -53,7 +54,6 @@ Result<Test> only_test(const std::vector<ErrorCurve>& curves) {
 }
 
 Result<std::string> all_bytes(ByteReader& bytes) {
-  constexpr std::size_t limit = std::size_t{64} << 20;
   constexpr std::size_t block = std::size_t{64} << 10;
   std::string all;
   while (true) {
@@ -62,8 +62,8 @@ Result<std::string> all_bytes(ByteReader& bytes) {
     AXIOMETRY_TRY(const std::size_t count, bytes.read({all.data() + filled, block}));
     all.resize(filled + count);
     if (count == 0) return all;
-    if (all.size() > limit)
-      return fail(fmt::format("found a table of errors beyond {} MiB, expected less", limit >> 20));
+    if (all.size() > read_budget::file_bytes)
+      return fail(fmt::format("found a table of errors beyond {} MiB, expected less", read_budget::file_bytes >> 20));
   }
 }
 

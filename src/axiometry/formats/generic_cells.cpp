@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text_source.h"
 #include "axiometry/formats/time_stamp.h"
@@ -55,9 +56,9 @@ char byte_of(Delimiter delimiter) {
 }  // namespace
 
 Result<DecodedText> decode(std::string_view bytes, TextEncoding encoding) {
-  if (bytes.size() > byte_limit)
-    return fail(
-        fmt::format("found {} bytes, expected at most {} for a table of an unknown layout", bytes.size(), byte_limit));
+  if (bytes.size() > read_budget::file_bytes)
+    return fail(fmt::format("found {} bytes, expected at most {} for a table of an unknown layout", bytes.size(),
+                            read_budget::file_bytes));
   if (encoding == TextEncoding::automatic) return decoded_text(bytes);
   return decoded_as(bytes, encoding_titles[static_cast<std::size_t>(encoding) - 1]);
 }
@@ -81,19 +82,21 @@ RowRule row_rule(const ImportProfile& profile) {
 
 Result<std::vector<CsvCell>> cells_of(const PlainLine& line, RowRule rule) {
   const auto too_many = [&](std::size_t count) {
-    return fail(fmt::format("found {} columns, expected at most {}", count, column_limit), {line.number, 1});
+    return fail(fmt::format("found {} columns, expected at most {}", count, read_budget::guessed_columns),
+                {line.number, 1});
   };
   if (rule.delimiter == Delimiter::blanks) {
     std::vector<CsvCell> cells = blank_cells(line.text);
-    if (cells.size() > column_limit) return too_many(cells.size());
+    if (cells.size() > read_budget::guessed_columns) return too_many(cells.size());
     return cells;
   }
   const char delimiter = byte_of(rule.delimiter);
-  if (const auto count = static_cast<std::size_t>(std::ranges::count(line.text, delimiter)); count >= 2 * column_limit)
+  if (const auto count = static_cast<std::size_t>(std::ranges::count(line.text, delimiter));
+      count >= 2 * read_budget::guessed_columns)
     return too_many(count + 1);
   AXIOMETRY_TRY(std::vector<CsvCell> cells, split_row(line.text, delimiter, line.number));
   if (rule.paired) cells = paired_cells(std::move(cells));
-  if (cells.size() > column_limit) return too_many(cells.size());
+  if (cells.size() > read_budget::guessed_columns) return too_many(cells.size());
   return cells;
 }
 

@@ -15,11 +15,9 @@
 /// Text of unknown make as lines, cells and numbers. Private to the generic importer (generic_delimited.h).
 namespace axiometry::formats::generic {
 
-/// Any text as UTF-8, its encoding found out or stated. Fails as decoded_text() does, and on more than byte_limit.
+/// Any text as UTF-8, its encoding found out or stated. Fails as decoded_text() does, and on more than
+/// read_budget::file_bytes.
 Result<DecodedText> decode(std::string_view bytes, TextEncoding encoding);
-
-inline constexpr std::size_t byte_limit = std::size_t{64} << 20;
-inline constexpr std::size_t column_limit = 4096;
 
 struct PlainLine {
   std::string_view text;   ///< without its line break and blanks at its end

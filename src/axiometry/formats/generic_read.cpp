@@ -10,6 +10,7 @@
 #include <map>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/approaches.h"
 #include "axiometry/formats/generic_delimited.h"
@@ -263,11 +264,11 @@ class TableReader {
     if (!number)
       if (const auto named = head_of(cell.text).run) number = static_cast<double>(*named);
     const auto first = static_cast<double>(profile_.first_run);
-    if (number && *number >= first && *number < first + static_cast<double>(run_limit) &&
+    if (number && *number >= first && *number < first + static_cast<double>(read_budget::runs) &&
         std::floor(*number) == *number)
       return static_cast<std::size_t>(*number) + 1 - profile_.first_run;
     return fail(fmt::format("found the run {}, expected a whole number from {} to {}{}", text::quoted(cell.text),
-                            profile_.first_run, run_limit + profile_.first_run - 1,
+                            profile_.first_run, read_budget::runs + profile_.first_run - 1,
                             number && *number == 0 ? "; first_run in the profile says where runs begin to count" : ""),
                 {line, cell.column});
   }
@@ -323,10 +324,11 @@ class TableReader {
     for (Entry& e : entries_) {
       if (profile_.runs == RunRule::repetition && *profile_.direction != DirectionRule::run_parity) {
         e.run = ++approaches[{e.target, *e.direction}];
-        if (*e.run > run_limit)
-          return fail(fmt::format("found more than {} approaches to one target, expected fewer", run_limit), e.at);
+        if (*e.run > read_budget::runs)
+          return fail(fmt::format("found more than {} approaches to one target, expected fewer", read_budget::runs),
+                      e.at);
       }
-      if (!e.run || *e.run == 0 || *e.run > run_limit)
+      if (!e.run || *e.run == 0 || *e.run > read_budget::runs)
         return fail("found a reading without a number of its run, expected one", e.at);
     }
     return {};

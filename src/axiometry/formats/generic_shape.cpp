@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/generic_heads.h"
 #include "axiometry/formats/text_source.h"
@@ -285,8 +286,9 @@ Result<TableShape> find_shape(std::span<const PlainLine> lines) {
     for (const PlainLine& line : lines)
       for (const char delimiter : {';', '\t', ',', ' '})
         if (const auto count = std::ranges::count(line.text, delimiter);
-            count >= static_cast<std::ptrdiff_t>(column_limit))
-          return fail(fmt::format("found {} columns, expected at most {}", count + 1, column_limit), {line.number, 1});
+            count >= static_cast<std::ptrdiff_t>(read_budget::guessed_columns))
+          return fail(fmt::format("found {} columns, expected at most {}", count + 1, read_budget::guessed_columns),
+                      {line.number, 1});
     return fail("found no table of numbers, expected at least two columns of them");
   }
   AXIOMETRY_TRY_VOID(check_below(lines.subspan(block->last + 1), split, shape.comment));

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv_cells.h"
 #include "axiometry/formats/decoded_text.h"
@@ -102,6 +103,10 @@ Result<LocationPointsFile> read_location_points(std::string_view bytes) {
                                                 .line = line.number,
                                                 .delimiter = columns->delimiter,
                                                 .cut_off = !line.has_break}));
+    if (file.points.size() == read_budget::location_points)
+      return fail(
+          fmt::format("found more than {} points, expected fewer to locate a station by", read_budget::location_points),
+          {line.number, 1});
     AXIOMETRY_TRY(file.points.emplace_back(), point_of(cells, *columns, *numbers, line.number));
     return {};
   }));

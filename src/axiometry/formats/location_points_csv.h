@@ -24,7 +24,8 @@ struct LocationPointsFile {
 /// `delta_l`, `ΔL` and `length_change` are the length difference as well. Lines that begin with # are comments.
 ///
 /// Fails, with line and column, on a column that is missing, there twice or without unit of length, on a cell that is
-/// no finite number up to 1e9 mm, on rows that are cut off, on broken quotes, and as decoded_text() does.
+/// no finite number up to 1e9 mm, on more points than read_budget::location_points, on rows that are cut off, on broken
+/// quotes, and as decoded_text() does.
 Result<LocationPointsFile> read_location_points(std::string_view bytes);
 
 }  // namespace axiometry::formats

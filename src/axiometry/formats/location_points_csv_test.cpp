@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "axiometry/base/read_budget.h"
+
 namespace axiometry::formats {
 namespace {
 
@@ -35,6 +37,14 @@ TEST(LocationPointsCsv, AnEmptyFirstCellMovesNothing) {
   ASSERT_TRUE(file) << file.error().to_string();
   EXPECT_EQ(file->points[0].at_mm, (Vector3{1, 2, 3}));
   EXPECT_EQ(file->points[0].length_difference_mm, 4);
+}
+
+TEST(LocationPointsCsv, MorePointsThanAStationIsLocatedByAreRefused) {
+  std::string table = "x_mm,y_mm,z_mm,length_difference_mm\n";
+  for (std::size_t k = 0; k < read_budget::location_points; ++k) table += "1,2,3,4\n";
+  EXPECT_TRUE(read_location_points(table));
+  EXPECT_EQ(points_error(table + "1,2,3,4\n"),
+            "line 10002:1: found more than 10000 points, expected fewer to locate a station by");
 }
 
 TEST(LocationPointsCsv, WhatIsWrongIsNamedWithItsPlace) {

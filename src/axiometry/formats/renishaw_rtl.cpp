@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/approaches.h"
 #include "axiometry/formats/csv_cells.h"
@@ -154,7 +155,7 @@ class ContentReader {
                               line.has_break ? "" : "; the file ends here, is it cut off?"),
                   {line.number, line.column});
     RtlReading row{.at = line.at(words[0])};
-    AXIOMETRY_TRY(row.run, number_up_to(2 * run_limit, "run", words[0], line));
+    AXIOMETRY_TRY(row.run, number_up_to(2 * read_budget::runs, "run", words[0], line));
     AXIOMETRY_TRY(row.target, number_up_to(content_.targets.size(), "target", words[1], line));
     AXIOMETRY_TRY(row.value, numbers_.read(words[2], line.at(words[2])));
     content_.rows.push_back(row);

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/base/read_budget.h"
 
 namespace axiometry::formats {
 
@@ -42,8 +43,8 @@ Result<void> check_deviations(const Series& series, AxisKind kind) {
 }
 
 Result<void> check_grid(const Grid& grid) {
-  constexpr std::size_t cells_per_reading = 64;
-  if (2 * grid.targets * grid.runs <= cells_per_reading * grid.readings + run_limit) return {};
+  if (2 * grid.targets * grid.runs <= read_budget::grid_cells_per_reading * grid.readings + read_budget::runs)
+    return {};
   return fail(
       fmt::format("found run {} among {} readings, expected consecutive run numbers", grid.runs, grid.readings));
 }

@@ -16,9 +16,6 @@ Result<Series> sorted_series(std::vector<Position> targets, std::size_t runs, st
 /// deviations.
 Result<void> check_deviations(const Series& series, AxisKind kind);
 
-/// The largest run number of any text format.
-inline constexpr std::size_t run_limit = 10'000;
-
 struct Grid {
   std::size_t targets = 0;
   std::size_t runs = 0;

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 
 namespace axiometry {
@@ -85,6 +86,8 @@ Result<void> check_choice(const Field& field, const std::string& word) {
 }
 
 Result<void> check_records(const Field& field, const Records& records) {
+  if (records.size() > read_budget::records)
+    return fail(fmt::format("found more than {} records of {}, expected fewer", read_budget::records, field.key));
   for (const auto& record : records) {
     if (record.size() != field.columns.size())
       return fail(fmt::format("found a record of {} with {} cells, expected {}", field.key, record.size(),

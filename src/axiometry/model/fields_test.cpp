@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/model/fields.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
+
+#include "axiometry/base/read_budget.h"
 
 namespace axiometry {
 namespace {
@@ -65,6 +68,16 @@ TEST(Fields, ReadTextAsItStandsInACsvHeader) {
   ASSERT_EQ(m.environment.sensors.size(), 2u);
   EXPECT_EQ(m.environment.sensors[0].end->in_celsius(), 22.9);
   EXPECT_FALSE(m.environment.sensors[1].end);
+}
+
+TEST(Fields, TakeNoMoreRecordsThanTheBudgetAllows) {
+  Metadata metadata;
+  for (std::size_t k = 0; k < read_budget::records; ++k)
+    ASSERT_TRUE(set_field_text(metadata, "equipment", fmt::format("Probe {} | Maker | Type | {}", k, k)));
+  const auto refused = set_field_text(metadata, "equipment", "One more | Maker | Type | 1");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "found more than 256 records of equipment, expected fewer");
+  EXPECT_EQ(metadata.equipment.size(), read_budget::records);
 }
 
 TEST(Fields, SayWhatWasFoundAndExpected) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 namespace axiometry::formats {
 namespace {
 
+using testing::HasSubstr;
 using testing_support::read_samples;
 using testing_support::ReadSamples;
 using testing_support::same_however_cut;
@@ -136,6 +138,20 @@ TEST(Umd, CountsWhatTheSequenceShowsToBeLost) {
   EXPECT_EQ(from_umd("0 0 1 0 0 32767 0 0\n0 0 2 0 0 -32768 0 0\n", options), "0:1 1:2");
   EXPECT_EQ(from_umd("0 0 1 0 0 9 0 0\n0 0 2 0 0 9 0 0\n", options),
             "line 2:1: found the sample counter 9 after 9, expected it to grow 0:1");
+}
+
+TEST(Umd, RefusesNumbersThatNoCounterHasInsteadOfOverflowing) {
+  RecordingOptions options = counts();
+  options.rate_hz = 1.0;
+  const std::string first = "0 0 1 0 0 1 0 0\n";
+  for (const std::string number : {"-9223372036854775808", "9223372036854775807", "9007199254740993"}) {
+    EXPECT_THAT(from_umd(first + "0 0 1 0 0 " + number + " 0 0\n", options), HasSubstr("expected 8 whole numbers"));
+    EXPECT_THAT(from_umd(first + "0 0 " + number + " 0 0 2 0 0\n", options), HasSubstr("expected 8 whole numbers"));
+    EXPECT_THAT(from_umd(first + "0 0 1 0 " + number + " 2 0 0\n", options), HasSubstr("expected 8 whole numbers"));
+  }
+  EXPECT_THAT(
+      from_umd("0 0 1 0 0 -9007199254740992 0 0\n0 0 1 0 0 9007199254740992 0 0\n", options),
+      HasSubstr("found the sample counter 9007199254740992 after -9007199254740992, expected it to grow by less"));
 }
 
 TEST(Umd, NeverUsesASampleWithAnErrorCode) {

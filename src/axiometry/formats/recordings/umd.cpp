@@ -24,7 +24,9 @@ constexpr std::array<std::size_t, 3> disp_at = {2, 9, 13};  // DISP of each axis
 constexpr std::size_t seq_at = 5, code_at = 6, data_at = 7;
 constexpr std::int64_t first_error_code = 0x200;  // of PHASE; a fraction lies within ±256
 constexpr double fractions_per_count = 256.0;
-constexpr std::size_t patience = 4096;  // samples within which the stream must tell its rate
+constexpr std::int64_t largest = std::int64_t{1} << 53;      // whole numbers up to here are doubles without rounding
+constexpr std::int64_t longest_gap = std::int64_t{1} << 40;  // samples lost in one piece: months at any rate
+constexpr std::size_t patience = 4096;                       // samples within which the stream must tell its rate
 
 /// The columns of one line; `count` is 0 when it is not a line of whole numbers.
 struct Columns {
@@ -43,6 +45,7 @@ Columns columns_of(std::string_view line) {
     if (columns.count == wide) return {};
     const auto [rest, fault] = std::from_chars(p, end, columns.values[columns.count]);
     if (fault != std::errc() || (rest != end && *rest != ' ' && *rest != '\t')) return {};
+    if (const auto value = columns.values[columns.count]; value < -largest || value > largest) return {};
     ++columns.count;
     p = rest;
   }
@@ -113,6 +116,8 @@ class UmdReader final : public LineReader {
       } else if (step <= 0) {
         return fail(fmt::format("found the sample counter {} after {}, expected it to grow", seq, *last_seq_));
       }
+      if (step > longest_gap)
+        return fail(fmt::format("found the sample counter {} after {}, expected it to grow by less", seq, *last_seq_));
       add_lost(static_cast<std::size_t>(step - 1));
       seq_ += step;
     }
@@ -240,8 +245,8 @@ Minimalist Homodyne Test:
 - A `PHASE` of 0x200 and more is an error code of the counter: such a sample is counted as lost, never used.
 - Codes 3, 5 and 6 (temperature in °C × 100, pressure in mbar × 100, humidity in % × 10) become first and last
   values of the air in the test. The scales are those of the firmware's source; check them against your instrument.
-- Lines before the first sample are passed over (start-up text). Refused: other lines behind it, a counter that runs
-  backwards, a change of the rate.
+- Lines before the first sample are passed over (start-up text). Refused: other lines behind it, numbers beyond
+  2^53, a counter that runs backwards or jumps by 2^40, a change of the rate.
 )";
 
 }  // namespace

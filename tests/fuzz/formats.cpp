@@ -4,44 +4,20 @@
 // evaluable, must survive being written and read again, and must not depend on the way it was read.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
-#include <cstring>
 #include <string>
 
-#include "axiometry/base/contract.h"
 #include "axiometry/formats/csv_long_rows.h"
 #include "axiometry/formats/format.h"
-#include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2.h"
+#include "described.h"
 #include "tests/support/pieces.h"
 
 namespace {
 
 using namespace axiometry;
+using fuzzing::check_error;
+using fuzzing::described;
 using testing_support::Pieces;
-
-std::string described(const Series& series) {
-  std::string text;
-  for (Position p : series.targets()) text += fmt::format("{} ", p.in_native());
-  for (Direction d : {Direction::up, Direction::down})
-    for (std::size_t i = 0; i < series.target_count(); ++i)
-      for (double x : series.cell(i, d)) text += fmt::format("{:x} ", std::bit_cast<std::uint64_t>(x));
-  return text;
-}
-
-std::string described(const Metadata& metadata) {
-  std::string text;
-  for (const Field& field : metadata_fields())
-    text += fmt::format("{}={}\n", field.key, field_text(field, field.get(metadata)));
-  return text;
-}
-
-void check_error(const Error& error) {
-  AXIOMETRY_CONTRACT(error.message.starts_with("found "));
-  AXIOMETRY_CONTRACT(error.at.column == 0 || error.at.line > 0);
-}
 
 void check_written(const Test& test) {
   const formats::Format& json = *formats::find_format("json");
@@ -82,25 +58,35 @@ std::string by_rows(std::string_view text, formats::LongRows::Path path) {
   return done ? result : result + done.error().to_string();
 }
 
+void read_by(const formats::Format& format, std::string_view bytes) {
+  if (format.id == "csv-long")
+    AXIOMETRY_CONTRACT(by_rows(bytes, formats::LongRows::Path::fast) ==
+                       by_rows(bytes, formats::LongRows::Path::general_only));
+  if (const auto test = format.read(bytes); test) {
+    iso230_2::evaluate(test->series);
+    check_written(*test);
+  } else {
+    check_error(test.error());
+  }
+  if (format.read_many == nullptr || !format.holds_many(bytes)) return;
+  AXIOMETRY_CONTRACT(by_pieces(format, bytes, 3) == by_pieces(format, bytes, bytes.size() + 1));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  if (const auto found = formats::recognise(bytes); !found) check_error(found.error());
-  AXIOMETRY_CONTRACT(by_rows(bytes, formats::LongRows::Path::fast) ==
-                     by_rows(bytes, formats::LongRows::Path::general_only));
+  const std::string_view bytes = fuzzing::as_text(data, size);
+  const auto found = formats::recognise(bytes);
+  if (!found) check_error(found.error());
   for (const formats::Format* format : formats::format_table()) {
     const int score = format->recognise(bytes);
     AXIOMETRY_CONTRACT(score >= 0 && score <= 100);
-    const auto test = format->read(bytes);
-    if (test) {
-      iso230_2::evaluate(test->series);
-      check_written(*test);
-    } else {
-      check_error(test.error());
-    }
-    if (format->read_many == nullptr || !format->holds_many(bytes)) continue;
-    AXIOMETRY_CONTRACT(by_pieces(*format, bytes, 3) == by_pieces(*format, bytes, size + 1));
   }
+  // Every reader is tried with what is like its own, and one more, which the bytes choose: all of them with all bytes
+  // would take most of the time for saying no.
+  const auto table = formats::format_table();
+  const formats::Format* const other = table[std::hash<std::string_view>{}(bytes) % table.size()];
+  if (found) read_by(**found, bytes);
+  if (!found || *found != other) read_by(*other, bytes);
   return 0;
 }
