@@ -9,9 +9,12 @@ import json
 import os
 import pathlib
 import re
+import socket
+import ssl
 import subprocess
 import sys
 import tempfile
+import threading
 
 from attack import SECURITY, head, status_of
 from served import Checks, Served
@@ -188,10 +191,64 @@ def no_program_is_started(program, checks):
     checks.that("none of it begins another program", not begins, begins)
 
 
-def newest_tls_is_preferred(program, folder, checks):
-    certificate, key = folder / "cert.pem", folder / "key.pem"
+def any_letters_are_a_token(program, folder, checks):
+    token = "Größe ± 3 µm, ねこ 🔑 and a \"quote\""
+    with Served(program, folder / "letters.db", token=token) as server:
+        answer = server.request("POST", "/api/login", {"token": token})
+        checks.that("any letters sign in", answer.status == 204, answer.status)
+        answer = server.request("POST", "/api/login", {"token": token.replace("±", "+")})
+        checks.that("and each of them counts", answer.status == 401, answer.status)
+
+
+def made_certificate(folder, name):
+    certificate, key = folder / f"{name}.pem", folder / f"{name}.key"
     subprocess.run(["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=localhost",
-                    "-keyout", str(key), "-out", str(certificate)], check=True, capture_output=True)
+                    "-addext", "subjectAltName=DNS:localhost,IP:127.0.0.1", "-keyout", str(key), "-out",
+                    str(certificate)], check=True, capture_output=True)
+    return certificate, key
+
+
+def told_to_a_false_database(program, settings, tls):
+    """How `store verify` ends that is sent to a server which is none of PostgreSQL, and what that server hears."""
+    heard = []
+
+    def serve():
+        client, _ = listener.accept()
+        with client:
+            heard.append(client.recv(8))
+            client.sendall(b"S" if tls else b"N")
+            try:
+                heard.append((tls.wrap_socket(client, server_side=True) if tls else client).recv(1000))
+            except OSError as error:  # TLS refused by the other side is one
+                heard.append(type(error).__name__.encode())
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        listener.settimeout(30)
+        thread = threading.Thread(target=serve)
+        thread.start()
+        address = f"postgresql://anna@127.0.0.1:{listener.getsockname()[1]}/archive?{settings}"
+        done = subprocess.run([program, "store", "verify", "--store", address], capture_output=True, timeout=60,
+                              check=False)
+        thread.join()
+    return done.returncode, heard
+
+
+def database_is_proved_where_that_is_asked(program, folder, checks):
+    """With sslmode=verify-full nothing is told to a server without TLS, or of another certificate."""
+    asks_for_tls = b"\x00\x00\x00\x08\x04\xd2\x16\x2f"
+    trusted, other = made_certificate(folder, "trusted")[0], made_certificate(folder, "other")
+    context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+    context.load_cert_chain(*other)
+    for tls in (None, context):
+        code, heard = told_to_a_false_database(program, f"sslmode=verify-full&sslrootcert={trusted}", tls)
+        checks.that("TLS is asked for", heard[0] == asks_for_tls, heard)
+        checks.that("no user is told", b"anna" not in b"".join(heard), heard)
+        checks.that("and it fails", code == 2, code)
+    code, heard = told_to_a_false_database(program, f"sslmode=verify-full&sslrootcert={other[0]}", context)
+    checks.that("the one that is trusted is told", b"anna" in b"".join(heard), (code, heard))
+
+
+def newest_tls_is_preferred(program, folder, checks):
+    certificate, key = made_certificate(folder, "server")
 
     def tried(*options):
         done = subprocess.run(["openssl", "s_client", "-connect", server.host, *options], input="", text=True,
@@ -222,7 +279,9 @@ def main():
             files_are_the_owners(server, store, checks)
             nobody_is_called(server, checks)
         log_holds_no_secret(program, folder, checks)
+        any_letters_are_a_token(program, folder, checks)
         newest_tls_is_preferred(program, folder, checks)
+        database_is_proved_where_that_is_asked(program, folder, checks)
     checks.finish()
 
 
