@@ -26,7 +26,7 @@ class Answer:
 class Served:
     """The server on a free port of 127.0.0.1; `with` ends it by SIGTERM."""
 
-    def __init__(self, program, store, *more, token=None, tls=None):
+    def __init__(self, program, store, *more, token=None, tls=None, errors=None):
         self.tls = tls
         command = [program, "serve", "--store", str(store), "--port", "0", "--quiet", *more]
         if tls:
@@ -35,7 +35,7 @@ class Served:
         environment.pop("AXIOMETRY_TOKEN", None)
         if token:
             environment["AXIOMETRY_TOKEN"] = token
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, env=environment, text=True)
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=errors, env=environment, text=True)
         line = self.process.stdout.readline()
         found = re.fullmatch(r"Axiometry workbench: https?://127\.0\.0\.1:(\d+)/\n", line)
         if not found:
