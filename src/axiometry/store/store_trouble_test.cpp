@@ -42,18 +42,6 @@ class StoreTroubleTest : public test::BothStores {
   static std::vector<std::string> problems(const std::string& address) {
     return must(must(Store::open(address))->verify()).problems;
   }
-
-  /// Without the guards, as somebody with a database's own tools could.
-  static void tamper(const std::string& address, const std::string& table, const std::string& sql) {
-    const auto connection = raw(address);
-    if (connection->is_sqlite())
-      for (const char* guard : {"unchanged", "undeleted", "unreplaced", "grows"})
-        must(connection->script(fmt::format("DROP TRIGGER IF EXISTS {}_{}", table, guard)));
-    else
-      must(connection->script(fmt::format("ALTER TABLE {} DISABLE TRIGGER ALL", table)));
-    if (connection->is_sqlite()) must(connection->script("PRAGMA foreign_keys = OFF"));
-    must(connection->script(sql));
-  }
 };
 INSTANTIATE_TEST_SUITE_P(Both, StoreTroubleTest, testing::Values("sqlite", "postgresql"),
                          [](const auto& each) { return each.param; });
