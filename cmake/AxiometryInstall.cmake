@@ -12,6 +12,7 @@ install(TARGETS axiometry_program)
 install(DIRECTORY src/axiometry ${PROJECT_BINARY_DIR}/generated/axiometry DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY schema DESTINATION ${CMAKE_INSTALL_DATADIR}/axiometry)
+install(PROGRAMS tools/verify_archive.py DESTINATION ${CMAKE_INSTALL_DATADIR}/axiometry)
 install(DIRECTORY docs/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 FILES_MATCHING PATTERN "*.1")
 
 configure_package_config_file(cmake/axiometryConfig.cmake.in ${PROJECT_BINARY_DIR}/axiometryConfig.cmake

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "archive_proof.h"
 #include "axiometry/app/store_address.h"
 #include "axiometry/app/whole_file.h"
 #include "axiometry/app/workbench.h"
@@ -26,6 +27,9 @@ struct StoreArguments {
   std::string address;
   std::string file;
   std::vector<std::string> files;
+  std::vector<std::string> seals;
+  std::string public_key;
+  std::string key;
   std::string text;
   std::int64_t limit = 50;
   bool json = false;
@@ -146,24 +150,12 @@ Result<int> verify(const StoreArguments& arguments) {
   StoreArguments asked = arguments;
   if (!asked.file.empty()) asked.address = asked.file;
   AXIOMETRY_TRY(const auto archive, opened(asked, to_look));
-  AXIOMETRY_TRY(const store::Verification found, archive->verify());
-  const int code = found.problems.empty() ? exit_done : exit_exceeded;
-  if (arguments.json) {
-    json::Value root = json::Value::object();
-    root.add("location", archive->info().location);
-    root.add("contents", number(found.contents));
-    root.add("tests", number(found.tests));
-    root.add("entries", number(found.entries));
-    json::Value& problems = root.add("problems", json::Value::array());
-    for (const std::string& problem : found.problems) problems.push(problem);
-    fmt::print("{}\n", json::dump(root));
-    return code;
-  }
-  for (const std::string& problem : found.problems) fmt::print("{}\n", report::printable(problem));
-  fmt::print("{}: contents {}, tests {}, lines of audit trail {}: {}\n", report::printable(archive->info().location),
-             found.contents, found.tests, found.entries,
-             found.problems.empty() ? "all as it was written" : fmt::format("{} problems", found.problems.size()));
-  return code;
+  return verify_archive(*archive, {arguments.seals, arguments.public_key, arguments.json});
+}
+
+Result<int> seal(const StoreArguments& arguments) {
+  AXIOMETRY_TRY(const auto archive, opened(arguments, to_look));
+  return seal_archive(*archive, {arguments.file, arguments.key});
 }
 
 CLI::App* add_verb(CLI::App& parent, const char* name, const char* what, int& exit_code, const Arguments& arguments,
@@ -181,7 +173,9 @@ CLI::App* add_verb(CLI::App& parent, const char* name, const char* what, int& ex
 
 constexpr const char* examples = R"(Examples:
   axiometry store backup copy.db --store tests.db        while others go on working
-  axiometry store verify copy.db                         everything is as it was written
+  axiometry store verify copy.db                         what is in it is as it was written
+  axiometry store seal today.seal --store tests.db       sign the end of the audit trail; keep the file elsewhere
+  axiometry store verify tests.db --seal today.seal      nothing from before that day is missing
   axiometry store restore copy.db --store postgresql://archive@db.example/axiometry
   axiometry store add run1.csv run2.csv --store tests.db
 
@@ -210,7 +204,24 @@ void add_store(CLI::App& program, int& exit_code) {
                                 "written",
                                 exit_code, made, verify);
   verified->add_option("FILE", made->file, "Backup or archive; that of --store when missing");
+  verified->add_option("--seal", made->seals, "Seal from which the audit trail must go on; may be given again")
+      ->type_name("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  verified->add_option("--public-key", made->public_key, "Key of whom the seals must be: 64 hexadecimal digits")
+      ->type_name("KEY");
   verified->add_flag("--json", made->json, "Print JSON");
+  made = fresh();
+  CLI::App* sealing = add_verb(*verb, "seal",
+                               "Sign the end of the audit trail, so that who keeps the file elsewhere can see when "
+                               "something is missing there",
+                               exit_code, made, seal);
+  sealing->add_option("FILE", made->file, "Seal; one that is there is replaced only where the trail goes on from it")
+      ->required();
+  sealing
+      ->add_option("--key", made->key,
+                   "File of the private key, made where there is none (ARCHIVE.key; of a server among the user's data)")
+      ->type_name("FILE");
   made = fresh();
   add_verb(*verb, "info", "Say where the archive is and how much is in it", exit_code, made, info)
       ->add_flag("--json", made->json, "Print JSON");

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "axiometry/app/raw_log.h"
+#include "axiometry/app/synced.h"
 #include "axiometry/app/whole_file.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/number_text.h"
@@ -45,15 +46,7 @@ Result<void> put(int descriptor, std::string_view bytes) {
     if (count < 0) return fail_of_folder("keep the order of the capture");
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
-  return ::fsync(descriptor) == 0 ? Result<void>{} : fail_of_folder("keep the order of the capture");
-}
-
-/// The names of new files, too, must outlive a loss of power.
-void sync_folder(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
+  return synced(descriptor) ? Result<void>{} : fail_of_folder("keep the order of the capture");
 }
 
 std::string text_of(const CaptureOrder& order) {
@@ -136,6 +129,7 @@ Result<void> HeldCapture::note_kept(store::Id test) {
   if (descriptor < 0) return fail_of_folder("note the test of the capture");
   auto noted = put(descriptor, fmt::format("{}\n", test));
   ::close(descriptor);
+  if (noted && !folder_synced(kept_name(base_))) return fail_of_folder("note the test of the capture");
   return noted;
 }
 
@@ -185,11 +179,11 @@ Result<HeldCapture> CaptureFolder::add(CaptureOrder order) {
   auto kept = counter < 0 ? fail_of_folder("count the captures") : put(counter, fmt::format("{}", id));
   if (counter >= 0) ::close(counter);
   if (kept) kept = put(descriptor, text_of(held.order()));
+  if (kept && !folder_synced(path_ + counter_name)) kept = fail_of_folder("keep the order of the capture");
   if (!kept) {
     held.remove();
     return std::unexpected(std::move(kept).error());
   }
-  sync_folder(path_);
   return held;
 }
 

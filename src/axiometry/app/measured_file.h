@@ -22,6 +22,7 @@ struct MeasuredTest {
 struct MeasuredFile {
   std::string sha256;
   std::size_t size = 0;
+  std::size_t memory = 0;           ///< that the tests take, about; what stands above a table is in each of them
   std::string format;               ///< id
   std::vector<MeasuredTest> tests;  ///< never empty
 
@@ -30,8 +31,9 @@ struct MeasuredFile {
 };
 
 /// Whatever `axiometry evaluate` reads, recognised by its content and not by the name. Fails as the format does, with
-/// the name and the place; on a recording, a plan or a file of lines in space, saying what to do with it; and on more
-/// than 2000 tests. With a profile: the one test that the table holds by it, and a remark that says so.
+/// the name and the place; on a recording, a plan or a file of lines in space, saying what to do with it; on more than
+/// 2000 tests, or 128 MiB of memory for all of them; and on more than 100 pieces of equipment in one. With a profile:
+/// the one test that the table holds by it, and a remark that says so.
 Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& name,
                                    const std::optional<formats::ImportProfile>& profile = {});
 

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "axiometry/app/fail_system.h"
+#include "axiometry/app/synced.h"
 
 namespace axiometry::app {
 namespace {
@@ -127,14 +128,17 @@ Result<void> OutputFile::name_neighbour() {
   return fail_system(name_, "write");
 }
 
+/// First the bytes, then the name, then the folder that holds the name: whatever happens in between, the file is the
+/// old one or the new one.
 Result<void> OutputFile::commit() {
   AXIOMETRY_TRY_VOID(flush());
+  if (!nameless_ && neighbour_.empty()) return {};
+  if (!synced(descriptor_)) return fail_system(name_, "write");
   if (nameless_) AXIOMETRY_TRY_VOID(name_neighbour());
-  if (neighbour_.empty()) return {};
   if (::close(std::exchange(descriptor_, -1)) != 0 || std::rename(neighbour_.c_str(), name_.c_str()) != 0)
     return fail_system(name_, "write");
   neighbour_.clear();
-  return {};
+  return folder_synced(name_) ? Result<void>() : fail_system(name_, "write");
 }
 
 Result<void> write_file(const std::string& name, std::string_view bytes) {

@@ -10,7 +10,8 @@ namespace axiometry::app {
 
 /// A file that appears whole or not at all: bytes go to a file without a name, which gets it on commit(), so
 /// that even a killed process leaves nothing behind. Where the file system knows no such files it is a hidden
-/// neighbour, removed without commit(). "-" is the standard output, "/dev/…" and pipes are written directly.
+/// neighbour, removed without commit(). What commit() has named is on the disk. "-" is the standard output,
+/// "/dev/…" and pipes are written directly.
 class OutputFile {
  public:
   /// Fails when no file can be made there, with the system's reason.

@@ -8,8 +8,28 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <sys/syscall.h>
+
+#include <cerrno>
 #include <filesystem>
+#include <functional>
 #include <iterator>
+#include <vector>
+
+namespace {
+
+/// In the place of the system's: sees what is synced and when, and fails where it is asked to. Empty: only passes on.
+std::function<bool(int descriptor)> watched_sync;  // NOLINT: a function of C has no other way to be told
+
+}  // namespace
+
+extern "C" int fsync(int descriptor) {
+  if (watched_sync && !watched_sync(descriptor)) {
+    errno = EIO;
+    return -1;
+  }
+  return static_cast<int>(::syscall(SYS_fsync, descriptor));
+}
 
 namespace axiometry::app {
 namespace {
@@ -46,6 +66,47 @@ TEST_F(OutputTest, LeavesNothingWithoutCommitAndKeepsWhatWasThere) {
   }
   EXPECT_EQ(content("a.txt"), "old");
   EXPECT_EQ(file_count(), 1u);
+}
+
+/// "file" or "folder" of each that was synced while this lives, with whether the name was there.
+class SyncWatch {
+ public:
+  explicit SyncWatch(std::string name, int fails_at = 0) {
+    watched_sync = [this, name = std::move(name), fails_at](int descriptor) {
+      struct stat status {};
+      ::fstat(descriptor, &status);
+      seen_.push_back(std::string(S_ISDIR(status.st_mode) ? "folder" : "file") + (fs::exists(name) ? ", named" : ""));
+      return static_cast<int>(seen_.size()) != fails_at;
+    };
+  }
+  ~SyncWatch() { watched_sync = nullptr; }
+  SyncWatch(const SyncWatch&) = delete;
+  SyncWatch& operator=(const SyncWatch&) = delete;
+
+  const std::vector<std::string>& seen() const { return seen_; }
+
+ private:
+  std::vector<std::string> seen_;
+};
+
+TEST_F(OutputTest, IsOnTheDiskBeforeItHasItsNameAndItsNameBeforeItIsDone) {
+  const SyncWatch watch(path("a.txt"));
+  ASSERT_TRUE(write_file(path("a.txt"), "one"));
+  EXPECT_EQ(watch.seen(), (std::vector<std::string>{"file", "folder, named"}));
+}
+
+TEST_F(OutputTest, KeepsWhatWasThereWhenTheDiskDoesNotTakeTheNewOne) {
+  ASSERT_TRUE(write_file(path("a.txt"), "old"));
+  {
+    const SyncWatch watch(path("a.txt"), 1);
+    const auto refused = write_file(path("a.txt"), "new");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("cannot write: "), std::string::npos);
+  }
+  EXPECT_EQ(content("a.txt"), "old");
+  EXPECT_EQ(file_count(), 1u);
+  const SyncWatch watch(path("a.txt"), 2);
+  EXPECT_FALSE(write_file(path("a.txt"), "new")) << "nobody knows whether the name is on the disk";
 }
 
 TEST_F(OutputTest, LeavesNothingWhenTheProcessIsKilled) {

@@ -16,6 +16,7 @@
 
 #include "axiometry/app/fail_system.h"
 #include "axiometry/app/source.h"
+#include "axiometry/app/synced.h"
 
 namespace axiometry::app {
 namespace {
@@ -98,6 +99,7 @@ Result<RawLog> RawLog::create(const std::string& name) {
     return error;
   }
   AXIOMETRY_TRY_VOID(log.put(log.times_, magic));
+  if (!folder_synced(name)) return fail_system(name, "write");
   return log;
 }
 

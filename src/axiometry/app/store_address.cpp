@@ -13,13 +13,17 @@ std::string environment(const char* name) {
 
 }  // namespace
 
+Result<std::string> user_data_folder() {
+  // By the specification a path that is not absolute is ignored.
+  if (const std::string data = environment("XDG_DATA_HOME"); data.starts_with('/')) return data;
+  if (const std::string home = environment("HOME"); !home.empty()) return home + "/.local/share";
+  return fail("found no home for the store, expected --store, AXIOMETRY_STORE, XDG_DATA_HOME or HOME");
+}
+
 Result<std::string> default_store_address() {
   if (const std::string address = environment("AXIOMETRY_STORE"); !address.empty()) return address;
-  // By the specification a path that is not absolute is ignored.
-  if (const std::string data = environment("XDG_DATA_HOME"); data.starts_with('/'))
-    return data + "/axiometry/axiometry.db";
-  if (const std::string home = environment("HOME"); !home.empty()) return home + "/.local/share/axiometry/axiometry.db";
-  return fail("found no home for the store, expected --store, AXIOMETRY_STORE, XDG_DATA_HOME or HOME");
+  AXIOMETRY_TRY(const std::string data, user_data_folder());
+  return data + "/axiometry/axiometry.db";
 }
 
 Result<std::string> store_address(const std::string& asked) {

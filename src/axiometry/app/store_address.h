@@ -7,8 +7,11 @@
 
 namespace axiometry::app {
 
-/// Where the archive is when the user does not say: the environment's AXIOMETRY_STORE, else axiometry/axiometry.db in
 /// XDG_DATA_HOME or ~/.local/share (the XDG Base Directory Specification). Fails where not even a home is known.
+Result<std::string> user_data_folder();
+
+/// Where the archive is when the user does not say: the environment's AXIOMETRY_STORE, else axiometry/axiometry.db
+/// among the user's data.
 Result<std::string> default_store_address();
 
 /// `asked`, or the default where it is empty.

@@ -92,7 +92,7 @@ Result<void> check_trials(const Series& series, const TestOptions& options) {
                   trials, targets, series.reading_count(), most));
 }
 
-constexpr std::size_t least_weight = 16'384;  // of a file that is remembered: what is around its bytes
+constexpr std::size_t least_weight = 16'384;  // of a file that is remembered: what is around its tests
 
 /// The same bytes hold other tests by another profile.
 std::string file_key(const std::string& hash, const std::optional<formats::ImportProfile>& profile) {
@@ -106,7 +106,7 @@ Result<std::shared_ptr<const MeasuredFile>> Workbench::State::read(
   AXIOMETRY_TRY(const std::string file_name, given_file_name(name));
   AXIOMETRY_TRY(MeasuredFile file, read_measured(bytes, file_name, profile));
   auto shared = std::make_shared<const MeasuredFile>(std::move(file));
-  files.remember(file_key(shared->sha256, profile), shared, std::max(shared->size, least_weight));
+  files.remember(file_key(shared->sha256, profile), shared, shared->size + shared->memory + least_weight);
   return shared;
 }
 

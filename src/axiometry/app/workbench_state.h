@@ -29,7 +29,7 @@ struct Workbench::State {
   explicit State(store::Store& archive) : store(archive) {}
 
   store::Store& store;
-  Recent<std::string, MeasuredFile> files{std::size_t{64} << 20};  ///< by SHA-256 and profile; weighed by their bytes
+  Recent<std::string, MeasuredFile> files{std::size_t{64} << 20};  ///< by SHA-256 and profile; weighed by their memory
   Recent<std::string, Evaluated> evaluations{64};                  ///< of kept versions: "12/3"
   std::mutex monte_carlo;                                          ///< a run takes all processors: one at a time
 

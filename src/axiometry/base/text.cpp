@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <numeric>
 
 #include "axiometry/base/read_budget.h"
@@ -103,10 +104,40 @@ std::string csv_cell(std::string_view s, char separator) {
   return cell + "\"";
 }
 
+namespace {
+
+constexpr std::string_view formula_beginnings = "=+-@\t\r";
+constexpr std::string_view cell_ends = ",;\t\r\n";
+
+/// Whether a spreadsheet that parts lines by the sign in front takes the cell that begins here for a number: "-0.5" is
+/// no formula.
+bool is_number_cell(std::string_view s, char in_front) {
+  const std::string ends = {in_front, '\r', '\n'};
+  std::string_view cell = trim(s.substr(0, s.find_first_of(ends)));
+  if (cell.ends_with('"')) cell.remove_suffix(1);
+  double value = 0.0;
+  const char* begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
+  const auto read = std::from_chars(begin, cell.data() + cell.size(), value);
+  return read.ec == std::errc() && read.ptr == cell.data() + cell.size();
+}
+
+}  // namespace
+
+/// A spreadsheet of another country parts lines elsewhere, whatever is quoted: what is behind any of the separators in
+/// use may become a cell.
 std::string no_formula(std::string_view s) {
-  constexpr std::string_view beginnings = "=+-@\t\r";
-  const bool formula = s.size() > 1 && beginnings.find(s.front()) != beginnings.npos;
-  return (formula ? "'" : "") + std::string(s);
+  std::string safe;
+  bool begins = true;
+  char in_front = '\n';
+  for (std::size_t k = 0; k < s.size(); ++k) {
+    const bool ends = cell_ends.contains(s[k]);
+    const bool formula = begins && formula_beginnings.contains(s[k]) && k + 1 < s.size();
+    if (formula && (k == 0 || (!ends && !is_number_cell(s.substr(k), in_front)))) safe += '\'';
+    safe += s[k];
+    if (ends) in_front = s[k];
+    begins = ends || (begins && (s[k] == ' ' || s[k] == '"'));
+  }
+  return safe;
 }
 
 std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates) {

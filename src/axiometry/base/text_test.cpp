@@ -80,6 +80,18 @@ TEST(Text, MakesCellsThatASpreadsheetReadsBackAndDoesNotRun) {
   EXPECT_EQ(text::no_formula("=1+2"), "'=1+2");
   EXPECT_EQ(text::no_formula("-"), "-");
   EXPECT_EQ(text::no_formula("X"), "X");
+  EXPECT_EQ(text::no_formula("@SUM(A1)"), "'@SUM(A1)");
+  EXPECT_EQ(text::no_formula("\t=1"), "'\t'=1");
+}
+
+TEST(NoFormula, SeesWhatASpreadsheetOfAnotherCountryWouldTakeForACell) {
+  EXPECT_EQ(text::no_formula("mill;=cmd|' /C calc'!A0"), "mill;'=cmd|' /C calc'!A0");
+  EXPECT_EQ(text::no_formula("a, =1+2"), "a, '=1+2");
+  EXPECT_EQ(text::no_formula("a\t@x\n+y"), "a\t'@x\n'+y");
+  EXPECT_EQ(text::no_formula("a,\"-x\""), "a,\"'-x\"");
+  EXPECT_EQ(text::no_formula("a, -0.5; +3"), "a, '-0.5; +3") << "parted by commas";
+  for (const char* harmless : {"a, -0.5, +3,-1e-3", "a; -0.5; +3", "x = y; 2 + 2", "a-b,c", "=", "", "5;-"})
+    EXPECT_EQ(text::no_formula(harmless), harmless);
 }
 
 }  // namespace

@@ -57,10 +57,33 @@ bool survives(const std::string& line, const Field& field, const FieldValue& val
   return metadata && field.get(*metadata) == value;
 }
 
+bool has_formula(std::string_view line) { return text::no_formula(line) != line; }
+
+/// The same JSON with \\u003d for the sign by which a spreadsheet would begin a formula there. Only in strings: what is
+/// outside of them is a number.
+std::string without_formulas(const std::string& written) {
+  const std::string guarded = text::no_formula(written);
+  std::string safe;
+  bool in_string = false;
+  bool escaped = false;  // by a backslash in front
+  for (std::size_t k = 0, g = 0; k < written.size(); ++k, ++g) {
+    const bool guard = guarded[g] != written[k];
+    if (guard) ++g;
+    if (written[k] == '"' && !escaped) in_string = !in_string;
+    escaped = written[k] == '\\' && !escaped;
+    safe += guard && in_string ? fmt::format("\\u{:04x}", static_cast<unsigned char>(written[k]))
+                               : std::string(1, written[k]);
+  }
+  return safe;
+}
+
+/// Plain, or as JSON where that would not be read again as it was, or where a spreadsheet that parts the line at a
+/// comma or a semicolon would find a formula behind it.
 std::string line_of(const Field& field, const FieldValue& value, AxisKind kind) {
   const std::string plain = fmt::format("# {}: {}\n", field.key, field_text(field, value));
-  if (survives(plain, field, value, kind)) return plain;
-  return fmt::format("# {}: {}\n", field.key, json_of(value));
+  const std::string quoted = json_of(value);
+  const bool plain_will_do = survives(plain, field, value, kind) && (quoted.empty() || !has_formula(plain));
+  return plain_will_do ? plain : fmt::format("# {}: {}\n", field.key, without_formulas(quoted));
 }
 
 }  // namespace
@@ -87,8 +110,9 @@ std::string metadata_lines(const Test& test) {
   std::string lines;
   const Provenance& source = test.provenance;
   if (!source.file.empty())
-    lines += fmt::format("# taken from {}, read as {}{}{}\n", text::quoted(source.file), source.format,
-                         source.sha256.empty() ? "" : ", SHA-256 ", source.sha256);
+    lines += text::no_formula(fmt::format("# taken from {}, read as {}{}{}", text::quoted(source.file), source.format,
+                                          source.sha256.empty() ? "" : ", SHA-256 ", source.sha256)) +
+             "\n";
   const AxisKind kind = test.metadata.axis.kind;
   for (const Field& field : metadata_fields()) {
     const FieldValue value = field.get(test.metadata);

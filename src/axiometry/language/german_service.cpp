@@ -124,6 +124,14 @@ constexpr Phrase rows[] = {
      "Ursprung {0}; erwartet: {1}; die Adresse eines Proxys erhält „axiometry serve“ mit --public-address"},
     {"found the store locked by another program for ten seconds, expected it to be free",
      "Archiv seit zehn Sekunden von einem anderen Programm gesperrt; erwartet: frei"},
+    {"found the store's server silent for {0#} s, expected a connection",
+     "der Server des Archivs antwortet seit {0} s nicht; erwartet: eine Verbindung"},
+    {"found the store's server silent, expected an answer: it is being asked again",
+     "der Server des Archivs antwortet nicht; er wird gerade noch einmal gefragt"},
+    {"found the store's server silent, neither to this nor to a new connection, expected an answer: it is stopped or "
+     "out of "
+     "reach",
+     "der Server des Archivs antwortet nicht, auch keiner neuen Verbindung: er ist angehalten oder nicht erreichbar"},
     {"found too many wrong tokens from this address, expected a pause",
      "zu viele falsche Zugangsschlüssel von dieser Adresse; bitte warten"},
     {"found version {0#} of this test, made by {1=} at {2=}, expected version {3#} to be the latest",
@@ -141,6 +149,8 @@ constexpr Phrase rows[] = {
     {"its server accepts no changes", "sein Server nimmt keine Änderungen an"},
     {"plan", "Plan"},
     {"positions: found an empty list, expected positions", "Positionen: leere Liste; erwartet: Positionen"},
+    {"the connection to the store's server fell silent, expected an answer",
+     "die Verbindung zum Server des Archivs ist verstummt; erwartet: eine Antwort"},
     {"the connection to the store's server was lost, expected it to stay",
      "die Verbindung zum Server des Archivs ist abgebrochen"},
     {"the file cannot be written: {0}", "die Datei ist nicht beschreibbar: {0}"},

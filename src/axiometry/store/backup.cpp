@@ -154,8 +154,15 @@ Result<void> check_whole(const Verification& verification, const std::string& ba
                                ErrorKind::damaged});
 }
 
+/// A copy that nobody has read is a hope, not a backup.
+Result<void> check_copy(const std::string& copy, const std::string& file) {
+  AXIOMETRY_TRY(const std::unique_ptr<Store> store, Store::open(copy, {.create = false, .read_only = true}));
+  AXIOMETRY_TRY(const Verification verification, store->verify());
+  return check_whole(verification, file);
+}
+
 Error in_file(Error error, const std::string& file) {
-  if (error.file.empty()) error.file = file;
+  if (error.file.empty() || error.file.starts_with(file + ".part-")) error.file = file;
   return error;
 }
 
@@ -173,7 +180,8 @@ Result<void> Store::backup(const std::string& file) const {
       AXIOMETRY_TRY_VOID(
           state_->read([&](Connection& connection) { return copy_to_sqlite(connection, neighbour.name()); }));
     }
-    return make_single(neighbour.name());
+    AXIOMETRY_TRY_VOID(make_single(neighbour.name()));
+    return check_copy(neighbour.name(), file);
   }();
   if (!copied) return std::unexpected(in_file(copied.error(), file));
   return neighbour.take_name();
@@ -183,7 +191,8 @@ Result<Counts> Store::restore(const std::string& backup_file, std::string_view a
   if (is_postgresql(backup_file)) return fail("found the address of a server as a backup, expected a file");
   AXIOMETRY_TRY(const std::unique_ptr<Store> from, open(backup_file, {.create = false, .read_only = true}));
   return from->state_->read([&](Connection& source) -> Result<Counts> {
-    AXIOMETRY_TRY(const Verification verification, verify_archive(source));
+    AXIOMETRY_TRY(const Expectations expected, expectations(from->state_->pool.place()));
+    AXIOMETRY_TRY(const Verification verification, verify_archive(source, expected));
     AXIOMETRY_TRY_VOID(check_whole(verification, backup_file));
     AXIOMETRY_TRY(const std::unique_ptr<Store> to, open(address));
     const auto filled = to->state_->write([&](Connection& target) -> Result<void> {

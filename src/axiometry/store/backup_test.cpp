@@ -114,6 +114,21 @@ TEST_P(StoreBackupTest, RestoresNothingFromADamagedBackup) {
   EXPECT_FALSE(Store::restore(file("none.db"), address));
 }
 
+TEST_P(StoreBackupTest, IsNotKeptWhereTheCopyIsNotWhole) {
+  const std::string address = new_address();
+  const auto store = must(Store::open(address));
+  must(store->receive(content_of("abc"), std::vector{new_test("a")}, by_anna));
+  tamper(address, "figure", "UPDATE figure SET value = 7");
+  const auto refused = store->backup(file("copy.db"));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::damaged);
+  EXPECT_THAT(why(refused), HasSubstr("test 1: found version 1 changed after it was kept"));
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(file(".")))
+    files += entry.path().string().find("copy.db") != std::string::npos;
+  EXPECT_EQ(files, 0u) << "nothing that is not whole stays";
+}
+
 TEST_P(StoreBackupTest, IsOfOneMomentWhileOthersWrite) {
   const std::string address = new_address();
   const auto store = must(Store::open(address));

@@ -99,6 +99,8 @@ class Connection {
 
   /// Whether the connection can be used again; not after it was lost.
   virtual bool alive() const = 0;
+  /// Whether it was lost because nobody answers at the other end: another one would be no better.
+  virtual bool silent() const { return false; }
   virtual bool is_sqlite() const = 0;
 
   /// In front of a column that the database shall not look for in an index, because we know better.

@@ -11,7 +11,8 @@
 
 namespace axiometry::store {
 
-/// Connections that many threads share: each is lent to one at a time. Who finds none waits for up to ten seconds.
+/// Connections that many threads share: each is lent to one at a time. Who finds none waits for up to ten seconds. Once
+/// a server did not answer, one thread at a time asks it for a new connection, and the others are told at once.
 class ConnectionPool {
  public:
   ConnectionPool(std::unique_ptr<Place> place, std::size_t largest) : place_(std::move(place)), largest_(largest) {}
@@ -38,6 +39,7 @@ class ConnectionPool {
   const Place& place() const { return *place_; }
 
  private:
+  Result<Lease> connected();
   void take_back(std::unique_ptr<Connection> connection);
 
   std::unique_ptr<Place> place_;
@@ -46,6 +48,8 @@ class ConnectionPool {
   std::condition_variable returned_;
   std::vector<std::unique_ptr<Connection>> idle_;
   std::size_t open_ = 0;
+  bool silent_ = false;  // it did not answer when it was asked last
+  bool asked_ = false;   // and somebody is asking it again
 };
 
 }  // namespace axiometry::store

@@ -76,6 +76,18 @@ Result<int> applied(Connection& connection, const Migrations& ours) {
   return last;
 }
 
+/// Those behind the first `there`, within a transaction that the caller has begun.
+Result<void> apply_missing(Connection& connection, const Migrations& ours, int there) {
+  for (const auto& [number, migration] : ours) {
+    if (number <= there) continue;
+    AXIOMETRY_TRY_VOID(connection.script(migration.sql));
+    AXIOMETRY_TRY_VOID(
+        connection.run("INSERT INTO migration (number, name, sha256, at) VALUES ($1, $2, $3, $4)",
+                       {std::int64_t{number}, std::string_view(migration.name), migration.sha256, now_text()}));
+  }
+  return {};
+}
+
 }  // namespace
 
 int newest_schema() {
@@ -93,16 +105,15 @@ Result<int> migrate(Connection& connection) {
   AXIOMETRY_TRY(const int there, applied(connection, ours));  // again, now that nobody else can do the same
   AXIOMETRY_TRY(const bool begun, has_table(connection, "migration"));
   if (!begun) AXIOMETRY_TRY_VOID(connection.run(table_of_migrations));
-  for (const auto& [number, migration] : ours) {
-    if (number <= there) continue;
-    AXIOMETRY_TRY_VOID(connection.script(migration.sql));
-    AXIOMETRY_TRY_VOID(
-        connection.run("INSERT INTO migration (number, name, sha256, at) VALUES ($1, $2, $3, $4)",
-                       {std::int64_t{number}, std::string_view(migration.name), migration.sha256, now_text()}));
-  }
+  AXIOMETRY_TRY_VOID(apply_missing(connection, ours, there));
   AXIOMETRY_TRY_VOID(connection.commit());
   rollback.release();
   return newest_schema();
+}
+
+Result<void> make_tables(Connection& connection) {
+  AXIOMETRY_TRY_VOID(connection.run(table_of_migrations));
+  return apply_missing(connection, migrations(connection.is_sqlite()), 0);
 }
 
 Result<int> check_schema(Connection& connection) {

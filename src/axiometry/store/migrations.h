@@ -21,6 +21,9 @@ int newest_schema();
 /// migration that it remembers was another one.
 Result<int> migrate(Connection& connection);
 
+/// All tables of this program, where there are none yet, in a transaction of the caller's or in none.
+Result<void> make_tables(Connection& connection);
+
 /// The same checks without a change; fails, too, where something is missing.
 Result<int> check_schema(Connection& connection);
 

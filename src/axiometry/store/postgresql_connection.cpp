@@ -114,8 +114,13 @@ class Bound {
 
 }  // namespace
 
-Result<PostgresqlAnswer> PostgresqlConnection::checked(PGresult* result) {
-  PostgresqlAnswer answer(result);
+PostgresqlConnection::PostgresqlConnection(PostgresqlSession session, PostgresqlSettings settings)
+    : session_(std::move(session)), settings_(std::move(settings)) {
+  PQsetnonblocking(session_.get(), 1);
+}
+
+Result<PostgresqlAnswer> PostgresqlConnection::checked(PostgresqlAnswer answer) {
+  const PGresult* result = answer.get();
   const ExecStatusType status = PQresultStatus(result);
   if (status == PGRES_TUPLES_OK || status == PGRES_COMMAND_OK) return answer;
   const char* found = result == nullptr ? nullptr : PQresultErrorField(result, PG_DIAG_SQLSTATE);
@@ -127,11 +132,43 @@ Result<PostgresqlAnswer> PostgresqlConnection::checked(PGresult* result) {
   return fail(kind, message_of(state, text::trim(primary == nullptr ? PQerrorMessage(session_.get()) : primary), kind));
 }
 
+/// A server that works is waited for, however long it takes; one that does not answer to anybody, or a session that has
+/// not even heard the question, is given up. What another session sees of this one may be of a moment before.
+Result<void> PostgresqlConnection::wait() {
+  PostgresqlWatch watch(settings_, PQbackendPID(session_.get()));
+  const auto until = std::chrono::steady_clock::now() + longest_statement;
+  for (int times_idle = 0; wait_for_result(session_.get(), silence_allowed) == Waited::silent;) {
+    const auto found = watch.look();
+    times_idle = found == PostgresqlWatch::Found::idle ? times_idle + 1 : 0;
+    silent_ = found == PostgresqlWatch::Found::silent;
+    lost_ = silent_ || times_idle > 1 || std::chrono::steady_clock::now() > until;
+    if (silent_)
+      return fail(ErrorKind::unavailable,
+                  "found the store's server silent, neither to this nor to a new connection, expected an answer: it is "
+                  "stopped or out of reach");
+    if (lost_)
+      return fail(ErrorKind::unavailable, "the connection to the store's server fell silent, expected an answer");
+  }
+  return {};
+}
+
+Result<PostgresqlAnswer> PostgresqlConnection::answered(int sent) {
+  PostgresqlAnswer last;
+  while (sent == 1) {
+    AXIOMETRY_TRY_VOID(wait());
+    PostgresqlAnswer next(PQgetResult(session_.get()));
+    if (!next) break;
+    const bool failed = PQresultStatus(last.get()) == PGRES_FATAL_ERROR && last != nullptr;
+    if (!failed) last = std::move(next);
+  }
+  return checked(std::move(last));
+}
+
 Result<Rows> PostgresqlConnection::execute(std::string_view sql, std::span<const Parameter> parameters) {
   const Bound bound(parameters);
   AXIOMETRY_TRY(const PostgresqlAnswer answer,
-                checked(PQexecParams(session_.get(), std::string(sql).c_str(), bound.size(), nullptr,
-                                     bound.values.data(), bound.lengths.data(), bound.formats.data(), 0)));
+                answered(PQsendQueryParams(session_.get(), std::string(sql).c_str(), bound.size(), nullptr,
+                                           bound.values.data(), bound.lengths.data(), bound.formats.data(), 0)));
   Rows rows;
   const int columns = PQnfields(answer.get());
   rows.reserve(static_cast<std::size_t>(PQntuples(answer.get())));
@@ -145,7 +182,7 @@ Result<Rows> PostgresqlConnection::execute(std::string_view sql, std::span<const
 }
 
 Result<void> PostgresqlConnection::script(const std::string& sql) {
-  AXIOMETRY_TRY(const PostgresqlAnswer answer, checked(PQexec(session_.get(), sql.c_str())));
+  AXIOMETRY_TRY(const PostgresqlAnswer answer, answered(PQsendQuery(session_.get(), sql.c_str())));
   return {};
 }
 
@@ -163,7 +200,7 @@ Result<void> PostgresqlConnection::begin_write() {
 }
 
 Result<void> PostgresqlConnection::commit() {
-  AXIOMETRY_TRY(const PostgresqlAnswer answer, checked(PQexec(session_.get(), "COMMIT")));
+  AXIOMETRY_TRY(const PostgresqlAnswer answer, answered(PQsendQuery(session_.get(), "COMMIT")));
   // COMMIT of a transaction that failed before answers ROLLBACK.
   if (std::strcmp(PQcmdStatus(answer.get()), "COMMIT") != 0)
     return fail(ErrorKind::unavailable, "found a transaction that had failed before, expected to save it");

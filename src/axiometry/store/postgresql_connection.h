@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <libpq-fe.h>
-
-#include <memory>
 #include <string>
 
 #include "axiometry/store/connection.h"
+#include "axiometry/store/postgresql_wait.h"
 
 namespace axiometry::store {
-
-struct PostgresqlCloser {
-  void operator()(PGconn* connection) const { PQfinish(connection); }
-  void operator()(PGresult* result) const { PQclear(result); }
-};
-using PostgresqlSession = std::unique_ptr<PGconn, PostgresqlCloser>;
-using PostgresqlAnswer = std::unique_ptr<PGresult, PostgresqlCloser>;
 
 /// SQL for the first name of the search path, quoted: the schema to make where none of the path exists.
 inline constexpr const char* first_schema_of_path =
@@ -23,7 +14,8 @@ inline constexpr const char* first_schema_of_path =
 
 class PostgresqlConnection final : public Connection {
  public:
-  explicit PostgresqlConnection(PostgresqlSession session) : session_(std::move(session)) {}
+  /// By the settings the server is asked once more when it is silent.
+  PostgresqlConnection(PostgresqlSession session, PostgresqlSettings settings);
 
   Result<void> script(const std::string& sql) override;
   Result<void> begin_read() override;
@@ -31,15 +23,21 @@ class PostgresqlConnection final : public Connection {
   Result<void> commit() override;
   void rollback() override;
   bool alive() const override { return !lost_; }
+  bool silent() const override { return silent_; }
   bool is_sqlite() const override { return false; }
   PGconn* session() const { return session_.get(); }
 
  private:
   Result<Rows> execute(std::string_view sql, std::span<const Parameter> parameters) override;
-  Result<PostgresqlAnswer> checked(PGresult* result);
+  /// What came of a statement: the last of its results, or the first that is an error.
+  Result<PostgresqlAnswer> answered(int sent);
+  Result<void> wait();
+  Result<PostgresqlAnswer> checked(PostgresqlAnswer answer);
 
   PostgresqlSession session_;
+  PostgresqlSettings settings_;
   bool lost_ = false;
+  bool silent_ = false;
 };
 
 }  // namespace axiometry::store

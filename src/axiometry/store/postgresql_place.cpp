@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <map>
+#include <chrono>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/store/place.h"
 #include "axiometry/store/postgresql_connection.h"
@@ -10,15 +11,13 @@
 namespace axiometry::store {
 namespace {
 
-using Settings = std::map<std::string, std::string>;
-
 struct OptionsCloser {
   void operator()(PQconninfoOption* options) const { PQconninfoFree(options); }
   void operator()(char* text) const { PQfreemem(text); }
 };
 
 /// What an address says. libpq's own message could show the password, so it is not passed on.
-Result<Settings> settings_of(const std::string& uri) {
+Result<PostgresqlSettings> settings_of(const std::string& uri) {
   char* said = nullptr;
   const std::unique_ptr<PQconninfoOption, OptionsCloser> options(PQconninfoParse(uri.c_str(), &said));
   const std::unique_ptr<char, OptionsCloser> message(said);
@@ -26,7 +25,7 @@ Result<Settings> settings_of(const std::string& uri) {
     return fail(
         "found an address of a store that PostgreSQL does not understand, expected "
         "postgresql://user@host:port/database, with special characters as %NN");
-  Settings settings;
+  PostgresqlSettings settings;
   for (const PQconninfoOption* option = options.get(); option->keyword != nullptr; ++option)
     if (option->val != nullptr) settings[option->keyword] = option->val;
   return settings;
@@ -45,9 +44,12 @@ std::string one_line(std::string_view message) {
   return line;
 }
 
+/// A server that has answered before does so again at once, or somebody waits for nothing.
+constexpr std::chrono::milliseconds once_it_has_answered{800};
+
 class PostgresqlPlace final : public Place {
  public:
-  explicit PostgresqlPlace(Settings settings) : settings_(std::move(settings)) {}
+  explicit PostgresqlPlace(PostgresqlSettings settings) : settings_(std::move(settings)) {}
 
   Result<std::unique_ptr<Connection>> connect() const override;
   Info info() const override { return info_; }
@@ -55,22 +57,21 @@ class PostgresqlPlace final : public Place {
   /// Makes the schema if need be and finds out what may be done.
   Result<void> look(const Opening& opening);
 
+  void allow_silence(std::chrono::milliseconds silence) { silence_ = silence; }
+
  private:
-  Settings settings_;
+  PostgresqlSettings settings_;
   Info info_{.kind = "postgresql", .location = "", .schema = 0, .writable = true, .why_not = ""};
   bool reading_ = false;
+  std::chrono::milliseconds silence_{10'000};  // allowed to a server that is asked for a connection
 };
 
 Result<std::unique_ptr<Connection>> PostgresqlPlace::connect() const {
-  std::vector<const char*> keys;
-  std::vector<const char*> values;
-  for (const auto& [key, value] : settings_) {
-    keys.push_back(key.c_str());
-    values.push_back(value.c_str());
-  }
-  keys.push_back(nullptr);
-  values.push_back(nullptr);
-  PostgresqlSession session(PQconnectdbParams(keys.data(), values.data(), 0));
+  auto made = connect_patiently(settings_, silence_);
+  if (!made)
+    return fail(ErrorKind::unavailable, fmt::format("found the store's server silent for {} s, expected a connection",
+                                                    std::chrono::duration<double>(silence_).count()));
+  PostgresqlSession session = *std::move(made);
   if (!session || PQstatus(session.get()) != CONNECTION_OK) {
     const auto password = settings_.find("password");
     return fail(ErrorKind::unavailable,
@@ -78,10 +79,10 @@ Result<std::unique_ptr<Connection>> PostgresqlPlace::connect() const {
                                     one_line(session ? PQerrorMessage(session.get()) : "out of memory")),
                         password == settings_.end() ? "" : password->second));
   }
-  auto connection = std::make_unique<PostgresqlConnection>(std::move(session));
+  auto connection = std::make_unique<PostgresqlConnection>(std::move(session), settings_);
   AXIOMETRY_TRY_VOID(connection->script(
       "SET client_min_messages = error; SET synchronous_commit = on; SET lock_timeout = '10s'; "
-      "SET statement_timeout = 0; SET jit = off; SET bytea_output = hex; SET extra_float_digits = 1; "
+      "SET statement_timeout = '15min'; SET jit = off; SET bytea_output = hex; SET extra_float_digits = 1; "
       "SET standard_conforming_strings = on"));
   const auto options = settings_.find("options");
   if (options == settings_.end() || options->second.find("search_path") == std::string::npos)
@@ -137,12 +138,21 @@ bool is_postgresql(std::string_view address) {
 }
 
 Result<std::unique_ptr<Place>> postgresql_place(const std::string& uri, const Opening& opening) {
-  AXIOMETRY_TRY(Settings settings, settings_of(uri));
-  settings.try_emplace("connect_timeout", "10");
-  settings.try_emplace("application_name", "axiometry");
+  AXIOMETRY_TRY(PostgresqlSettings settings, settings_of(uri));
+  const auto timeout = settings.find("connect_timeout");
+  const auto patience = timeout == settings.end() ? std::nullopt : parse_count(timeout->second);
+  for (const auto& [key, value] : {std::pair{"connect_timeout", "10"},
+                                   {"application_name", "axiometry"},
+                                   {"keepalives_idle", "10"},
+                                   {"keepalives_interval", "5"},
+                                   {"keepalives_count", "3"},
+                                   {"tcp_user_timeout", "15000"}})
+    settings.try_emplace(key, value);
   settings["client_encoding"] = "UTF8";
   auto place = std::make_unique<PostgresqlPlace>(std::move(settings));
+  if (patience && *patience > 0) place->allow_silence(std::chrono::seconds(*patience));
   AXIOMETRY_TRY_VOID(place->look(opening));
+  if (!patience) place->allow_silence(once_it_has_answered);
   return place;
 }
 

@@ -51,6 +51,17 @@ KnownInstrument unnumbered(const std::vector<Versioned<Instrument>>& instruments
   return std::nullopt;
 }
 
+Result<KnownInstrument> known_among(Connection& connection, const std::vector<Versioned<Instrument>>& instruments,
+                                    const Instrument& stated) {
+  const bool numbered = given(stated.serial_number);
+  if (!numbered && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
+  if (!numbered) return unnumbered(instruments, stated);
+  return find(connection, instruments, [&](const Instrument& instrument) {
+    return same(instrument.serial_number, stated.serial_number) &&
+           same_maker(instrument.manufacturer, stated.manufacturer);
+  });
+}
+
 }  // namespace
 
 Result<KnownMachine> known_machine(Connection& connection, const Machine& stated) {
@@ -78,43 +89,52 @@ Result<KnownAxis> known_axis(Connection& connection, Id machine, const Axis& sta
 }
 
 Result<KnownInstrument> known_instrument(Connection& connection, const Instrument& stated) {
-  const bool numbered = given(stated.serial_number);
-  if (!numbered && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
   AXIOMETRY_TRY(const auto instruments, all_things<Instrument>(connection));
-  if (!numbered) return unnumbered(instruments, stated);
-  return find(connection, instruments, [&](const Instrument& instrument) {
-    return same(instrument.serial_number, stated.serial_number) &&
-           same_maker(instrument.manufacturer, stated.manufacturer);
-  });
+  return known_among(connection, instruments, stated);
 }
 
-Result<std::optional<Id>> machine_of(Connection& connection, const Machine& stated, const Change& change) {
+Result<std::optional<Id>> StatedThings::machine(const Machine& stated) {
   if (!given(stated.serial_number) && !given(stated.name)) return std::nullopt;
-  AXIOMETRY_TRY(const KnownMachine known, known_machine(connection, stated));
-  if (known) return known->id;
+  const Names names{stated.serial_number, stated.manufacturer, stated.name};
+  if (const auto looked_for = machines_.find(names); looked_for != machines_.end()) return looked_for->second;
+  AXIOMETRY_TRY(const KnownMachine known, known_machine(connection_, stated));
+  if (known) return machines_[names] = known->id;
   Machine added = stated;
   if (!given(added.name)) added.name = given(added.type) ? added.type : added.serial_number;
-  AXIOMETRY_TRY(const Versioned<Machine> machine, add_thing(connection, added, change));
-  return machine.id;
+  AXIOMETRY_TRY(const Versioned<Machine> machine, add_thing(connection_, added, change_));
+  return machines_[names] = machine.id;
 }
 
-Result<std::optional<Id>> axis_of(Connection& connection, Id machine, const Axis& stated, const Change& change) {
+Result<std::optional<Id>> StatedThings::axis(Id machine, const Axis& stated) {
   if (!given(stated.name)) return std::nullopt;
-  AXIOMETRY_TRY(const KnownAxis known, known_axis(connection, machine, stated));
-  if (known) return known->id;
+  const std::pair<Id, Names> names{machine, {stated.kind, stated.name}};
+  if (const auto looked_for = axes_.find(names); looked_for != axes_.end()) return looked_for->second;
+  AXIOMETRY_TRY(const KnownAxis known, known_axis(connection_, machine, stated));
+  if (known) return axes_[names] = known->id;
   Axis added = stated;
   added.machine = machine;
-  AXIOMETRY_TRY(const Versioned<Axis> axis, add_thing(connection, added, change));
-  return axis.id;
+  AXIOMETRY_TRY(const Versioned<Axis> axis, add_thing(connection_, added, change_));
+  return axes_[names] = axis.id;
 }
 
-Result<std::optional<InstrumentUse>> instrument_of(Connection& connection, const Instrument& stated,
-                                                   const Change& change) {
-  if (!given(stated.serial_number) && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
-  AXIOMETRY_TRY(const KnownInstrument known, known_instrument(connection, stated));
+Result<InstrumentUse> StatedThings::found_or_added(const Instrument& stated) {
+  if (!instruments_) {
+    AXIOMETRY_TRY(instruments_, all_things<Instrument>(connection_));
+  }
+  AXIOMETRY_TRY(const KnownInstrument known, known_among(connection_, *instruments_, stated));
   if (known) return InstrumentUse{known->id, known->version};
-  AXIOMETRY_TRY(const Versioned<Instrument> added, add_thing(connection, stated, change));
+  AXIOMETRY_TRY(const Versioned<Instrument> added, add_thing(connection_, stated, change_));
+  instruments_->push_back(added);
   return InstrumentUse{added.id, added.version};
+}
+
+Result<std::optional<InstrumentUse>> StatedThings::instrument(const Instrument& stated) {
+  if (!given(stated.serial_number) && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
+  const Names names{stated.serial_number, stated.manufacturer, stated.type};
+  if (const auto looked_for = uses_.find(names); looked_for != uses_.end()) return looked_for->second;
+  AXIOMETRY_TRY(const InstrumentUse use, found_or_added(stated));
+  uses_[names] = use;
+  return use;
 }
 
 }  // namespace axiometry::store

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <map>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "axiometry/store/connection.h"
@@ -34,10 +38,27 @@ Result<KnownAxis> known_axis(Connection& connection, Id machine, const Axis& sta
 /// that of the same manufacturer and type which has none either, or the only one.
 Result<KnownInstrument> known_instrument(Connection& connection, const Instrument& stated);
 
-/// The known one; else it is added. Nothing where nothing is stated that it could be known by.
-Result<std::optional<Id>> machine_of(Connection& connection, const Machine& stated, const Change& change);
-Result<std::optional<Id>> axis_of(Connection& connection, Id machine, const Axis& stated, const Change& change);
-Result<std::optional<InstrumentUse>> instrument_of(Connection& connection, const Instrument& stated,
-                                                   const Change& change);
+/// What the tests of one transaction state, which is mostly the same again and again: looked for once. The known one;
+/// else it is added. Nothing where nothing is stated that it could be known by.
+class StatedThings {
+ public:
+  StatedThings(Connection& connection, Change change) : connection_(connection), change_(std::move(change)) {}
+
+  Result<std::optional<Id>> machine(const Machine& stated);
+  Result<std::optional<Id>> axis(Id machine, const Axis& stated);
+  Result<std::optional<InstrumentUse>> instrument(const Instrument& stated);
+
+ private:
+  using Names = std::array<std::string, 3>;
+
+  Result<InstrumentUse> found_or_added(const Instrument& stated);
+
+  Connection& connection_;
+  Change change_;
+  std::map<Names, std::optional<Id>> machines_;
+  std::map<std::pair<Id, Names>, std::optional<Id>> axes_;
+  std::map<Names, InstrumentUse> uses_;
+  std::optional<std::vector<Versioned<Instrument>>> instruments_;  // all of the archive
+};
 
 }  // namespace axiometry::store

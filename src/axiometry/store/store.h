@@ -15,6 +15,7 @@
 
 #include "axiometry/base/result.h"
 #include "axiometry/store/records.h"
+#include "axiometry/store/seal.h"
 #include "axiometry/store/test_records.h"
 #include "axiometry/store/transaction.h"
 
@@ -42,7 +43,12 @@ struct Verification {
   std::int64_t contents = 0;  ///< whose bytes have the hash they are called by
   std::int64_t tests = 0;     ///< whose versions are complete
   std::int64_t entries = 0;   ///< of the audit trail, chained
+  std::int64_t parts = 0;     ///< of the schema: tables, constraints, triggers …, as they must be; 0: not compared
+  Head head;
   std::vector<std::string> problems;
+  std::vector<std::string> notes;     ///< nothing wrong by themselves, but worth to be known
+  std::vector<std::string> proved;    ///< sentences, of what nothing speaks against
+  std::vector<std::string> unproved;  ///< and of what nothing that was looked at can prove
 };
 
 /// May be used from many threads at once. Errors have the kinds not_found, conflict (a version that is no longer the
@@ -118,10 +124,14 @@ class Store {
   /// server's.
   Result<void> warm_up(const std::stop_token& stop) const;
 
-  /// Reads everything: hashes, chain, references, and what the database itself can check.
-  Result<Verification> verify() const;
-  /// A consistent copy as a new SQLite file, whatever this store is, while others go on writing. Fails when the file
-  /// exists.
+  /// Reads everything: hashes, chain, references, the schema with its triggers, and what the database itself can check;
+  /// and whether the audit trail goes on from these seals.
+  Result<Verification> verify(std::span<const Seal> seals = {}) const;
+  /// Signs the end of the audit trail. Fails without any entry, with `damaged` where the trail does not go on from an
+  /// earlier seal, and does not look at anything else.
+  Result<Seal> seal(const SigningKey& key, const std::optional<Seal>& earlier = {}) const;
+  /// A consistent copy as a new SQLite file, whatever this store is, while others go on writing, which is verified
+  /// before it gets its name. Fails when the file exists, and with `damaged` where the copy is not whole.
   Result<void> backup(const std::string& file) const;
   /// Fills an empty or not yet existing store at `address` from a backup, after verifying it. Fails on a store that
   /// holds anything.

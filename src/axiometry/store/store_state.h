@@ -92,12 +92,12 @@ struct Store::State {
     lost = false;
     AXIOMETRY_TRY(const ConnectionPool::Lease connection, pool.lease());
     if (const auto begun = connection->begin_read(); !begun) {
-      lost = !connection->alive();
+      lost = !connection->alive() && !connection->silent();
       return std::unexpected(begun.error());
     }
     const Rollback rollback(*connection);  // nothing was written: this ends it as well as commit() does
     auto result = guarded(function, *connection);
-    lost = !result && !connection->alive();
+    lost = !result && !connection->alive() && !connection->silent();
     return result;
   }
 
@@ -107,7 +107,7 @@ struct Store::State {
       AXIOMETRY_TRY(ConnectionPool::Lease connection, pool.lease());
       const auto begun = connection->begin_write();
       if (begun) return connection;
-      if (connection->alive()) return std::unexpected(begun.error());
+      if (connection->alive() || connection->silent()) return std::unexpected(begun.error());
     }
     pool.forget_idle();
     AXIOMETRY_TRY(ConnectionPool::Lease connection, pool.lease());

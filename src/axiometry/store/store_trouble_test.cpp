@@ -3,8 +3,10 @@
 // tables.
 #include <gmock/gmock.h>
 
+#include <signal.h>
+
 #include <atomic>
-#include <set>
+#include <fstream>
 #include <thread>
 
 #include "axiometry/store/store.h"
@@ -41,18 +43,6 @@ class StoreTroubleTest : public test::BothStores {
 
   static std::vector<std::string> problems(const std::string& address) {
     return must(must(Store::open(address))->verify()).problems;
-  }
-
-  /// Without the guards, as somebody with a database's own tools could.
-  static void tamper(const std::string& address, const std::string& table, const std::string& sql) {
-    const auto connection = raw(address);
-    if (connection->is_sqlite())
-      for (const char* guard : {"unchanged", "undeleted", "unreplaced", "grows"})
-        must(connection->script(fmt::format("DROP TRIGGER IF EXISTS {}_{}", table, guard)));
-    else
-      must(connection->script(fmt::format("ALTER TABLE {} DISABLE TRIGGER ALL", table)));
-    if (connection->is_sqlite()) must(connection->script("PRAGMA foreign_keys = OFF"));
-    must(connection->script(sql));
   }
 };
 INSTANTIATE_TEST_SUITE_P(Both, StoreTroubleTest, testing::Values("sqlite", "postgresql"),
@@ -290,6 +280,84 @@ TEST_P(PostgresqlTroubleTest, FindsItsServerAgainAfterTheConnectionWasLost) {
   lose();
   EXPECT_TRUE(store->receive(content_of("b"), std::vector{new_test("b")}, by_anna));
   EXPECT_EQ(must(store->counts()).tests, 2);
+}
+
+/// Processes that are stopped for as long as this: they keep what they hold and answer nothing.
+class Stopped {
+ public:
+  explicit Stopped(std::vector<int> processes) : processes_(std::move(processes)) { tell(SIGSTOP); }
+  ~Stopped() { tell(SIGCONT); }
+  Stopped(const Stopped&) = delete;
+  Stopped& operator=(const Stopped&) = delete;
+
+ private:
+  void tell(int number) const {
+    for (const int process : processes_) ::kill(process, number);
+  }
+  std::vector<int> processes_;
+};
+
+/// The server first, so that it begins no more.
+std::vector<int> processes_of_server() {
+  const char* told = std::getenv("AXIOMETRY_TEST_POSTGRESQL_PID");
+  if (told == nullptr) return {};
+  std::vector<int> processes = {std::atoi(told)};
+  std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", processes[0]));
+  for (int child = 0; children >> child;) processes.push_back(child);
+  return processes;
+}
+
+template <typename T>
+Error error_of(const Result<T>& result) {
+  return result ? Error{"found none, expected an error", {}, {}} : result.error();
+}
+
+/// Two seconds are promised; a machine that is busy with other work may take longer.
+constexpr std::chrono::seconds long_beyond_the_promise{8};
+
+TEST_P(PostgresqlTroubleTest, SaysThatItsServerIsSilentInsteadOfWaitingForIt) {
+  const std::vector<int> server = processes_of_server();
+  if (server.empty()) GTEST_SKIP() << "no AXIOMETRY_TEST_POSTGRESQL_PID";
+  const std::string address = new_address();
+  const auto store = must(Store::open(address));
+  must(store->receive(content_of("a"), std::vector{new_test("a")}, by_anna));
+  {
+    const Stopped stopped(processes_of_server());  // those of the store among them
+    const auto begun = std::chrono::steady_clock::now();
+    std::vector<std::thread> askers;
+    for (int k = 0; k < 12; ++k)
+      askers.emplace_back([&, k] {
+        const Error error = k % 3 == 0 ? error_of(store->withdraw(1, true, by_anna)) : error_of(store->test(1));
+        EXPECT_EQ(error.kind, ErrorKind::unavailable);
+        EXPECT_THAT(error.message, HasSubstr("silent"));
+      });
+    for (std::thread& asker : askers) asker.join();
+    EXPECT_EQ(error_of(store->counts()).kind, ErrorKind::unavailable);
+    EXPECT_LT(std::chrono::steady_clock::now() - begun, long_beyond_the_promise);
+  }
+  EXPECT_EQ(must(store->tests({})).total, 1);
+  must(store->withdraw(1, true, by_anna));
+  EXPECT_TRUE(must(store->verify()).problems.empty());
+}
+
+TEST_P(PostgresqlTroubleTest, GoesOnOverANewSessionWhereOnlyItsOwnWereStopped) {
+  const std::string address = new_address();
+  const auto store = must(Store::open(address));
+  must(store->receive(content_of("a"), std::vector{new_test("a")}, by_anna));
+  std::vector<int> sessions;
+  for (const Row& row : must(raw(address)->query("SELECT pid FROM pg_stat_activity WHERE pid <> pg_backend_pid() AND "
+                                                 "application_name = 'axiometry'")))
+    sessions.push_back(row.number(0));
+  ASSERT_FALSE(sessions.empty());
+  const Stopped stopped(sessions);
+  const auto begun = std::chrono::steady_clock::now();
+  EXPECT_EQ(must(store->tests({})).total, 1);
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, long_beyond_the_promise);
+}
+
+TEST_P(PostgresqlTroubleTest, WaitsForAStatementThatTakesLongerThanItIsSilent) {
+  const auto connection = raw(new_address());
+  EXPECT_EQ(must(connection->query("SELECT 7 FROM (SELECT pg_sleep(1.5)) AS waited"))[0].integer(0), 7);
 }
 
 TEST_P(PostgresqlTroubleTest, SaysThatTheServerAcceptsNoChanges) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "axiometry/base/json.h"
 #include "axiometry/base/number_text.h"
@@ -90,11 +91,44 @@ Result<void> check_json(const std::string& text, std::string_view what) {
   return {};
 }
 
-/// Rows of a table that belong to versions of these tests, in their order.
+/// Versions of tests that follow each other: all, or the one of that number.
+struct WantedVersions {
+  Id first;
+  Id last;
+  std::optional<int> version{};
+};
+
+/// Rows of a table that belong to these versions, in their order.
 Result<Rows> rows_of(Connection& connection, std::string_view columns, std::string_view table, std::string_view order,
-                     Id first, Id last) {
-  return connection.query(
-      fmt::format("SELECT {} FROM {} WHERE test BETWEEN $1 AND $2 ORDER BY {}", columns, table, order), {first, last});
+                     const WantedVersions& wanted) {
+  std::vector<Parameter> parameters = {wanted.first, wanted.last};
+  if (wanted.version) parameters.emplace_back(*wanted.version);
+  return connection.query(fmt::format("SELECT {} FROM {} WHERE test BETWEEN $1 AND $2{} ORDER BY {}", columns, table,
+                                      wanted.version ? " AND version = $3" : "", order),
+                          parameters);
+}
+
+Result<std::vector<TestVersion>> read_wanted(Connection& connection, const WantedVersions& wanted) {
+  AXIOMETRY_TRY(const Rows rows, rows_of(connection, version_columns, "test_version", "test, version", wanted));
+  AXIOMETRY_TRY(const Rows evaluations, rows_of(connection, evaluation_columns, "evaluation", "test, version", wanted));
+  AXIOMETRY_TRY(const Rows instruments, rows_of(connection, "test, version, instrument, instrument_version",
+                                                "test_instrument", "test, version, place", wanted));
+  AXIOMETRY_TRY(const Rows figures, rows_of(connection, figure_columns, "figure", "test, version, place", wanted));
+  std::vector<TestVersion> versions;
+  std::map<std::pair<Id, int>, std::size_t> place;
+  for (const Row& row : rows) {
+    place[{row.integer(0), row.number(1)}] = versions.size();
+    versions.push_back(version_from(row));
+  }
+  const auto of = [&](const Row& row) -> TestVersion& {
+    const auto found = place.find({row.integer(0), row.number(1)});
+    if (found == place.end()) throw DamagedCell();  // belongs to nothing, which the database does not allow
+    return versions[found->second];
+  };
+  for (const Row& row : evaluations) of(row).evaluation = evaluation_from(row);
+  for (const Row& row : instruments) of(row).instruments.push_back({row.integer(2), row.number(3)});
+  for (const Row& row : figures) of(row).evaluation.figures.push_back(figure_of(row, 3));
+  return versions;
 }
 
 }  // namespace
@@ -122,7 +156,8 @@ std::string fingerprint(const TestVersion& version) {
   return print.finish();
 }
 
-Result<TestVersion> version_of(Connection& connection, const TestState& state, const Change& change) {
+Result<TestVersion> version_of(Connection& connection, const TestState& state, const Change& change,
+                               StatedThings& stated) {
   AXIOMETRY_TRY_VOID(check_json(state.changes, "changes"));
   AXIOMETRY_TRY_VOID(check_json(state.evaluation.options, "options"));
   if (state.measured_on.size() > longest_date)
@@ -138,14 +173,14 @@ Result<TestVersion> version_of(Connection& connection, const TestState& state, c
   version.evaluation = state.evaluation;
   if (state.plan)
     if (const auto plan = get_thing<PlanRecord>(connection, *state.plan); !plan) return std::unexpected(plan.error());
-  AXIOMETRY_TRY(version.machine, machine_of(connection, state.machine, change));
+  AXIOMETRY_TRY(version.machine, stated.machine(state.machine));
   if (version.machine) {
-    AXIOMETRY_TRY(version.axis, axis_of(connection, *version.machine, state.axis, change));
+    AXIOMETRY_TRY(version.axis, stated.axis(*version.machine, state.axis));
   }
-  for (const Instrument& stated : state.instruments) {
-    AXIOMETRY_TRY(const auto use, instrument_of(connection, stated, change));
-    if (use && std::ranges::find(version.instruments, *use) == version.instruments.end())
-      version.instruments.push_back(*use);
+  std::set<std::pair<Id, int>> used;
+  for (const Instrument& instrument : state.instruments) {
+    AXIOMETRY_TRY(const auto use, stated.instrument(instrument));
+    if (use && used.emplace(use->instrument, use->version).second) version.instruments.push_back(*use);
   }
   return version;
 }
@@ -199,34 +234,15 @@ Result<TestHead> read_head(Connection& connection, Id test) {
 }
 
 Result<std::vector<TestVersion>> read_versions(Connection& connection, Id first, Id last) {
-  AXIOMETRY_TRY(const Rows rows, rows_of(connection, version_columns, "test_version", "test, version", first, last));
-  AXIOMETRY_TRY(const Rows evaluations,
-                rows_of(connection, evaluation_columns, "evaluation", "test, version", first, last));
-  AXIOMETRY_TRY(const Rows instruments, rows_of(connection, "test, version, instrument, instrument_version",
-                                                "test_instrument", "test, version, place", first, last));
-  AXIOMETRY_TRY(const Rows figures, rows_of(connection, figure_columns, "figure", "test, version, place", first, last));
-  std::vector<TestVersion> versions;
-  std::map<std::pair<Id, int>, std::size_t> place;
-  for (const Row& row : rows) {
-    place[{row.integer(0), row.number(1)}] = versions.size();
-    versions.push_back(version_from(row));
-  }
-  const auto of = [&](const Row& row) -> TestVersion& {
-    const auto found = place.find({row.integer(0), row.number(1)});
-    if (found == place.end()) throw DamagedCell();  // belongs to nothing, which the database does not allow
-    return versions[found->second];
-  };
-  for (const Row& row : evaluations) of(row).evaluation = evaluation_from(row);
-  for (const Row& row : instruments) of(row).instruments.push_back({row.integer(2), row.number(3)});
-  for (const Row& row : figures) of(row).evaluation.figures.push_back(figure_of(row, 3));
-  return versions;
+  return read_wanted(connection, {first, last});
 }
 
+/// Not by way of all: who edits a test again and again would read more each time.
 Result<TestVersion> read_version(Connection& connection, Id test, int version) {
-  AXIOMETRY_TRY(std::vector<TestVersion> versions, read_versions(connection, test, test));
-  for (TestVersion& found : versions)
-    if (found.version == version) return std::move(found);
-  return fail(ErrorKind::not_found, fmt::format("found no version {} of test {}, expected one", version, test));
+  AXIOMETRY_TRY(std::vector<TestVersion> versions, read_wanted(connection, {test, test, version}));
+  if (versions.empty())
+    return fail(ErrorKind::not_found, fmt::format("found no version {} of test {}, expected one", version, test));
+  return std::move(versions[0]);
 }
 
 }  // namespace axiometry::store

@@ -46,7 +46,8 @@ struct TestVersion {
 std::string fingerprint(const TestVersion& version);
 
 /// Finds out what is meant by machine, axis and instruments; adds what is not there.
-Result<TestVersion> version_of(Connection& connection, const TestState& state, const Change& change);
+Result<TestVersion> version_of(Connection& connection, const TestState& state, const Change& change,
+                               StatedThings& stated);
 
 /// With its evaluation and figures; fills in sha256.
 Result<void> write_version(Connection& connection, TestVersion& version);

@@ -21,8 +21,9 @@ json::Value detail_of(const TestVersion& version) {
   return detail;
 }
 
-Result<Id> receive_test(Connection& connection, const Content& content, const NewTest& test, const Change& change) {
-  AXIOMETRY_TRY(TestVersion version, version_of(connection, test.state, change));
+Result<Id> receive_test(Connection& connection, const Content& content, const NewTest& test, const Change& change,
+                        StatedThings& stated) {
+  AXIOMETRY_TRY(TestVersion version, version_of(connection, test.state, change, stated));
   AXIOMETRY_TRY(version.test, next_id(connection, "test"));
   TestHead head{.id = version.test,
                 .sha256 = content.sha256,
@@ -72,9 +73,10 @@ Result<std::vector<Id>> receive_tests(Connection& connection, const Content& con
   if (tests.empty()) return fail("found no test, expected at least one in the file");
   const Change change = change_now(by);
   AXIOMETRY_TRY_VOID(keep_content(connection, content, change));
+  StatedThings stated(connection, change);
   std::vector<Id> ids;
   for (const NewTest& test : tests) {
-    AXIOMETRY_TRY(const Id id, receive_test(connection, content, test, change));
+    AXIOMETRY_TRY(const Id id, receive_test(connection, content, test, change, stated));
     ids.push_back(id);
   }
   return ids;
@@ -88,7 +90,8 @@ Result<int> revise_test(Connection& connection, Id test, int base_version, const
                 fmt::format("found version {} of this test, made by {} at {}, expected version {} to be the latest",
                             head.latest, latest.change.actor, latest.change.at, base_version));
   const Change change = change_now(by);
-  AXIOMETRY_TRY(TestVersion version, version_of(connection, state, change));
+  StatedThings stated(connection, change);
+  AXIOMETRY_TRY(TestVersion version, version_of(connection, state, change, stated));
   version.test = test;
   version.version = ++head.latest;
   AXIOMETRY_TRY_VOID(connection.run("UPDATE test SET latest = $2 WHERE id = $1", {test, head.latest}));

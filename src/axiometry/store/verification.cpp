@@ -10,6 +10,7 @@
 #include "axiometry/store/audit_trail.h"
 #include "axiometry/store/documents.h"
 #include "axiometry/store/fingerprint.h"
+#include "axiometry/store/migrations.h"
 #include "axiometry/store/store_state.h"
 #include "axiometry/store/test_list.h"
 #include "axiometry/store/things.h"
@@ -29,7 +30,7 @@ bool same(const Origin& origin, const TestHead& head) {
 
 class Verifier {
  public:
-  explicit Verifier(Connection& connection) : connection_(connection) {}
+  Verifier(Connection& connection, const Expectations& expected) : connection_(connection), expected_(expected) {}
 
   Result<Verification> run();
 
@@ -41,6 +42,10 @@ class Verifier {
   }
   Result<void> everything();
   Result<void> database();
+  Result<void> schema();
+  Result<void> trail();
+  void check_seals(const std::map<std::int64_t, std::string>& sealed_entries);
+  void conclude();
   Result<void> contents();
   Result<void> tests();
   Result<void> some_tests(Id first, Id last);
@@ -49,6 +54,7 @@ class Verifier {
   Result<void> names();
 
   Connection& connection_;
+  const Expectations& expected_;
   Verification found_;
   Attested attested_;
   std::map<Id, Machine> machines_;
@@ -64,13 +70,14 @@ Result<Verification> Verifier::run() {
   }
   if (!read && read.error().kind != ErrorKind::damaged) return std::unexpected(read.error());
   if (!read) problem("{}; the rest was not looked at", read.error().message);
+  conclude();
   return std::move(found_);
 }
 
 Result<void> Verifier::everything() {
   AXIOMETRY_TRY_VOID(database());
-  AXIOMETRY_TRY(found_.entries,
-                verify_chain(connection_, found_.problems, [&](const AuditEntry& entry) { attested_.learn(entry); }));
+  AXIOMETRY_TRY_VOID(schema());
+  AXIOMETRY_TRY_VOID(trail());
   AXIOMETRY_TRY_VOID(contents());
   AXIOMETRY_TRY_VOID(verify_things<Machine>(connection_, attested_, found_.problems));
   AXIOMETRY_TRY_VOID(verify_things<Axis>(connection_, attested_, found_.problems));
@@ -91,6 +98,81 @@ Result<void> Verifier::database() {
   for (const Row& row : references)
     problem("{}: found a row that refers to a row of {} that does not exist", row.text(0), row.text(2));
   return {};
+}
+
+/// Without its triggers an archive only says that it cannot be changed.
+Result<void> Verifier::schema() {
+  if (!expected_.schema) {
+    found_.unproved.push_back(
+        fmt::format("that tables, constraints and triggers are those of schema {}: they were not compared ({})",
+                    newest_schema(), expected_.schema.error().message));
+    return {};
+  }
+  AXIOMETRY_TRY(const SchemaParts parts, schema_parts(connection_));
+  for (const std::string& difference : differences(parts, *expected_.schema)) problem("{}", difference);
+  found_.parts = static_cast<std::int64_t>(expected_.schema->size());
+  return {};
+}
+
+/// A clock may be set; that times do not follow each other is nobody's fault, but worth to be known.
+Result<void> Verifier::trail() {
+  std::map<std::int64_t, std::string> sealed_entries;
+  for (const Seal& seal : expected_.seals) sealed_entries[seal.head.entries] = "";
+  std::string before;
+  const auto visit = [&](const AuditEntry& entry) {
+    attested_.learn(entry);
+    if (entry.change.at < before && found_.notes.size() < most_problems)
+      found_.notes.push_back(
+          fmt::format("audit trail: the clock went back between the entries {} and {}, from {} to {}", entry.id - 1,
+                      entry.id, before, entry.change.at));
+    before = entry.change.at;
+    found_.head = {entry.id, entry.sha256, entry.change.at};
+    if (const auto sealed = sealed_entries.find(entry.id); sealed != sealed_entries.end())
+      sealed->second = entry.sha256;
+  };
+  AXIOMETRY_TRY(found_.entries, verify_chain(connection_, found_.problems, visit));
+  check_seals(sealed_entries);
+  return {};
+}
+
+void Verifier::check_seals(const std::map<std::int64_t, std::string>& sealed_entries) {
+  for (const Seal& seal : expected_.seals) {
+    const std::string& hash = sealed_entries.at(seal.head.entries);
+    if (seal.head.entries > found_.entries)
+      problem("audit trail: found {} entries, expected at least the {} that were sealed at {}: its end is missing",
+              found_.entries, seal.head.entries, seal.at);
+    else if (hash != seal.head.sha256)
+      problem("audit trail: found entry {} with the hash {}, expected {} as it was sealed at {}", seal.head.entries,
+              hash, seal.head.sha256, seal.at);
+    else
+      found_.proved.push_back(
+          fmt::format("the audit trail goes on from the seal of {} (entry {}), {} entries longer now", seal.at,
+                      seal.head.entries, found_.entries - seal.head.entries));
+  }
+}
+
+/// What follows where nothing is wrong, and what does not even then.
+void Verifier::conclude() {
+  if (found_.problems.empty()) {
+    found_.proved.insert(
+        found_.proved.begin(),
+        {fmt::format("each of the {} entries of the audit trail follows from all in front of it", found_.entries),
+         fmt::format("each of the {} files has the bytes that the trail tells of", found_.contents),
+         fmt::format("{} tests in all their versions, machines, axes, instruments, plans and documents are those that "
+                     "the trail tells of, none more and none less",
+                     found_.tests)});
+    if (found_.parts > 0)
+      found_.proved.push_back(
+          fmt::format("the {} tables, constraints, indexes and triggers of the database are those of schema {}",
+                      found_.parts, newest_schema()));
+  }
+  if (expected_.seals.empty())
+    found_.unproved.push_back(
+        "that no entries are missing at the end of the audit trail with all that they tell of: only a seal from before "
+        "can show that");
+  else
+    found_.unproved.push_back("that nothing was taken away again which came after the latest of the seals");
+  found_.unproved.push_back("that times and names are true: they are what clocks and people said");
 }
 
 Result<void> Verifier::contents() {
@@ -204,10 +286,39 @@ Result<void> Verifier::documents() {
 
 }  // namespace
 
-Result<Verification> verify_archive(Connection& connection) { return Verifier(connection).run(); }
+Result<Expectations> expectations(const Place& place) {
+  const Expectations expected{.schema = expected_schema_parts(place)};
+  if (!expected.schema && expected.schema.error().kind != ErrorKind::read_only)
+    return std::unexpected(expected.schema.error());
+  return expected;
+}
 
-Result<Verification> Store::verify() const {
-  return state_->read([](Connection& connection) { return verify_archive(connection); });
+Result<Verification> verify_archive(Connection& connection, const Expectations& expected) {
+  return Verifier(connection, expected).run();
+}
+
+Result<Verification> Store::verify(std::span<const Seal> seals) const {
+  AXIOMETRY_TRY(Expectations expected, expectations(state_->pool.place()));
+  expected.seals = seals;
+  return state_->read([&](Connection& connection) { return verify_archive(connection, expected); });
+}
+
+Result<Seal> Store::seal(const SigningKey& key, const std::optional<Seal>& earlier) const {
+  return state_->read([&](Connection& connection) -> Result<Seal> {
+    AXIOMETRY_TRY(const Rows last, connection.query("SELECT id, sha256, at FROM audit ORDER BY id DESC LIMIT 1"));
+    if (last.empty()) return fail("found an archive in which nothing was ever kept, expected one to seal");
+    const Head head{last[0].integer(0), last[0].text(1), last[0].text(2)};
+    if (earlier) {
+      AXIOMETRY_TRY(const Rows then,
+                    connection.query("SELECT sha256 FROM audit WHERE id = $1", {earlier->head.entries}));
+      if (then.empty() || then[0].text(0) != earlier->head.sha256)
+        return fail(ErrorKind::damaged,
+                    fmt::format("found an audit trail of {} entries that does not go on from entry {} as it was sealed "
+                                "at {}, expected it to: verify says more",
+                                head.entries, earlier->head.entries, earlier->at));
+    }
+    return sealed(head, key);
+  });
 }
 
 }  // namespace axiometry::store

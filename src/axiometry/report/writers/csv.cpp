@@ -68,6 +68,7 @@ class Csv {
     if (!subject.assessment.label.empty()) remark_ += (remark_.empty() ? "" : "; ") + subject.assessment.label;
     if (const std::string corrected = correction_statement(subject.test.provenance.corrections); !corrected.empty())
       remark_ += (remark_.empty() ? "" : "; ") + corrected;
+    remark_ = text::no_formula(remark_);
     append_cells({"axis", "record", "target", "target_unit", "name", "value", "U", "unit", "clause", "remark", "limit",
                   "verdict", "low", "high", "method"});
   }

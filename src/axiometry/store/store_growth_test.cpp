@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is kept costs the same however much of it there is already: counted in rows that are read, which no clock
+// changes.
+#include <gtest/gtest.h>
+
+#include "axiometry/store/store.h"
+#include "axiometry/store/store_test_support.h"
+#include "axiometry/store/test_versions.h"
+
+namespace axiometry::store {
+namespace {
+
+using test::by_anna;
+using test::content_of;
+using test::must;
+using test::new_test;
+
+/// Another connection that counts what it is given.
+class CountingConnection final : public Connection {
+ public:
+  explicit CountingConnection(std::unique_ptr<Connection> inner) : inner_(std::move(inner)) {}
+
+  Result<void> script(const std::string& sql) override { return inner_->script(sql); }
+  Result<void> begin_read() override { return inner_->begin_read(); }
+  Result<void> begin_write() override { return inner_->begin_write(); }
+  Result<void> commit() override { return inner_->commit(); }
+  void rollback() override { inner_->rollback(); }
+  bool alive() const override { return inner_->alive(); }
+  bool is_sqlite() const override { return inner_->is_sqlite(); }
+
+  /// Rows that `function` reads in a transaction of its own.
+  template <typename Function>
+  std::size_t rows_of(Function function) {
+    const std::size_t before = rows_;
+    must(begin_write());
+    must(function(*this));
+    must(commit());
+    return rows_ - before;
+  }
+
+ private:
+  Result<Rows> execute(std::string_view sql, std::span<const Parameter> parameters) override {
+    auto rows = inner_->query(sql, parameters);
+    if (rows) rows_ += rows->size();
+    return rows;
+  }
+
+  std::unique_ptr<Connection> inner_;
+  std::size_t rows_ = 0;
+};
+
+class StoreGrowthTest : public test::BothStores {
+ protected:
+  CountingConnection counting() {
+    const std::string address = new_address();
+    must(Store::open(address));
+    return CountingConnection(raw(address));
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Both, StoreGrowthTest, testing::Values("sqlite", "postgresql"),
+                         [](const auto& each) { return each.param; });
+
+TEST_P(StoreGrowthTest, ReadsNoMoreForALaterEditOfATestThanForTheFirst) {
+  CountingConnection connection = counting();
+  const NewTest test = new_test("a");
+  connection.rows_of([&](Connection& c) { return receive_tests(c, content_of("abc"), std::vector{test}, by_anna); });
+  const auto revise = [&](int base) {
+    return connection.rows_of([&](Connection& c) { return revise_test(c, 1, base, test.state, by_anna); });
+  };
+  const std::size_t first = revise(1);
+  std::size_t last = 0;
+  for (int base = 2; base <= 40; ++base) last = revise(base);
+  EXPECT_EQ(last, first);
+}
+
+TEST_P(StoreGrowthTest, LooksOnceForWhatAllTestsOfAFileState) {
+  CountingConnection connection = counting();
+  NewTest test = new_test("a");
+  for (int k = 0; k < 30; ++k) {
+    Instrument& instrument = test.state.instruments.emplace_back(test.state.instruments[0]);
+    instrument.serial_number = fmt::format("N-{}", k);
+  }
+  const auto receive = [&](const char* bytes, std::size_t count) {
+    return connection.rows_of(
+        [&](Connection& c) { return receive_tests(c, content_of(bytes), std::vector<NewTest>(count, test), by_anna); });
+  };
+  receive("a", 1);
+  const std::size_t few = receive("b", 5);
+  const std::size_t many = receive("c", 45);
+  EXPECT_LE(many - few, 40 * 10u) << "each further test reads its number, its place in the trail and its names";
+}
+
+}  // namespace
+}  // namespace axiometry::store
