@@ -13,6 +13,7 @@
 #include "axiometry/app/output.h"
 #include "axiometry/app/outputs.h"
 #include "axiometry/app/raw_log.h"
+#include "axiometry/app/raw_playing.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/format.h"
 
@@ -49,6 +50,7 @@ class Run {
     auto last = session_.finish(end_);
     if (!last) return std::unexpected(std::move(last).error());
     AXIOMETRY_TRY_VOID(settle(*last, true));
+    for (const std::string& remark : session_.remarks()) notice(remark);
     AXIOMETRY_TRY(Test test, this->test());
     return CaptureOutcome{session_.matcher().complete(), stopped_,           std::move(test),
                           session_.matcher().result(),   session_.samples(), session_.lost()};
@@ -70,8 +72,7 @@ class Run {
   }
 
   Result<void> read_file() {
-    const bool timed = run_.from != "-" && has_times(run_.from);
-    if (timed) return play_raw(run_.from);
+    if (is_raw(run_.from)) return play_raw(run_.from);
     AXIOMETRY_TRY(Source source, Source::open(run_.from));
     std::vector<char> block(file_block);
     while (!stop()) {
@@ -87,14 +88,16 @@ class Run {
   }
 
   Result<void> play_raw(const std::string& raw) {
-    return play(raw, [&](const RawPiece& piece) -> Result<void> {
-      if (stop()) return {};
-      if (!first_arrival_) first_arrival_ = piece.arrival;
-      room_ -= std::min<std::uint64_t>(room_, piece.bytes.size());
-      show();
-      if (piece.begins_connection) AXIOMETRY_TRY_VOID(interrupted());
-      return take(piece.bytes, piece.arrival);
-    });
+    const PlayHooks hooks{.wants =
+                              [this](const RawPiece& piece) {
+                                if (stop()) return false;
+                                if (!first_arrival_) first_arrival_ = piece.arrival;
+                                room_ -= std::min<std::uint64_t>(room_, piece.bytes.size());
+                                show();
+                                return true;
+                              },
+                          .readings = [this](const auto& readings) { return settle(readings, false); }};
+    return play_into(session_, raw, hooks);
   }
 
   Result<void> interrupted() {
@@ -291,28 +294,22 @@ Result<Test> read_recording(Source& source, const CaptureOptions& options) {
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
   auto end = CaptureSession::End::of_file;
   Sha256 hash;
-  const auto feed = [&](std::string_view bytes, std::optional<double> arrival_s) -> Result<void> {
-    hash.update(bytes);
-    AXIOMETRY_TRY_VOID(session.feed(bytes, arrival_s));
-    return {};
-  };
   if (source.name() != "-" && has_times(source.name())) {
     end = CaptureSession::End::of_reading;
-    std::optional<ArrivalNs> first;
-    auto played = play(source.name(), [&](const RawPiece& piece) -> Result<void> {
-      if (!first) first = piece.arrival;
-      if (piece.begins_connection) {
-        AXIOMETRY_TRY_VOID(session.interrupted());
-      }
-      return feed(piece.bytes, static_cast<double>(piece.arrival - *first) * 1e-9);
-    });
-    if (!played) return std::unexpected(std::move(played).error());
+    const PlayHooks hooks{.wants =
+                              [&](const RawPiece& piece) {
+                                hash.update(piece.bytes);
+                                return true;
+                              },
+                          .readings = [](const auto&) { return Result<void>{}; }};
+    AXIOMETRY_TRY_VOID(play_into(session, source.name(), hooks));
   } else {
     std::vector<char> block(file_block);
     while (true) {
       AXIOMETRY_TRY(const std::size_t got, source.read(block));
       if (got == 0) break;
-      AXIOMETRY_TRY_VOID(feed({block.data(), got}, {}));
+      hash.update({block.data(), got});
+      AXIOMETRY_TRY_VOID(session.feed({block.data(), got}));
     }
   }
   AXIOMETRY_TRY_VOID(session.finish(end));
