@@ -2,8 +2,10 @@
 // Recordings that a power cut, a bad disk, a bad cable or a bad source has harmed.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 
 #include "axiometry/app/capture_run.h"
@@ -243,6 +245,127 @@ TEST_F(CaptureTornTest, BehindARefusedStretchTheRestIsLeftOutAndTold) {
   EXPECT_EQ(replay.error, "");
   EXPECT_GE(replay.readings.size(), 3u);
   EXPECT_THAT(replay.remarks, Contains(HasSubstr("left out the recording behind byte")));
+}
+
+/// Sends its pieces, one to each who connects, and closes; later ones hear nothing.
+class FlappingStream final : public LiveStream {
+ public:
+  explicit FlappingStream(std::string bytes) : bytes_(std::move(bytes)) {}
+  Got read(std::span<char> buffer, std::chrono::milliseconds) override {
+    if (bytes_.empty()) return {State::closed, 0, "closed by the other side"};
+    const std::size_t count = std::min({buffer.size(), bytes_.size(), std::size_t{10'000}});
+    std::copy_n(bytes_.begin(), count, buffer.begin());
+    bytes_.erase(0, count);
+    return {State::data, count};
+  }
+
+ private:
+  std::string bytes_;
+};
+
+class CaptureSourceTest : public CaptureTornTest {
+ protected:
+  Result<CaptureOutcome> listen(LiveCapture live) {
+    live.name = "x";
+    live.raw = raw_;
+    CaptureObserver observer;
+    observer.notice = [&](const std::string& text) { notices_.push_back(text); };
+    auto session = CaptureSession::open(short_plan(2), options_of("time-position", true));
+    return run_live_capture(*std::move(session), live, observer);
+  }
+  std::vector<std::string> notices_;
+};
+
+TEST_F(CaptureSourceTest, ThatClosesAtOnceIsTriedSeldomAndGivenUp) {
+  std::size_t connections = 0;
+  const auto outcome = listen({.name = {},
+                               .connect = [&]() -> Result<std::unique_ptr<LiveStream>> {
+                                 ++connections;
+                                 return std::make_unique<FlappingStream>("");
+                               },
+                               .raw = {},
+                               .give_up = Duration::s(0.8)});
+  EXPECT_FALSE(outcome);  // nothing came
+  EXPECT_LE(connections, 3u);
+  EXPECT_LE(notices_.size(), 2u);
+  EXPECT_THAT(notices_, Contains(HasSubstr("did not come back")));
+}
+
+TEST_F(CaptureSourceTest, ThatNeverEndsALineIsNotRecordedForEver) {
+  const auto outcome = listen({.name = {},
+                               .connect = []() -> Result<std::unique_ptr<LiveStream>> {
+                                 return std::make_unique<FlappingStream>(std::string(4 << 20, '7'));
+                               },
+                               .raw = {},
+                               .give_up = Duration::s(0)});
+  ASSERT_FALSE(outcome);
+  EXPECT_THAT(outcome.error().message, HasSubstr("without a line break"));
+  EXPECT_LE(std::filesystem::file_size(raw_), (1u << 20) + (128u << 10));
+}
+
+TEST_F(CaptureSourceTest, EndsBeforeTheDiskIsFullAndSaysSoInTime) {
+  std::string bytes;
+  for (const TimedLine& line : lines_of("time-position", 2)) bytes += line.text;
+  std::uint64_t free = DiskRoom::little - 1;
+  const auto outcome = listen(
+      {.name = {},
+       .connect = [&]() -> Result<std::unique_ptr<LiveStream>> { return std::make_unique<FlappingStream>(bytes); },
+       .raw = {},
+       .give_up = Duration::s(0),
+       .free = [&](const std::string&) { return std::optional(free); }});
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_THAT(notices_, Contains(HasSubstr("found 255 MiB left on the disk")));
+  std::filesystem::remove(raw_);
+  std::filesystem::remove(times_name(raw_));
+  free = DiskRoom::least;
+  EXPECT_FALSE(listen(
+      {.name = {},
+       .connect = [&]() -> Result<std::unique_ptr<LiveStream>> { return std::make_unique<FlappingStream>(bytes); },
+       .raw = {},
+       .free = [&](const std::string&) { return std::optional(free); }}));
+  EXPECT_THAT(notices_, Contains(HasSubstr("it ends here")));
+  EXPECT_EQ(std::filesystem::file_size(raw_), 0u);
+}
+
+/// Files of this process end at so many bytes, as they do on a disk that is full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t size) {
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{size, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
+
+TEST_F(CaptureSourceTest, WhatWasKeptWhenTheDiskIsFullIsSaidAndPlays) {
+  std::string bytes;
+  for (const TimedLine& line : lines_of("time-position", 2)) bytes += line.text;
+  {
+    const FullDisk full(35'000);  // in the middle of a piece
+    const auto outcome = listen({.name = {},
+                                 .connect = [&]() -> Result<std::unique_ptr<LiveStream>> {
+                                   return std::make_unique<FlappingStream>(bytes + bytes + bytes);
+                                 },
+                                 .raw = {},
+                                 .give_up = Duration::s(0)});
+    ASSERT_FALSE(outcome);
+    EXPECT_THAT(outcome.error().message, HasSubstr("30000 bytes and"));
+  }
+  EXPECT_EQ(std::filesystem::file_size(raw_), 35'000u);
+  const Replay kept = played(options_of("time-position", true));
+  EXPECT_EQ(kept.error, "");
+  EXPECT_GE(kept.readings.size(), 5u);
 }
 
 }  // namespace
