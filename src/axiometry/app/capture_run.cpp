@@ -356,10 +356,13 @@ Result<CaptureOutcome> run_live_capture(CaptureSession session, const LiveCaptur
 
 Result<Test> read_recording(Source& source, const CaptureOptions& options) {
   AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
-  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
+  const bool live = source.name() != "-" && has_times(source.name());
+  CaptureOptions taken = options;
+  taken.recording.skip_damaged = taken.recording.skip_damaged || live;
+  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), taken));
   auto end = CaptureSession::End::of_file;
   Sha256 hash;
-  if (source.name() != "-" && has_times(source.name())) {
+  if (live) {
     end = CaptureSession::End::of_reading;
     const PlayHooks hooks{.wants =
                               [&](const RawPiece& piece) {

@@ -101,6 +101,8 @@ constexpr Phrase rows[] = {
      "Abtastwerte im Stillstand streuen um {0}, was {1} in einem Messwert lässt, bei einer Streuung zwischen den "
      "Durchläufen von {2}: R und A enthalten das Rauschen der Aufzeichnung"},
     {"target {0#} run {1#}: {2}", "Zielposition {0}, Durchlauf {1}: {2}"},
+    {"the clock of the samples was set ahead {0#} times, first in line {1#}; it was taken as a gap",
+     "die Uhr der Abtastwerte wurde {0}-mal vorgestellt, zuerst in Zeile {1}; das gilt als Lücke"},
     {"the clock of the samples was set back {0#} times, first in line {1#}; it was taken on",
      "die Uhr der Abtastwerte wurde {0}-mal zurückgestellt, zuerst in Zeile {1}; sie wurde weitergeführt"},
     {"the connection did not come back in {0#} attempts: the recording ends here",

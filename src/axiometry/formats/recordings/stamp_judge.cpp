@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t lines_against_one = 2;  // that show that the one which waits had run ahead
 constexpr std::size_t lines_of_a_clock = 5;   // that show that it was set
+constexpr double least_leap_s = 10.0;
+constexpr double faster_than_any_stream = 100.0;  // than its samples were taken
 
 }  // namespace
 
@@ -19,6 +21,9 @@ bool StampJudge::follows(const StampedLine& line, const StampedLine& before) con
 }
 
 void StampJudge::settle(const StampedLine& line) {
+  if (last_ && kind_ == Kind::times && line.stamp - last_->stamp >= least_leap_s &&
+      (line.arrival_s - last_->arrival_s) * faster_than_any_stream < line.stamp - last_->stamp && leaps_++ == 0)
+    first_leap_ = line.line;
   settled_.push_back(line);
   last_ = line;
   rejected_in_a_row_ = 0;
@@ -99,6 +104,10 @@ std::vector<std::string> StampJudge::remarks() const {
   if (clocks_ > 0)
     remarks.push_back(fmt::format("the {} of the samples was set back {} times, first in line {}; it was taken on",
                                   times ? "clock" : "counter", clocks_, first_clock_));
+  if (leaps_ > 0)
+    remarks.push_back(
+        fmt::format("the clock of the samples was set ahead {} times, first in line {}; it was taken as a gap", leaps_,
+                    first_leap_));
   return remarks;
 }
 

@@ -29,6 +29,7 @@ struct StampedLine {
 /// - Lines that run back are rejected when the next one is in order again. When five of them follow each other, the
 ///   clock of the source was set, or the source began anew: they are taken, and their time goes on behind the line
 ///   before by as long as arrivals say that it took, or one step.
+/// - A clock that was set ahead leaves a gap in the time; where arrivals are known that is told.
 ///
 /// The result depends on the lines alone, so that a recording gives again what the live stream gave.
 class StampJudge {
@@ -65,7 +66,8 @@ class StampJudge {
   std::optional<StampedLine> last_, waiting_;
   std::vector<StampedLine> doubtful_, settled_;
   std::size_t rejected_ = 0, rejected_in_a_row_ = 0, first_rejected_ = 0;
-  std::size_t clocks_ = 0, first_clock_ = 0;
+  std::size_t clocks_ = 0, first_clock_ = 0;  // set back
+  std::size_t leaps_ = 0, first_leap_ = 0;    // set ahead
 };
 
 }  // namespace axiometry::formats
