@@ -13,6 +13,9 @@ install(DIRECTORY src/axiometry ${PROJECT_BINARY_DIR}/generated/axiometry DESTIN
         FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY schema DESTINATION ${CMAKE_INSTALL_DATADIR}/axiometry)
 install(PROGRAMS tools/verify_archive.py DESTINATION ${CMAKE_INSTALL_DATADIR}/axiometry)
+install(FILES LICENSE licenses/components.json ${PROJECT_BINARY_DIR}/axiometry.spdx.json DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY licenses/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/licenses FILES_MATCHING PATTERN "*.txt")
+install(FILES web/bundle/licenses.txt DESTINATION ${CMAKE_INSTALL_DOCDIR}/licenses RENAME page.txt)
 install(DIRECTORY docs/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 FILES_MATCHING PATTERN "*.1")
 
 configure_package_config_file(cmake/axiometryConfig.cmake.in ${PROJECT_BINARY_DIR}/axiometryConfig.cmake

@@ -140,7 +140,7 @@ void check(CaptureArguments& arguments) {
       throw CLI::ValidationError("--raw", "found neither --raw nor --out FILE, expected a place to keep what arrives");
     run.raw = run.out + ".raw";
   }
-  if (*live || (run.from != "-" && app::has_times(run.from))) options.recording.skip_damaged = true;
+  if (*live || app::is_raw(run.from)) options.recording.skip_damaged = true;
   if (give_up.empty()) return;
   const auto seconds = parse_number(give_up);
   if (!seconds || *seconds < 0.0 || *seconds > 1e6)
@@ -168,7 +168,9 @@ void add_capture(CLI::App& program, int& exit_code) {
   verb->add_option("--resume", run.resume, "Play such a file first, then go on with the stream and the file")
       ->type_name("FILE")
       ->excludes(raw);
-  verb->add_option("--give-up", arguments->give_up, "How long a lost connection is tried again (60)")->type_name("S");
+  verb->add_option("--give-up", arguments->give_up,
+                   "How long a source that is away, or closes at once, is tried again (60)")
+      ->type_name("S");
   verb->add_flag("--quiet,-q", arguments->quiet, "No lines in the terminal");
   add_capture_flags(*verb, arguments->options);
   verb->callback([arguments, &exit_code] {

@@ -26,6 +26,7 @@ void add_plan(CLI::App& program, int& exit_code);
 void add_air(CLI::App& program, int& exit_code);
 void add_periodic(CLI::App& program, int& exit_code);
 void add_formats(CLI::App& program, int& exit_code);
+void add_licenses(CLI::App& program, int& exit_code);
 void add_schema(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);
 void add_nc(CLI::App& program, int& exit_code);

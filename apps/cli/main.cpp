@@ -67,6 +67,7 @@ int run(int argc, char** argv) {
   add_air(program, exit_code);
   add_tracking(program, exit_code);
   add_formats(program, exit_code);
+  add_licenses(program, exit_code);
   add_schema(program, exit_code);
   add_check(program, exit_code);
   add_serve(program, exit_code);

@@ -97,8 +97,8 @@ std::string kept_name(const std::string& base) { return base + ".kept"; }
 
 /// The order last, so that what is left of a removal that was cut short is found again.
 void remove_files(const std::string& base) {
-  for (const std::string& name :
-       {base + ".raw", times_name(base + ".raw"), kept_name(base), base + std::string(order_suffix)})
+  for (const std::string& name : {base + ".raw", times_name(base + ".raw"), times_name(base + ".raw") + ".old",
+                                  kept_name(base), base + std::string(order_suffix)})
     ::unlink(name.c_str());
 }
 

@@ -13,6 +13,7 @@
 #include "axiometry/app/output.h"
 #include "axiometry/app/outputs.h"
 #include "axiometry/app/raw_log.h"
+#include "axiometry/app/raw_playing.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/format.h"
 
@@ -28,6 +29,16 @@ constexpr auto poll_time = 100ms;
 constexpr auto show_every = 100ms;
 constexpr auto first_pause = 500ms;
 constexpr auto longest_pause = 8s;
+constexpr auto sound_connection = 5s;  // with data, though no sample could be made of them yet
+constexpr std::uint64_t longest_without_break = std::uint64_t{1} << 20;
+
+/// A source that is away: since when, and what was tried.
+struct Outage {
+  Clock::time_point since;
+  Clock::duration pause = first_pause;  ///< before the next attempt
+  std::size_t attempts = 0;
+  std::size_t samples = 0;  ///< that had come before
+};
 
 /// One run from begin to end.
 class Run {
@@ -35,9 +46,10 @@ class Run {
   Run(const CaptureRun& run, const CaptureObserver& observer, CaptureSession session)
       : run_(run), observer_(observer), session_(std::move(session)) {}
 
-  void listen(Connect connect, std::uint64_t raw_limit) {
+  void listen(Connect connect, std::uint64_t raw_limit, FreeBytes free = free_bytes) {
     connect_ = std::move(connect);
     room_ = raw_limit;
+    free_bytes_ = std::move(free);
   }
 
   Result<CaptureOutcome> operator()() {
@@ -49,6 +61,7 @@ class Run {
     auto last = session_.finish(end_);
     if (!last) return std::unexpected(std::move(last).error());
     AXIOMETRY_TRY_VOID(settle(*last, true));
+    for (const std::string& remark : session_.remarks()) notice(remark);
     AXIOMETRY_TRY(Test test, this->test());
     return CaptureOutcome{session_.matcher().complete(), stopped_,           std::move(test),
                           session_.matcher().result(),   session_.samples(), session_.lost()};
@@ -70,8 +83,7 @@ class Run {
   }
 
   Result<void> read_file() {
-    const bool timed = run_.from != "-" && has_times(run_.from);
-    if (timed) return play_raw(run_.from);
+    if (is_raw(run_.from)) return play_raw(run_.from);
     AXIOMETRY_TRY(Source source, Source::open(run_.from));
     std::vector<char> block(file_block);
     while (!stop()) {
@@ -87,14 +99,16 @@ class Run {
   }
 
   Result<void> play_raw(const std::string& raw) {
-    return play(raw, [&](const RawPiece& piece) -> Result<void> {
-      if (stop()) return {};
-      if (!first_arrival_) first_arrival_ = piece.arrival;
-      room_ -= std::min<std::uint64_t>(room_, piece.bytes.size());
-      show();
-      if (piece.begins_connection) AXIOMETRY_TRY_VOID(interrupted());
-      return take(piece.bytes, piece.arrival);
-    });
+    const PlayHooks hooks{.wants =
+                              [this](const RawPiece& piece) {
+                                if (stop()) return false;
+                                if (!first_arrival_) first_arrival_ = piece.arrival;
+                                room_ -= std::min<std::uint64_t>(room_, piece.bytes.size());
+                                show();
+                                return true;
+                              },
+                          .readings = [this](const auto& readings) { return settle(readings, false); }};
+    return play_into(session_, raw, hooks);
   }
 
   Result<void> interrupted() {
@@ -109,6 +123,7 @@ class Run {
 
   Result<void> read_live() {
     AXIOMETRY_TRY(auto stream, connect_());
+    connected_ = Clock::now();
     if (!run_.resume.empty()) {
       AXIOMETRY_TRY_VOID(play_raw(run_.resume));
       notice(fmt::format("{}: played again, {} of {} approaches are done", base_name(run_.resume),
@@ -129,10 +144,13 @@ class Run {
 
   Result<void> listen_to(std::unique_ptr<LiveStream> stream, RawLog& log) {
     std::vector<char> block(live_block);
+    DiskRoom disk(run_.raw.empty() ? run_.resume : run_.raw, free_bytes_);
     while (!stop()) {
       const LiveStream::Got got = stream->read(block, poll_time);
       if (got.state == LiveStream::State::data) {
+        if (!has_room(disk, got.count)) break;
         AXIOMETRY_TRY_VOID(keep_and_take({block.data(), got.count}, log));
+        note_return();
       } else if (got.state == LiveStream::State::closed) {
         AXIOMETRY_TRY(stream, reconnect(got.reason));
         if (!stream) break;
@@ -146,41 +164,88 @@ class Run {
     return {};
   }
 
-  Result<void> keep_and_take(std::string_view bytes, RawLog& log) {
-    if (bytes.size() > room_) {
+  /// The capture ends before the disk is full, so that what came is kept whole, and the test with it.
+  bool has_room(DiskRoom& disk, std::size_t bytes) {
+    if (bytes > room_) {
       notice("the recording has become as long as one may be: it ends here");
       stopped_ = true;
-      return {};
+      return false;
     }
+    const DiskRoom::Answer answer = disk.before(bytes);
+    if (answer.warn)
+      notice(fmt::format("found {} MiB left on the disk of the recording; at {} MiB the capture ends",
+                         *answer.warn >> 20, DiskRoom::least >> 20));
+    if (!answer.enough) {
+      notice(fmt::format("found less than {} MiB left on the disk of the recording: it ends here",
+                         (DiskRoom::least >> 20) + 1));
+      stopped_ = true;
+    }
+    return answer.enough;
+  }
+
+  Result<void> keep_and_take(std::string_view bytes, RawLog& log) {
     room_ -= bytes.size();
     const ArrivalNs arrival = log.stamp();
     if (!first_arrival_) first_arrival_ = arrival;
-    AXIOMETRY_TRY_VOID(log.append(bytes, arrival));
-    return take(bytes, arrival);
+    if (auto kept = log.append(bytes, arrival); !kept) {
+      kept.error().message +=
+          fmt::format("; {} bytes and {} readings are kept", log.size(), session_.matcher().result().readings.size());
+      return kept;
+    }
+    AXIOMETRY_TRY_VOID(take(bytes, arrival));
+    if (session_.without_break() <= longest_without_break) return {};
+    return fail(
+        fmt::format("found {} bytes without a line break, expected one sample a line: the capture ends here; {} "
+                    "readings are kept",
+                    session_.without_break(), session_.matcher().result().readings.size()));
   }
 
-  /// Nothing when it was stopped, or when the other side has not come back in time.
+  /// An outage ends when samples come again, not with a connection: a source may take each and close it at once.
+  void note_return() {
+    if (!outage_) return;
+    const auto now = Clock::now();
+    if (session_.samples() == outage_->samples && now - connected_ < sound_connection) return;
+    notice(fmt::format("connected again after {} s and {} attempts; samples are missing",
+                       format_fixed(std::chrono::duration<double>(connected_ - outage_->since).count(), 1),
+                       outage_->attempts));
+    outage_.reset();
+  }
+
+  /// Nothing when it was stopped, or when the other side has not come back in time. The first attempt follows at once
+  /// where the connection had lasted, each other one after a pause twice as long as the one before.
   Result<std::unique_ptr<LiveStream>> reconnect(const std::string& reason) {
-    notice(fmt::format("connection lost ({}), trying again for {} s", reason, format_fixed(run_.give_up.in_s(), 0)));
-    const auto lost_at = Clock::now();
-    const auto last_moment = lost_at + std::chrono::duration<double>(run_.give_up.in_s());
-    for (auto pause = Clock::duration(first_pause); Clock::now() < last_moment;
-         pause = std::min<Clock::duration>(2 * pause, longest_pause)) {
-      auto again = connect_();
-      if (again) {
-        notice(fmt::format("connected again after {} s; samples are missing",
-                           format_fixed(std::chrono::duration<double>(Clock::now() - lost_at).count(), 1)));
-        return again;
-      }
-      const auto until = std::min(Clock::now() + pause, std::chrono::time_point_cast<Clock::duration>(last_moment));
-      while (Clock::now() < until) {
-        show();
-        if (stop()) return std::unique_ptr<LiveStream>();
-        std::this_thread::sleep_for(std::min<Clock::duration>(poll_time, until - Clock::now()));
-      }
+    const auto now = Clock::now();
+    bool at_once = !outage_ && now - connected_ >= first_pause;
+    if (!outage_) {
+      notice(fmt::format("connection lost ({}), trying again for {} s", reason, format_fixed(run_.give_up.in_s(), 0)));
+      outage_ = {.since = now, .samples = session_.samples()};
     }
-    notice("the connection did not come back: the recording ends here");
+    const auto last_moment = outage_->since + std::chrono::duration_cast<Clock::duration>(
+                                                  std::chrono::duration<double>(run_.give_up.in_s()));
+    while (true) {
+      if (!at_once && !wait_until(std::min(Clock::now() + outage_->pause, last_moment)))
+        return std::unique_ptr<LiveStream>();
+      if (Clock::now() >= last_moment) break;
+      if (!at_once) outage_->pause = std::min<Clock::duration>(2 * outage_->pause, longest_pause);
+      at_once = false;
+      ++outage_->attempts;
+      auto again = connect_();
+      if (!again) continue;
+      connected_ = Clock::now();
+      return again;
+    }
+    notice(fmt::format("the connection did not come back in {} attempts: the recording ends here", outage_->attempts));
     return std::unique_ptr<LiveStream>();
+  }
+
+  /// False when it was stopped meanwhile.
+  bool wait_until(Clock::time_point until) {
+    while (Clock::now() < until) {
+      show();
+      if (stop()) return false;
+      std::this_thread::sleep_for(std::min<Clock::duration>(poll_time, until - Clock::now()));
+    }
+    return true;
   }
 
   /// First the disk, then the people.
@@ -237,6 +302,9 @@ class Run {
   const CaptureObserver& observer_;
   CaptureSession session_;
   Connect connect_;
+  FreeBytes free_bytes_;
+  Clock::time_point connected_;
+  std::optional<Outage> outage_;
   std::uint64_t room_ = UINT64_MAX;  // for bytes that may still come
   RawLog* log_ = nullptr;
   std::optional<ArrivalNs> first_arrival_;
@@ -282,37 +350,34 @@ Result<CaptureOutcome> run_live_capture(CaptureSession session, const LiveCaptur
   const CaptureRun run{
       .from = capture.name, .raw = capture.raw, .resume = capture.resume, .out = {}, .give_up = capture.give_up};
   Run reading(run, observer, std::move(session));
-  reading.listen(capture.connect, capture.raw_limit);
+  reading.listen(capture.connect, capture.raw_limit, capture.free);
   return reading();
 }
 
 Result<Test> read_recording(Source& source, const CaptureOptions& options) {
   AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
-  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
+  const bool live = source.name() != "-" && has_times(source.name());
+  CaptureOptions taken = options;
+  taken.recording.skip_damaged = taken.recording.skip_damaged || live;
+  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), taken));
   auto end = CaptureSession::End::of_file;
   Sha256 hash;
-  const auto feed = [&](std::string_view bytes, std::optional<double> arrival_s) -> Result<void> {
-    hash.update(bytes);
-    AXIOMETRY_TRY_VOID(session.feed(bytes, arrival_s));
-    return {};
-  };
-  if (source.name() != "-" && has_times(source.name())) {
+  if (live) {
     end = CaptureSession::End::of_reading;
-    std::optional<ArrivalNs> first;
-    auto played = play(source.name(), [&](const RawPiece& piece) -> Result<void> {
-      if (!first) first = piece.arrival;
-      if (piece.begins_connection) {
-        AXIOMETRY_TRY_VOID(session.interrupted());
-      }
-      return feed(piece.bytes, static_cast<double>(piece.arrival - *first) * 1e-9);
-    });
-    if (!played) return std::unexpected(std::move(played).error());
+    const PlayHooks hooks{.wants =
+                              [&](const RawPiece& piece) {
+                                hash.update(piece.bytes);
+                                return true;
+                              },
+                          .readings = [](const auto&) { return Result<void>{}; }};
+    AXIOMETRY_TRY_VOID(play_into(session, source.name(), hooks));
   } else {
     std::vector<char> block(file_block);
     while (true) {
       AXIOMETRY_TRY(const std::size_t got, source.read(block));
       if (got == 0) break;
-      AXIOMETRY_TRY_VOID(feed({block.data(), got}, {}));
+      hash.update({block.data(), got});
+      AXIOMETRY_TRY_VOID(session.feed({block.data(), got}));
     }
   }
   AXIOMETRY_TRY_VOID(session.finish(end));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "axiometry/app/capture_session.h"
+#include "axiometry/app/disk_room.h"
 #include "axiometry/app/live_source.h"
 #include "axiometry/app/source.h"
 
@@ -18,7 +19,7 @@ struct CaptureRun {
   std::string raw;     ///< of a live source: file of all bytes that came; must not exist
   std::string resume;  ///< instead: such a file, which is played first and goes on
   std::string out;     ///< test file, rewritten after every reading; "-" writes it once at the end; may be empty
-  Duration give_up = Duration::s(60);  ///< how long a connection that broke is tried again
+  Duration give_up = Duration::s(60);  ///< how long a source is tried again until samples come
 };
 
 /// What happens, for people who watch. Any may be empty.
@@ -40,8 +41,9 @@ struct CaptureOutcome {
 };
 
 /// Reads until the plan is complete, the stream ends or the observer stops it. Every byte of a live source goes to the
-/// raw file before it is used; the test file is whole at every moment. Fails as CaptureSession does, on a source that
-/// cannot be opened and on files that cannot be written; the files hold then what has come so far. Fails at once when
+/// raw file before it is used; the test file is whole at every moment. Fails as CaptureSession does, on a MiB without a
+/// line break from a live source, on a source that cannot be opened and on files that cannot be written; the files hold
+/// then what has come so far. Of a raw recording what is sound is played (play_into()). Fails at once when
 /// the test file would take the place of the recording or the plan.
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
                                    const CaptureObserver& observer);
@@ -52,8 +54,9 @@ struct LiveCapture {
   Connect connect;                       ///< none: what was recorded is played, and that is all
   std::string raw;                       ///< file of all bytes that come; must not exist
   std::string resume{};                  ///< instead: such a file, which is played first and goes on
-  Duration give_up = Duration::s(60);    ///< how long a connection that broke is tried again
+  Duration give_up = Duration::s(60);    ///< how long a source is tried again until samples come
   std::uint64_t raw_limit = UINT64_MAX;  ///< bytes that come at most; then the capture stops
+  FreeBytes free = free_bytes;           ///< of the disk of the raw file; DiskRoom says when the capture stops
 };
 
 /// The same as run_capture(), without a file for the test.

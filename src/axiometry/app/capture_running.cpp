@@ -88,10 +88,22 @@ CaptureObserver CaptureService::Running::observer() {
               [this](const std::string& text) {
                 const std::scoped_lock lock(mutex_);
                 ++state_.revision;
-                state_.notices.push_back(text);
+                tell_notice(text);
               },
           .now = [this](const CaptureSession& session) { now(session); },
           .stopped = [this] { return stop_ || interrupt_; }};
+}
+
+/// A source that comes and goes all night must not make the state grow: what is told of it is counted then.
+void CaptureService::Running::tell_notice(const std::string& text) {
+  constexpr std::size_t most = 50;
+  if (state_.notices.size() < most) {
+    state_.notices.push_back(text);
+    return;
+  }
+  state_.notices.erase(state_.notices.begin() + 1);
+  state_.notices.front() = fmt::format("{} earlier messages are not shown", ++notices_left_out_ + 1);
+  state_.notices.push_back(text);
 }
 
 /// Readings that are not among those we know; all of them where the capture has begun again.

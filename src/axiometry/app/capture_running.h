@@ -48,6 +48,7 @@ class CaptureService::Running {
 
   void run();
   CaptureObserver observer();
+  void tell_notice(const std::string& text);
   void now(const CaptureSession& session);
   void take_readings(const CaptureSession& session);
   void evaluate(Test test);
@@ -67,6 +68,7 @@ class CaptureService::Running {
   mutable std::mutex mutex_;  // of the state
   std::condition_variable changed_;
   CaptureState state_;
+  std::size_t notices_left_out_ = 0;
   CaptureRevision anew_at_ = 0;  // readings before it hold no longer
   std::jthread thread_;          // last: it uses all of the above
 };

@@ -143,12 +143,14 @@ std::vector<capture::CapturedReading> CaptureSession::match(const std::vector<ca
 }
 
 Result<std::vector<capture::CapturedReading>> CaptureSession::interrupted() {
+  std::vector<capture::CapturedReading> readings;
   if (!reader_) {
     head_.erase(head_.rfind('\n') + 1);  // npos + 1 is 0
-    return std::vector<capture::CapturedReading>();
+    return readings;
   }
-  reader_->interrupted();
-  return match(detector_->interrupt());
+  AXIOMETRY_TRY_VOID(reader_->interrupted(sink(readings)));
+  for (auto& reading : match(detector_->interrupt())) readings.push_back(std::move(reading));
+  return readings;
 }
 
 Result<std::vector<capture::CapturedReading>> CaptureSession::finish(End end) {
@@ -157,10 +159,18 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::finish(End end) {
     AXIOMETRY_TRY([[maybe_unused]] const bool begun, begin(true));
     AXIOMETRY_TRY(readings, read(std::exchange(head_, {})));
   }
-  if (end == End::of_file) AXIOMETRY_TRY_VOID(reader_->finish(sink(readings)));
+  auto read_out = end == End::of_file ? reader_->finish(sink(readings)) : reader_->interrupted(sink(readings));
+  if (!read_out && samples_ == 0) return std::unexpected(std::move(read_out).error());
+  if (!read_out) remark(fmt::format("left out the end of the recording: {}", read_out.error().message));
   for (auto& reading : match(detector_->interrupt())) readings.push_back(std::move(reading));
   AXIOMETRY_TRY_VOID(matcher_->finish());
   return readings;
+}
+
+std::vector<std::string> CaptureSession::remarks() const {
+  std::vector<std::string> all = remarks_;
+  if (reader_) std::ranges::move(reader_->remarks(), std::back_inserter(all));
+  return all;
 }
 
 Result<Test> CaptureSession::test() const {
@@ -169,6 +179,7 @@ Result<Test> CaptureSession::test() const {
   if (reader_ && reader_->lost() > 0)
     test.provenance.remarks.push_back(
         {false, fmt::format("the stream shows {} lost of {} samples", reader_->lost(), samples_ + reader_->lost())});
+  for (std::string& text : remarks()) test.provenance.remarks.push_back({false, std::move(text)});
   test.provenance.format = layout();
   return test;
 }

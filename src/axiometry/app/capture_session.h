@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "axiometry/base/result.h"
@@ -41,14 +42,22 @@ class CaptureSession {
   /// Fails on options that contradict the plan or each other.
   static Result<CaptureSession> open(Plan plan, const CaptureOptions& options);
 
-  /// Fails as the reader of the layout does.
+  /// Fails as the reader of the layout does. `arrival_s` is nothing when it is never known, NaN when that of these
+  /// bytes is not.
   Result<std::vector<capture::CapturedReading>> feed(std::string_view bytes, std::optional<double> arrival_s = {});
   /// The connection broke here.
   Result<std::vector<capture::CapturedReading>> interrupted();
   /// The recording ends here: a file that was read to its end, or else a stream that may have ended within a line, or
-  /// what was read no further because the plan was complete.
+  /// what was read no further because the plan was complete. An end that is no sample is left out and remarked.
   enum class End { of_file, of_reading };
   Result<std::vector<capture::CapturedReading>> finish(End end);
+
+  /// What is to be known of the recording beside its samples: a remark of the test.
+  void remark(std::string text) { remarks_.push_back(std::move(text)); }
+  /// Those, and what the reader says of the order of its lines.
+  std::vector<std::string> remarks() const;
+  std::size_t unfinished() const { return reader_ ? reader_->unfinished() : head_.size() - head_.rfind('\n') - 1; }
+  std::uint64_t without_break() const { return reader_ ? reader_->without_break() : 0; }
 
   /// The test as far as it has come; fails while there is none yet (capture::captured_test()).
   Result<Test> test() const;
@@ -74,6 +83,7 @@ class CaptureSession {
   std::string head_;  // until the layout is known
   std::shared_ptr<double> arrival_s_;
   std::size_t samples_ = 0;
+  std::vector<std::string> remarks_;
 };
 
 }  // namespace axiometry::app

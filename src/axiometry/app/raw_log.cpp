@@ -7,10 +7,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cerrno>
-#include <cstring>
+#include <cstdio>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -21,66 +20,47 @@
 namespace axiometry::app {
 namespace {
 
-constexpr std::string_view magic = "AXIOMETRYTIMES1\n";
-constexpr std::size_t record_size = 16;
-constexpr std::uint64_t connection_bit = std::uint64_t{1} << 63;
 constexpr auto sync_every = std::chrono::seconds(1);
-constexpr std::size_t largest_times = std::size_t{4} << 30;
 
-using Record = std::array<char, record_size>;
-
-std::uint64_t little_endian(std::uint64_t x) {
-  if constexpr (std::endian::native == std::endian::big) x = std::byteswap(x);
-  return x;
-}
-
-Record record_of(std::uint64_t offset, ArrivalNs arrival) {
-  Record record;
-  const std::uint64_t words[2] = {little_endian(offset), little_endian(static_cast<std::uint64_t>(arrival))};
-  std::memcpy(record.data(), words, record_size);
-  return record;
-}
-
-struct Stamp {
-  std::uint64_t offset = 0;
-  ArrivalNs arrival = 0;
-  bool begins_connection = false;
-};
-
-Stamp stamp_of(const char* record) {
-  std::uint64_t words[2];
-  std::memcpy(words, record, record_size);
-  const std::uint64_t offset = little_endian(words[0]);
-  return {offset & ~connection_bit, static_cast<ArrivalNs>(little_endian(words[1])), (offset & connection_bit) != 0};
-}
-
-/// A record that a crash of the machine left unfinished at the end is passed over.
-Result<std::vector<Stamp>> stamps_of(const std::string& raw) {
-  const std::string name = times_name(raw);
-  AXIOMETRY_TRY(Source source, Source::open(name));
-  AXIOMETRY_TRY(const std::string bytes, source.read_all(largest_times));
-  if (!bytes.starts_with(magic))
-    return std::unexpected(Error{"found no times of a raw recording, expected \"AXIOMETRYTIMES1\"", name, {}});
-  std::vector<Stamp> stamps;
-  for (std::size_t at = magic.size(); at + record_size <= bytes.size(); at += record_size) {
-    stamps.push_back(stamp_of(bytes.data() + at));
-    const bool ordered = stamps.size() < 2 || (stamps.back().offset >= stamps[stamps.size() - 2].offset &&
-                                               stamps.back().arrival >= stamps[stamps.size() - 2].arrival);
-    if (!ordered)
-      return std::unexpected(Error{fmt::format("found record {} before the one in front of it, expected offsets and "
-                                               "times in order",
-                                               stamps.size()),
-                                   name,
-                                   {}});
+Result<void> put_all(int descriptor, std::string_view bytes, const std::string& name) {
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) return fail_system(name, "write");
+    bytes.remove_prefix(static_cast<std::size_t>(put));
   }
-  return stamps;
+  return {};
+}
+
+/// A name beside the times for what they were, that no file has yet: link(2) never overwrites.
+Result<void> keep_old(const std::string& times) {
+  constexpr int most = 1000;
+  for (int number = 1; number <= most; ++number) {
+    const std::string name = number == 1 ? times + ".old" : fmt::format("{}.old{}", times, number);
+    if (::link(times.c_str(), name.c_str()) == 0 || errno == ENOENT) return {};
+    if (errno != EEXIST) return fail_system(name, "write");
+  }
+  return std::unexpected(Error{fmt::format("found {} files of earlier times, expected fewer", most), times, {}});
+}
+
+/// A file of the sound stamps takes the place of the one that is not.
+Result<void> write_anew(const std::string& raw, const std::vector<RawStamp>& stamps) {
+  const std::string name = times_name(raw), beside = name + ".new";
+  AXIOMETRY_TRY_VOID(keep_old(name));
+  const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) return fail_system(beside, "write");
+  std::string bytes = times_magic();
+  for (const RawStamp& stamp : stamps) bytes += times_record(stamp);
+  auto written = put_all(descriptor, bytes, beside);
+  if (written && ::fsync(descriptor) != 0) written = fail_system(beside, "write");
+  ::close(descriptor);
+  if (written && ::rename(beside.c_str(), name.c_str()) != 0) written = fail_system(name, "write");
+  if (!written) ::unlink(beside.c_str());
+  if (written && !folder_synced(raw)) written = fail_system(name, "write");
+  return written;
 }
 
 }  // namespace
-
-std::string times_name(const std::string& raw) { return raw + ".times"; }
-
-bool has_times(const std::string& raw) { return ::access(times_name(raw).c_str(), R_OK) == 0; }
 
 Result<RawLog> RawLog::create(const std::string& name) {
   constexpr int flags = O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC;
@@ -98,22 +78,25 @@ Result<RawLog> RawLog::create(const std::string& name) {
     ::unlink(name.c_str());
     return error;
   }
-  AXIOMETRY_TRY_VOID(log.put(log.times_, magic));
+  AXIOMETRY_TRY_VOID(log.put(log.times_, times_magic()));
   if (!folder_synced(name)) return fail_system(name, "write");
   return log;
 }
 
 Result<RawLog> RawLog::resume(const std::string& name) {
-  AXIOMETRY_TRY(const std::vector<Stamp> stamps, stamps_of(name));
   const int bytes = ::open(name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (bytes < 0) return fail_system(name, "write");
-  RawLog log(name, bytes, ::open(times_name(name).c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  RawLog log(name, bytes, -1);
   struct stat status {};
-  if (log.times_ < 0 || ::fstat(bytes, &status) != 0 ||
-      ::ftruncate(log.times_, static_cast<off_t>(magic.size() + stamps.size() * record_size)) != 0)
-    return fail_system(name, "write");
+  if (::fstat(bytes, &status) != 0) return fail_system(name, "write");
   log.size_ = static_cast<std::uint64_t>(status.st_size);
-  if (!stamps.empty()) log.last_ = stamps.back().arrival;
+  AXIOMETRY_TRY(const RawTimes times, raw_times(name, log.size_));
+  if (!times.prefix) AXIOMETRY_TRY_VOID(write_anew(name, times.stamps));
+  log.times_ = ::open(times_name(name).c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (log.times_ < 0 || (times.prefix && ::ftruncate(log.times_, static_cast<off_t>(*times.prefix)) != 0))
+    return fail_system(times_name(name), "write");
+  if (times.untimed > 0) AXIOMETRY_TRY_VOID(log.put(log.times_, times_record({.end = log.size_})));
+  for (const RawStamp& stamp : times.stamps) log.last_ = std::max(log.last_, stamp.arrival.value_or(0));
   return log;
 }
 
@@ -138,22 +121,14 @@ ArrivalNs RawLog::stamp() {
   return last_;
 }
 
-Result<void> RawLog::put(int descriptor, std::string_view bytes) const {
-  while (!bytes.empty()) {
-    const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) return fail_system(name_, "write");
-    bytes.remove_prefix(static_cast<std::size_t>(put));
-  }
-  return {};
-}
+Result<void> RawLog::put(int descriptor, std::string_view bytes) const { return put_all(descriptor, bytes, name_); }
 
 Result<void> RawLog::append(std::string_view bytes, ArrivalNs arrival) {
-  const std::uint64_t flag = std::exchange(connection_begins_, false) ? connection_bit : 0;
-  const Record record = record_of(size_ | flag, arrival);
-  AXIOMETRY_TRY_VOID(put(times_, {record.data(), record.size()}));
+  if (bytes.empty()) return {};
   AXIOMETRY_TRY_VOID(put(bytes_, bytes));
-  size_ += bytes.size();
+  const RawStamp stamp{size_ + bytes.size(), arrival, std::exchange(connection_begins_, false)};
+  AXIOMETRY_TRY_VOID(put(times_, times_record(stamp)));
+  size_ = stamp.end;
   return std::chrono::steady_clock::now() - synced_ >= sync_every ? sync() : Result<void>{};
 }
 
@@ -163,31 +138,27 @@ Result<void> RawLog::sync() {
   return {};
 }
 
-Result<void> play(const std::string& raw, const std::function<Result<void>(const RawPiece&)>& sink) {
-  AXIOMETRY_TRY(const std::vector<Stamp> stamps, stamps_of(raw));
+Result<std::vector<std::string>> play(const std::string& raw,
+                                      const std::function<Result<void>(const RawPiece&)>& sink) {
   AXIOMETRY_TRY(Source source, Source::open(raw));
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(raw, unknown);
+  AXIOMETRY_TRY(RawTimes times, raw_times(raw, unknown ? 0 : size));
+  const bool timed = std::ranges::any_of(times.stamps, [](const RawStamp& s) { return s.arrival.has_value(); });
+  times.stamps.push_back({.end = UINT64_MAX});  // what is behind them, and what comes while it is read
   std::uint64_t at = 0;
   std::vector<char> block(std::size_t{1} << 20);
-  bool begins_connection = false;  // also of a time whose bytes never came
-  for (std::size_t k = 0; k < stamps.size(); ++k) {
-    begins_connection = begins_connection || stamps[k].begins_connection;
-    const bool last = k + 1 == stamps.size();
-    std::size_t left = last ? SIZE_MAX : stamps[k + 1].offset - stamps[k].offset;
-    if (stamps[k].offset != at)
-      return std::unexpected(Error{fmt::format("found times from byte {} on, expected them from byte {}: the raw file "
-                                               "is shorter than its times",
-                                               stamps[k].offset, at),
-                                   raw,
-                                   {}});
-    while (left > 0) {
-      AXIOMETRY_TRY(const std::size_t got, source.read(std::span(block).first(std::min(left, block.size()))));
-      if (got == 0) break;
-      left -= got;
+  for (const RawStamp& stamp : times.stamps) {
+    bool begins_connection = stamp.begins_connection;
+    while (at < stamp.end) {
+      const std::size_t most = std::min<std::uint64_t>(stamp.end - at, block.size());
+      AXIOMETRY_TRY(const std::size_t got, source.read(std::span(block).first(most)));
+      if (got == 0) return std::move(times.remarks);
       at += got;
-      AXIOMETRY_TRY_VOID(sink({{block.data(), got}, stamps[k].arrival, std::exchange(begins_connection, false)}));
+      AXIOMETRY_TRY_VOID(sink({{block.data(), got}, stamp.arrival, std::exchange(begins_connection, false), timed}));
     }
   }
-  return {};
+  return std::move(times.remarks);
 }
 
 }  // namespace axiometry::app

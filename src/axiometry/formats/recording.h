@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "axiometry/base/result.h"
 #include "axiometry/model/axis.h"
@@ -23,10 +25,12 @@ struct RecordingOptions {
   std::optional<double> units_per_count;  ///< mm or ° per count, for streams of counts
   std::optional<double> rate_hz;          ///< samples per second, for streams without time stamps
   std::size_t axis = 0;                   ///< of a stream of several: 0 is the first
-  /// When the bytes that are being fed arrived, s; for streams that tell neither time nor rate. Empty when not known.
+  /// When the bytes that are being fed arrived, s; NaN where that is lost. For streams that tell neither time nor rate,
+  /// and for how long a source was away whose clock began anew. Empty when it is never known.
   std::function<double()> arrival_s{};
-  /// Whether a line that is no sample is counted as lost instead of being refused: a disturbed cable must not end a
-  /// test of two hours. A hundred such lines in a row are refused all the same.
+  /// Whether a line that is no sample, or whose time is out of order (recordings/stamp_judge.h), is counted as lost
+  /// instead of being refused: a disturbed cable must not end a test of two hours. A hundred such lines in a row are
+  /// refused all the same.
   bool skip_damaged = false;
 };
 
@@ -36,18 +40,29 @@ class RecordingReader {
   virtual ~RecordingReader() = default;
 
   /// Fails, with the line, on what is no sample where one must be, on time running backwards and on numbers that are
-  /// not finite. Gaps (lost samples that the stream itself shows, such as a jump of its counter) are told by lost().
+  /// not finite; what stood in front has gone to the sink. Gaps (lost samples that the stream itself shows, such as a
+  /// jump of its counter) are told by lost().
   virtual Result<void> feed(std::string_view bytes, const SampleSink& sink) = 0;
 
   /// The last line, when it has no line break.
   virtual Result<void> finish(const SampleSink& sink) = 0;
 
-  /// The connection broke: bytes are missing here. Forgets the unfinished line and passes over all bytes up to the next
-  /// line break, which may be the end of a line whose beginning is missing.
-  virtual void interrupted() = 0;
+  /// The connection broke, or nothing more is read: bytes are missing here. Hands on what waited for the next line,
+  /// forgets the unfinished line and passes over all bytes up to the next line break, which may be the end of a line
+  /// whose beginning is missing.
+  virtual Result<void> interrupted(const SampleSink& sink) = 0;
+
+  /// Bytes of a sample whose end has not come.
+  virtual std::size_t unfinished() const = 0;
+
+  /// Bytes since the last line break, passed over or not; 0 of layouts without lines.
+  virtual std::uint64_t without_break() const { return 0; }
 
   /// How many samples the stream itself shows to be lost so far, damaged lines included.
   virtual std::size_t lost() const = 0;
+
+  /// Sentences of what was out of order so far and how it was taken.
+  virtual std::vector<std::string> remarks() const { return {}; }
 
   /// What the stream has told about the air so far, first and last values; nothing for most.
   virtual Environment environment() const { return {}; }

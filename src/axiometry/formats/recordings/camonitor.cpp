@@ -32,7 +32,8 @@ std::optional<Change> change_of(std::string_view line) {
 
 class CamonitorReader final : public LineReader {
  public:
-  explicit CamonitorReader(const RecordingOptions& options) : LineReader(options.skip_damaged), axis_(options.axis) {}
+  explicit CamonitorReader(const RecordingOptions& options)
+      : LineReader(options, StampJudge::Kind::times), axis_(options.axis) {}
 
  private:
   Result<void> take(std::string_view line) override {
@@ -90,7 +91,8 @@ IOC:Axis1-PosAct 2026-11-21 12:00:00.200000 -4.9999
   appear.
 - A variable that is only sent when it changes by a dead band shows no noise at rest and leaves gaps; log the encoder
   itself, with a dead band of zero.
-- Refused: other lines, values that are no finite numbers, time that runs backwards.
+- Refused: other lines, values that are no finite numbers, time that runs backwards. Of a live stream and with
+  `--skip-damaged` such lines are counted and left out, as `axiometry formats time-position` tells.
 )";
 
 }  // namespace

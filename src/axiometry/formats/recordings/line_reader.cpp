@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "axiometry/base/number_text.h"
@@ -25,6 +26,7 @@ Result<void> LineReader::feed(std::string_view bytes, const SampleSink& sink) {
 
 Result<void> LineReader::take_lines(std::string_view bytes, const SampleSink& sink) {
   for (std::size_t end = bytes.find('\n'); end != bytes.npos; end = bytes.find('\n')) {
+    without_break_ = 0;
     if (skip_to_break_) {
       skip_to_break_ = false;
       ++line_;
@@ -37,30 +39,64 @@ Result<void> LineReader::take_lines(std::string_view bytes, const SampleSink& si
     bytes.remove_prefix(end + 1);
     if (samples_.size() >= batch) AXIOMETRY_TRY_VOID(flush(sink));
   }
+  without_break_ += bytes.size();
   if (!skip_to_break_) begun_ += bytes;
   if (begun_.size() <= longest_line) return {};
-  if (!skip_damaged_)
+  if (!options_.skip_damaged)
     return fail(fmt::format("found a line of more than {} bytes, expected one sample a line", longest_line),
                 {line_ + 1, 1});
-  interrupted();
+  forget_line();
   ++damaged_;
   return {};
 }
 
 Result<void> LineReader::finish(const SampleSink& sink) {
   auto taken = begun_.empty() ? Result<void>{} : take_whole(std::exchange(begun_, {}));
+  if (taken) taken = settle_all(judge_.flush());
   if (taken) taken = end();
   auto flushed = flush(sink);
   return taken ? flushed : taken;
 }
 
-void LineReader::interrupted() {
+Result<void> LineReader::interrupted(const SampleSink& sink) {
+  auto settled = settle_all(judge_.flush());
+  forget_line();
+  auto flushed = flush(sink);
+  return settled ? flushed : settled;
+}
+
+void LineReader::forget_line() {
   begun_.clear();
   skip_to_break_ = true;
   gap();
 }
 
+double LineReader::arrival_s() const {
+  return options_.arrival_s ? options_.arrival_s() : std::numeric_limits<double>::quiet_NaN();
+}
+
 Result<void> LineReader::emit(Sample sample) {
+  if (!options_.skip_damaged || !std::isfinite(sample.time_s)) return put(sample);
+  return judge({sample.time_s, sample.position, arrival_s(), line_, sample.time_s});
+}
+
+Result<void> LineReader::judge(const StampedLine& line) {
+  AXIOMETRY_TRY_VOID(settle_all(judge_.push(line)));
+  if (judge_.rejected_in_a_row() < most_damaged_in_a_row) return {};
+  const StampedLine* const before = judge_.base();
+  return std::unexpected(
+      Error{fmt::format("found {} lines in a row out of order, the last {} after {}", judge_.rejected_in_a_row(),
+                        format_exact(line.told), format_exact(before == nullptr ? 0.0 : before->told)),
+            {},
+            {line_, 1}});
+}
+
+Result<void> LineReader::settle_all(std::span<const StampedLine> lines) {
+  for (const StampedLine& line : lines) AXIOMETRY_TRY_VOID(settle(line));
+  return {};
+}
+
+Result<void> LineReader::put(Sample sample) {
   if (!std::isfinite(sample.time_s) || !std::isfinite(sample.position))
     return fail("found a number that is not finite, expected time and position");
   if (sample.time_s < last_time_s_)
@@ -82,7 +118,7 @@ Result<void> LineReader::take_whole(std::string_view line) {
     return taken;
   }
   if (taken.error().at.line == 0) taken.error().at = {line_, 1};
-  if (!skip_damaged_) return taken;
+  if (!options_.skip_damaged || judge_.rejected_in_a_row() >= most_damaged_in_a_row) return taken;
   ++damaged_;
   if (++damaged_in_a_row_ < most_damaged_in_a_row) return {};
   taken.error().message += fmt::format(" (and so in {} lines in a row)", most_damaged_in_a_row);

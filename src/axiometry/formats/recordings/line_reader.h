@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "axiometry/formats/recording.h"
+#include "axiometry/formats/recordings/stamp_judge.h"
 
 namespace axiometry::formats {
 
@@ -16,11 +18,17 @@ class LineReader : public RecordingReader {
  public:
   Result<void> feed(std::string_view bytes, const SampleSink& sink) final;
   Result<void> finish(const SampleSink& sink) final;
-  void interrupted() final;
-  std::size_t lost() const final { return damaged_ + lost_; }
+  Result<void> interrupted(const SampleSink& sink) final;
+  std::size_t unfinished() const final { return begun_.size(); }
+  std::uint64_t without_break() const final { return without_break_; }
+  std::size_t lost() const final { return damaged_ + lost_ + judge_.rejected(); }
+  std::vector<std::string> remarks() const final { return judge_.remarks(); }
 
  protected:
-  explicit LineReader(bool skip_damaged) : skip_damaged_(skip_damaged) {}
+  /// `kind`: of the stamps that are judged.
+  LineReader(const RecordingOptions& options, StampJudge::Kind kind) : options_(options), judge_(kind) {}
+
+  const RecordingOptions& options() const { return options_; }
 
   /// One line without its line break and without a carriage return. Calls emit() for the samples it holds.
   virtual Result<void> take(std::string_view line) = 0;
@@ -28,9 +36,17 @@ class LineReader : public RecordingReader {
   virtual Result<void> end() { return {}; }
   /// Bytes are missing before the next line.
   virtual void gap() {}
+  /// A line whose stamp is settled.
+  virtual Result<void> settle(const StampedLine& line) { return put({line.stamp, line.position}); }
 
-  /// Fails on a number that is not finite and on a time before that of the last sample.
+  /// Of a line with a time of its own: to be judged where damaged lines are passed over.
   Result<void> emit(Sample sample);
+  Result<void> judge(const StampedLine& line);
+  const StampedLine* judged_before() const { return judge_.base(); }
+  std::size_t rejected() const { return judge_.rejected(); }
+  double arrival_s() const;  ///< NaN where it is not known
+  /// Fails on a number that is not finite and on a time before that of the last sample.
+  Result<void> put(Sample sample);
   void add_lost(std::size_t samples) { lost_ += samples; }
   std::size_t line_number() const { return line_; }
 
@@ -38,10 +54,14 @@ class LineReader : public RecordingReader {
   Result<void> take_lines(std::string_view bytes, const SampleSink& sink);
   Result<void> take_whole(std::string_view line);
   Result<void> flush(const SampleSink& sink);
+  Result<void> settle_all(std::span<const StampedLine> lines);
+  void forget_line();
 
-  bool skip_damaged_;
+  RecordingOptions options_;
+  StampJudge judge_;
   bool skip_to_break_ = false;
   std::string begun_;  // a line whose break has not come yet
+  std::uint64_t without_break_ = 0;
   std::size_t line_ = 0;
   std::size_t damaged_ = 0;
   std::size_t damaged_in_a_row_ = 0;

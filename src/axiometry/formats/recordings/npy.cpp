@@ -136,7 +136,11 @@ class NpyReader final : public RecordingReader {
     return {};
   }
 
-  void interrupted() override { begun_.clear(); }
+  Result<void> interrupted(const SampleSink&) override {
+    begun_.clear();
+    return {};
+  }
+  std::size_t unfinished() const override { return begun_.size(); }
   std::size_t lost() const override { return 0; }
 
  private:

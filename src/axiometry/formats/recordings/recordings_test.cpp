@@ -211,7 +211,7 @@ TEST(Umd, ForgetsACutLineWhereTheConnectionBroke) {
     return {};
   };
   ASSERT_TRUE((*reader)->feed("0 0 1 0 0 1 0 0\n0 0 2 0 0 2", sink));
-  (*reader)->interrupted();
+  ASSERT_TRUE((*reader)->interrupted(sink));
   ASSERT_TRUE((*reader)->feed("4 0 0\n0 0 5 0 0 5 0 0\n", sink));
   ASSERT_TRUE((*reader)->finish(sink));
   EXPECT_EQ(text_of(read), "0:1 4:5");

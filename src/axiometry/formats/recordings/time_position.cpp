@@ -21,7 +21,7 @@ bool is_comment(std::string_view line) { return line.empty() || line.front() == 
 class TimePositionReader final : public LineReader {
  public:
   explicit TimePositionReader(const RecordingOptions& options)
-      : LineReader(options.skip_damaged), kind_(options.kind), axis_(options.axis) {}
+      : LineReader(options, StampJudge::Kind::times), kind_(options.kind), axis_(options.axis) {}
 
  private:
   Result<void> take(std::string_view line) override {
@@ -124,7 +124,8 @@ time_s,position_mm
 - The time may be a point in time: `2026-11-21T12:34:56.789Z`, `2026-11-21 12:34:56,789`; it counts from the first.
 - Lines that begin with `#` or `%` and empty lines are passed over.
 - Refused: lines with other columns than those before, numbers that are not finite, time that runs backwards, positions
-  in a unit of the other kind of axis.
+  in a unit of the other kind of axis. Of a live stream and with `--skip-damaged` such lines are counted and left out,
+  also a line whose time ran ahead; five in order behind the time before are a clock that was set, and are taken.
 )";
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -63,7 +64,7 @@ void note(std::optional<Quantity>& first, std::optional<Quantity>& last, Quantit
 class UmdReader final : public LineReader {
  public:
   explicit UmdReader(const RecordingOptions& options)
-      : LineReader(options.skip_damaged), options_(options), rate_hz_(options.rate_hz) {}
+      : LineReader(options, StampJudge::Kind::counts), rate_hz_(options.rate_hz) {}
 
   Environment environment() const override { return environment_; }
 
@@ -83,47 +84,62 @@ class UmdReader final : public LineReader {
     if (width_ == 0) AXIOMETRY_TRY_VOID(settle_width(columns.count));
     if (columns.count != width_)
       return fail(fmt::format("found {} numbers, expected {} as in the lines before", columns.count, width_));
-    AXIOMETRY_TRY_VOID(count_missing(columns.values[seq_at]));
+    const std::int64_t seq = columns.values[seq_at];
+    AXIOMETRY_TRY(const std::int64_t count, counted_on(seq));
     AXIOMETRY_TRY_VOID(take_code(columns.values[code_at], static_cast<double>(columns.values[data_at])));
-    const auto displacement = columns.values[disp_at[options_.axis]];
-    const auto phase = columns.values[disp_at[options_.axis] + 2];
-    if (std::abs(phase) >= first_error_code) {
-      add_lost(1);
-      return {};
-    }
+    const auto displacement = columns.values[disp_at[options().axis]];
+    const auto phase = columns.values[disp_at[options().axis] + 2];
     const double counts = static_cast<double>(displacement) + static_cast<double>(phase) / fractions_per_count;
-    return place({seq_, counts * *options_.units_per_count, options_.arrival_s ? options_.arrival_s() : 0.0});
+    const double position = std::abs(phase) >= first_error_code ? std::numeric_limits<double>::quiet_NaN()
+                                                                : counts * *options().units_per_count;
+    const StampedLine line_of_count{static_cast<double>(count), position, arrival_s(), line_number(),
+                                    static_cast<double>(seq)};
+    return options().skip_damaged ? judge(line_of_count) : settle(line_of_count);
+  }
+
+  /// Its position is NaN where the counter told an error.
+  Result<void> settle(const StampedLine& line) override {
+    const auto count = static_cast<std::int64_t>(line.stamp);
+    if (last_count_) {
+      const auto missing = static_cast<std::size_t>(count - *last_count_ - 1);
+      const std::size_t rejected_among = std::min(missing, rejected() - rejected_counted_);  // are told as such
+      rejected_counted_ += rejected_among;
+      add_lost(missing - rejected_among);
+    }
+    last_count_ = count;
+    last_seq_ = static_cast<std::int64_t>(line.told);
+    if (!std::isnan(line.position)) return place({count, line.position, line.arrival_s});
+    add_lost(1);
+    return {};
   }
 
   Result<void> settle_width(std::size_t count) {
-    if (options_.axis > 0 && count == narrow)
+    if (options().axis > 0 && count == narrow)
       return fail(
-          fmt::format("found a stream of one axis, expected one of three to take axis {} from", options_.axis + 1));
+          fmt::format("found a stream of one axis, expected one of three to take axis {} from", options().axis + 1));
     width_ = count;
     return {};
   }
 
-  /// SEQ counts samples; a jump of it is lost data. A µMD0 counts with 16 bits, with or without a sign.
-  Result<void> count_missing(std::int64_t seq) {
-    if (!last_seq_) {
-      seq_ = 0;
-    } else {
-      std::int64_t step = seq - *last_seq_;
-      constexpr std::int64_t turn = 0x10000, most = 0x8000;
-      if (step <= 0 && std::abs(seq) < turn && std::abs(*last_seq_) < turn && step + turn <= most) step += turn;
-      if (step <= 0 && interrupted_) {
-        step = 1;  // the instrument began again; how long it was away is not known
-      } else if (step <= 0) {
-        return fail(fmt::format("found the sample counter {} after {}, expected it to grow", seq, *last_seq_));
-      }
-      if (step > longest_gap)
-        return fail(fmt::format("found the sample counter {} after {}, expected it to grow by less", seq, *last_seq_));
-      add_lost(static_cast<std::size_t>(step - 1));
-      seq_ += step;
+  /// SEQ counts samples; a jump of it is lost data. A µMD0 counts with 16 bits, with or without a sign. The number of
+  /// the sample since the first one, from the last one that was settled on; where lines are judged it need not grow.
+  Result<std::int64_t> counted_on(std::int64_t seq) {
+    const StampedLine* const judged = judged_before();
+    if (!last_seq_ && judged == nullptr) return 0;
+    const std::int64_t before = last_seq_ ? *last_seq_ : static_cast<std::int64_t>(judged->told);
+    std::int64_t step = seq - before;
+    constexpr std::int64_t turn = 0x10000, most = 0x8000;
+    if (step <= 0 && std::abs(seq) < turn && std::abs(before) < turn && step + turn <= most) step += turn;
+    if (step <= 0 && !options().skip_damaged) {
+      // After a break the instrument may have begun again; how long it was away is not known.
+      if (!interrupted_)
+        return fail(fmt::format("found the sample counter {} after {}, expected it to grow", seq, before));
+      step = 1;
     }
+    if (step > longest_gap)
+      return fail(fmt::format("found the sample counter {} after {}, expected it to grow by less", seq, before));
     interrupted_ = false;
-    last_seq_ = seq;
-    return {};
+    return (last_count_ ? *last_count_ : 0) + step;
   }
 
   Result<void> take_code(std::int64_t code, double data) {
@@ -139,7 +155,7 @@ class UmdReader final : public LineReader {
   }
 
   Result<void> take_rate(double rate_hz) {
-    if (options_.rate_hz || by_arrival_) return {};
+    if (options().rate_hz || by_arrival_) return {};
     if (!(rate_hz > 0.0)) return fail(fmt::format("found a sample rate of {} Hz, expected one above 0", rate_hz));
     if (rate_hz_ && std::abs(rate_hz - *rate_hz_) > 0.01 * *rate_hz_)
       return fail(fmt::format("found a sample rate of {} Hz after {} Hz, expected one for the whole recording", rate_hz,
@@ -149,15 +165,16 @@ class UmdReader final : public LineReader {
   }
 
   Result<void> place(const Waiting& sample) {
-    if (by_arrival_) return emit({sample.arrival_s, sample.position});
-    if (rate_hz_) return emit({static_cast<double>(sample.seq) / *rate_hz_, sample.position});
+    if (by_arrival_ && std::isnan(sample.arrival_s)) add_lost(1);
+    if (by_arrival_) return std::isnan(sample.arrival_s) ? Result<void>{} : put({sample.arrival_s, sample.position});
+    if (rate_hz_) return put({static_cast<double>(sample.seq) / *rate_hz_, sample.position});
     waiting_.push_back(sample);
     if (waiting_.size() < patience) return {};
     return without_rate();
   }
 
   Result<void> without_rate() {
-    if (!options_.arrival_s)
+    if (!options().arrival_s)
       return fail(fmt::format("found no sample rate (code 8) in {}, expected one, or --rate",
                               counted(waiting_.size(), "sample")));
     by_arrival_ = true;
@@ -176,13 +193,13 @@ class UmdReader final : public LineReader {
 
   void gap() override { interrupted_ = true; }
 
-  RecordingOptions options_;
   std::optional<double> rate_hz_;
   std::size_t width_ = 0;
   bool interrupted_ = false;
   bool by_arrival_ = false;
-  std::int64_t seq_ = 0;  // samples since the first, lost ones included
+  std::optional<std::int64_t> last_count_;  // samples since the first, lost ones included
   std::optional<std::int64_t> last_seq_;
+  std::size_t rejected_counted_ = 0;
   std::vector<Waiting> waiting_;  // until the rate is known
   Environment environment_;
 };
@@ -246,7 +263,9 @@ Minimalist Homodyne Test:
 - Codes 3, 5 and 6 (temperature in °C × 100, pressure in mbar × 100, humidity in % × 10) become first and last
   values of the air in the test. The scales are those of the firmware's source; check them against your instrument.
 - Lines before the first sample are passed over (start-up text). Refused: other lines behind it, numbers beyond
-  2^53, a counter that runs backwards or jumps by 2^40, a change of the rate.
+  2^53, a counter that runs backwards or jumps by 2^40, a change of the rate. Of a live stream and with `--skip-damaged`
+  such lines are counted and left out, also one whose counter ran ahead; a counter that begins anew is taken on after
+  five lines in order.
 )";
 
 }  // namespace
