@@ -18,7 +18,8 @@ from served import Checks, Served  # noqa: E402
 
 BOUND_S = 8.0
 AT_ONCE = 24
-PATHS = ("/api/health", "/api/tests", "/api/machines", "/api/tests/1")
+QUESTIONS = (("GET", "/api/health", None), ("GET", "/api/tests", None), ("GET", "/api/tests/1", None),
+             ("POST", "/api/machines", {"name": "Mill"}))
 
 
 def processes(server):
@@ -27,15 +28,16 @@ def processes(server):
     return [server, *map(int, children)]
 
 
-def timed(server, path):
+def timed(server, question):
     begun = time.monotonic()
-    answer = server.request("GET", path)
-    return path, answer, time.monotonic() - begun
+    answer = server.request(*question)
+    return question[1], answer, time.monotonic() - begun
 
 
 def ask(server, checks):
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
-        for path, answer, seconds in pool.map(lambda k: timed(server, PATHS[k % len(PATHS)]), range(AT_ONCE)):
+        for path, answer, seconds in pool.map(
+                lambda k: timed(server, QUESTIONS[k % len(QUESTIONS)]), range(AT_ONCE)):
             checks.that(f"{path} is refused as unavailable", answer.status == 503, answer.body)
             checks.that(f"{path} says why", b"silent" in answer.body, answer.body)
             checks.that(f"{path} is answered soon", seconds < BOUND_S, seconds)

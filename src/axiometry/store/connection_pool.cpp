@@ -23,9 +23,7 @@ Result<ConnectionPool::Lease> ConnectionPool::lease() {
     if (!free)
       return fail(ErrorKind::unavailable,
                   "found all connections to the store busy for ten seconds, expected one to become free");
-    if (silent_ && asked_)
-      return fail(ErrorKind::unavailable,
-                  "found the store's server silent, expected an answer: it is being asked again");
+    if (silent_ && asked_) return fail_silent();
     asked_ = silent_;
     if (!idle_.empty()) {
       auto connection = std::move(idle_.back());
@@ -45,6 +43,7 @@ Result<ConnectionPool::Lease> ConnectionPool::connected() {
   {
     const std::lock_guard lock(mutex_);
     silent_ = in_vain;
+    times_silent_ += in_vain ? 1 : 0;
     asked_ = false;
   }
   if (!connection) {
@@ -52,6 +51,15 @@ Result<ConnectionPool::Lease> ConnectionPool::connected() {
     return std::unexpected(std::move(connection).error());
   }
   return Lease(*this, *std::move(connection));
+}
+
+std::size_t ConnectionPool::times_silent() const {
+  const std::lock_guard lock(mutex_);
+  return times_silent_;
+}
+
+std::unexpected<Error> ConnectionPool::fail_silent() {
+  return fail(ErrorKind::unavailable, "found the store's server silent, expected an answer: it is being asked again");
 }
 
 void ConnectionPool::forget_idle() {
@@ -65,6 +73,7 @@ void ConnectionPool::take_back(std::unique_ptr<Connection> connection) {
   const std::lock_guard lock(mutex_);
   if (connection && connection->silent()) {
     silent_ = true;
+    ++times_silent_;
     returned_.notify_all();
   }
   if (connection && connection->alive())

@@ -38,16 +38,21 @@ class ConnectionPool {
   void forget_idle();
   const Place& place() const { return *place_; }
 
+  /// How often the server was found silent: who waited for something else meanwhile need not ask it once more.
+  std::size_t times_silent() const;
+  static std::unexpected<Error> fail_silent();
+
  private:
   Result<Lease> connected();
   void take_back(std::unique_ptr<Connection> connection);
 
   std::unique_ptr<Place> place_;
   std::size_t largest_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable returned_;
   std::vector<std::unique_ptr<Connection>> idle_;
   std::size_t open_ = 0;
+  std::size_t times_silent_ = 0;
   bool silent_ = false;  // it did not answer when it was asked last
   bool asked_ = false;   // and somebody is asking it again
 };

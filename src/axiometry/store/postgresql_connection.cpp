@@ -141,7 +141,7 @@ Result<void> PostgresqlConnection::wait() {
     const auto found = watch.look();
     times_idle = found == PostgresqlWatch::Found::idle ? times_idle + 1 : 0;
     silent_ = found == PostgresqlWatch::Found::silent;
-    lost_ = silent_ || times_idle > 1 || std::chrono::steady_clock::now() > until;
+    lost_ = silent_ || times_idle > 2 || std::chrono::steady_clock::now() > until;
     if (silent_)
       return fail(ErrorKind::unavailable,
                   "found the store's server silent, neither to this nor to a new connection, expected an answer: it is "

@@ -63,7 +63,7 @@ Waited wait_for_result(PGconn* session, std::chrono::milliseconds silence) {
 
 PostgresqlWatch::Found PostgresqlWatch::look() {
   if (!session_) {
-    auto session = connect_patiently(settings_, silence_allowed);
+    auto session = connect_patiently(settings_, answer_allowed);
     if (!session) return Found::silent;
     if (!*session || PQstatus(session->get()) != CONNECTION_OK) return Found::working;  // it refused, so it lives
     session_ = *std::move(session);
@@ -73,7 +73,7 @@ PostgresqlWatch::Found PostgresqlWatch::look() {
   if (PQsendQuery(session_.get(), asked.c_str()) != 1) return Found::working;
   std::string state;
   while (true) {
-    if (wait_for_result(session_.get(), silence_allowed) == Waited::silent) return Found::silent;
+    if (wait_for_result(session_.get(), answer_allowed) == Waited::silent) return Found::silent;
     const PostgresqlAnswer answer(PQgetResult(session_.get()));
     if (!answer) break;
     if (PQntuples(answer.get()) == 1) state = PQgetvalue(answer.get(), 0, 0);

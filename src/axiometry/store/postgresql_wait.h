@@ -24,9 +24,11 @@ using PostgresqlAnswer = std::unique_ptr<PGresult, PostgresqlCloser>;
 /// Of libpq, by keyword.
 using PostgresqlSettings = std::map<std::string, std::string>;
 
-/// So long a statement may be silent before the server is asked whether it lives, and so long that may take: together
-/// little enough for an answer within two seconds. A live server may take any time for a statement.
+/// So long a statement may be silent before the server is asked whether it lives, and so long that may take: together,
+/// and with a connection in vain (0.8 s), little enough for an answer within two seconds. A live server may take any
+/// time for a statement.
 inline constexpr std::chrono::milliseconds silence_allowed{400};
+inline constexpr std::chrono::milliseconds answer_allowed{600};
 
 /// Beyond this no statement is waited for, whatever the server says. It gives up a little earlier itself.
 inline constexpr std::chrono::minutes longest_statement{16};

@@ -64,10 +64,12 @@ struct Store::State {
     if (!info.writable)
       return fail(ErrorKind::read_only,
                   fmt::format("found a store that can only be read ({}), expected to write", info.why_not));
+    const std::size_t silent_before = pool.times_silent();
     if (!turn.wait_for(std::chrono::seconds(10)))
       return fail(ErrorKind::unavailable,
                   "found the store busy with another change for ten seconds, expected it to become free");
     const std::unique_ptr<Turn, void (*)(Turn*)> passing(&turn, [](Turn* taken) { taken->pass(); });
+    if (pool.times_silent() != silent_before) return ConnectionPool::fail_silent();
     AXIOMETRY_TRY(const ConnectionPool::Lease connection, begun());
     Rollback rollback(*connection);
     auto result = guarded(function, *connection);
