@@ -4,7 +4,7 @@ import struct
 import sys
 
 PT_LOAD, PT_DYNAMIC = 1, 2
-DT_NULL, DT_NEEDED, DT_STRTAB, DT_STRSZ = 0, 1, 5, 10
+DT_NULL, DT_NEEDED, DT_STRTAB = 0, 1, 5
 
 
 class Elf:
@@ -46,9 +46,3 @@ class Elf:
         at = self.offset_of(self.dynamic()[DT_STRTAB])
         return {self.data[at + value:self.data.index(b"\0", at + value)].decode()
                 for tag, value in self.dynamic_list() if tag == DT_NEEDED}
-
-    def names(self):
-        """All names of the dynamic symbols and libraries."""
-        entries = self.dynamic()
-        at = self.offset_of(entries[DT_STRTAB])
-        return set(self.data[at:at + entries[DT_STRSZ]].split(b"\0"))
