@@ -120,7 +120,7 @@ void add_serve(CLI::App& program, int& exit_code) {
              if (!mb || *mb == 0 || *mb > upload_mb_max)
                return fail(fmt::format("found {}, expected 1 to {}", text::quoted(text), upload_mb_max));
              options.limits.upload_bytes = std::size_t{*mb} << 20;
-             options.limits.bodies_bytes = 4 * options.limits.upload_bytes;
+             options.limits.held_bytes = 4 * options.limits.upload_bytes;
              return {};
            });
   verb->add_option_function<std::vector<std::string>>(

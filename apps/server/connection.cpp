@@ -10,10 +10,9 @@
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/buffer_body.hpp>
-#include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/read.hpp>
-#include <boost/beast/http/string_body.hpp>
+#include <boost/beast/http/serializer.hpp>
 #include <boost/beast/http/write.hpp>
 #include <chrono>
 #include <functional>
@@ -21,12 +20,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "departure.h"
 #include "request_head.h"
+#include "response_message.h"
 
 namespace axiometry::server {
 namespace {
@@ -42,26 +43,18 @@ constexpr std::size_t piece_bytes = std::size_t{64} << 10;
 constexpr auto lingering = std::chrono::seconds(3);
 constexpr auto watching = std::chrono::milliseconds(500);
 constexpr auto soon = std::chrono::seconds(2);
-constexpr std::string_view line_is_full =
-    "found more reports and evaluations in line than the server takes, expected fewer; try again in a moment";
+constexpr std::size_t small_answer = std::size_t{16} << 10;  // not worth to be refused for want of memory
 constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
-
-/// Nothing of ours holds line ends; what came from elsewhere must not begin a header of its own.
-std::string header_value(std::string_view value) {
-  std::string safe(value);
-  std::ranges::replace_if(
-      safe, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7F; }, ' ');
-  return safe;
-}
 
 /// On a stream of TCP or TLS. A chain of steps, each of which begins the next; between two of them nothing happens, so
 /// that no two operations run at once. All on the I/O thread, but for the answer itself.
 template <typename Stream>
-class Connection final : public Hangable, public std::enable_shared_from_this<Connection<Stream>> {
+class Connection final : public Guest, public std::enable_shared_from_this<Connection<Stream>> {
  public:
   Connection(Stream stream, std::string peer, ConnectionShare& share)
       : stream_(std::move(stream)),
         peer_(std::move(peer)),
+        whose_(peer_),
         share_(share),
         timer_(stream_.get_executor()),
         watch_(stream_.get_executor()) {
@@ -69,7 +62,6 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
   }
 
   ~Connection() override {
-    release_body();
     share_.connections.erase(this);
     if (share_.connections.empty() && share_.when_none) share_.when_none();
   }
@@ -91,8 +83,12 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
     if (is_idle_) close();
   }
 
+  void give_way() override { close(); }
+  Standing standing() const override { return {whose_, doing_, last_moved_, bytes_held()}; }
+
  private:
   static constexpr bool is_tls = !std::is_same_v<Stream, tcp::socket>;
+  using Doing = Standing::Doing;
 
   tcp::socket& socket() {
     if constexpr (is_tls)
@@ -126,6 +122,8 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
   }
 
   void close() {
+    is_closed_ = true;
+    share_.connections.erase(this);
     take_your_time();
     error_code ignored;
     socket().close(ignored);
@@ -167,6 +165,7 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
     const bool may_stay = parser_->get().keep_alive();
     keeps_alive_ = may_stay && !has_body;
     if (auto refused = share_.service.refused(request_)) return respond(*std::move(refused));
+    if (share_.service.peer_of) whose_ = share_.service.peer_of(request_);
     if (head->length && *head->length > share_.limits.upload_bytes) return respond(too_large());
     keeps_alive_ = may_stay;
     if (!has_body) return answer();
@@ -184,7 +183,8 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
 
   void begin_body() {
     piece_.resize(piece_bytes);
-    body_began_ = Clock::now();
+    body_began_ = last_moved_ = Clock::now();
+    doing_ = Doing::receiving;
     read_body();
   }
 
@@ -201,20 +201,20 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
     if (code && code != http::error::need_buffer) return failed_to_read(code, "body");
     const std::size_t count = piece_.size() - parser_->get().body().size;
     if (request_.body.size() + count > share_.limits.upload_bytes) return give_up(too_large());
-    if (share_.bodies_bytes + count > share_.limits.bodies_bytes)
+    last_moved_ = Clock::now();
+    if (!share_.make_memory(*this, count))
       return give_up(
           busy("found more uploads at once than the server has memory for, expected fewer", soon, request_.language));
-    share_.bodies_bytes += count;
-    counted_bytes_ += count;
+    body_bytes_ += count;
     request_.body.append(piece_.data(), count);
     if (!parser_->is_done()) return read_body();
     piece_ = {};
     answer();
   }
 
-  void release_body() {
-    share_.bodies_bytes -= std::exchange(counted_bytes_, 0);
-    piece_ = {};
+  std::size_t bytes_held() const {
+    const auto sharing = static_cast<std::size_t>(std::max(1L, answer_.use_count()));
+    return body_bytes_ + (answer_ ? answer_->body.size() / sharing : 0);
   }
 
   Response too_large() const {
@@ -225,7 +225,6 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
   /// An answer although the rest of the request is still to come.
   void give_up(Response response) {
     keeps_alive_ = false;
-    std::string().swap(request_.body);
     release_body();
     respond(std::move(response));
   }
@@ -240,94 +239,95 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
 
   void answer() {
     take_your_time();
-    const Load load = share_.service.load_of ? share_.service.load_of(request_) : Load::light;
-    const bool is_heavy = load != Load::light;
-    WorkerPool& pool = is_heavy ? share_.heavy : share_.light;
-    std::function<void()> task = [self = this->shared_from_this()]() mutable {
-      Connection& connection = *self;
-      std::string body = std::exchange(connection.request_.body, {});
-      Request request = connection.request_;
-      request.body = std::move(body);
-      Response response = connection.share_.service.answer(std::move(request));
-      asio::post(connection.timer_.get_executor(), [self = std::move(self), response = std::move(response)]() mutable {
-        self->waiting_.reset();
-        self->watch_.cancel();
-        self->release_body();
-        self->respond(std::move(response));
-      });
-    };
-    waiting_ = pool.submit(peer_ + ' ' + request_.actor, std::move(task), load == Load::lone);
-    if (waiting_) {
-      if (is_heavy) watch_for_leaving();
-      return;
-    }
-    release_body();
-    if (is_heavy) return respond(busy(line_is_full, std::chrono::seconds(10), request_.language));
-    respond(busy("found more requests at once than the server can answer, expected fewer", soon, request_.language));
+    doing_ = Doing::waiting;
+    std::string body = std::exchange(request_.body, {});
+    auto request = std::make_shared<Request>(request_);
+    request->body = std::move(body);
+    asked_ = share_.desk.ask(std::move(request), whose_ + ' ' + request_.actor,
+                             [self = this->shared_from_this()](std::shared_ptr<const Response> response) {
+                               self->asked_.reset();
+                               self->watch_.cancel();
+                               self->release_body();
+                               self->deliver(std::move(response));
+                             });
+    watch_for_leaving();
   }
 
-  /// Who leaves while the request is still in line gives up its place.
+  void release_body() {
+    body_bytes_ = 0;
+    piece_ = {};
+    std::string().swap(request_.body);
+  }
+
+  /// Who leaves while the request is in line or being answered gives up what it asked for.
   void watch_for_leaving() {
     watch_.expires_after(watching);
     watch_.async_wait([self = this->shared_from_this()](error_code code) {
-      if (code || !self->waiting_) return;
+      if (code || !self->asked_) return;
       if (!has_left(self->socket().native_handle())) return self->watch_for_leaving();
-      if (self->share_.heavy.withdraw(*self->waiting_)) self->close();
+      if (!self->share_.desk.leave(*self->asked_)) return self->watch_for_leaving();
+      self->asked_.reset();
+      self->close();
     });
   }
 
+  /// One that the transport makes itself.
   void respond(Response response) {
-    if (response.delay.count() == 0) return write(std::move(response));
+    share_.service.finish(response);
+    deliver(std::make_shared<const Response>(std::move(response)));
+  }
+
+  void deliver(std::shared_ptr<const Response> response) {
+    if (response->delay.count() == 0) return write(std::move(response));
     take_your_time();
-    timer_.expires_after(std::exchange(response.delay, {}));
+    doing_ = Doing::idle;  // computes nothing: may give way
+    timer_.expires_after(response->delay);
     timer_.async_wait([self = this->shared_from_this(), response = std::move(response)](error_code) mutable {
       self->write(std::move(response));
     });
   }
 
-  void write(Response response) {
-    share_.service.finish(response);
+  void write(std::shared_ptr<const Response> response) {
+    if (is_closed_) return;
+    last_moved_ = Clock::now();
+    const std::size_t size = response->body.size();
+    if (size > small_answer && response->status == 200 && !share_.make_memory(*this, size))
+      return respond(busy("found more answers on their way than the server has memory for, expected fewer", soon,
+                          request_.language));
     if (share_.ending) keeps_alive_ = false;
-    const std::size_t size = response.body.size();
     if (share_.service.answered)
       share_.service.answered(
           {.request = request_,
-           .status = response.status,
+           .status = response->status,
            .bytes = size,
            .milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - began_).count()});
-    allow(time_for(size));
-    if (request_.method == "HEAD")
-      send(message_of<http::empty_body>(response, size));
-    else
-      send(message_of<http::string_body>(response, size));
+    doing_ = Doing::sending;
+    answer_ = std::move(response);
+    answer_until_ = Clock::now() + time_for(size);
+    message_.emplace(message_of(*answer_, {.version = parser_->get().version() == 10 ? 10U : 11U,
+                                           .head_only = request_.method == "HEAD",
+                                           .keeps_alive = keeps_alive_}));
+    serializer_.emplace(*message_);
+    send();
   }
 
-  template <typename Body>
-  std::shared_ptr<http::response<Body>> message_of(Response& response, std::size_t size) {
-    auto message = std::make_shared<http::response<Body>>();
-    message->version(parser_->get().version() == 10 ? 10 : 11);
-    message->result(static_cast<unsigned>(response.status));
-    for (const auto& [name, value] : response.headers) message->insert(name, header_value(value));
-    const bool has_no_body = response.status == 204 || response.status == 304;
-    if (!has_no_body) {
-      message->set(http::field::content_type, header_value(response.content_type));
-      message->content_length(size);
-      if constexpr (std::is_same_v<Body, http::string_body>) message->body() = std::move(response.body);
-    }
-    message->keep_alive(keeps_alive_);
-    return message;
+  /// Piece by piece, each of which must go out within the grace, and all within what the size allows.
+  void send() {
+    allow_until(std::min(answer_until_, Clock::now() + share_.limits.grace));
+    http::async_write_some(stream_, *serializer_, [self = this->shared_from_this()](error_code code, std::size_t) {
+      if (code) return self->close();
+      self->last_moved_ = Clock::now();
+      if (!self->serializer_->is_done()) return self->send();
+      self->sent();
+    });
   }
 
-  template <typename Message>
-  void send(std::shared_ptr<Message> message) {
-    Message& whole = *message;
-    http::async_write(stream_, whole,
-                      [self = this->shared_from_this(), message](error_code code, std::size_t) { self->sent(code); });
-  }
-
-  void sent(error_code code) {
-    if (code) return close();
+  void sent() {
+    serializer_.reset();
+    message_.reset();
+    answer_.reset();
     request_ = {};
+    doing_ = Doing::idle;
     if (!keeps_alive_) return say_goodbye();
     wait_for_request(share_.limits.idle);
   }
@@ -360,40 +360,40 @@ class Connection final : public Hangable, public std::enable_shared_from_this<Co
   }
 
   Stream stream_;
-  std::string peer_;
+  std::string peer_;   // the address
+  std::string whose_;  // share it takes: that of the address, or of who has signed in
   ConnectionShare& share_;
   asio::steady_timer timer_;
   asio::steady_timer watch_;
-  std::optional<WorkerPool::Ticket> waiting_;  // in the line of either pool, or being answered
-  std::uint64_t deadline_ = 0;                 // counts deadlines, so that one that has passed meanwhile is known
+  std::optional<Desk::Ticket> asked_;  // in a line, or being answered
+  std::uint64_t deadline_ = 0;         // counts deadlines, so that one that has passed meanwhile is known
   bool timed_out_ = false;
   bool is_idle_ = false;
+  bool is_closed_ = false;
   bool keeps_alive_ = false;
+  Doing doing_ = Doing::silent;
+  Clock::time_point last_moved_ = Clock::now();
   beast::flat_buffer buffer_{std::size_t{256} << 10};
   std::optional<http::request_parser<http::buffer_body>> parser_;
   Request request_;
   std::vector<char> piece_;
-  std::size_t counted_bytes_ = 0;  // of this body in share_.bodies_bytes
+  std::size_t body_bytes_ = 0;              // also while it is answered
+  std::shared_ptr<const Response> answer_;  // that goes out
+  std::optional<ResponseMessage> message_;
+  std::optional<http::serializer<false, ResponseMessage::body_type>> serializer_;
   Clock::time_point began_;
   Clock::time_point body_began_;
+  Clock::time_point answer_until_;
 };
-
-std::string peer_of(const tcp::socket& socket) {
-  error_code code;
-  const auto endpoint = socket.remote_endpoint(code);
-  return code ? "" : endpoint.address().to_string();
-}
 
 }  // namespace
 
-void serve_plain(tcp::socket socket, ConnectionShare& share) {
-  std::string peer = peer_of(socket);
+void serve_plain(tcp::socket socket, std::string peer, ConnectionShare& share) {
   std::make_shared<Connection<tcp::socket>>(std::move(socket), std::move(peer), share)->begin();
 }
 
-void serve_tls(tcp::socket socket, asio::ssl::context& context, ConnectionShare& share) {
+void serve_tls(tcp::socket socket, std::string peer, asio::ssl::context& context, ConnectionShare& share) {
   using Stream = asio::ssl::stream<tcp::socket>;
-  std::string peer = peer_of(socket);
   std::make_shared<Connection<Stream>>(Stream(std::move(socket), context), std::move(peer), share)->begin();
 }
 

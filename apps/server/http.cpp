@@ -107,7 +107,8 @@ Response download(std::string body, std::string_view content_type, std::string_v
 }
 
 Result<json::Value> json_body(const Request& request) {
-  AXIOMETRY_TRY(json::Value value, json::parse(request.body));
+  constexpr json::ParseLimits limits{.bytes = std::size_t{8} << 20, .depth = 64, .values = 1'000'000};
+  AXIOMETRY_TRY(json::Value value, json::parse(request.body, limits));
   if (!value.is(json::Kind::object))
     return fail(fmt::format("found {}, expected an object", json::kind_name(value.kind())), value.at());
   return value;

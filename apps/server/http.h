@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,7 @@ struct Request {
   language::Language language = language::Language::english;  ///< by ?language=, else Accept-Language
   Pairs captured;                                             ///< of the route's path: {"id", "12"}
   std::string peer{};                                         ///< address of who asks: "127.0.0.1"
+  std::stop_token stop{};                                     ///< nobody waits for the answer any more
 
   std::optional<std::string_view> header(std::string_view name) const;
   std::optional<std::string_view> parameter(std::string_view name) const;  ///< of the query
@@ -64,7 +66,8 @@ Response busy(std::string_view message, std::chrono::seconds retry_after, langua
 /// As a file to keep: Content-Disposition with a name that is safe everywhere (RFC 6266, RFC 8187).
 Response download(std::string body, std::string_view content_type, std::string_view file_name);
 
-/// The body as a JSON object. Fails with line and column.
+/// The body as a JSON object. Fails, with line and column, also on more than 8 MiB or a million values: no plan and no
+/// edit has as many.
 Result<json::Value> json_body(const Request& request);
 
 }  // namespace axiometry::server

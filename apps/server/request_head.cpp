@@ -7,8 +7,10 @@
 #include <array>
 #include <boost/beast/http/error.hpp>
 
+#include "axiometry/app/given_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/store/own_names.h"
 #include "target.h"
 
 namespace axiometry::server {
@@ -17,9 +19,9 @@ namespace {
 namespace http = boost::beast::http;
 
 /// What would mean something else to each reader if it stood twice.
-constexpr std::array<std::string_view, 11> only_once = {
-    "host",           "content-length", "transfer-encoding", "content-type",  "origin",         "authorization",
-    "sec-fetch-site", "x-file-name",    "x-actor",           "if-none-match", "accept-language"};
+constexpr std::array<std::string_view, 12> only_once = {
+    "host",           "content-length",   "transfer-encoding", "content-type", "origin",        "authorization",
+    "sec-fetch-site", "content-encoding", "x-file-name",       "x-actor",      "if-none-match", "accept-language"};
 
 constexpr std::size_t actor_bytes_max = 200;
 
@@ -42,12 +44,15 @@ language::Language language_of(const Request& request) {
 
 Result<std::string> actor_of(const Request& request) {
   const auto header = request.header("x-actor");
-  if (!header) return "workbench";
+  if (!header) return std::string(store::nobody_named);
   AXIOMETRY_TRY(std::string actor, percent_decoded(*header));
-  actor = text::trim(actor);
+  AXIOMETRY_TRY(actor, app::given_line("X-Actor", actor));
+  if (std::ranges::find(store::own_names, text::to_lower(actor)) != store::own_names.end())
+    return fail(fmt::format("found the name {} in X-Actor, by which the program calls itself, expected another",
+                            text::quoted(actor)));
   if (actor.size() > actor_bytes_max)
     return fail(fmt::format("found a name of {} bytes in X-Actor, expected at most {}", actor.size(), actor_bytes_max));
-  return actor.empty() ? "workbench" : actor;
+  return actor.empty() ? std::string(store::nobody_named) : actor;
 }
 
 Result<Request> request_of(const http::request_header<>& header, std::string peer) {
@@ -86,6 +91,13 @@ std::expected<RequestHead, Response> read_head(const http::request_header<>& hea
     if (!text::equal_ignoring_case(*encoding, "chunked"))
       return refused(501, head.request,
                      fmt::format("found the transfer encoding {}, expected chunked", text::quoted(*encoding)));
+  }
+  if (const auto coding = head.request.header("content-encoding");
+      coding && !text::equal_ignoring_case(text::trim(*coding), "identity")) {
+    Response response = refusal(415, fmt::format("found the content encoding {}, expected none", text::quoted(*coding)),
+                                head.request.language);
+    response.headers.emplace_back("Accept-Encoding", "identity");
+    return std::unexpected(std::move(response));
   }
   if (const auto length = head.request.header("content-length")) {
     head.length = parse_count(*length);

@@ -20,7 +20,7 @@ struct RequestHead {
 };
 
 /// A request of which only the head has come; or the refusal: 400 for a target that is none, for fields that must be
-/// there once and are not, for two lengths; 417, 501 and 505 for what is not done here.
+/// there once and are not, for two lengths; 415, 417, 501 and 505 for what is not done here.
 std::expected<RequestHead, Response> read_head(const boost::beast::http::request_header<>& header, std::string peer);
 
 /// Of what the parser found wrong: 431 for what is too long, else 400.

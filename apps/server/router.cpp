@@ -4,15 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <optional>
+#include <stop_token>
+
+#include "axiometry/report/utf8.h"
+#include "log.h"
 
 namespace axiometry::server {
 namespace {
 
-constexpr std::size_t light_body_max = std::size_t{256} << 10;
-constexpr std::string_view of_all_processors = "\"monte-carlo\"";  // as in the options of an evaluation
+constexpr std::size_t light_body_max = std::size_t{64} << 10;
 
 std::string method_of(const Request& request) { return request.method == "HEAD" ? "GET" : request.method; }
 
@@ -49,59 +51,112 @@ std::optional<Pairs> captured_by(const std::vector<std::string>& pattern, const 
   return captured;
 }
 
-Response answer_with(const Handler& handler, const Request& request) {
+/// What `work` gives; of whatever it throws a fault of the program alone, and of this request alone.
+template <typename Work>
+auto guarded(const Request& request, const Work& work, const std::function<decltype(work())(Response)>& failed)
+    -> decltype(work()) {
+  std::string what = "an exception of no known kind";
   try {
+    return work();
+  } catch (const std::exception& exception) {
+    what = exception.what();
+  } catch (...) {  // NOLINT(bugprone-empty-catch): told below
+  }
+  log_line(
+      fmt::format("axiometry: {} {}: {}", report::printable(request.method), report::printable(request.path), what));
+  return failed(refusal(500, "the program failed at this request; nothing was kept", request.language));
+}
+
+Response answered(const Handler& handler, const Request& request) {
+  const auto answer = [&] {
     auto response = handler(request);
     return response ? *std::move(response) : error_response(response.error(), request.language);
-  } catch (const std::exception& exception) {
-    fmt::print(stderr, "axiometry: {} {}: {}\n", request.method, request.path, exception.what());
-    return refusal(500, "the program failed at this request; nothing was kept", request.language);
-  }
+  };
+  return guarded(request, answer, [](Response failed) { return failed; });
+}
+
+Job job_of(const std::shared_ptr<Request>& request, Reading reading) {
+  return {.load = reading.load,
+          .key = std::move(reading.key),
+          .answer = [request, handler = std::move(reading.answer)](const std::stop_token& stop) {
+            request->stop = stop;
+            return answered(handler, *request);
+          }};
+}
+
+Job ready(Response response) {
+  return {.answer = [response = std::move(response)](const std::stop_token&) { return response; }};
+}
+
+Load load_by_size(const Request& request) { return request.body.size() > light_body_max ? Load::heavy : Load::light; }
+
+/// Of a route that needs no reading.
+RouteReader without_reading(Handler handler, Weight weight) {
+  return [handler = std::move(handler), weight](const Request& request) -> Result<Reading> {
+    Reading reading{.answer = handler};
+    if (weight == Weight::edit) reading.load = Load::edit;
+    if (weight == Weight::heavy) reading.load = Load::heavy;
+    if (weight == Weight::by_size) reading.load = load_by_size(request);
+    return reading;
+  };
 }
 
 }  // namespace
 
 void Router::add(std::string_view method, std::string_view pattern, Handler handler, Weight weight) {
-  entries_.push_back({std::string(method), std::string(pattern), segments_of(pattern), std::move(handler), weight});
+  entries_.push_back({std::string(method), std::string(pattern), segments_of(pattern),
+                      without_reading(std::move(handler), weight), weight});
 }
 
-Load Router::load_of(const Request& request) const {
+void Router::add_read(std::string_view method, std::string_view pattern, RouteReader reader) {
+  entries_.push_back(
+      {std::string(method), std::string(pattern), segments_of(pattern), std::move(reader), Weight::by_value});
+}
+
+Load Router::line_of(const Request& request) const {
   const std::string wanted = method_of(request);
   const auto segments = segments_of(request.path);
   const auto entry = std::ranges::find_if(
       entries_, [&](const Entry& e) { return e.method == wanted && captured_by(e.segments, segments).has_value(); });
   if (entry == entries_.end()) return Load::light;
-  switch (entry->weight) {
-    case Weight::light: return Load::light;
-    case Weight::heavy: return Load::heavy;
-    case Weight::by_size: return request.body.size() > light_body_max ? Load::heavy : Load::light;
-    case Weight::by_method: return request.body.contains(of_all_processors) ? Load::lone : Load::heavy;
-  }
-  return Load::light;
+  if (entry->weight == Weight::heavy) return Load::heavy;
+  const Load by_size = load_by_size(request);
+  if (entry->weight == Weight::edit && by_size == Load::light) return Load::edit;
+  return by_size;
 }
 
-Response Router::answer(Request request) const {
-  const std::string wanted = method_of(request);
-  const auto segments = segments_of(request.path);
+Job Router::find_and_read(const std::shared_ptr<Request>& request) const {
+  const std::string wanted = method_of(*request);
+  const auto segments = segments_of(request->path);
   std::string allowed;
   for (const Entry& entry : entries_) {
     auto captured = captured_by(entry.segments, segments);
     if (!captured) continue;
     if (entry.method == wanted) {
-      request.captured = *std::move(captured);
-      return answer_with(entry.handler, request);
+      request->captured = *std::move(captured);
+      auto reading = entry.reader(*request);
+      return reading ? job_of(request, *std::move(reading)) : ready(error_response(reading.error(), request->language));
     }
     allowed += (allowed.empty() ? "" : ", ") + entry.method;
   }
   const bool is_api = !segments.empty() && segments.front() == "api";
   if (allowed.empty() && !is_api && otherwise_) {
-    if (wanted == "GET") return answer_with(otherwise_, request);
+    if (wanted == "GET") return job_of(request, {.answer = otherwise_});
     allowed = "GET";
   }
-  if (allowed.empty()) return refusal(404, "there is nothing of this name", request.language);
-  Response response = refusal(405, fmt::format("found {}, expected {}", request.method, allowed), request.language);
+  if (allowed.empty()) return ready(refusal(404, "there is nothing of this name", request->language));
+  Response response = refusal(405, fmt::format("found {}, expected {}", request->method, allowed), request->language);
   response.headers.emplace_back("Allow", allowed);
-  return response;
+  return ready(std::move(response));
+}
+
+Job Router::read(std::shared_ptr<Request> request) const {
+  return guarded(
+      *request, [&] { return find_and_read(request); }, ready);
+}
+
+Response Router::answer(Request request) const {
+  return read(std::make_shared<Request>(std::move(request))).answer({});
 }
 
 std::vector<Router::Route> Router::routes() const {

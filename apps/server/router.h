@@ -2,25 +2,37 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "http.h"
+#include "job.h"
 #include "load.h"
 
 namespace axiometry::server {
 
-/// May be called from many threads at once, and may take its time.
+/// May be called from many threads at once, and may take its time. Where that is long it looks at Request::stop.
 using Handler = std::function<Result<Response>(const Request&)>;
+
+/// A request that was read: what it costs by its values, and what answers it.
+struct Reading {
+  Load load = Load::light;
+  std::string key{};  ///< as Job::key
+  Handler answer;     ///< given the same request
+};
+/// Reads a request, which is all that it should cost.
+using RouteReader = std::function<Result<Reading>(const Request&)>;
 
 /// How the load of a request is known.
 enum class Weight {
   light,
+  edit,
   heavy,
-  by_size,    ///< heavy with a body of more than 256 kB
-  by_method,  ///< heavy; lone with a body that names the Monte Carlo method
+  by_size,   ///< heavy with a body of more than 64 kB
+  by_value,  ///< as its RouteReader says
 };
 
 /// Which handler answers which request. Patterns are literal but for whole segments in braces: "/api/tests/{id}", and
@@ -28,16 +40,22 @@ enum class Weight {
 class Router {
  public:
   void add(std::string_view method, std::string_view pattern, Handler handler, Weight weight = Weight::light);
+  void add_read(std::string_view method, std::string_view pattern, RouteReader reader);
 
   /// What answers GET and HEAD of a path that no pattern fits and that is not below "/api".
   void add_otherwise(Handler handler) { otherwise_ = std::move(handler); }
 
-  /// The handler's response, or its error as a response; 404 for an unknown path, 405 with Allow for a known path with
-  /// another method. HEAD is answered as GET without its body. Exceptions do not pass: 500, logged.
-  Response answer(Request request) const;
+  /// In which line a request with its body waits to be read: light where there is no route for it, and of a route by
+  /// value unless the body has more than 64 kB.
+  Load line_of(const Request& request) const;
 
-  /// By its route, of a request with its body; light where there is none.
-  Load load_of(const Request& request) const;
+  /// What it costs and what answers it: the handler's response, or its error as a response; 404 for an unknown path,
+  /// 405 with Allow for a known path with another method. HEAD is answered as GET without its body. Exceptions do not
+  /// pass, memory that is not there among them: 500, logged.
+  Job read(std::shared_ptr<Request> request) const;
+
+  /// Both at once.
+  Response answer(Request request) const;
 
   struct Route {
     std::string method;
@@ -51,9 +69,11 @@ class Router {
     std::string method;
     std::string pattern;
     std::vector<std::string> segments;
-    Handler handler;
+    RouteReader reader;
     Weight weight = Weight::light;
   };
+  Job find_and_read(const std::shared_ptr<Request>& request) const;
+
   std::vector<Entry> entries_;
   Handler otherwise_;
 };

@@ -4,8 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "axiometry/base/broken_contract.h"
 
 namespace axiometry::server {
 namespace {
@@ -21,6 +26,10 @@ Router some_router() {
     return Response{.body = std::string(request.segment("id")) + " as " + std::string(request.segment("extension"))};
   });
   router.add("GET", "/api/fault", [](const Request&) -> Result<Response> { throw std::runtime_error("fault"); });
+  router.add("GET", "/api/memory", [](const Request&) -> Result<Response> { throw std::bad_alloc(); });
+  router.add("GET", "/api/contract", [](const Request& request) -> Result<Response> {
+    return Response{.body = std::string(request.segment("no such segment"))};
+  });
   router.add("GET", "/api/conflict", [](const Request&) -> Result<Response> {
     return fail(ErrorKind::conflict, "found version 1, expected version 2");
   });
@@ -56,24 +65,32 @@ TEST(Router, tells_what_computes_for_long) {
   const Handler none = [](const Request&) -> Result<Response> { return Response{}; };
   router.add("GET", "/api/tests", none);
   router.add("POST", "/api/tests", none, Weight::by_size);
-  router.add("POST", "/api/evaluations", none, Weight::by_method);
+  router.add("POST", "/api/withdraw", none, Weight::edit);
+  router.add_read("POST", "/api/evaluations", [&](const Request& request) -> Result<Reading> {
+    AXIOMETRY_TRY(const json::Value body, json_body(request));
+    return Reading{.load = body.find("lone") ? Load::lone : Load::edit, .answer = none};
+  });
   router.add("GET", "/api/tests/{id}/report.{extension}", none, Weight::heavy);
   const auto load = [&](std::string method, std::string path, std::string body = "") {
     Request request{};
     request.method = std::move(method);
     request.path = std::move(path);
     request.body = std::move(body);
-    return router.load_of(request);
+    return std::pair(router.line_of(request), router.read(std::make_shared<Request>(request)).load);
   };
-  EXPECT_EQ(load("GET", "/api/tests"), Load::light);
-  EXPECT_EQ(load("POST", "/api/tests", std::string(1000, 'x')), Load::light);
-  EXPECT_EQ(load("POST", "/api/tests", std::string(1'000'000, 'x')), Load::heavy);
-  EXPECT_EQ(load("GET", "/api/tests/1/report.pdf"), Load::heavy);
-  EXPECT_EQ(load("HEAD", "/api/tests/1/report.pdf"), Load::heavy);
-  EXPECT_EQ(load("POST", "/api/evaluations", R"({"methods": ["gum"]})"), Load::heavy);
-  EXPECT_EQ(load("POST", "/api/evaluations", R"({"methods": ["gum", "monte-carlo"]})"), Load::lone);
-  EXPECT_EQ(load("POST", "/api/tests/1/report.pdf"), Load::light);
-  EXPECT_EQ(load("GET", "/nothing"), Load::light);
+  const auto both = [](Load load) { return std::pair(load, load); };
+  EXPECT_EQ(load("GET", "/api/tests"), both(Load::light));
+  EXPECT_EQ(load("POST", "/api/tests", std::string(1000, 'x')), both(Load::light));
+  EXPECT_EQ(load("POST", "/api/tests", std::string(1'000'000, 'x')), both(Load::heavy));
+  EXPECT_EQ(load("GET", "/api/tests/1/report.pdf"), both(Load::heavy));
+  EXPECT_EQ(load("HEAD", "/api/tests/1/report.pdf"), both(Load::heavy));
+  EXPECT_EQ(load("POST", "/api/withdraw"), both(Load::edit));
+  EXPECT_EQ(load("POST", "/api/withdraw", std::string(1'000'000, ' ')).first, Load::heavy) << "takes long to be read";
+  EXPECT_EQ(load("POST", "/api/evaluations", "{}"), std::pair(Load::light, Load::edit));
+  EXPECT_EQ(load("POST", "/api/evaluations", R"({"l\u006fne": true})"), std::pair(Load::light, Load::lone));
+  EXPECT_EQ(load("POST", "/api/evaluations", "no JSON"), both(Load::light));
+  EXPECT_EQ(load("POST", "/api/tests/1/report.pdf"), both(Load::light));
+  EXPECT_EQ(load("GET", "/nothing"), both(Load::light));
 }
 
 TEST(Router, says_which_methods_a_path_has) {
@@ -84,6 +101,9 @@ TEST(Router, says_which_methods_a_path_has) {
 
 TEST(Router, answers_faults_and_errors_as_JSON) {
   EXPECT_EQ(answer("GET", "/api/fault").status, 500);
+  EXPECT_EQ(answer("GET", "/api/memory").status, 500);
+  const ContractsThrow in_its_request;
+  EXPECT_EQ(answer("GET", "/api/contract").status, 500);
   EXPECT_THAT(answer("GET", "/api/fault").body, ::testing::Not(::testing::HasSubstr("fault\"")));
   EXPECT_EQ(answer("GET", "/api/conflict").status, 409);
   EXPECT_THAT(answer("GET", "/api/conflict").body, ::testing::HasSubstr("\"conflict\""));

@@ -108,8 +108,9 @@ void add_capture_routes(Router& router, const Context& context) {
   router.add("POST", "/api/captures", [context](const Request& request) { return post(context, request); });
   router.add("GET", "/api/captures/{id}",
              [&captures](const Request& request) { return get_capture(captures, request); });
-  router.add("POST", "/api/captures/{id}/stop",
-             [&captures](const Request& request) { return stop(captures, request); });
+  router.add(
+      "POST", "/api/captures/{id}/stop", [&captures](const Request& request) { return stop(captures, request); },
+      Weight::edit);  // waits for what is still to be kept
 }
 
 }  // namespace axiometry::server

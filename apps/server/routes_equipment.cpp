@@ -2,6 +2,7 @@
 // Machines, axes and instruments over time; trends of an axis; the audit trail.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -145,9 +146,9 @@ template <typename Thing, typename Add>
 void add_routes_of(const Add& add_route) {
   const std::string path = fmt::format("/api/{}", KindOf<Thing>::plural);
   add_route("GET", path, list_things<Thing>);
-  add_route("POST", path, add<Thing>);
+  add_route("POST", path, add<Thing>, Weight::edit);
   add_route("GET", path + "/{id}", get_thing<Thing>);
-  add_route("PUT", path + "/{id}", change<Thing>);
+  add_route("PUT", path + "/{id}", change<Thing>, Weight::edit);
   add_route("GET", path + "/{id}/versions", versions<Thing>);
 }
 
@@ -161,7 +162,7 @@ Result<Response> trend(Store& store, const Request& request) {
     const auto* parameter = iso230_2::find_parameter(text::trim(key));
     if (parameter == nullptr)
       return fail(fmt::format("found the parameter {}, expected some of A, E, R, B and their like", text::quoted(key)));
-    parameters.emplace_back(parameter->key);
+    if (std::ranges::find(parameters, parameter->key) == parameters.end()) parameters.emplace_back(parameter->key);
   }
   AXIOMETRY_TRY(auto axis, store.get<Axis>(id));
   AXIOMETRY_TRY(auto machine, store.get<Machine>(axis.value.machine));
@@ -186,8 +187,10 @@ Result<Response> audit(Store& store, const Request& request) {
 
 void add_equipment_routes(Router& router, const Context& context) {
   Store& store = context.store;
-  const auto add_route = [&](std::string_view method, std::string_view pattern, auto handler) {
-    router.add(method, pattern, [&store, handler](const Request& request) { return handler(store, request); });
+  const auto add_route = [&](std::string_view method, std::string_view pattern, auto handler,
+                             Weight weight = Weight::light) {
+    router.add(
+        method, pattern, [&store, handler](const Request& request) { return handler(store, request); }, weight);
   };
   add_routes_of<Machine>(add_route);
   add_routes_of<Axis>(add_route);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 
 #include "axiometry/app/file_name_part.h"
@@ -165,22 +166,40 @@ Result<app::RequestedPlan> draft_of(const Value& body) {
   return bare ? app::requested_plan_of(body) : app::requested_plan(body);
 }
 
+/// Of what is shown of a plan that was made or read already: its readings tell what that costs.
+template <typename Show>
+Reading reading_of(const Plan& plan, Show show) {
+  constexpr std::size_t light_readings = 5'000;
+  const Load load = app::planned_readings(plan) > light_readings ? Load::heavy : Load::light;
+  return {.load = load, .answer = std::move(show)};
+}
+
+Result<Reading> read_draft_request(const Request& request) {
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(app::RequestedPlan plan, draft_of(body));
+  AXIOMETRY_TRY(const Look look, look_of(request));
+  const auto shared = std::make_shared<const app::RequestedPlan>(std::move(plan));
+  return reading_of(shared->planned.plan, [shared, look](const Request&) -> Result<Response> {
+    return json_response(app::draft_value(*shared, look.reader, look.dark));
+  });
+}
+
+Result<Reading> read_program_request(const Request& request) {
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(app::RequestedPlan plan, app::requested_plan(body));
+  AXIOMETRY_TRY(auto texts, options_member(body));
+  AXIOMETRY_TRY(const std::string dialect, line_member(body, "dialect"));
+  texts.emplace_back("dialect", dialect);
+  AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
+  const auto shared = std::make_shared<const app::RequestedPlan>(std::move(plan));
+  return reading_of(shared->planned.plan, [shared, texts, to_keep](const Request&) {
+    return program_response(shared->planned.plan, texts, to_keep);
+  });
+}
+
 void add_draft_routes(Router& router) {
-  router.add("POST", "/api/plans/draft", [](const Request& request) -> Result<Response> {
-    AXIOMETRY_TRY(const Value body, json_body(request));
-    AXIOMETRY_TRY(const app::RequestedPlan plan, draft_of(body));
-    AXIOMETRY_TRY(const Look look, look_of(request));
-    return json_response(app::draft_value(plan, look.reader, look.dark));
-  });
-  router.add("POST", "/api/plans/draft/program", [](const Request& request) -> Result<Response> {
-    AXIOMETRY_TRY(const Value body, json_body(request));
-    AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
-    AXIOMETRY_TRY(auto texts, options_member(body));
-    AXIOMETRY_TRY(const std::string dialect, line_member(body, "dialect"));
-    texts.emplace_back("dialect", dialect);
-    AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
-    return program_response(plan.planned.plan, texts, to_keep);
-  });
+  router.add_read("POST", "/api/plans/draft", read_draft_request);
+  router.add_read("POST", "/api/plans/draft/program", read_program_request);
   router.add(
       "POST", "/api/plans/draft/sheet.{extension}",
       [](const Request& request) -> Result<Response> {
@@ -192,28 +211,34 @@ void add_draft_routes(Router& router) {
 }
 
 void add_writing_routes(Router& router, store::Store& store) {
-  router.add("POST", "/api/plans", [&store](const Request& request) -> Result<Response> {
-    AXIOMETRY_TRY(const Value body, json_body(request));
-    AXIOMETRY_TRY(const Look look, look_of(request));
-    AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
-    AXIOMETRY_TRY(const store::By by, by_with_reason(request, body));
-    AXIOMETRY_TRY(const PlanRecord record, record_of(store, body, plan, by));
-    AXIOMETRY_TRY(const VersionedPlan kept, store.add(record, by));
-    return json_response(plan_value(kept, plan, look), 201);
-  });
-  router.add("PUT", "/api/plans/{id}", [&store](const Request& request) -> Result<Response> {
-    AXIOMETRY_TRY(const store::Id id, id_of(request, "plan"));
-    AXIOMETRY_TRY(const Value body, json_body(request));
-    AXIOMETRY_TRY(const Look look, look_of(request));
-    const Value* const base = body.find("base_version");
-    if (base == nullptr) return fail("found no base_version, expected the version that was edited", body.at());
-    AXIOMETRY_TRY(const int base_version, app::given_version("base_version", *base));
-    AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
-    AXIOMETRY_TRY(const store::By by, by_with_reason(request, body));
-    AXIOMETRY_TRY(const PlanRecord record, record_of(store, body, plan, by));
-    AXIOMETRY_TRY(const VersionedPlan kept, store.change(id, base_version, record, by));
-    return json_response(plan_value(kept, plan, look));
-  });
+  router.add(
+      "POST", "/api/plans",
+      [&store](const Request& request) -> Result<Response> {
+        AXIOMETRY_TRY(const Value body, json_body(request));
+        AXIOMETRY_TRY(const Look look, look_of(request));
+        AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
+        AXIOMETRY_TRY(const store::By by, by_with_reason(request, body));
+        AXIOMETRY_TRY(const PlanRecord record, record_of(store, body, plan, by));
+        AXIOMETRY_TRY(const VersionedPlan kept, store.add(record, by));
+        return json_response(plan_value(kept, plan, look), 201);
+      },
+      Weight::edit);
+  router.add(
+      "PUT", "/api/plans/{id}",
+      [&store](const Request& request) -> Result<Response> {
+        AXIOMETRY_TRY(const store::Id id, id_of(request, "plan"));
+        AXIOMETRY_TRY(const Value body, json_body(request));
+        AXIOMETRY_TRY(const Look look, look_of(request));
+        const Value* const base = body.find("base_version");
+        if (base == nullptr) return fail("found no base_version, expected the version that was edited", body.at());
+        AXIOMETRY_TRY(const int base_version, app::given_version("base_version", *base));
+        AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
+        AXIOMETRY_TRY(const store::By by, by_with_reason(request, body));
+        AXIOMETRY_TRY(const PlanRecord record, record_of(store, body, plan, by));
+        AXIOMETRY_TRY(const VersionedPlan kept, store.change(id, base_version, record, by));
+        return json_response(plan_value(kept, plan, look));
+      },
+      Weight::edit);
 }
 
 void add_reading_routes(Router& router, const store::Store& store) {
@@ -221,20 +246,26 @@ void add_reading_routes(Router& router, const store::Store& store) {
     AXIOMETRY_TRY(const auto plans, store.all<PlanRecord>());
     return json_response(rows_value("plans", plans));
   });
-  router.add("GET", "/api/plans/{id}", [&store](const Request& request) -> Result<Response> {
-    AXIOMETRY_TRY(const Kept kept, kept_plan(store, request));
+  router.add_read("GET", "/api/plans/{id}", [&store](const Request& request) -> Result<Reading> {
+    AXIOMETRY_TRY(Kept kept, kept_plan(store, request));
     AXIOMETRY_TRY(const Look look, look_of(request));
-    return json_response(plan_value(kept.record, kept.plan, look));
+    const auto shared = std::make_shared<const Kept>(std::move(kept));
+    return reading_of(shared->plan.planned.plan, [shared, look](const Request&) -> Result<Response> {
+      return json_response(plan_value(shared->record, shared->plan, look));
+    });
   });
   router.add("GET", "/api/plans/{id}/versions", [&store](const Request& request) -> Result<Response> {
     AXIOMETRY_TRY(const store::Id id, id_of(request, "plan"));
     AXIOMETRY_TRY(const auto versions, store.versions<PlanRecord>(id));
     return json_response(rows_value("versions", versions));
   });
-  router.add("GET", "/api/plans/{id}/plan.json", [&store](const Request& request) -> Result<Response> {
-    AXIOMETRY_TRY(const Kept kept, kept_plan(store, request));
-    return download(json::dump(app::plan_to_json(kept.plan.planned)) + "\n", "application/json",
-                    app::file_name_part(kept.record.value.title) + ".plan.json");
+  router.add_read("GET", "/api/plans/{id}/plan.json", [&store](const Request& request) -> Result<Reading> {
+    AXIOMETRY_TRY(Kept kept, kept_plan(store, request));
+    const auto shared = std::make_shared<const Kept>(std::move(kept));
+    return reading_of(shared->plan.planned.plan, [shared](const Request&) -> Result<Response> {
+      return download(json::dump(app::plan_to_json(shared->plan.planned)) + "\n", "application/json",
+                      app::file_name_part(shared->record.value.title) + ".plan.json");
+    });
   });
   router.add(
       "GET", "/api/plans/{id}/sheet.{extension}",
@@ -243,10 +274,13 @@ void add_reading_routes(Router& router, const store::Store& store) {
         return sheet_response(kept.plan, request);
       },
       Weight::heavy);
-  router.add("GET", "/api/plans/{id}/program", [&store](const Request& request) -> Result<Response> {
-    AXIOMETRY_TRY(const Kept kept, kept_plan(store, request));
+  router.add_read("GET", "/api/plans/{id}/program", [&store](const Request& request) -> Result<Reading> {
+    AXIOMETRY_TRY(Kept kept, kept_plan(store, request));
     AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
-    return program_response(kept.plan.planned.plan, request.query, to_keep);
+    const auto shared = std::make_shared<const Kept>(std::move(kept));
+    return reading_of(shared->plan.planned.plan, [shared, to_keep](const Request& again) {
+      return program_response(shared->plan.planned.plan, again.query, to_keep);
+    });
   });
 }
 

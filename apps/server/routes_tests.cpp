@@ -15,6 +15,7 @@
 #include "axiometry/app/workbench.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/digest/sha256.h"
 #include "axiometry/formats/json_members.h"
 #include "request_values.h"
 #include "routes.h"
@@ -37,11 +38,20 @@ constexpr std::array orders = {
     std::pair{std::string_view("B"), Order::B},
 };
 
+/// Each word is looked for in every test.
+Result<std::string> searched_text(const std::string& text) {
+  constexpr std::size_t words_max = 30;
+  AXIOMETRY_TRY(std::string line, app::given_line("text", text));
+  const std::size_t words = text::words(line).size();
+  if (words <= words_max) return line;
+  return fail(fmt::format("found {} words to search for, expected at most {}", words, words_max));
+}
+
 Result<store::TestFilter> filter_of(const Request& request) {
   constexpr std::int64_t limit_max = 1000;
   store::TestFilter filter;
   const auto text = [&](std::string_view name) { return std::string(request.parameter(name).value_or("")); };
-  filter.text = text("text");
+  AXIOMETRY_TRY(filter.text, searched_text(text("text")));
   AXIOMETRY_TRY(filter.measured_from, date_of(request, "from"));
   AXIOMETRY_TRY(filter.measured_to, date_of(request, "to"));
   filter.verdict = text("verdict");
@@ -67,8 +77,20 @@ Result<store::TestFilter> filter_of(const Request& request) {
 
 Result<app::ReportRequest> report_request(const Request& request, std::string extension) {
   AXIOMETRY_TRY(const report::Options options, report_options_of(request));
-  return app::ReportRequest{std::move(extension), options, request.language};
+  return app::ReportRequest{std::move(extension), options, request.language, request.stop};
 }
+
+/// The same for all who ask for the same while nothing changes in the archive: every change adds to its trail.
+Result<std::string> key_of(const Workbench& workbench, const Request& request) {
+  AXIOMETRY_TRY(const auto newest, workbench.archive().audit({}, 0, 1));
+  std::string key = fmt::format("{}\n{}\n{}\n", request.path, newest.empty() ? 0 : newest.front().id,
+                                language::tag(request.language));
+  for (const auto& [name, value] : request.query) key += fmt::format("{}={}\n", name, value);
+  if (!request.body.empty()) key += sha256(request.body);
+  return key;
+}
+
+Load load_with(bool trials, Load otherwise) { return trials ? Load::lone : otherwise; }
 
 /// To look at: what could run scripts is shut into a sandbox.
 Response shown(app::Rendered rendered) {
@@ -95,21 +117,30 @@ app::Upload upload_of(const SentFile& file) {
 Result<Response> preview(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const SentFile file, file_of(request));
-  AXIOMETRY_TRY(const app::Preview preview, workbench.preview(upload_of(file)));
+  AXIOMETRY_TRY(const app::Preview preview, workbench.preview(upload_of(file), request.stop));
   return json_response(app::to_json(preview, reader));
 }
 
-Result<Response> evaluate(const Workbench& workbench, const Request& request) {
+Result<Response> evaluate(const Workbench& workbench, const Request& request, const app::Draft& draft) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const SentFile file, file_of(request));
+  AXIOMETRY_TRY(
+      const app::Outcome outcome,
+      workbench.evaluate(upload_of(file), draft, std::string(request.parameter("test").value_or("")), request.stop));
+  return json_response(app::to_json(outcome, reader));
+}
+
+Result<Reading> read_evaluation(const Workbench& workbench, const Request& request) {
   app::Draft draft;
   if (const auto text = request.parameter("draft")) {
     AXIOMETRY_TRY(const Value value, json::parse(*text));
     AXIOMETRY_TRY(draft, app::draft_from(value));
   }
-  AXIOMETRY_TRY(const app::Outcome outcome,
-                workbench.evaluate(upload_of(file), draft, std::string(request.parameter("test").value_or(""))));
-  return json_response(app::to_json(outcome, reader));
+  const bool trials = draft.options.monte_carlo;
+  return Reading{.load = load_with(trials, Load::heavy),
+                 .answer = [&workbench, draft = std::move(draft)](const Request& again) {
+                   return evaluate(workbench, again, draft);
+                 }};
 }
 
 Result<Response> receive(Workbench& workbench, const Request& request) {
@@ -121,7 +152,7 @@ Result<Response> receive(Workbench& workbench, const Request& request) {
     uploads.push_back(upload_of(file));
     uploads.back().plan = plan;
   }
-  AXIOMETRY_TRY(const app::Received received, workbench.receive(uploads, by_of(request)));
+  AXIOMETRY_TRY(const app::Received received, workbench.receive(uploads, by_of(request), request.stop));
   Response response = json_response(app::to_json(received, reader), 201);
   response.headers.emplace_back("Location", fmt::format("/api/tests/{}", received.tests.front().id));
   return response;
@@ -151,26 +182,51 @@ Result<Response> one(const Workbench& workbench, const Request& request) {
   return answer_test(workbench.test(id, version), request);
 }
 
+/// What a test of many readings has found is megabytes, which take their time to be read and spelt anew.
+Result<Reading> read_one(const Workbench& workbench, const Request& request) {
+  constexpr std::size_t light_result_max = std::size_t{256} << 10;
+  AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
+  AXIOMETRY_TRY(const auto version, version_of(request));
+  AXIOMETRY_TRY(const store::TestRecord record, workbench.archive().test(id, version));
+  Reading reading{.answer = [&workbench](const Request& again) { return one(workbench, again); }};
+  if (record.state.evaluation.result.size() <= light_result_max) return reading;
+  reading.load = Load::heavy;
+  AXIOMETRY_TRY(reading.key, key_of(workbench, request));
+  return reading;
+}
+
 Result<Response> raw(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
   AXIOMETRY_TRY(app::Rendered rendered, workbench.raw(id));
   return kept_as_file(std::move(rendered));
 }
 
-Result<Response> draft(const Workbench& workbench, const Request& request) {
+Result<Reading> read_draft(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
-  AXIOMETRY_TRY(const app::Draft draft, app::draft_from(body));
-  AXIOMETRY_TRY(const app::Outcome outcome, workbench.draft(id, draft));
-  return json_response(app::to_json(outcome, reader));
+  AXIOMETRY_TRY(app::Draft draft, app::draft_from(body));
+  AXIOMETRY_TRY(std::string key, key_of(workbench, request));
+  const bool trials = draft.options.monte_carlo;
+  return Reading{
+      .load = load_with(trials, Load::heavy),
+      .key = std::move(key),
+      .answer = [&workbench, id, reader, draft = std::move(draft)](const Request& again) -> Result<Response> {
+        AXIOMETRY_TRY(const app::Outcome outcome, workbench.draft(id, draft, again.stop));
+        return json_response(app::to_json(outcome, reader));
+      }};
 }
 
-Result<Response> revise(Workbench& workbench, const Request& request) {
+Result<Reading> read_revision(Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
   AXIOMETRY_TRY(const Value body, json_body(request));
-  AXIOMETRY_TRY(const app::Revision revision, app::revision_from(body));
-  return answer_test(workbench.revise(id, revision, by_of(request, revision.reason)), request, 201);
+  AXIOMETRY_TRY(app::Revision revision, app::revision_from(body));
+  const bool trials = revision.draft.options.monte_carlo;
+  return Reading{.load = load_with(trials, Load::edit),
+                 .answer = [&workbench, id, revision = std::move(revision)](const Request& again) {
+                   return answer_test(workbench.revise(id, revision, by_of(again, revision.reason), again.stop), again,
+                                      201);
+                 }};
 }
 
 Result<Response> withdraw(Workbench& workbench, const Request& request, bool withdrawn) {
@@ -216,8 +272,28 @@ Result<Response> figure(const Workbench& workbench, const Request& request) {
   return shown({std::move(svg), "image/svg+xml", {}});
 }
 
+/// Of what is shown of a kept version: made once for all who ask at once.
+template <typename Show>
+Result<Reading> read_view(const Workbench& workbench, const Request& request, Show show) {
+  AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
+  AXIOMETRY_TRY(const auto version, version_of(request));
+  AXIOMETRY_TRY(const bool trials, workbench.runs_trials_for(id, version));
+  AXIOMETRY_TRY(std::string key, key_of(workbench, request));
+  return Reading{.load = load_with(trials, Load::heavy),
+                 .key = std::move(key),
+                 .answer = [&workbench, show](const Request& again) { return show(workbench, again); }};
+}
+
+/// A report that is to be kept.
+struct Issue {
+  store::Id test = 0;
+  std::optional<int> version;
+  app::ReportRequest wanted;
+  std::string reason;
+};
+
 /// {"extension", "language", "decimal", "unit", "version", "reason"}
-Result<Response> issue(Workbench& workbench, const Request& request) {
+Result<Issue> issue_of(const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(auto members, formats::JsonMembers::of(body, "request"));
@@ -242,8 +318,20 @@ Result<Response> issue(Workbench& workbench, const Request& request) {
   }
   AXIOMETRY_TRY(auto wanted, report_request(styled, extension));
   AXIOMETRY_TRY_VOID(choose_number_style(decimal, unit, wanted.options));
-  AXIOMETRY_TRY(const store::Document document, workbench.issue(id, version, wanted, by_of(request, reason)));
-  return json_response(app::to_json(document), 201);
+  return Issue{id, version, std::move(wanted), std::move(reason)};
+}
+
+Result<Reading> read_issue(Workbench& workbench, const Request& request) {
+  AXIOMETRY_TRY(Issue issue, issue_of(request));
+  AXIOMETRY_TRY(const bool trials, workbench.runs_trials_for(issue.test, issue.version));
+  return Reading{.load = load_with(trials, Load::heavy),
+                 .answer = [&workbench, issue = std::move(issue)](const Request& again) -> Result<Response> {
+                   app::ReportRequest wanted = issue.wanted;
+                   wanted.stop = again.stop;
+                   AXIOMETRY_TRY(const store::Document document,
+                                 workbench.issue(issue.test, issue.version, wanted, by_of(again, issue.reason)));
+                   return json_response(app::to_json(document), 201);
+                 }};
 }
 
 Result<Response> attach(Workbench& workbench, const Request& request) {
@@ -269,24 +357,35 @@ void add_test_routes(Router& router, const Context& context) {
     router.add(
         method, pattern, [&workbench, handler](const Request& request) { return handler(workbench, request); }, weight);
   };
+  const auto add_read = [&](std::string_view method, std::string_view pattern, auto reader) {
+    router.add_read(method, pattern,
+                    [&workbench, reader](const Request& request) { return reader(workbench, request); });
+  };
+  const auto add_view = [&](std::string_view pattern, auto show) {
+    router.add_read("GET", pattern,
+                    [&workbench, show](const Request& request) { return read_view(workbench, request, show); });
+  };
   add("POST", "/api/preview", preview, Weight::by_size);
-  add("POST", "/api/evaluations", evaluate, Weight::by_method);
+  add_read("POST", "/api/evaluations", read_evaluation);
   add(
       "POST", "/api/examples",
       [turn = std::make_shared<std::mutex>()](Workbench& w, const Request&) { return load_examples(w, *turn); },
       Weight::heavy);
   add("GET", "/api/tests", list_tests);
   add("POST", "/api/tests", receive, Weight::by_size);
-  add("GET", "/api/tests/{id}", one);
+  add_read("GET", "/api/tests/{id}", read_one);
   add("GET", "/api/tests/{id}/raw", raw);
-  add("POST", "/api/tests/{id}/evaluate", draft, Weight::by_method);
-  add("POST", "/api/tests/{id}/versions", revise, Weight::by_method);
-  add("POST", "/api/tests/{id}/withdraw", [](Workbench& w, const Request& r) { return withdraw(w, r, true); });
-  add("POST", "/api/tests/{id}/reinstate", [](Workbench& w, const Request& r) { return withdraw(w, r, false); });
-  add("GET", "/api/tests/{id}/report.{extension}", report, Weight::heavy);
-  add("GET", "/api/tests/{id}/figures", figures, Weight::heavy);
-  add("GET", "/api/tests/{id}/figures/{n}.svg", figure, Weight::heavy);
-  add("POST", "/api/tests/{id}/reports", issue, Weight::heavy);
+  add_read("POST", "/api/tests/{id}/evaluate", read_draft);
+  add_read("POST", "/api/tests/{id}/versions", read_revision);
+  const auto set_withdrawn = [](bool withdrawn) {
+    return [withdrawn](Workbench& w, const Request& r) { return withdraw(w, r, withdrawn); };
+  };
+  add("POST", "/api/tests/{id}/withdraw", set_withdrawn(true), Weight::edit);
+  add("POST", "/api/tests/{id}/reinstate", set_withdrawn(false), Weight::edit);
+  add_view("/api/tests/{id}/report.{extension}", report);
+  add_view("/api/tests/{id}/figures", figures);
+  add_view("/api/tests/{id}/figures/{n}.svg", figure);
+  add_read("POST", "/api/tests/{id}/reports", read_issue);
   add("POST", "/api/tests/{id}/attachments", attach);
   add("GET", "/api/documents/{id}", document);
 }

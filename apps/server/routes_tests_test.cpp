@@ -59,6 +59,55 @@ class Routes : public testing::Test {
   Router router;
 };
 
+TEST_F(Routes, TakeAllProcessorsByTheValueAndNotByTheBytes) {
+  upload();
+  const auto load = [&](const std::string& path, const std::string& body, Pairs query = {}) {
+    auto request = std::make_shared<Request>();
+    request->method = "POST";
+    request->path = path;
+    request->body = body;
+    request->query = std::move(query);
+    EXPECT_EQ(router.line_of(*request), Load::light);
+    return router.read(request).load;
+  };
+  const std::string escaped = R"({"options": {"methods": ["monte\u002dcarlo"]}})";
+  EXPECT_EQ(load("/api/tests/1/evaluate", escaped), Load::lone);
+  EXPECT_EQ(load("/api/tests/1/evaluate", "{}"), Load::heavy);
+  EXPECT_EQ(load("/api/evaluations", "", {{"draft", escaped}}), Load::lone);
+  EXPECT_EQ(load("/api/evaluations", "\"monte-carlo\""), Load::heavy);
+  EXPECT_EQ(load("/api/tests/1/versions", R"({"base_version": 1, "title": "\"monte-carlo\""})"), Load::edit);
+  EXPECT_EQ(load("/api/tests/1/versions", R"({"base_version": 1, "options": {"methods": ["monte\u002dcarlo"]}})"),
+            Load::lone);
+}
+
+TEST_F(Routes, SearchForNoMoreThanAPersonTypes) {
+  upload();
+  std::string words = "table";
+  for (int k = 1; k < 30; ++k) words += " table";
+  answer(send("GET", "/api/tests", {}, {{"text", words}}), 200);
+  EXPECT_THAT(message(send("GET", "/api/tests", {}, {{"text", words + " x"}})),
+              HasSubstr("found 31 words to search for, expected at most 30"));
+  EXPECT_EQ(send("GET", "/api/tests", {}, {{"text", std::string(501, 'a')}}).status, 422);
+}
+
+TEST_F(Routes, HaveOneKeyForOneReportUntilSomethingChanges) {
+  upload();
+  const auto key = [&](const std::string& path, Pairs query = {}) {
+    auto request = std::make_shared<Request>();
+    request->method = "GET";
+    request->path = path;
+    request->query = std::move(query);
+    return router.read(request).key;
+  };
+  const std::string report = key("/api/tests/1/report.html");
+  EXPECT_FALSE(report.empty());
+  EXPECT_EQ(key("/api/tests/1/report.html"), report);
+  EXPECT_NE(key("/api/tests/1/report.pdf"), report);
+  EXPECT_NE(key("/api/tests/1/report.html", {{"unit", "mm"}}), report);
+  answer(send("POST", "/api/tests/1/withdraw"), 200);
+  EXPECT_NE(key("/api/tests/1/report.html"), report);
+}
+
 TEST_F(Routes, SayWhereAnImportProfileIsWrong) {
   const std::string rows = "0 1 2\n1 1 2\n2 1 2\n3 1 2\n4 1 2\n";
   const auto refusal = [&](const std::string& profile, const std::string& more = {}) {

@@ -65,7 +65,8 @@ void add_service_routes(Router& router, const ServiceContext& context) {
   router.add("GET", "/api/vocabulary",
              [](const Request& request) -> Result<Response> { return json_response(vocabulary(request.language)); });
   router.add("POST", "/api/login", [context](const Request& request) { return context.token.login(request); });
-  router.add("POST", "/api/logout", [context](const Request&) -> Result<Response> { return context.token.logout(); });
+  router.add("POST", "/api/logout",
+             [context](const Request& request) -> Result<Response> { return context.token.logout(request); });
 }
 
 }  // namespace axiometry::server

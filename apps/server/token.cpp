@@ -16,6 +16,7 @@ using namespace std::chrono_literals;
 constexpr auto first_delay = 500ms;
 constexpr auto longest_delay = 8s;
 constexpr auto forgotten_after = 5min;
+constexpr auto trusted_for = 1h;
 constexpr std::size_t addresses_max = 4096;
 
 /// Of the hashes, so that neither length nor content shows in the time.
@@ -62,14 +63,23 @@ Response unauthorised(const Request& request, std::string_view message) {
 
 TokenGate::TokenGate(TokenOptions options)
     : options_(std::move(options)),
-      session_(sha256("axiometry session\n" + options_.token)),
       cookie_name_(fmt::format("{}axiometry-{}", options_.tls ? "__Host-" : "", options_.port)) {}
 
-bool TokenGate::knows(const Request& request) const {
+bool TokenGate::knows(const Request& request, Clock::time_point now) {
   if (!wanted()) return true;
-  if (const auto shown = bearer(request)) return same_secret(*shown, options_.token);
+  if (const auto shown = bearer(request)) {
+    if (!same_secret(*shown, options_.token)) return false;
+    showed_the_right_one(request, now);
+    return true;
+  }
   const auto shown = cookie_of(request, cookie_name_);
-  return shown && same_secret(*shown, session_);
+  return shown && sessions_.knows(*shown, now);
+}
+
+std::string TokenGate::peer_of(const Request& request, Clock::time_point now) {
+  if (!wanted() || !knows(request, now)) return request.peer;
+  if (bearer(request)) return request.peer + " with the token";
+  return sha256(*cookie_of(request, cookie_name_));
 }
 
 std::optional<Response> TokenGate::refused(const Request& request, Clock::time_point now) {
@@ -77,7 +87,7 @@ std::optional<Response> TokenGate::refused(const Request& request, Clock::time_p
   if (!wanted() || !is_api || request.path == "/api/health" || request.path == "/api/login") return {};
   const auto shown = bearer(request);
   if (shown && is_busy(request, now)) return too_many(request);
-  if (knows(request)) return {};
+  if (knows(request, now)) return {};
   if (shown) return failed(request, now);
   return unauthorised(request, "found no token, expected one: sign in first");
 }
@@ -89,11 +99,13 @@ Result<Response> TokenGate::login(const Request& request, Clock::time_point now)
   if (!wanted()) return Response{.status = 204};
   if (is_busy(request, now)) return too_many(request);
   if (!same_secret(token->text(), options_.token)) return failed(request, now);
+  showed_the_right_one(request, now);
   const bool tls = options_.tls || request.header("origin").value_or("").starts_with("https://");
-  return Response{.status = 204, .headers = {{"Set-Cookie", cookie(session_, tls, "; Max-Age=2592000")}}};
+  return Response{.status = 204, .headers = {{"Set-Cookie", cookie(sessions_.begin(now), tls, "; Max-Age=2592000")}}};
 }
 
-Response TokenGate::logout() const {
+Response TokenGate::logout(const Request& request) {
+  if (const auto shown = cookie_of(request, cookie_name_)) sessions_.end(*shown);
   return {.status = 204, .headers = {{"Set-Cookie", cookie("", options_.tls, "; Max-Age=0")}}};
 }
 
@@ -103,8 +115,16 @@ std::string TokenGate::cookie(std::string_view value, bool tls, std::string_view
 
 bool TokenGate::is_busy(const Request& request, Clock::time_point now) {
   const std::scoped_lock lock(mutex_);
+  if (const auto right = right_.find(request.peer); right != right_.end() && now - right->second < trusted_for)
+    return false;
   const auto found = attempts_.find(request.peer);
   return found != attempts_.end() && found->second.busy_until > now + 2 * longest_delay;
+}
+
+void TokenGate::showed_the_right_one(const Request& request, Clock::time_point now) {
+  const std::scoped_lock lock(mutex_);
+  std::erase_if(right_, [&](const auto& entry) { return now - entry.second >= trusted_for; });
+  if (right_.size() < addresses_max || right_.contains(request.peer)) right_[request.peer] = now;
 }
 
 Response TokenGate::failed(const Request& request, Clock::time_point now) {
@@ -112,6 +132,7 @@ Response TokenGate::failed(const Request& request, Clock::time_point now) {
   std::erase_if(attempts_, [&](const auto& entry) { return now - entry.second.last > forgotten_after; });
   if (attempts_.size() >= addresses_max && !attempts_.contains(request.peer)) return too_many(request);
   Attempts& attempts = attempts_[request.peer];
+  if (attempts.busy_until > now + 2 * longest_delay) return too_many(request);
   const std::chrono::milliseconds own =
       std::min<std::chrono::milliseconds>(first_delay * (1U << std::min(attempts.failures, 4U)), longest_delay);
   ++attempts.failures;

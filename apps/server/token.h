@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "http.h"
+#include "sessions.h"
 
 namespace axiometry::server {
 
@@ -18,10 +19,11 @@ struct TokenOptions {
   unsigned port = 0;  ///< part of the cookie's name, since cookies do not know ports
 };
 
-/// Who knows the token may use the API: by "Authorization: Bearer", or by the cookie that POST /api/login sets. Both
-/// are compared in a time that does not depend on where they differ. A wrong one is answered late, the later the more
-/// came from that address, and while many of an address wait none of its further ones is looked at. May be used from
-/// many threads.
+/// Who knows the token may use the API: by "Authorization: Bearer", or by the cookie that POST /api/login sets, which
+/// holds a session of its own (sessions.h). Both are compared in a time that does not depend on where they differ. A
+/// wrong token is answered late, the later the more came from that address, and while many of an address wait none of
+/// its further ones is looked at, unless the right one came from there within the last hour: many people may have one
+/// address, and who sends wrong ones slows nobody else. Sessions are never slowed. May be used from many threads.
 class TokenGate {
  public:
   using Clock = std::chrono::steady_clock;
@@ -29,15 +31,17 @@ class TokenGate {
   explicit TokenGate(TokenOptions options);
 
   bool wanted() const { return !options_.token.empty(); }
-  /// Whether the request shows the token, or none is wanted.
-  bool knows(const Request& request) const;
+  /// Whether the request shows the token or a session, or none is wanted.
+  bool knows(const Request& request, Clock::time_point now = Clock::now());
+  /// Whose share of the server a request takes: that of its session, or of the address that shows the token or nothing.
+  std::string peer_of(const Request& request, Clock::time_point now = Clock::now());
   /// 401 or 429 for a request to the API that does not show it; health and login are answered without.
   std::optional<Response> refused(const Request& request, Clock::time_point now = Clock::now());
 
   /// POST /api/login {"token"}: 204 with the cookie, or 401.
   Result<Response> login(const Request& request, Clock::time_point now = Clock::now());
-  /// POST /api/logout: takes the cookie away.
-  Response logout() const;
+  /// POST /api/logout: ends this session and takes the cookie away; other sessions go on.
+  Response logout(const Request& request);
 
  private:
   struct Attempts {
@@ -47,13 +51,15 @@ class TokenGate {
   };
   Response failed(const Request& request, Clock::time_point now);
   bool is_busy(const Request& request, Clock::time_point now);
+  void showed_the_right_one(const Request& request, Clock::time_point now);
   std::string cookie(std::string_view value, bool tls, std::string_view more) const;
 
   TokenOptions options_;
-  std::string session_;  ///< what the cookie holds: says that its owner knew the token, without saying the token
   std::string cookie_name_;
+  Sessions sessions_;
   std::mutex mutex_;
-  std::map<std::string, Attempts> attempts_;  ///< by address
+  std::map<std::string, Attempts> attempts_;        ///< by address
+  std::map<std::string, Clock::time_point> right_;  ///< when an address showed the right token the last time
 };
 
 }  // namespace axiometry::server

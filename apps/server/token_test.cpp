@@ -60,15 +60,56 @@ TEST(Token, opens_as_bearer_and_as_the_cookie_it_is_changed_for) {
   EXPECT_FALSE(gate.knows(request({{"cookie", "x" + pair}})));
   EXPECT_FALSE(gate.knows(request({{"cookie", pair + "0"}})));
   EXPECT_FALSE(gate.knows(request({{"cookie", "axiometry-8230=" + token}})));
-  EXPECT_TRUE(TokenGate({.token = token, .port = 8230}).knows(request({{"cookie", pair}})));  // after a restart
-  EXPECT_FALSE(TokenGate({.token = token + "!", .port = 8230}).knows(request({{"cookie", pair}})));
+  EXPECT_FALSE(TokenGate({.token = token, .port = 8230}).knows(request({{"cookie", pair}})))
+      << "what another has given out is no session here";
+}
+
+TEST(Token, begins_a_session_of_its_own_each_time_which_ends_alone) {
+  TokenGate gate({.token = token, .port = 8230});
+  const auto sign_in = [&] {
+    const std::string cookie = cookie_of(*gate.login(signing_in(token), noon));
+    return request({{"cookie", cookie.substr(0, cookie.find(';'))}});
+  };
+  const Request one = sign_in();
+  const Request other = sign_in();
+  EXPECT_NE(one.header("cookie"), other.header("cookie"));
+  EXPECT_THAT(cookie_of(gate.logout(one)), HasSubstr("Max-Age=0"));
+  EXPECT_EQ(gate.refused(one, noon)->status, 401);
+  EXPECT_FALSE(gate.refused(other, noon).has_value());
+  EXPECT_EQ(gate.refused(other, noon + Sessions::longest)->status, 401);
+}
+
+TEST(Token, gives_each_session_a_share_of_its_own) {
+  TokenGate gate({.token = token, .port = 8230});
+  const auto sign_in = [&] {
+    const std::string cookie = cookie_of(*gate.login(signing_in(token), noon));
+    return gate.peer_of(request({{"cookie", cookie.substr(0, cookie.find(';'))}}), noon);
+  };
+  const std::string one = sign_in();
+  EXPECT_NE(sign_in(), one);
+  EXPECT_NE(one, "192.0.2.1");
+  EXPECT_NE(gate.peer_of(bearing(token), noon), "192.0.2.1");
+  for (const Request& stranger : {request({}), bearing("wrong"), request({{"cookie", "axiometry-8230=" + one}})})
+    EXPECT_EQ(gate.peer_of(stranger, noon), "192.0.2.1");
+  EXPECT_EQ(TokenGate({}).peer_of(bearing(token), noon), "192.0.2.1");
+}
+
+TEST(Token, that_is_right_passes_the_wrong_ones_of_others_behind_the_same_address) {
+  TokenGate gate({.token = token});
+  const auto now = noon + 1h;
+  EXPECT_FALSE(gate.refused(bearing(token), now).has_value());
+  int late = 0;
+  for (int i = 0; i < 100; ++i) late += gate.refused(bearing("wrong"), now)->status == 429 ? 1 : 0;
+  EXPECT_GT(late, 90);
+  EXPECT_FALSE(gate.refused(bearing(token), now).has_value());
+  EXPECT_EQ(gate.login(signing_in(token), now)->status, 204);
 }
 
 TEST(Token, has_a_cookie_for_TLS_alone_where_there_is_TLS) {
   TokenGate gate({.token = token, .tls = true, .port = 443});
   EXPECT_THAT(cookie_of(*gate.login(signing_in(token), noon)),
               testing::AllOf(testing::StartsWith("__Host-axiometry-443="), HasSubstr("; Secure")));
-  EXPECT_THAT(cookie_of(gate.logout()), HasSubstr("Max-Age=0"));
+  EXPECT_THAT(cookie_of(gate.logout(request({}))), HasSubstr("Max-Age=0"));
 }
 
 TEST(Token, that_is_wrong_is_answered_later_each_time) {

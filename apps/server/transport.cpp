@@ -15,13 +15,17 @@
 #include <boost/asio/steady_timer.hpp>
 #include <csignal>
 #include <cstdint>
+#include <exception>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "axiometry/base/text.h"
 #include "connection.h"
-#include "worker_pool.h"
+#include "desk.h"
+#include "lines.h"
+#include "log.h"
 
 namespace axiometry::server {
 namespace {
@@ -33,6 +37,8 @@ using boost::system::error_code;
 
 constexpr std::size_t workers_min = 4;  // so that a slow disk does not keep lists waiting
 constexpr std::size_t heavy_min = 2;    // so that a book of a report does not keep a small one waiting
+constexpr std::size_t edit_workers = 4;
+constexpr const char* ciphers_of_1_2 = "ECDHE+AESGCM:ECDHE+CHACHA20";  // those of 1.3 are of this kind all
 constexpr int heavy_niceness = 10;
 
 Result<asio::ip::address> parse_address(const std::string& text) {
@@ -51,6 +57,16 @@ void allow_descriptors(std::size_t wanted) {
   static_cast<void>(::setrlimit(RLIMIT_NOFILE, &limit));
 }
 
+Lines::Options lines_for(const Limits& limits) {
+  const std::size_t processors = std::thread::hardware_concurrency();
+  return {.light = {.threads = std::max(processors, workers_min), .waiting_max = limits.waiting},
+          .edits = {.threads = edit_workers, .waiting_max = limits.waiting, .reserved = limits.waiting / 4},
+          .heavy = {.threads = std::max(processors / 2, heavy_min),
+                    .waiting_max = limits.heavy_waiting,
+                    .reserved = limits.heavy_waiting / 4,
+                    .niceness = heavy_niceness}};
+}
+
 std::unexpected<Error> cannot_use(std::string_view what, const std::string& file, const error_code& code) {
   return std::unexpected(Error{fmt::format("cannot use it as {}: {}", what, code.message()), file, {}});
 }
@@ -61,6 +77,8 @@ Result<std::unique_ptr<ssl::context>> tls_context(const TransportOptions& option
   context->set_options(ssl::context::default_workarounds | ssl::context::no_compression | SSL_OP_NO_RENEGOTIATION,
                        code);
   ::SSL_CTX_set_min_proto_version(context->native_handle(), TLS1_2_VERSION);
+  if (::SSL_CTX_set_cipher_list(context->native_handle(), ciphers_of_1_2) != 1)
+    return fail(ErrorKind::unavailable, "found a library of TLS without ECDHE and AEAD, expected both");
   context->set_password_callback([](std::size_t, ssl::context::password_purpose) { return std::string(); }, code);
   context->use_certificate_chain_file(options.certificate, code);
   if (code) return cannot_use("a certificate in PEM", options.certificate, code);
@@ -86,12 +104,15 @@ struct Transport::State {
   asio::steady_timer farewell{io};
   asio::signal_set signals{io};
   End end;
-  std::unique_ptr<WorkerPool> light;  // both end before what their tasks answer to
-  std::unique_ptr<WorkerPool> heavy;
+  std::unique_ptr<Desk> desk;    // ends before the context, whose timers it holds
+  std::unique_ptr<Lines> lines;  // end before what their tasks answer to
 
   Result<void> bind();
   void accept();
   void accepted(const error_code& code, tcp::socket socket);
+  void take_in(tcp::socket socket);
+  void work();
+  bool is_done() const { return share->connections.empty() && desk->is_idle(); }
   void await_signal();
   void finish();
 };
@@ -124,15 +145,31 @@ void Transport::State::accepted(const error_code& code, tcp::socket socket) {
     });
     return;
   }
-  if (!code && share->connections.size() < options.limits.connections) {
-    error_code ignored;
-    socket.set_option(tcp::no_delay(true), ignored);
-    if (tls)
-      serve_tls(std::move(socket), *tls, *share);
-    else
-      serve_plain(std::move(socket), *share);
-  }
   accept();
+  if (!code) take_in(std::move(socket));
+}
+
+void Transport::State::take_in(tcp::socket socket) {
+  std::string peer = peer_of(socket);
+  if (!share->make_room(peer)) return;
+  error_code ignored;
+  socket.set_option(tcp::no_delay(true), ignored);
+  if (tls)
+    serve_tls(std::move(socket), std::move(peer), *tls, *share);
+  else
+    serve_plain(std::move(socket), std::move(peer), *share);
+}
+
+/// A fault of one connection ends that connection: what it held goes with its step.
+void Transport::State::work() {
+  while (true) {
+    try {
+      io.run();
+      return;
+    } catch (const std::exception& exception) {
+      log_line(fmt::format("axiometry: a connection failed: {}", exception.what()));
+    }
+  }
 }
 
 void Transport::State::await_signal() {
@@ -154,10 +191,14 @@ void Transport::State::finish() {
   farewell.async_wait([this](const error_code& code) {
     if (!code) io.stop();
   });
-  share->when_none = [this] { asio::post(io, [this] { io.stop(); }); };
-  if (share->connections.empty()) return share->when_none();
-  const std::vector<Hangable*> all(share->connections.begin(), share->connections.end());
-  for (Hangable* connection : all)
+  share->when_none = desk->when_idle = [this] {
+    asio::post(io, [this] {
+      if (is_done()) io.stop();
+    });
+  };
+  if (share->connections.empty()) share->when_none();
+  const std::vector<Guest*> all(share->connections.begin(), share->connections.end());
+  for (Guest* connection : all)
     if (share->connections.contains(connection)) connection->hang_up();
 }
 
@@ -178,24 +219,19 @@ unsigned Transport::port() const { return state_->acceptor.local_endpoint().port
 
 Transport::End Transport::run(const Service& service, const std::function<void()>& ready) {
   allow_descriptors(state_->options.limits.connections + 256);
-  std::signal(SIGPIPE, SIG_IGN);
-  const std::size_t processors = std::thread::hardware_concurrency();
   const Limits& limits = state_->options.limits;
-  state_->light = std::make_unique<WorkerPool>(
-      WorkerPool::Options{.threads = std::max(processors, workers_min), .waiting_max = limits.waiting});
-  state_->heavy = std::make_unique<WorkerPool>(WorkerPool::Options{.threads = std::max(processors / 2, heavy_min),
-                                                                   .waiting_max = limits.heavy_waiting,
-                                                                   .reserved = limits.heavy_waiting / 4,
-                                                                   .niceness = heavy_niceness});
-  state_->share = std::make_unique<ConnectionShare>(limits, service, *state_->light, *state_->heavy);
+  state_->lines = std::make_unique<Lines>(lines_for(limits));
+  state_->desk = std::make_unique<Desk>(state_->io, service, limits, *state_->lines);
+  state_->share = std::make_unique<ConnectionShare>(limits, service, *state_->desk);
   state_->signals.add(SIGINT);
   state_->signals.add(SIGTERM);
   state_->await_signal();
   state_->accept();
   ready();
-  state_->io.run();
+  state_->work();
   state_->share->when_none = {};
-  state_->end.all_answered = state_->share->connections.empty();
+  state_->desk->when_idle = {};
+  state_->end.all_answered = state_->is_done();
   return state_->end;
 }
 

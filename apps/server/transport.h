@@ -7,8 +7,8 @@
 #include <string>
 
 #include "http.h"
+#include "job.h"
 #include "limits.h"
-#include "load.h"
 
 /// HTTP/1.1 (RFC 9112) over TCP and TLS: one thread for all connections, some for the answers. Slow and idle clients
 /// cost a few kilobytes, no thread.
@@ -19,11 +19,14 @@ struct Service {
   /// With the head, before any of the body is read; the request has everything but its body. A response is sent at once
   /// and nothing further is read of this request. On the I/O thread: must be quick.
   std::function<std::optional<Response>(const Request&)> refused;
-  /// On one of several threads; takes its time. Must not throw.
-  std::function<Response(Request)> answer;
-  /// What that asks of the machine. All but light requests wait in a line of their own and give way to these; of lone
-  /// ones one is answered at a time. Where this is empty all are light. On the I/O thread: must be quick.
-  std::function<Load(const Request&)> load_of{};
+  /// Whose share of the server it takes, of a request that was not refused; empty: all of an address have one. On the
+  /// I/O thread: must be quick.
+  std::function<std::string(const Request&)> peer_of{};
+  /// In whose line a request waits to be read: heavy where that alone may take its time. On the I/O thread: must be
+  /// quick, and so looks at the route and at the size of the body alone.
+  std::function<Load(const Request&)> line_of;
+  /// Reads it, on one of several threads. Must not throw.
+  std::function<Job(std::shared_ptr<Request>)> read;
   /// Of every response, also of those that the transport makes itself: headers that all carry.
   std::function<void(Response&)> finish;
   /// Told of every answer; may be empty.
@@ -39,7 +42,7 @@ struct Service {
 struct TransportOptions {
   std::string listen = "127.0.0.1";  ///< address of IPv4 or IPv6
   unsigned port = 0;                 ///< 0: a free one
-  std::string certificate{};         ///< PEM files of TLS 1.2 and later; both or none
+  std::string certificate{};         ///< PEM files of TLS; both or none
   std::string key{};
   Limits limits{};
 };

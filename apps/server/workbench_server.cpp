@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <csignal>
+#include <exception>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -12,9 +13,11 @@
 #include "axiometry/app/capture_keeping.h"
 #include "axiometry/app/examples.h"
 #include "axiometry/app/workbench.h"
+#include "axiometry/base/broken_contract.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/report/utf8.h"
 #include "guard.h"
+#include "log.h"
 #include "memory.h"
 #include "routes.h"
 #include "security.h"
@@ -39,10 +42,10 @@ std::string page_address(const TransportOptions& transport, unsigned port) {
 }
 
 void log_answer(const Service::Answered& answered) {
-  fmt::print(stderr, "{} {} {} {} {} bytes {} ms\n", answered.request.peer,
-             answered.request.method.empty() ? "-" : report::printable(answered.request.method),
-             answered.request.path.empty() ? "-" : report::printable(answered.request.path), answered.status,
-             answered.bytes, format_fixed(answered.milliseconds, 1));
+  log_line(fmt::format("{} {} {} {} {} bytes {} ms", answered.request.peer,
+                       answered.request.method.empty() ? "-" : report::printable(answered.request.method),
+                       answered.request.path.empty() ? "-" : report::printable(answered.request.path), answered.status,
+                       answered.bytes, format_fixed(answered.milliseconds, 1)));
 }
 
 Service service_of(const Router& router, const Site& site, TokenGate& token, const ServeOptions& options) {
@@ -51,12 +54,17 @@ Service service_of(const Router& router, const Site& site, TokenGate& token, con
     if (auto refused = refused_by_guard(request, site)) return refused;
     return token.refused(request);
   };
-  service.answer = [&router](Request request) {
-    Response response = router.answer(std::move(request));
-    if (response.body.size() > large_answer) give_back_memory();
-    return response;
+  service.peer_of = [&token](const Request& request) { return token.peer_of(request); };
+  service.line_of = [&router](const Request& request) { return router.line_of(request); };
+  service.read = [&router](std::shared_ptr<Request> request) {
+    Job job = router.read(std::move(request));
+    job.answer = [answer = std::move(job.answer)](const std::stop_token& stop) {
+      Response response = answer(stop);
+      if (response.body.size() > large_answer) give_back_memory();
+      return response;
+    };
+    return job;
   };
-  service.load_of = [&router](const Request& request) { return router.load_of(request); };
   service.finish = [tls = !options.certificate.empty()](Response& response) { add_security_headers(response, tls); };
   if (options.log) service.answered = log_answer;
   return service;
@@ -76,6 +84,12 @@ void add_api_routes(Router& router, const Context& context) {
   add_equipment_routes(router, context);
   add_plan_routes(router, context);
   add_capture_routes(router, context);
+}
+
+/// Who reads has gone, or a file is as large as it may be: the write fails then and is told, the program goes on.
+void fail_instead_of_signals() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 Result<std::vector<PublicAddress>> public_addresses(const ServeOptions& options) {
@@ -121,6 +135,8 @@ Result<void> check_exposure(const ServeOptions& options) {
 Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observer,
                        const std::function<void(const ServeEnd&)>& cut_off) {
   AXIOMETRY_TRY_VOID(check_exposure(options));
+  const ContractsThrow in_its_request;
+  fail_instead_of_signals();
   const bool tls = !options.certificate.empty();
   const TransportOptions transport_options{.listen = options.listen,
                                            .port = options.port,
@@ -153,7 +169,11 @@ Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observe
   const auto end = transport->run(service, [&] {
     observer.ready(page_address(transport_options, port));
     warming = std::jthread([&store = *store, &observer](const std::stop_token& stop) {
-      if (const auto warmed = store.warm_up(stop); !warmed) observer.notice(warmed.error().to_string());
+      try {
+        if (const auto warmed = store.warm_up(stop); !warmed) observer.notice(warmed.error().to_string());
+      } catch (const std::exception& exception) {
+        log_line(fmt::format("axiometry: the archive was not warmed up: {}", exception.what()));
+      }
     });
   });
   const ServeEnd result{.signal = end.signal, .all_answered = end.all_answered};

@@ -4,7 +4,10 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <exception>
 #include <utility>
+
+#include "log.h"
 
 namespace axiometry::server {
 namespace {
@@ -87,6 +90,16 @@ std::optional<WorkerPool::Task> WorkerPool::next() {
   return std::nullopt;
 }
 
+/// What a task throws all the same is its own affair, and no reason to end the program.
+void WorkerPool::run(Task& task) {
+  try {
+    task.work();
+  } catch (const std::exception& exception) {
+    log_line(std::string("axiometry: a request failed: ") + exception.what());
+  }
+  task.work = nullptr;
+}
+
 void WorkerPool::work() {
   give_way(options_.niceness);
   std::unique_lock lock(mutex_);
@@ -95,8 +108,7 @@ void WorkerPool::work() {
     changed_.wait(lock, [&] { return ended_ || (task = next()); });
     if (ended_) return;
     lock.unlock();
-    task->work();
-    task->work = nullptr;
+    run(*task);
     lock.lock();
     if (!task->lone) continue;
     lone_runs_ = false;

@@ -32,7 +32,7 @@ class WorkerPool {
   WorkerPool& operator=(const WorkerPool&) = delete;
 
   using Ticket = std::uint64_t;
-  /// Nothing when so many wait already that this one is not taken. The task must not throw.
+  /// Nothing when so many wait already that this one is not taken. What a task throws is logged and forgotten.
   std::optional<Ticket> submit(const std::string& who, std::function<void()> task, bool lone = false);
 
   /// Gives a place in the line back: the task is forgotten. False when it has begun, and then it is done.
@@ -45,6 +45,7 @@ class WorkerPool {
     bool lone = false;
   };
   void work();
+  static void run(Task& task);
   std::optional<Task> next();
 
   Options options_;

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <latch>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -159,6 +160,15 @@ TEST(WorkerPool, does_lone_tasks_one_after_another_and_others_beside_them) {
   go_on.count_down();
   all.wait();
   EXPECT_FALSE(together);
+}
+
+TEST(WorkerPool, goes_on_after_a_task_that_throws) {
+  std::latch done(1);
+  WorkerPool pool({.threads = 1, .waiting_max = 2});
+  ASSERT_TRUE(pool.submit("a", [] { throw std::runtime_error("on purpose"); }));
+  ASSERT_TRUE(pool.submit(
+      "a", [&] { done.count_down(); }, true));
+  done.wait();
 }
 
 TEST(WorkerPool, does_what_has_begun) {

@@ -107,6 +107,7 @@ def smuggling(server, checks):
             ("a hexadecimal length", ["Content-Length: 0x4"], b"abcd"),
             ("a length that overflows", ["Content-Length: 99999999999999999999999"], b"abcd"),
             ("an unknown coding", ["Transfer-Encoding: gzip, chunked"], chunked),
+            ("a body that is packed", ["Content-Encoding: gzip", "Content-Length: 4"], b"abcd"),
             ("a coding that is nearly one", ["Transfer-Encoding: xchunked"], chunked),
             ("two codings", ["Transfer-Encoding: chunked", "Transfer-Encoding: identity"], chunked),
             ("a blank before the colon", ["Content-Length : 4"], b"abcd"),
@@ -115,7 +116,7 @@ def smuggling(server, checks):
             ("a chunk without end", ["Transfer-Encoding: chunked"], b"4\r\nabcdXX0\r\n\r\n")):
         data = head(server, "POST /api/preview HTTP/1.1", *fields) + body + head(server, "GET /api/health HTTP/1.1")
         answer = server.raw(data)
-        checks.that(f"{what}: refused and closed", statuses(answer) in ([400], [501], [413]), answer[:200])
+        checks.that(f"{what}: refused and closed", statuses(answer) in ([400], [501], [413], [415]), answer[:200])
     for what, data in (("bare line feeds", head(server, "GET /api/health HTTP/1.1", end="\n")),
                        ("a null byte in a field", head(server, "GET /api/health HTTP/1.1", "X-A: a\0b")),
                        ("a folded field", head(server, "GET /api/health HTTP/1.1", "X-A: a\r\n b", "Connection: close")),
@@ -277,6 +278,13 @@ def tokens(program, folder, checks):
         checks.that("the cookie does not tell the token", TOKEN not in cookie, cookie)
         answer = server.request("GET", "/api/vocabulary", headers={"Cookie": cookie.split(";")[0]})
         checks.that("the cookie opens", answer.status == 200, answer.status)
+        other = server.request("POST", "/api/login", {"token": TOKEN}).headers["set-cookie"].split(";")[0]
+        checks.that("each sign-in has a session of its own", other != cookie.split(";")[0], other)
+        server.request("POST", "/api/logout", headers={"Cookie": cookie.split(";")[0]})
+        answer = server.request("GET", "/api/vocabulary", headers={"Cookie": cookie.split(";")[0]})
+        checks.that("who has signed out is out", answer.status == 401, answer.status)
+        answer = server.request("GET", "/api/vocabulary", headers={"Cookie": other})
+        checks.that("and nobody else", answer.status == 200, answer.status)
         checks.that("the page needs no token", server.request("GET", "/").status == 200)
 
 
@@ -345,9 +353,16 @@ def exposure(program, folder, checks):
         checks.that("TLS is asked to stay", "strict-transport-security" in answer.headers, answer.headers)
         plain = server.raw(b"GET / HTTP/1.1\r\nHost: " + server.host.encode() + b"\r\n\r\n")
         checks.that("plain HTTP is not answered", b"HTTP" not in plain, plain[:80])
-        done = subprocess.run(["openssl", "s_client", "-connect", server.host, "-tls1_1"], input="", text=True,
-                              capture_output=True, timeout=20, check=False)
-        checks.that("TLS 1.1 is refused", "Cipher is (NONE)" in done.stdout, done.stdout[-300:])
+        for offer, taken in ((["-tls1_1", "-cipher", "ALL:@SECLEVEL=0"], False), (["-tls1_3"], True),
+                             (["-tls1_2"], True), (["-tls1_2", "-cipher", "ECDHE-RSA-AES128-GCM-SHA256"], True),
+                             (["-tls1_2", "-cipher", "ECDHE-RSA-AES256-SHA384:ECDHE-RSA-AES128-SHA"], False),
+                             (["-tls1_2", "-cipher", "DHE-RSA-AES256-GCM-SHA384"], False),
+                             (["-tls1_2", "-cipher", "AES256-GCM-SHA384:AES128-GCM-SHA256:AES256-SHA"], False)):
+            done = subprocess.run(["openssl", "s_client", "-connect", server.host, *offer], input="", text=True,
+                                  capture_output=True, timeout=20, check=False)
+            shaken = "Cipher is (NONE)" not in done.stdout and "Cipher is" in done.stdout
+            checks.that(f"the handshake {' '.join(offer)} is {'made' if taken else 'refused'}", shaken == taken,
+                        done.stdout[-300:] + done.stderr[-300:])
 
 
 def main():

@@ -14,6 +14,7 @@
 #include "axiometry/simulation/presets.h"
 #include "axiometry/simulation/simulate.h"
 #include "axiometry/standards/iso230_2_plan.h"
+#include "axiometry/store/own_names.h"
 
 namespace axiometry::app {
 namespace {
@@ -261,7 +262,7 @@ Result<std::size_t> add_examples(Workbench& workbench) {
   AXIOMETRY_TRY(const store::Counts counts, workbench.archive().counts());
   if (!is_empty(counts)) return std::size_t{0};
   AXIOMETRY_TRY(const auto files, example_files());
-  const store::By by{"examples", "loaded into an empty archive"};
+  const store::By by{std::string(store::example_loader), "loaded into an empty archive"};
   return workbench.archive().write([&](store::Transaction& archive) -> Result<std::size_t> {
     AXIOMETRY_TRY(const store::Counts meanwhile, archive.counts());
     if (!is_empty(meanwhile)) return std::size_t{0};

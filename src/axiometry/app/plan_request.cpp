@@ -20,6 +20,7 @@ using iso230_2::Stretch;
 
 constexpr std::string_view of_axis = "Axis", of_targets = "Targets", of_programme = "Programme";
 constexpr std::size_t most_readings = 100'000;
+constexpr std::size_t most_areas = 100;
 
 Result<double> number_of(const std::string& text) {
   const auto x = parse_number(text);
@@ -115,6 +116,8 @@ Result<void> put_seed(const std::string& text, PlanWish& wish) {
 }
 
 Result<void> put_area(const std::string& text, PlanWish& wish) {
+  if (wish.areas.size() == most_areas)
+    return fail(fmt::format("found more than {} stretches, expected at most {}", most_areas, most_areas));
   wish.areas.push_back(text);
   return {};
 }
@@ -211,13 +214,6 @@ constexpr PlanOptionPair apart[] = {
     {"--cycle", "--periodic"},  {"--sequence", "--periodic"},
 };
 
-std::size_t readings_of(const Plan& plan) {
-  const std::size_t own = plan.sequence.empty() ? 2 * plan.targets.size() * plan.runs : plan.sequence.size();
-  std::size_t all = own;
-  for (const Plan& part : plan.further) all += readings_of(part);
-  return all;
-}
-
 Result<void> check_plan_names(const Plan& plan) {
   AXIOMETRY_TRY_VOID(given_line("the name of the axis", plan.axis.name));
   AXIOMETRY_TRY_VOID(given_line("the name of the machine", plan.machine));
@@ -227,6 +223,12 @@ Result<void> check_plan_names(const Plan& plan) {
 }
 
 }  // namespace
+
+std::size_t planned_readings(const Plan& plan) {
+  std::size_t all = plan.sequence.empty() ? 2 * plan.targets.size() * plan.runs : plan.sequence.size();
+  for (const Plan& part : plan.further) all += planned_readings(part);
+  return all;
+}
 
 std::span<const PlanOption> plan_options() { return plan_option_table; }
 
@@ -248,7 +250,7 @@ Result<PlanRequest> completed(const PlanWish& wish) {
 
 Result<void> check_presentable(const Plan& plan) {
   AXIOMETRY_TRY_VOID(check_plan_names(plan));
-  const std::size_t readings = readings_of(plan);
+  const std::size_t readings = planned_readings(plan);
   if (readings <= most_readings) return {};
   return fail(fmt::format("found {} targets in {} runs, {} readings in all, expected at most {}", plan.targets.size(),
                           plan.runs, readings, most_readings));

@@ -54,6 +54,9 @@ std::span<const PlanOptionPair> plan_options_apart();
 /// a sequence that the wish's request has already is left alone.
 Result<iso230_2::PlanRequest> completed(const PlanWish& wish);
 
+/// With its further plans.
+std::size_t planned_readings(const Plan& plan);
+
 /// Fails on a plan of more readings than a page or an answer can show (100 000, with its further plans), and on names
 /// that are no given_line(). Needs a sound plan.
 Result<void> check_presentable(const Plan& plan);

@@ -165,6 +165,19 @@ TEST(PlanRequest, APlanOfAFileIsCheckedInPlaceOfARequest) {
   EXPECT_THAT(requested_plan(value_of("{}")).error().message, HasSubstr("neither a request nor a plan"));
 }
 
+TEST(PlanRequest, CountsWhatIsAskedForBeforeItIsMade) {
+  const auto further = [](const std::string& flag) { return asked(with("\"period\": \"10\"", flag)).error().message; };
+  EXPECT_THAT(further(R"("compensation-points": "0:500:1e-3")"),
+              HasSubstr("compensation-points: found \"0:500:1e-3\", 500001 positions in all, expected at most 10000"));
+  std::string areas = "0";
+  for (int k = 0; k < 100; ++k) areas += ",0";
+  EXPECT_THAT(further(R"("area": ")" + areas + '"'), HasSubstr("more than 100 stretches"));
+  std::string positions = "0";
+  for (int k = 1; k <= 10'000; ++k) positions += ",1";
+  EXPECT_THAT(asked(with("\"positions\": null", "\"positions\": [" + positions + "]")).error().message,
+              HasSubstr("positions: found 10001 of them, expected at most 10000"));
+}
+
 TEST(PlanRequest, TakesNoNameThatIsNoLineOfText) {
   EXPECT_THAT(asked(with("\"X\"", "\"X\\nG0 Z-1\"")).error().message, HasSubstr("U+000A in the name of the axis"));
   const std::string bottomless(100'000, 'X');

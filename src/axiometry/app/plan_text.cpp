@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/plan_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,7 +17,8 @@
 namespace axiometry::app {
 namespace {
 
-constexpr double most_positions = 1e6;
+constexpr std::size_t most_positions = 10'000;  // as many as a plan has targets at most
+constexpr std::size_t most_approaches = 100'000;
 
 /// The numbers between the colons; nothing when one is none.
 std::optional<std::vector<double>> colon_numbers(std::string_view text) {
@@ -28,12 +31,19 @@ std::optional<std::vector<double>> colon_numbers(std::string_view text) {
   return numbers;
 }
 
+/// Before they are built.
+Result<void> check_count(double count, std::string_view text) {
+  if (count <= static_cast<double>(most_positions)) return {};
+  return fail(fmt::format("found {}, {:.10g} positions in all, expected at most {}", text::quoted(text), count,
+                          most_positions));
+}
+
 Result<void> append_range(std::vector<double>& positions, const std::vector<double>& range, std::string_view text) {
   const double from = range[0], to = range[1], every = range[2];
   if (!(every > 0.0) || !(from <= to))
     return unexpected_text(text, "FROM:TO:EVERY with FROM below TO and EVERY above 0");
   const double steps = std::floor((to - from) / every + 1e-9);
-  if (!(steps < most_positions)) return unexpected_text(text, "at most a million positions");
+  AXIOMETRY_TRY_VOID(check_count(static_cast<double>(positions.size()) + steps + 1.0, text));
   for (double k = 0.0; k <= steps; ++k) {
     // 0:1:0.1 shall give 0.3, not 0.30000000000000004.
     const double x = from + k * every;
@@ -69,8 +79,7 @@ Result<std::vector<double>> parse_positions(std::string_view text) {
     } else {
       return unexpected_text(part, "a position, or positions as FROM:TO:EVERY");
     }
-    if (static_cast<double>(positions.size()) > most_positions)
-      return unexpected_text(part, "at most a million positions");
+    AXIOMETRY_TRY_VOID(check_count(static_cast<double>(positions.size()), part));
   }
   return positions;
 }
@@ -88,6 +97,9 @@ Result<std::vector<Approach>> parse_sequence(std::string_view text) {
         return unexpected_text(word, "the number of a target and its direction, such as 3+ or 3-");
       const Direction direction = word.back() == '+' ? Direction::up : Direction::down;
       const auto target = static_cast<std::size_t>(*number - 1);
+      if (sequence.size() == most_approaches)
+        return fail(
+            fmt::format("found more than {} approaches, expected at most {}", most_approaches, most_approaches));
       sequence.push_back({target, direction, runs[{target, direction}]++});
     }
   }

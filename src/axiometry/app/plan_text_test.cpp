@@ -32,6 +32,18 @@ TEST(PlanText, ReadsPositionsAndRangesOfThem) {
     EXPECT_NE(refusal(parse_positions(bad)), "") << bad;
 }
 
+TEST(PlanText, CountsPositionsBeforeItMakesThem) {
+  EXPECT_EQ(refusal(parse_positions("0:500:1e-3")),
+            "found \"0:500:1e-3\", 500001 positions in all, expected at most 10000");
+  EXPECT_EQ(refusal(parse_positions("0:1:1e-300")),
+            "found \"0:1:1e-300\", 1e+300 positions in all, expected at most 10000");
+  EXPECT_EQ(parse_positions("0:9999:1")->size(), 10'000U);
+  EXPECT_NE(refusal(parse_positions("0:9999:1,0")), "");
+  std::string approaches = "1+";
+  for (int k = 0; k < 100'000; ++k) approaches += " 1-";
+  EXPECT_EQ(refusal(parse_sequence(approaches)), "found more than 100000 approaches, expected at most 100000");
+}
+
 TEST(PlanText, CountsTheRunsOfASequence) {
   const auto sequence = parse_sequence("1+ 2+, 2-\n1+ # again from below\n");
   ASSERT_TRUE(sequence);

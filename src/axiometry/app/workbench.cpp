@@ -31,7 +31,8 @@ struct First {
 /// With all that costs nothing. Inputs from which the GUM cannot be worked out are no reason to refuse a measurement:
 /// then Annex A has to do, and who asks for the GUM hears why not.
 Result<First> evaluate_first(State& state, const MeasuredTest& measured, const std::string& file_name,
-                             const Answers& answers) {
+                             const Answers& answers, const std::stop_token& stop) {
+  AXIOMETRY_TRY_VOID(go_on_unless(stop));
   Draft draft;
   Test test = measured.test;
   test.provenance.file = file_name;
@@ -89,7 +90,8 @@ struct Evaluation {
   std::optional<Outcome> first;  ///< of the first test
 };
 
-Result<Evaluation> evaluate_all(State& state, std::span<const Upload> uploads, const Answers& answers) {
+Result<Evaluation> evaluate_all(State& state, std::span<const Upload> uploads, const Answers& answers,
+                                const std::stop_token& stop = {}) {
   Evaluation all;
   for (const Upload& upload : uploads) {
     AXIOMETRY_TRY(const auto file, state.read(upload.bytes, upload.name, upload.profile));
@@ -97,7 +99,7 @@ Result<Evaluation> evaluate_all(State& state, std::span<const Upload> uploads, c
     Incoming& incoming = all.files.emplace_back();
     incoming.content = {file->sha256, name, file->format, std::string(upload.bytes)};
     for (const MeasuredTest& measured : file->tests) {
-      AXIOMETRY_TRY(First evaluated, evaluate_first(state, measured, name, answers));
+      AXIOMETRY_TRY(First evaluated, evaluate_first(state, measured, name, answers, stop));
       Found& found = evaluated.found;
       store::NewTest test{.name_in_file = measured.name,
                           .state = state_of(found.evaluated, evaluated.draft.changes,
@@ -216,7 +218,7 @@ Workbench::~Workbench() = default;
 
 store::Store& Workbench::archive() const { return state_->store; }
 
-Result<Preview> Workbench::preview(const Upload& upload) const {
+Result<Preview> Workbench::preview(const Upload& upload, const std::stop_token& stop) const {
   Preview preview;
   AXIOMETRY_TRY(preview.file_name, given_file_name(upload.name));
   preview.size = upload.bytes.size();
@@ -235,7 +237,7 @@ Result<Preview> Workbench::preview(const Upload& upload) const {
   for (const MeasuredTest& measured : (*file)->tests) {
     preview.tests.push_back({measured.name, measured.test.metadata, measured.test.series, {}});
     if (preview.tests.size() > evaluated_in_preview) continue;
-    auto first = evaluate_first(*state_, measured, preview.file_name, state_->answers());
+    auto first = evaluate_first(*state_, measured, preview.file_name, state_->answers(), stop);
     if (!first) {
       preview.refused = first.error();
       preview.tests.clear();
@@ -246,11 +248,14 @@ Result<Preview> Workbench::preview(const Upload& upload) const {
   return preview;
 }
 
-Result<Received> Workbench::receive(std::span<const Upload> uploads, const store::By& by) {
+Result<Received> Workbench::receive(std::span<const Upload> uploads, const store::By& by, const std::stop_token& stop) {
   if (uploads.empty()) return fail("found no file, expected at least one");
   return keep_as_evaluated(
-      *state_, [&](const Answers& answers) { return evaluate_all(*state_, uploads, answers); },
-      [&](store::Transaction& archive, Evaluation all) { return keep_all(archive, std::move(all), by); });
+      *state_, [&](const Answers& answers) { return evaluate_all(*state_, uploads, answers, stop); },
+      [&](store::Transaction& archive, Evaluation all) -> Result<Received> {
+        AXIOMETRY_TRY_VOID(go_on_unless(stop));
+        return keep_all(archive, std::move(all), by);
+      });
 }
 
 Result<Received> Workbench::receive(store::Transaction& archive, std::span<const Upload> uploads, const store::By& by) {
@@ -259,13 +264,15 @@ Result<Received> Workbench::receive(store::Transaction& archive, std::span<const
   return keep_all(archive, std::move(all), by);
 }
 
-Result<Outcome> Workbench::evaluate(const Upload& upload, const Draft& draft, const std::string& test_name) const {
+Result<Outcome> Workbench::evaluate(const Upload& upload, const Draft& draft, const std::string& test_name,
+                                    const std::stop_token& stop) const {
   AXIOMETRY_TRY(const auto file, state_->read(upload.bytes, upload.name, upload.profile));
   const Test* test = test_name.empty() && file->tests.size() == 1 ? &file->tests.front().test : file->find(test_name);
   if (test == nullptr)
     return fail(fmt::format("found a file of {} tests, expected one test or the name of one of them: {}{}",
                             file->tests.size(), file->tests.front().name, file->tests.size() > 1 ? ", …" : ""));
-  return evaluate(*test, draft);
+  AXIOMETRY_TRY(Found found, state_->evaluate(*test, draft, {}, state_->answers(), stop));
+  return outcome_of(std::move(found));
 }
 
 Result<Outcome> Workbench::evaluate(const Test& test, const Draft& draft) const {
@@ -273,21 +280,22 @@ Result<Outcome> Workbench::evaluate(const Test& test, const Draft& draft) const 
   return outcome_of(std::move(found));
 }
 
-Result<Outcome> Workbench::draft(store::Id id, const Draft& draft) const {
+Result<Outcome> Workbench::draft(store::Id id, const Draft& draft, const std::stop_token& stop) const {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id));
   AXIOMETRY_TRY(Test test, state_->measured(record));
-  AXIOMETRY_TRY(Found found, state_->evaluate(std::move(test), draft, links_of(record), state_->answers()));
+  AXIOMETRY_TRY(Found found, state_->evaluate(std::move(test), draft, links_of(record), state_->answers(), stop));
   found.evaluated.name = record.name_in_file;
   return outcome_of(std::move(found));
 }
 
-Result<KeptTest> Workbench::revise(store::Id id, const Revision& revision, const store::By& by) {
+Result<KeptTest> Workbench::revise(store::Id id, const Revision& revision, const store::By& by,
+                                   const std::stop_token& stop) {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id));
   AXIOMETRY_TRY(const std::string title, given_line("title", revision.title));
   AXIOMETRY_TRY(const Test test, state_->measured(record));
   AXIOMETRY_TRY(const KeptOptions before, kept_options(record.state.evaluation));
   const auto evaluate = [&](const Answers& answers) -> Result<Revised> {
-    AXIOMETRY_TRY(Found found, state_->evaluate(test, revision.draft, links_of(record), answers));
+    AXIOMETRY_TRY(Found found, state_->evaluate(test, revision.draft, links_of(record), answers, stop));
     found.evaluated.name = record.name_in_file;
     store::TestState state =
         state_of(found.evaluated, revision.draft.changes, {revision.draft.options, found.from_archive, before.profile});

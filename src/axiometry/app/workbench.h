@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@
 ///
 /// Metadata of an evaluation: what the file says, where it says nothing the inputs of the instruments it names, and
 /// over both the changes. Limits: those the file or the changes state; where they state none, those of the axis.
+///
+/// Who takes a stop token gives up with `unavailable` soon after it was told to stop: within a block of trials, between
+/// the steps of a report. Nothing is kept then.
 namespace axiometry::app {
 
 /// May be used from many threads at once. Errors are those of the readers (bad_input, with the place) and of the store.
@@ -32,24 +36,26 @@ class Workbench {
   store::Store& archive() const;
 
   /// What is in a file, and its evaluation; nothing is kept. A file that cannot be read is no failure: it is refused.
-  Result<Preview> preview(const Upload& upload) const;
+  Result<Preview> preview(const Upload& upload, const std::stop_token& stop = {}) const;
 
   /// Keeps files with all their tests, each at version 1, or, when one of them cannot be read or kept, none. Bytes that
   /// are known make new tests all the same.
-  Result<Received> receive(std::span<const Upload> uploads, const store::By& by);
+  Result<Received> receive(std::span<const Upload> uploads, const store::By& by, const std::stop_token& stop = {});
   /// Within what else is written together. Others that write wait for the evaluation, too.
   Result<Received> receive(store::Transaction& archive, std::span<const Upload> uploads, const store::By& by);
 
   /// Of a file that is not kept: its only test, or the one of that name.
-  Result<Outcome> evaluate(const Upload& upload, const Draft& draft, const std::string& test_name = {}) const;
+  Result<Outcome> evaluate(const Upload& upload, const Draft& draft, const std::string& test_name = {},
+                           const std::stop_token& stop = {}) const;
   /// Of a test that is not kept yet.
   Result<Outcome> evaluate(const Test& test, const Draft& draft) const;
 
   /// As if the test were changed so; nothing is kept. Without version: of the latest.
-  Result<Outcome> draft(store::Id test, const Draft& draft) const;
+  Result<Outcome> draft(store::Id test, const Draft& draft, const std::stop_token& stop = {}) const;
 
   /// A new version. Fails with `conflict` when base_version is no longer the latest.
-  Result<KeptTest> revise(store::Id test, const Revision& revision, const store::By& by);
+  Result<KeptTest> revise(store::Id test, const Revision& revision, const store::By& by,
+                          const std::stop_token& stop = {});
   Result<KeptTest> withdraw(store::Id test, bool withdrawn, const store::By& by);
   Result<KeptTest> test(store::Id id, std::optional<int> version = {}) const;
 
@@ -59,6 +65,9 @@ class Workbench {
   /// Fails with not_found on an extension that no writer has, and with conflict where this program no longer finds the
   /// figures that were kept.
   Result<Rendered> report(store::Id test, std::optional<int> version, const ReportRequest& request) const;
+
+  /// Whether a report or a figure of that version has the trials of the Monte Carlo method run again first.
+  Result<bool> runs_trials_for(store::Id test, std::optional<int> version) const;
 
   /// Keeps a report as it is now, for good.
   Result<store::Document> issue(store::Id test, std::optional<int> version, const ReportRequest& request,

@@ -9,6 +9,7 @@
 #include "axiometry/app/file_name_part.h"
 #include "axiometry/app/given_text.h"
 #include "axiometry/app/second_opinion.h"
+#include "axiometry/app/test_state.h"
 #include "axiometry/app/workbench_state.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/dark_page.h"
@@ -92,8 +93,10 @@ Result<Rendered> render(Workbench::State& state, const store::TestRecord& record
     return rendered;
   }
   AXIOMETRY_TRY(const report::Writer* writer, report_writer_of(extension));
-  AXIOMETRY_TRY(const auto evaluated, state.evaluated(record));
+  AXIOMETRY_TRY(const auto evaluated, state.evaluated(record, request.stop));
+  AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
   AXIOMETRY_TRY(const auto verified, second_opinion_of(*evaluated, request.options));
+  AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
   AXIOMETRY_TRY(rendered.bytes, writer->write({evaluated->test, evaluated->assessment, evaluated->judgements, verified},
                                               request.options));
   return rendered;
@@ -122,12 +125,19 @@ Result<Rendered> Workbench::report(store::Id id, std::optional<int> version, con
   return render(*state_, record, request);
 }
 
+Result<bool> Workbench::runs_trials_for(store::Id id, std::optional<int> version) const {
+  AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
+  if (state_->remembered(record)) return false;
+  AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
+  return kept.options.monte_carlo;
+}
+
 Result<store::Document> Workbench::issue(store::Id id, std::optional<int> version, const ReportRequest& request,
                                          const store::By& by) {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
   AXIOMETRY_TRY(const Rendered rendered, render(*state_, record, request));
   if (text::to_lower(request.extension) == "json") {
-    AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record));
+    AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record, request.stop));
     AXIOMETRY_TRY([[maybe_unused]] const auto verified, second_opinion_of(*evaluated, request.options, rendered.bytes));
   }
   store::Document document;
@@ -163,7 +173,7 @@ Result<Rendered> Workbench::document(store::Id id) const {
 Result<std::vector<std::string>> Workbench::figures(store::Id id, std::optional<int> version,
                                                     const ReportRequest& request) const {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
-  AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record));
+  AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record, request.stop));
   std::vector<std::string> titles;
   for (const report::Figure& figure : drawn_figures(*evaluated, request.options)) titles.push_back(figure.title);
   return titles;
@@ -172,7 +182,7 @@ Result<std::vector<std::string>> Workbench::figures(store::Id id, std::optional<
 Result<std::string> Workbench::figure(store::Id id, std::optional<int> version, std::size_t index, bool dark,
                                       const ReportRequest& request) const {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
-  AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record));
+  AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record, request.stop));
   auto figures = drawn_figures(*evaluated, request.options);
   if (index >= figures.size())
     return fail(ErrorKind::not_found,

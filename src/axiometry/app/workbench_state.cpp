@@ -92,7 +92,32 @@ Result<void> check_trials(const Series& series, const TestOptions& options) {
                   trials, targets, series.reading_count(), most));
 }
 
+constexpr double run_work_max = 2e8;
+
+/// What makes a noise of the readings be looked for.
+bool has_inputs(const Metadata& metadata, const FromArchive& taken) {
+  return !taken.instruments.empty() || std::ranges::any_of(metadata_fields(), [&](const Field& field) {
+    const bool is_input = field.key.starts_with("uncertainty.") || field.key.starts_with("gum.");
+    return is_input && !std::holds_alternative<std::monostate>(field.get(metadata));
+  });
+}
+
+/// Each run may be shifted by itself, which takes a time that grows with n³ m and memory with n² m of n runs and m
+/// targets: without a bound a file of 150 kB would take a minute and a gigabyte.
+Result<void> check_runs(const Series& series, const Metadata& metadata, const FromArchive& taken) {
+  const auto runs = static_cast<double>(series.run_count());
+  const auto targets = static_cast<double>(series.target_count());
+  const double most = std::max(std::floor(std::cbrt(run_work_max / (2.0 * targets))), 2.0);
+  if (runs <= most || !has_inputs(metadata, taken)) return {};
+  return fail(
+      fmt::format("found {} runs of {} targets, expected at most {:.0f} where an uncertainty is stated: "
+                  "'axiometry evaluate FILE' takes more",
+                  series.run_count(), series.target_count(), most));
+}
+
 constexpr std::size_t least_weight = 16'384;  // of a file that is remembered: what is around its tests
+
+std::string version_key(const store::TestRecord& record) { return fmt::format("{}/{}", record.id, record.version); }
 
 /// The same bytes hold other tests by another profile.
 std::string file_key(const std::string& hash, const std::optional<formats::ImportProfile>& profile) {
@@ -136,40 +161,58 @@ Answers Workbench::State::answers() const {
 }
 
 Result<Found> Workbench::State::evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links,
-                                         const Answers& answers) {
+                                         const Answers& answers, const std::stop_token& stop) {
   AXIOMETRY_TRY_VOID(check_trials(test.series, draft.options));
   ArchiveQuestion question{test.metadata, draft.changes, links};
   AXIOMETRY_TRY_VOID(set_metadata(question.metadata, metadata_items(draft.changes)));
   AXIOMETRY_TRY_VOID(check_lengths(question.metadata));
   AXIOMETRY_TRY(FromArchive taken, answers(question));
-  AXIOMETRY_TRY(Found found, evaluate_with(std::move(test), draft, std::move(taken)));
+  AXIOMETRY_TRY_VOID(check_runs(test.series, question.metadata, taken));
+  AXIOMETRY_TRY(Found found, evaluate_with(std::move(test), draft, std::move(taken), stop));
   found.asked = std::move(question);
   return found;
 }
 
-Result<Found> Workbench::State::evaluate_with(Test test, const Draft& draft, FromArchive taken) {
+Result<Found> Workbench::State::evaluate_with(Test test, const Draft& draft, FromArchive taken,
+                                              const std::stop_token& stop) {
   AXIOMETRY_TRY(EvaluateOptions options, evaluate_options(draft.options));
   options = with_archive(std::move(options), draft.changes, taken);
   std::unique_lock<std::mutex> alone(monte_carlo, std::defer_lock);
   if (draft.options.monte_carlo) alone.lock();
+  AXIOMETRY_TRY_VOID(go_on_unless(stop));
+  options.uncertainty.trials.propagation.on_progress = [stop](const uncertainty::Progress&) {
+    return !stop.stop_requested();
+  };
   const auto begin = std::chrono::steady_clock::now();
-  AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
+  auto evaluated_test = evaluate_test(std::move(test), options);
+  AXIOMETRY_TRY_VOID(go_on_unless(stop));
+  AXIOMETRY_TRY(Evaluated evaluated, std::move(evaluated_test));
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
   return Found{std::move(evaluated), {}, std::move(taken), time.count()};
 }
 
-Result<std::shared_ptr<const Evaluated>> Workbench::State::evaluated(const store::TestRecord& record) {
-  const std::string key = fmt::format("{}/{}", record.id, record.version);
-  if (auto known = evaluations.find(key)) return known;
+std::shared_ptr<const Evaluated> Workbench::State::remembered(const store::TestRecord& record) {
+  return evaluations.find(version_key(record));
+}
+
+Result<std::shared_ptr<const Evaluated>> Workbench::State::evaluated(const store::TestRecord& record,
+                                                                     const std::stop_token& stop) {
+  if (auto known = remembered(record)) return known;
   AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
   AXIOMETRY_TRY(Changes changes, kept_changes(record.state));
   AXIOMETRY_TRY(Test test, measured(record));
-  AXIOMETRY_TRY(Found found, evaluate_with(std::move(test), {std::move(changes), kept.options}, kept.from_archive));
+  AXIOMETRY_TRY(Found found,
+                evaluate_with(std::move(test), {std::move(changes), kept.options}, kept.from_archive, stop));
   found.evaluated.name = record.name_in_file;
   AXIOMETRY_TRY_VOID(check_same(record, found.evaluated));
   auto shared = std::make_shared<const Evaluated>(std::move(found.evaluated));
-  evaluations.remember(key, shared, 1);
+  evaluations.remember(version_key(record), shared, 1);
   return shared;
+}
+
+Result<void> go_on_unless(const std::stop_token& stop) {
+  if (!stop.stop_requested()) return {};
+  return fail(ErrorKind::unavailable, "stopped before it was done; nothing was kept");
 }
 
 ArchiveLinks links_of(const store::TestRecord& record) { return {record.axis, record.instruments}; }

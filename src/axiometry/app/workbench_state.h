@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "axiometry/app/measured_file.h"
@@ -45,13 +46,18 @@ struct Workbench::State {
   Answers answers() const;
 
   Result<Found> evaluate(Test test, const Draft& draft, const std::optional<ArchiveLinks>& links,
-                         const Answers& answers);
+                         const Answers& answers, const std::stop_token& stop = {});
   /// With what was taken from the archive on another day.
-  Result<Found> evaluate_with(Test test, const Draft& draft, FromArchive taken);
+  Result<Found> evaluate_with(Test test, const Draft& draft, FromArchive taken, const std::stop_token& stop = {});
 
   /// A version evaluated again, with the figures that were kept or not at all.
-  Result<std::shared_ptr<const Evaluated>> evaluated(const store::TestRecord& record);
+  Result<std::shared_ptr<const Evaluated>> evaluated(const store::TestRecord& record, const std::stop_token& stop);
+  /// One that was evaluated again a short while ago; nullptr where there is none.
+  std::shared_ptr<const Evaluated> remembered(const store::TestRecord& record);
 };
+
+/// Fails once it was told to stop.
+Result<void> go_on_unless(const std::stop_token& stop);
 
 ArchiveLinks links_of(const store::TestRecord& record);
 Outcome outcome_of(Found found);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stop_token>
 #include <thread>
 
 #include "axiometry/app/example_table2.h"
@@ -250,6 +251,42 @@ TEST_F(TheWorkbench, RefusesTrialsThatWouldTakeTheWholeMachine) {
                                                   "most 83283"));
   EXPECT_THAT(refusal(deep, std::nullopt), HasSubstr("found 100000 trials"));
   EXPECT_EQ(refusal(keep(example_table2), 100), "");
+}
+
+TEST_F(TheWorkbench, RefusesMoreRunsThanItCanCompareWithAStatedUncertainty) {
+  const auto refusal = [this](store::Id test, const std::string& key) {
+    Draft draft;
+    draft.changes = {{key, "1"}};
+    const auto tried = workbench.draft(test, draft);
+    return tried ? "" : tried.error().message;
+  };
+  const store::Id deep = keep(file_of(12, 250), "deep.csv");
+  EXPECT_THAT(refusal(deep, "uncertainty.environmental_variation"),
+              HasSubstr("found 250 runs of 12 targets, expected at most 202"));
+  EXPECT_EQ(refusal(deep, "machine.name"), "");
+  EXPECT_EQ(refusal(keep(file_of(12, 20), "usual.csv"), "uncertainty.environmental_variation"), "");
+}
+
+TEST_F(TheWorkbench, GivesUpWhatItIsToldToStopAndKeepsNothing) {
+  const store::Id id = keep(example_table2);
+  Draft draft;
+  draft.options.monte_carlo = true;
+  draft.options.trials = 10'000'000;
+  std::stop_source source;
+  const std::jthread stopping([&] { source.request_stop(); });
+  const auto outcome = workbench.draft(id, draft, source.get_token());
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().kind, ErrorKind::unavailable);
+  const auto revised = workbench.revise(id, {.draft = draft, .base_version = 1, .title = {}}, me, source.get_token());
+  ASSERT_FALSE(revised);
+  EXPECT_EQ(workbench.test(id)->versions.size(), 1U);
+  const Upload upload{"again.json", example_table2};
+  EXPECT_FALSE(workbench.receive(std::span(&upload, 1), me, source.get_token()));
+  EXPECT_EQ(store.counts()->tests, 1);
+  ReportRequest report{.extension = "pdf", .options = {}, .stop = source.get_token()};
+  EXPECT_FALSE(workbench.report(id, {}, report));
+  report.stop = {};
+  EXPECT_TRUE(workbench.report(id, {}, report));
 }
 
 TEST_F(TheWorkbench, TakesAValueAwayAndReplacesAList) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -111,6 +112,7 @@ struct ReportRequest {
   std::string extension;  ///< of a writer, or "json": the result that was kept
   report::Options options{};
   language::Language language = language::Language::english;
+  std::stop_token stop{};
 };
 
 /// Media type of what has none of its own.

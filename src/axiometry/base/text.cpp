@@ -146,6 +146,7 @@ std::optional<std::string_view> nearest(std::string_view word, const std::vector
   std::size_t best_distance = word.size() / 3 + 1;
   for (std::string_view candidate : candidates) {
     if (candidate.size() > word.size() + best_distance) continue;
+    if (word.size() >= candidate.size() + best_distance) continue;  // at least so many letters go
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < best_distance) {
       best_distance = distance;

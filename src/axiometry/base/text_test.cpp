@@ -36,6 +36,8 @@ TEST(Text, NamesTheNearestWordAndNoFarOne) {
   const std::vector<std::string_view> keys = {"machine.name", "machine.type"};
   EXPECT_EQ(text::nearest("machin.name", keys), "machine.name");
   EXPECT_EQ(text::nearest("zzz", keys), std::nullopt);
+  EXPECT_EQ(text::nearest("mymachine.namexx", {"machine.name"}), "machine.name") << "four letters more";
+  EXPECT_EQ(text::nearest(std::string(50'000'000, 'a'), keys), std::nullopt) << "at once";
 }
 
 TEST(Text, TakesNoEndlessWordForATypingError) {

@@ -55,6 +55,8 @@ constexpr Phrase rows[] = {
      "of both files in a place that can be written",
      "Änderungen in der Datei daneben (-wal), die ohne Schreibrecht nicht übernommen werden können; erwartet: eine "
      "Kopie beider Dateien an einem beschreibbaren Ort"},
+    {"found more than {0#} approaches, expected at most {1#}", "mehr als {0} Anfahrten; erwartet: höchstens {1}"},
+    {"found more than {0#} stretches, expected at most {1#}", "mehr als {0} Strecken; erwartet: höchstens {1}"},
     {"found neither a request nor a plan, expected one of them", "weder Wünsche noch Plan; erwartet: eines von beiden"},
     {"found no member {0=}, expected axis, kind, from, to", "kein Eintrag {0}; erwartet: axis, kind, from, to"},
     {"found no name of a file, expected that of a store", "kein Dateiname; erwartet: der eines Archivs"},
@@ -99,6 +101,11 @@ constexpr Phrase rows[] = {
      "{0} {1} bis {2}; erwartet: das untere Ende und dann das obere, innerhalb {3}"},
     {"found {0#} MB, expected at most {1#}", "{0} MB; erwartet: höchstens {1}"},
     {"found {0#} characters in {1=}, expected at most {2#}", "{0} Zeichen in {1}; erwartet: höchstens {2}"},
+    {"found {0#} of them, expected at most {1#}", "{0} Stück; erwartet: höchstens {1}"},
+    {"found {0#} runs of {1#} targets, expected at most {2#} where an uncertainty is stated: 'axiometry evaluate FILE' "
+     "takes more",
+     "{0} Läufe mit {1} Zielpositionen; erwartet: höchstens {2}, wo eine Unsicherheit angegeben ist: „axiometry "
+     "evaluate DATEI“ nimmt mehr"},
     {"found {0#} trials, expected null or a whole number from {1#} to {2#}",
      "{0} Versuche; erwartet: null oder eine ganze Zahl von {1} bis {2}"},
     {"found {0#}, expected a whole number", "{0}; erwartet: eine ganze Zahl"},
@@ -110,6 +117,8 @@ constexpr Phrase rows[] = {
     {"found {0=}, expected linear or rotary", "{0}; erwartet: linear oder rotary"},
     {"found {0=}, expected standard, step, pilgrim, unidirectional or user-defined",
      "{0}; erwartet: standard, step, pilgrim, unidirectional oder user-defined"},
+    {"found {0=}, {1#} positions in all, expected at most {2#}",
+     "{0}, insgesamt {1} Positionen; erwartet: höchstens {2}"},
     {"found {0} as changes, expected an object", "{0} als Änderungen; erwartet: ein Objekt"},
     {"found {0} as changes, expected {1}", "{0} als Änderungen; erwartet: {1}"},
     {"from: {0}", "von: {0}"},

@@ -13,6 +13,7 @@
 #include "axiometry/store/clock.h"
 #include "axiometry/store/copy.h"
 #include "axiometry/store/migrations.h"
+#include "axiometry/store/own_names.h"
 #include "axiometry/store/sqlite_connection.h"
 #include "axiometry/store/store_state.h"
 #include "axiometry/store/system_error.h"
@@ -202,7 +203,7 @@ Result<Counts> Store::restore(const std::string& backup_file, std::string_view a
       detail.add("file", files::path(backup_file).filename().string());
       detail.add("tests", static_cast<double>(verification.tests));
       detail.add("entries", static_cast<double>(verification.entries));
-      AXIOMETRY_TRY_VOID(record(target, change_now({"restore", ""}), {"store.restored", "store", detail}));
+      AXIOMETRY_TRY_VOID(record(target, change_now({std::string(restorer), ""}), {"store.restored", "store", detail}));
       return target.run("ANALYZE");
     });
     if (!filled) return std::unexpected(in_file(filled.error(), to->state_->info.location));

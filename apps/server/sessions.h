@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace axiometry::server {
+
+/// Who has signed in. A session is a random value of 256 bits that only its owner knows: here are hashes alone. It can
+/// be ended by itself, ends when it is old or was not used, and ends with the program. May be used from many threads.
+class Sessions {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::hours longest{30 * 24};  ///< since it began
+  static constexpr std::chrono::hours unused{7 * 24};    ///< since it was shown the last time
+  static constexpr std::size_t most = 10'000;            ///< for one more the one that was unused for longest ends
+
+  std::string begin(Clock::time_point now);
+  bool knows(std::string_view session, Clock::time_point now);
+  void end(std::string_view session);
+  std::size_t count() const;
+
+ private:
+  struct Times {
+    Clock::time_point began;
+    Clock::time_point used;
+  };
+  static bool is_over(const Times& times, Clock::time_point now);
+
+  mutable std::mutex mutex_;
+  std::map<std::string, Times, std::less<>> all_;  // by the SHA-256, so that no time tells how much of it was right
+};
+
+}  // namespace axiometry::server

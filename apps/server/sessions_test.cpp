@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/sessions.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace axiometry::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Sessions::Clock::time_point dawn{};
+
+TEST(Sessions, are_random_and_each_its_own) {
+  Sessions sessions;
+  const std::string a = sessions.begin(dawn);
+  const std::string b = sessions.begin(dawn);
+  EXPECT_EQ(a.size(), 64U);
+  EXPECT_NE(a, b);
+  EXPECT_TRUE(sessions.knows(a, dawn));
+  sessions.end(a);
+  EXPECT_FALSE(sessions.knows(a, dawn));
+  EXPECT_TRUE(sessions.knows(b, dawn));
+  EXPECT_FALSE(sessions.knows("", dawn));
+}
+
+TEST(Sessions, end_when_they_are_old_however_much_they_are_used) {
+  Sessions sessions;
+  const std::string session = sessions.begin(dawn);
+  auto now = dawn;
+  for (; now < dawn + Sessions::longest; now += 24h) EXPECT_TRUE(sessions.knows(session, now));
+  EXPECT_FALSE(sessions.knows(session, now));
+  EXPECT_EQ(sessions.count(), 0U);
+}
+
+TEST(Sessions, end_when_nobody_shows_them_for_long) {
+  Sessions sessions;
+  const std::string session = sessions.begin(dawn);
+  EXPECT_TRUE(sessions.knows(session, dawn + Sessions::unused - 1s));
+  EXPECT_FALSE(sessions.knows(session, dawn + 2 * Sessions::unused));
+}
+
+TEST(Sessions, are_no_more_than_the_server_has_memory_for) {
+  Sessions sessions;
+  const std::string first = sessions.begin(dawn);
+  const std::string second = sessions.begin(dawn + 1s);
+  EXPECT_TRUE(sessions.knows(first, dawn + 2s));
+  for (std::size_t k = 2; k <= Sessions::most; ++k) sessions.begin(dawn + 3s);
+  EXPECT_EQ(sessions.count(), Sessions::most);
+  EXPECT_TRUE(sessions.knows(first, dawn + 3s));
+  EXPECT_FALSE(sessions.knows(second, dawn + 3s)) << "was unused for longest";
+}
+
+}  // namespace
+}  // namespace axiometry::server
