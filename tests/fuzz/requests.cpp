@@ -9,6 +9,7 @@
 #include "axiometry/app/example_table2.h"
 #include "axiometry/app/workbench.h"
 #include "described.h"
+#include "server/job.h"
 #include "server/routes.h"
 #include "server/target.h"
 #include "tests/support/archive.h"
@@ -28,18 +29,16 @@ class Api {
     add_equipment_routes(router_, context);
     add_plan_routes(router_, context);
     server::Request first{.method = "POST", .path = "/api/tests", .body = std::string(app::example_table2)};
-    AXIOMETRY_CONTRACT(answer(std::move(first)).status == 201);
+    AXIOMETRY_CONTRACT(answer(std::move(first)).value().status == 201);
   }
 
-  /// What takes seconds by its nature is left to the tests of the server.
-  bool takes_long(const server::Request& request) const {
-    const server::Load load = router_.load_of(request);
-    return load == server::Load::lone || (load == server::Load::heavy && request.method == "GET");
-  }
-
-  server::Response answer(server::Request request) {
+  /// Nothing where it takes seconds by its nature, which is left to the tests of the server.
+  std::optional<server::Response> answer(server::Request request) {
     request.actor = "A. Tester";
-    return router_.answer(std::move(request));
+    const bool only_read = request.method == "GET";
+    const server::Job job = router_.read(std::make_shared<server::Request>(std::move(request)));
+    if (job.load == server::Load::lone || (job.load == server::Load::heavy && only_read)) return std::nullopt;
+    return job.answer({});
   }
 
   store::Store& store() { return archive_.store(); }
@@ -67,8 +66,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   server::Request request{.method = std::string(line.substr(0, blank)), .path = target->path, .query = target->query};
   if (!type.empty()) request.headers.emplace_back("content-type", std::string(type));
   request.body = std::string(body);
-  if (api->takes_long(request)) return 0;
-  const server::Response response = api->answer(std::move(request));
+  const auto answered = api->answer(std::move(request));
+  if (!answered) return 0;
+  const server::Response& response = *answered;
   AXIOMETRY_CONTRACT(response.status >= 200 && response.status < 500);
   if (response.status >= 400) {
     const auto said = json::parse(response.body);
