@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "axiometry/base/text.h"
@@ -275,6 +276,32 @@ std::string with_point(const Field& field, std::string value, char decimal_mark)
   return value;
 }
 
+/// Records of fields that may be given again and again. They are put into the metadata when all are known: one by one
+/// each would copy all before it.
+class GatheredRecords {
+ public:
+  Result<void> add(const Field& field, std::string_view value) {
+    Metadata alone;
+    AXIOMETRY_TRY_VOID(set_line_value(alone, field, value));
+    const FieldValue read = field.get(alone);
+    Records& records = records_[&field];
+    if (const auto* one = std::get_if<Records>(&read))
+      records.insert(records.end(), one->begin(), one->end());
+    else
+      records.clear();  // an empty line takes back what was given before it
+    return {};
+  }
+
+  Result<void> put_into(Metadata& metadata) {
+    for (auto& [field, records] : records_)
+      if (!records.empty()) AXIOMETRY_TRY_VOID(set_field(metadata, *field, std::move(records)));
+    return {};
+  }
+
+ private:
+  std::map<const Field*, Records> records_;
+};
+
 }  // namespace
 
 std::span<const KeyAlias> key_aliases() { return aliases; }
@@ -323,6 +350,7 @@ bool has_faulty_header(std::string_view text) {
 
 Result<Metadata> metadata_of(const Preamble& preamble, AxisKind kind, char decimal_mark) {
   Metadata metadata;
+  GatheredRecords records;
   std::vector<const MetadataLine*> seen;
   for (const MetadataLine& line : preamble.metadata) {
     const Field& field = *find_field(line.key);
@@ -336,13 +364,18 @@ Result<Metadata> metadata_of(const Preamble& preamble, AxisKind kind, char decim
       return fail(
           fmt::format("found a second value of {}, expected only that on line {}", line.key, (*before)->at.line),
           line.at);
-    seen.push_back(&line);
+    if (before == seen.end()) seen.push_back(&line);
+    if (field.type == FieldType::records) {
+      AXIOMETRY_TRY_VOID(placed(records.add(field, line.value), line.at));
+      continue;
+    }
     AXIOMETRY_TRY_VOID(placed(set_line_value(metadata, field, with_point(field, line.value, decimal_mark)), line.at));
     if (line.key == "axis.kind" && metadata.axis.kind != kind)
       return fail(fmt::format("found axis.kind = {} and columns in units of a {} axis, expected the same",
                               text::quoted(line.value), kind == AxisKind::linear ? "linear" : "rotary"),
                   line.at);
   }
+  AXIOMETRY_TRY_VOID(records.put_into(metadata));
   metadata.axis.kind = kind;
   return metadata;
 }

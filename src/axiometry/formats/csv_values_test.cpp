@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "axiometry/base/text.h"
+#include "axiometry/formats/csv_preamble.h"
 #include "axiometry/formats/format.h"
 
 namespace axiometry::formats {
@@ -49,6 +50,20 @@ TEST(CsvValues, GiveSpreadsheetsNoFormulaAndOurReaderWhatWasWritten) {
       ASSERT_EQ(again->metadata.environment.sensors.size(), 1u);
       EXPECT_EQ(again->metadata.environment.sensors[0].location, nasty);
     }
+}
+
+/// Copied each time with all before them, they would take minutes.
+TEST(CsvPreamble, TakesManyRecordsInTheirOrderAndAnEmptyOneTakesThemBack) {
+  std::string text = "# equipment: away\n# equipment:\n# sensors: air | here | 20 | 21\n";
+  for (int k = 0; k < 30'000; ++k) text += fmt::format("# equipment: Laser | Maker | L{0} | {0}\n", k);
+  const auto preamble = read_preamble(text + "target_mm,direction,run,deviation_um\n");
+  ASSERT_TRUE(preamble) << preamble.error().to_string();
+  const auto metadata = metadata_of(*preamble, AxisKind::linear, '.');
+  ASSERT_TRUE(metadata) << metadata.error().to_string();
+  ASSERT_EQ(metadata->equipment.size(), 30'000u);
+  EXPECT_EQ(metadata->equipment.front().type, "L0");
+  EXPECT_EQ(metadata->equipment.back().serial_number, "29999");
+  EXPECT_EQ(metadata->environment.sensors.size(), 1u);
 }
 
 }  // namespace

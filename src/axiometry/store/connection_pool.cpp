@@ -58,6 +58,11 @@ std::size_t ConnectionPool::times_silent() const {
   return times_silent_;
 }
 
+bool ConnectionPool::is_asked() const {
+  const std::lock_guard lock(mutex_);
+  return silent_ && asked_;
+}
+
 std::unexpected<Error> ConnectionPool::fail_silent() {
   return fail(ErrorKind::unavailable, "found the store's server silent, expected an answer: it is being asked again");
 }

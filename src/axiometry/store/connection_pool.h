@@ -40,6 +40,8 @@ class ConnectionPool {
 
   /// How often the server was found silent: who waited for something else meanwhile need not ask it once more.
   std::size_t times_silent() const;
+  /// Whether somebody is asking it again just now.
+  bool is_asked() const;
   static std::unexpected<Error> fail_silent();
 
  private:

@@ -64,6 +64,7 @@ struct Store::State {
     if (!info.writable)
       return fail(ErrorKind::read_only,
                   fmt::format("found a store that can only be read ({}), expected to write", info.why_not));
+    if (pool.is_asked()) return ConnectionPool::fail_silent();  // perhaps by whoever has the turn
     const std::size_t silent_before = pool.times_silent();
     if (!turn.wait_for(std::chrono::seconds(10)))
       return fail(ErrorKind::unavailable,
