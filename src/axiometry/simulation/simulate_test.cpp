@@ -391,7 +391,7 @@ TEST(Simulate, RefusesWhatNoAxisIs) {
   EXPECT_NE(refused([](Request& r) { r.plan.targets.resize(1); }), "");
   EXPECT_EQ(refused([](Request& r) {
               r.plan.axis.kind = AxisKind::rotary;
-              r.axis.instrument.expansion.emplace();
+              r.axis.instrument.expansion = decltype(r.axis.instrument.expansion)::value_type{};
             }),
             "found an expansion coefficient for a rotary axis, expected it for a linear one only");
 }
