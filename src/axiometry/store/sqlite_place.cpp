@@ -185,8 +185,10 @@ Result<void> SqlitePlace::is_in_place() const {
 Result<OpenedSqlite> SqlitePlace::connected() const {
   AXIOMETRY_TRY_VOID(is_in_place());
   AXIOMETRY_TRY(OpenedSqlite connection, writable() ? opened(path_, SQLITE_OPEN_READWRITE) : opened_for_reading(path_));
+  // EXTRA is FULL with a log ahead. Where a file system fault has kept the file without one, a commit is the removal of
+  // the journal, and only EXTRA has that on the disk: a power cut would bring the journal back, and undo what was kept.
   AXIOMETRY_TRY_VOID(connection->script(
-      "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL; PRAGMA cache_size = -32000; PRAGMA temp_store = MEMORY; "
+      "PRAGMA foreign_keys = ON; PRAGMA synchronous = EXTRA; PRAGMA cache_size = -32000; PRAGMA temp_store = MEMORY; "
       "PRAGMA journal_size_limit = 67108864"));
   AXIOMETRY_TRY_VOID(is_in_place());
   return connection;
