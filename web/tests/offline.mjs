@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import assert from 'node:assert/strict';
+import { settle } from './pages.mjs';
 import { shows } from './world.mjs';
 
 export const offline = {
@@ -8,6 +9,7 @@ export const offline = {
     const page = await world.page();
     await page.goto(`/plans/${id}`);
     await shows(page.locator('.figures'), /Targets/);
+    await settle(page);  // what is asked for beside the plan would have a notice of its own
     await world.server.stop('SIGKILL');
     await page.getByLabel('Dwell (s)').fill('8');
     await shows(page.getByRole('alert').first(), 'does not answer');
