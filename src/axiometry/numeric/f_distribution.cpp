@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/special_functions.h"
 
 namespace axiometry::numeric {
 namespace {
@@ -19,34 +20,13 @@ double log_gamma(double x) {
   return shift + (x - 0.5) * std::log(x) - x + 0.5 * std::log(2.0 * std::numbers::pi) + series;
 }
 
-/// The continued fraction of I_x(a, b) by the modified Lentz method; converges fast for x < (a + 1)/(a + b + 2).
-double continued_fraction(double a, double b, double x) {
-  constexpr double tiny = 1e-300;
-  const auto nonzero = [](double v) { return std::abs(v) < tiny ? tiny : v; };
-  double c = 1.0;
-  double d = 1.0 / nonzero(1.0 - (a + b) * x / (a + 1.0));
-  double fraction = d;
-  for (int m = 1; m < 10'000; ++m) {
-    const double even = m * (b - m) * x / ((a + 2 * m - 1.0) * (a + 2 * m));
-    d = 1.0 / nonzero(1.0 + even * d);
-    c = nonzero(1.0 + even / c);
-    fraction *= d * c;
-    const double odd = -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1.0));
-    d = 1.0 / nonzero(1.0 + odd * d);
-    c = nonzero(1.0 + odd / c);
-    fraction *= d * c;
-    if (std::abs(d * c - 1.0) < 1e-15) break;
-  }
-  return fraction;
-}
-
 /// I_x(a, b) where `y` is 1 − x without cancellation.
 double incomplete_beta(double a, double b, double x, double y) {
   if (x <= 0.0) return 0.0;
   if (y <= 0.0) return 1.0;
   const double factor = std::exp(a * std::log(x) + b * std::log(y) + log_gamma(a + b) - log_gamma(a) - log_gamma(b));
-  if (x < (a + 1.0) / (a + b + 2.0)) return factor / a * continued_fraction(a, b, x);
-  return 1.0 - factor / b * continued_fraction(b, a, y);
+  if (x < (a + 1.0) / (a + b + 2.0)) return factor / a * beta_fraction(a, b, x);
+  return 1.0 - factor / b * beta_fraction(b, a, y);
 }
 
 }  // namespace

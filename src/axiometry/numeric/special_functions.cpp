@@ -32,27 +32,6 @@ double gamma_ratio(double a) {
   return std::sqrt(a) * series;
 }
 
-/// The continued fraction of I_x(a, b) without its factor; converges fast for x < (a + 1)/(a + b + 2).
-double beta_fraction(double a, double b, double x) {
-  constexpr double tiny = 1e-300;
-  const auto away_from_zero = [](double v) { return std::abs(v) < tiny ? tiny : v; };
-  double c = 1.0;
-  double d = 1.0 / away_from_zero(1.0 - (a + b) * x / (a + 1.0));
-  double fraction = d;
-  for (int m = 1; m < 100'000; ++m) {
-    const double even = m * (b - m) * x / ((a + 2 * m - 1.0) * (a + 2 * m));
-    d = 1.0 / away_from_zero(1.0 + even * d);
-    c = away_from_zero(1.0 + even / c);
-    fraction *= d * c;
-    const double odd = -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1.0));
-    d = 1.0 / away_from_zero(1.0 + odd * d);
-    c = away_from_zero(1.0 + odd / c);
-    fraction *= d * c;
-    if (std::abs(d * c - 1.0) < 1e-16) break;
-  }
-  return fraction;
-}
-
 /// P(T > t) and P(0 < T < t) for t ≥ 0: whichever the other would be cancelled from is computed directly.
 struct Sides {
   double tail = 0.5;
@@ -124,6 +103,26 @@ double quantile(double p, double start, SidesOf sides_of, DensityOf density_of) 
 }
 
 }  // namespace
+
+double beta_fraction(double a, double b, double x) {
+  constexpr double tiny = 1e-300;
+  const auto away_from_zero = [](double v) { return std::abs(v) < tiny ? tiny : v; };
+  double c = 1.0;
+  double d = 1.0 / away_from_zero(1.0 - (a + b) * x / (a + 1.0));
+  double fraction = d;
+  for (int m = 1; m < 100'000; ++m) {
+    const double even = m * (b - m) * x / ((a + 2 * m - 1.0) * (a + 2 * m));
+    d = 1.0 / away_from_zero(1.0 + even * d);
+    c = away_from_zero(1.0 + even / c);
+    fraction *= d * c;
+    const double odd = -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1.0));
+    d = 1.0 / away_from_zero(1.0 + odd * d);
+    c = away_from_zero(1.0 + odd / c);
+    fraction *= d * c;
+    if (std::abs(d * c - 1.0) < 1e-16) break;
+  }
+  return fraction;
+}
 
 double normal_probability(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 

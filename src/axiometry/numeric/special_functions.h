@@ -11,6 +11,10 @@
 /// special_functions_test.cpp holds figures computed with sixty digits.
 namespace axiometry::numeric {
 
+/// The continued fraction of I_x(a, b) without its factor x^a (1 − x)^b / (a B(a, b)); converges fast for
+/// x < (a + 1)/(a + b + 2).
+double beta_fraction(double a, double b, double x);
+
 double normal_probability(double z);  ///< Φ(z)
 double normal_quantile(double p);     ///< Φ⁻¹(p); contract: 0 < p < 1
 

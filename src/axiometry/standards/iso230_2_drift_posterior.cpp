@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "axiometry/base/contract.h"
 #include "axiometry/numeric/principal_axes.h"
@@ -48,39 +49,125 @@ struct AboutMeans {
   double least_scatter = 0.0;
 };
 
-/// Takes the means of the runs out of what has none in its cells, and those of the cells again, until neither is left;
-/// where no reading is missing once is enough.
-void take_out_run_means(const Series& series, std::span<double> values) {
-  constexpr std::size_t most_rounds = 100;
-  constexpr double done = 1e-13;  // of the largest value
-  const std::size_t runs = series.run_count();
-  const std::size_t cells = 2 * series.target_count();
-  const auto reading = [&](std::size_t c, std::size_t j) {
-    return !std::isnan(series.cell(c % series.target_count(), static_cast<Direction>(c / series.target_count()))[j]);
-  };
-  /// Takes the mean over `inner` out for each of `outer`; the largest of these means.
-  const auto take_out = [&](std::size_t outer, std::size_t inner, const auto& place) {
-    double largest = 0.0;
-    for (std::size_t a = 0; a < outer; ++a) {
-      double sum = 0.0, n = 0.0;
-      for (std::size_t b = 0; b < inner; ++b)
-        if (const auto [c, j] = place(a, b); reading(c, j)) {
-          sum += values[c * runs + j];
-          n += 1.0;
-        }
-      if (n == 0.0) continue;
-      largest = std::max(largest, std::abs(sum / n));
-      for (std::size_t b = 0; b < inner; ++b)
-        if (const auto [c, j] = place(a, b); reading(c, j)) values[c * runs + j] -= sum / n;
+/// Which readings there are of the cells (direction, target) and runs, as values lie in Series::make_dense().
+class Layout {
+ public:
+  explicit Layout(const Series& series)
+      : runs_(series.run_count()), cells_(2 * series.target_count()), of_run_(runs_, 0.0) {
+    for (std::size_t c = 0; c < cells_; ++c) {
+      const auto cell = series.cell(c % series.target_count(), static_cast<Direction>(c / series.target_count()));
+      begins_.push_back(there_.size());
+      for (std::size_t j = 0; j < runs_; ++j) {
+        if (std::isnan(cell[j])) continue;
+        there_.push_back(j);
+        of_run_[j] += 1.0;
+      }
     }
-    return largest;
+    begins_.push_back(there_.size());
+  }
+
+  std::size_t runs() const { return runs_; }
+  std::size_t cells() const { return cells_; }
+  std::span<const std::size_t> runs_of(std::size_t cell) const {
+    return std::span(there_).subspan(begins_[cell], begins_[cell + 1] - begins_[cell]);
+  }
+  double readings_of(std::size_t run) const { return of_run_[run]; }
+
+ private:
+  std::size_t runs_, cells_;
+  std::vector<double> of_run_;
+  std::vector<std::size_t> there_, begins_;
+};
+
+/// Sum over the cells of what a shift of each run is about the mean of its cell: the normal equations of shifts beside
+/// any means of the cells.
+std::vector<double> about_cells(const Layout& layout, std::span<const double> shifts) {
+  std::vector<double> sums(layout.runs(), 0.0);
+  for (std::size_t c = 0; c < layout.cells(); ++c) {
+    const auto runs = layout.runs_of(c);
+    double mean = 0.0;
+    for (std::size_t j : runs) mean += shifts[j] / double(runs.size());
+    for (std::size_t j : runs) sums[j] += shifts[j] - mean;
+  }
+  return sums;
+}
+
+/// The shifts of the runs that fit sums of readings about their cells best, by conjugate gradients, which end after as
+/// many steps as there are runs, but for rounding; where no reading is missing after one.
+std::vector<double> fitted_shifts(const Layout& layout, std::vector<double> left) {
+  constexpr double done = 1e-28;  // of the squares at the beginning
+  const auto scaled = [&](const std::vector<double>& x) {
+    std::vector<double> result(x.size(), 0.0);
+    for (std::size_t j = 0; j < x.size(); ++j)
+      if (layout.readings_of(j) > 0.0) result[j] = x[j] / layout.readings_of(j);
+    return result;
   };
+  std::vector<double> shifts(left.size(), 0.0);
+  std::vector<double> step = scaled(left);
+  double squares = product(left, step);
+  const double enough = done * squares;
+  for (std::size_t k = 0; k < layout.runs() && squares > enough; ++k) {
+    const std::vector<double> moved = about_cells(layout, step);
+    const double curvature = product(step, moved);
+    if (!(curvature > 0.0)) break;
+    for (std::size_t j = 0; j < left.size(); ++j) {
+      shifts[j] += squares / curvature * step[j];
+      left[j] -= squares / curvature * moved[j];
+    }
+    const std::vector<double> next = scaled(left);
+    const double before = std::exchange(squares, product(left, next));
+    for (std::size_t j = 0; j < left.size(); ++j) step[j] = next[j] + squares / before * step[j];
+  }
+  return shifts;
+}
+
+/// Takes what runs have in common out of values that have no mean in their cells, so that neither is left. Again for
+/// what rounding left of it.
+void take_out_run_means(const Layout& layout, std::span<double> values) {
+  constexpr std::size_t most_rounds = 5;
+  constexpr double done = 1e-13;  // of the largest value
   double size = 0.0;
   for (double x : values) size = std::max(size, std::abs(x));
   for (std::size_t round = 0; round < most_rounds; ++round) {
-    take_out(runs, cells, [](std::size_t j, std::size_t c) { return std::pair(c, j); });
-    if (take_out(cells, runs, [](std::size_t c, std::size_t j) { return std::pair(c, j); }) <= done * size) break;
+    std::vector<double> sums(layout.runs(), 0.0);
+    for (std::size_t c = 0; c < layout.cells(); ++c)
+      for (std::size_t j : layout.runs_of(c)) sums[j] += values[c * layout.runs() + j];
+    double largest = 0.0;
+    for (std::size_t j = 0; j < sums.size(); ++j)
+      largest = std::max(largest, std::abs(sums[j]) / std::max(layout.readings_of(j), 1.0));
+    if (largest <= done * size) return;
+    const std::vector<double> shifts = fitted_shifts(layout, std::move(sums));
+    for (std::size_t c = 0; c < layout.cells(); ++c) {
+      const auto runs = layout.runs_of(c);
+      double mean = 0.0;
+      for (std::size_t j : runs) mean += shifts[j] / double(runs.size());
+      for (std::size_t j : runs) values[c * layout.runs() + j] -= shifts[j] - mean;
+    }
   }
+}
+
+/// The number by which a run's group is known; who asked is nearer to it the next time.
+std::size_t root_of(std::vector<std::size_t>& group, std::size_t run) {
+  while (group[run] != run) run = group[run] = group[group[run]];
+  return run;
+}
+
+/// How many shifts of runs are free of each other beside the means of the cells: of runs that have cells in common one
+/// is not, for the means take it up. Where no reading is missing, all runs but one.
+double free_run_shifts(const Layout& layout) {
+  std::vector<std::size_t> group(layout.runs());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  double shifts = 0.0;
+  for (std::size_t c = 0; c < layout.cells(); ++c) {
+    const auto runs = layout.runs_of(c);
+    for (std::size_t j : runs) {
+      const std::size_t own = root_of(group, j), first = root_of(group, runs.front());
+      if (own == first) continue;
+      group[own] = first;
+      shifts += 1.0;
+    }
+  }
+  return shifts;
 }
 
 AboutMeans about_means(const Series& series, const EnvironmentModes& modes, MachineRuns machine_runs) {
@@ -118,10 +205,11 @@ AboutMeans about_means(const Series& series, const EnvironmentModes& modes, Mach
   }
   if (machine_runs == MachineRuns::steady) return found;
   AboutMeans within = found;
-  take_out_run_means(series, within.readings);
+  const Layout layout(series);
+  take_out_run_means(layout, within.readings);
   for (std::size_t k = 0; k < count; ++k)
-    take_out_run_means(series, std::span(within.shapes).subspan(k * modes.places, modes.places));
-  within.degrees_of_freedom = std::max(0.0, found.degrees_of_freedom - double(runs - 1));
+    take_out_run_means(layout, std::span(within.shapes).subspan(k * modes.places, modes.places));
+  within.degrees_of_freedom = std::max(0.0, found.degrees_of_freedom - free_run_shifts(layout));
   if (machine_runs == MachineRuns::shifting) return within;
   for (std::size_t r = 0; r < found.readings.size(); ++r) found.readings[r] -= within.readings[r];
   for (std::size_t r = 0; r < found.shapes.size(); ++r) found.shapes[r] -= within.shapes[r];

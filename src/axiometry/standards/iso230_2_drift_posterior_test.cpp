@@ -66,6 +66,33 @@ TEST(DriftPosterior, DrawsAboutWhatItExpects) {
   }
 }
 
+/// Targets measured in runs 1 to 3, others in 4 to 6, one in all: the second set-up is shifted by that.
+Series two_set_ups(double shift) {
+  constexpr std::size_t targets = 21, runs = 6, shared = 10;
+  std::vector<Position> places;
+  for (std::size_t i = 0; i < targets; ++i) places.push_back(Position::native(10.0 * double(i)));
+  std::vector<double> readings(2 * targets * runs);
+  numeric::fill_normal({5, 0, 0}, readings);
+  for (std::size_t r = 0; r < readings.size(); ++r) {
+    const std::size_t i = r / runs % targets;
+    const bool second = r % runs >= 3;
+    if (second) readings[r] += shift;
+    if (second ? i < shared : i > shared) readings[r] = std::nan("");
+  }
+  return Series::make_dense(places, runs, readings).value();
+}
+
+TEST(SeenModes, TakeShiftsOfTheRunsOutHoweverFewCellsTheyHaveInCommon) {
+  const axiometry::Test still{{}, two_set_ups(0.0), {}};
+  const axiometry::Test shifted{{}, two_set_ups(100.0), {}};
+  const EnvironmentModes modes = environment_modes(EnvironmentKind::drift, course_of(still).share, 1);
+  const SeenModes expected(still.series, modes, MachineRuns::shifting);
+  const SeenModes found(shifted.series, modes, MachineRuns::shifting);
+  EXPECT_EQ(found.degrees_of_freedom, 2 * (20 * 2 + 5) - 5);
+  EXPECT_NEAR(found.squares, expected.squares, 1e-10 * expected.squares);
+  EXPECT_NEAR(found.squares_left, expected.squares_left, 1e-10 * expected.squares);
+}
+
 TEST(DriftPosterior, HasNothingButWhatWasStatedForASingleApproach) {
   std::vector<Position> targets = {Position::native(0.0), Position::native(100.0), Position::native(200.0)};
   const axiometry::Test test{{}, Series::make_dense(targets, 1, {1, 2, 3, 4, 5, 6}).value(), {}};

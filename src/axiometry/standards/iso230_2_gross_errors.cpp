@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "axiometry/numeric/chi_square.h"
+#include "axiometry/numeric/leave_one_out.h"
 #include "axiometry/numeric/special_functions.h"
 
 namespace axiometry::iso230_2 {
@@ -106,32 +107,28 @@ double standard_deviation(std::span<const double> values) {
   return std::sqrt(squares / double(values.size() - 1));
 }
 
-/// Standard deviation of what is left without the value farthest from the median, made up for what leaving out the
-/// farthest of normal numbers takes; of three values that of all. A second gross error must not hide the first.
-double scatter_but_for_one(std::vector<double> values) {
+/// Standard deviation of the others without the one farthest from their median, made up for what leaving out the
+/// farthest of normal numbers takes; of three others that of all. A second gross error must not hide the first.
+double scatter_but_for_one(const numeric::LeaveOneOut& readings, std::size_t reading, std::size_t others) {
   constexpr double made_up[] = {1.657, 1.453, 1.378, 1.313, 1.279, 1.247, 1.225};  // of 4 to 10 values
-  const std::size_t count = values.size();
-  if (count > 3) {
-    const double middle = median(values);
-    values.erase(std::ranges::max_element(values, {}, [&](double x) { return std::abs(x - middle); }));
-  }
-  const double factor = count > 3 ? made_up[std::min(count - 4, std::size(made_up) - 1)] : 1.0;
-  return factor * standard_deviation(values);
+  if (others <= 3) return readings.deviation_without(reading);
+  return made_up[std::min(others - 4, std::size(made_up) - 1)] * readings.deviation_but_for_farthest(reading);
 }
 
 std::vector<Departure> departures_of(const std::vector<CellReadings>& cells) {
   std::vector<Departure> found;
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const auto& readings = cells[c].readings;
-    for (std::size_t j = 0; j < readings.size(); ++j) {
-      if (std::isnan(readings[j])) continue;
-      std::vector<double> others;
-      for (std::size_t k = 0; k < readings.size(); ++k)
-        if (k != j && !std::isnan(readings[k])) others.push_back(readings[k]);
-      if (others.empty()) continue;
-      const double sd = others.size() > 2 ? scatter_but_for_one(others) : 0.0;
-      const double relative = std::sqrt(1.0 + median_variance(others.size()));
-      found.push_back({c, j, readings[j] - median(std::move(others)), relative, sd});
+    const std::vector<double> values = present(cells[c].readings);
+    if (values.size() < 2) continue;
+    const std::size_t others = values.size() - 1;
+    const double relative = std::sqrt(1.0 + median_variance(others));
+    const numeric::LeaveOneOut readings(values);
+    std::size_t number = 0;
+    for (std::size_t j = 0; j < cells[c].readings.size(); ++j) {
+      const double reading = cells[c].readings[j];
+      if (std::isnan(reading)) continue;
+      const double sd = others > 2 ? scatter_but_for_one(readings, number, others) : 0.0;
+      found.push_back({c, j, reading - readings.median_without(number++), relative, sd});
     }
   }
   return found;
@@ -169,11 +166,10 @@ bool too_many(const std::vector<Departure>& departures, double scatter) {
   double large = 0.0;
   for (const Departure& d : departures)
     large += std::abs(d.size) > several_from * d.relative_sd * std::max(scatter, own_share * d.others_sd) ? 1.0 : 0.0;
+  if (large == 0.0) return false;
+  // The count is Poisson's: P(k or more of λ) = P(χ² ≤ 2λ) of 2k degrees of freedom.
   const double expected = 2.0 * numeric::normal_probability(-several_from) * double(departures.size());
-  double term = std::exp(-expected);  // Poisson
-  double below = 0.0;
-  for (double k = 0.0; k < large; k += 1.0, term *= expected / k) below += term;
-  return 1.0 - below < several_alarms;
+  return numeric::chi_square_probability(2.0 * expected, 2.0 * large) < several_alarms;
 }
 
 }  // namespace

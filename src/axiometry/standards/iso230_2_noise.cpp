@@ -49,12 +49,6 @@ StatedNoise stated_noise(const NoiseQuestion& question) {
   return stated;
 }
 
-/// Shapes that runs shift by, each for itself.
-void add_run_shifts(EnvironmentModes& modes, const Series& series) {
-  for (std::size_t j = 0; j < series.run_count(); ++j)
-    for (std::size_t r = 0; r < modes.places; ++r) modes.values.push_back(r % series.run_count() == j ? 1.0 : 0.0);
-}
-
 class NoiseModeller {
  public:
   explicit NoiseModeller(const NoiseQuestion& question)
@@ -311,13 +305,13 @@ double WithinRuns::upper_sd() const {
 }
 
 WithinRuns within_runs(const Series& series, const TestCourse& course) {
-  EnvironmentModes modes = environment_modes(EnvironmentKind::drift, course.share, 1);
-  add_run_shifts(modes, series);
-  const SeenModes seen(series, modes);
-  // Where shapes use up the degrees of freedom, what they explain may be scatter as well.
-  if (seen.degrees_of_freedom_left >= 0.5 * seen.degrees_of_freedom)
-    return {seen.squares_left, seen.degrees_of_freedom_left};
-  return {seen.squares, seen.degrees_of_freedom};
+  const EnvironmentModes modes = environment_modes(EnvironmentKind::drift, course.share, 1);
+  const SeenModes all(series, modes);
+  const SeenModes within(series, modes, MachineRuns::shifting);
+  // Where shapes and shifts use up the degrees of freedom, what they explain may be scatter as well.
+  if (within.degrees_of_freedom_left >= 0.5 * all.degrees_of_freedom)
+    return {within.squares_left, within.degrees_of_freedom_left};
+  return {all.squares, all.degrees_of_freedom};
 }
 
 bool refutes_stated_white(const Test& test) {

@@ -62,7 +62,8 @@ std::vector<Approach> sequence_of(const Series& series, TestCycle cycle) {
   std::vector<Approach> sequence = approaches(plan);
   if (cycle == TestCycle::unidirectional && series.has(Direction::down))
     for (Approach& a : sequence) a = {series.target_count() - 1 - a.target, Direction::down, a.run};
-  std::erase_if(sequence, [&](const Approach& a) { return !series.has(a.direction); });
+  const bool up = series.has(Direction::up), down = series.has(Direction::down);
+  std::erase_if(sequence, [&](const Approach& a) { return a.direction == Direction::up ? !up : !down; });
   return sequence;
 }
 

@@ -119,9 +119,11 @@ std::vector<Fact> facts_of_readings(const Subject& subject, const Options& optio
     return format_fixed(p.in_native(), decimals, options.numbers) + (kind == AxisKind::linear ? "\u00a0mm" : "°");
   };
   std::size_t fewest = series.run_count();
-  for (std::size_t target = 0; target < series.target_count(); ++target)
-    for (Direction direction : {Direction::up, Direction::down})
-      if (series.has(direction)) fewest = std::min(fewest, series.count(target, direction));
+  for (Direction direction : {Direction::up, Direction::down}) {
+    if (!series.has(direction)) continue;
+    for (std::size_t target = 0; target < series.target_count(); ++target)
+      fewest = std::min(fewest, series.count(target, direction));
+  }
   const bool both = series.has(Direction::up) && series.has(Direction::down);
   const std::string runs =
       fewest == series.run_count() ? fmt::format("{}", fewest) : fmt::format("{} to {}", fewest, series.run_count());
