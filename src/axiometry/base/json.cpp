@@ -269,6 +269,9 @@ Result<Value> parse(std::string_view text, ParseLimits limits) {
     return fail("found UTF-16 text, expected UTF-8", {1, 1});
   if (text.size() > limits.bytes)
     return fail(fmt::format("found {} bytes, expected at most {}", text.size(), limits.bytes));
+  // nlohmann takes it for the end of the text, whatever stands behind it.
+  if (const std::size_t zero = text.find('\0'); zero != text.npos)
+    return fail(fmt::format("found a byte 0 behind {} bytes, expected JSON, which has none", zero));
   TreeBuilder builder(text, limits);
   const bool complete = nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   if (builder.error()) return *builder.error();

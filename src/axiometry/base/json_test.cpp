@@ -56,6 +56,12 @@ TEST(Json, SaysWhatWasFoundAndExpectedAndWhere) {
   EXPECT_EQ(error_of("[\"\xB5\"]"), "line 1:2: found \"\"\\xB5\"\", expected UTF-8");
 }
 
+TEST(Json, TakesNoByteZeroForItsEnd) {
+  using namespace std::string_view_literals;
+  EXPECT_EQ(error_of("{\"a\": 1}\0{\"evil\": 1}"sv), "found a byte 0 behind 8 bytes, expected JSON, which has none");
+  EXPECT_EQ(error_of("\0"sv), "found a byte 0 behind 0 bytes, expected JSON, which has none");
+}
+
 TEST(Json, RefusesNestingOfAMillionLevelsWithoutFallingOver) {
   EXPECT_EQ(error_of(std::string(1'000'000, '[')), "line 1:65: found nesting deeper than 64 levels, expected less");
 }

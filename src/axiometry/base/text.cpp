@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <numeric>
+#include <utility>
 
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/utf8.h"
@@ -17,17 +17,20 @@ constexpr std::string_view blanks = " \t\r\n";
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
+/// Where it is below the limit, and else the limit: what leads below it stays less than that off the diagonal.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
+  std::vector<std::size_t> row(b.size() + 1, limit);
+  for (std::size_t j = 0; j < std::min(row.size(), limit); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
+    const std::size_t first = i > limit ? i - limit : 0, last = std::min(b.size(), i + limit - 1);
+    std::size_t diagonal = std::exchange(row[first], std::min(i, limit)), least = row[first];
+    for (std::size_t j = first + 1; j <= last; ++j) {
       const std::size_t substitution = diagonal + (lower(a[i - 1]) != lower(b[j - 1]));
       diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitution});
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitution, limit});
+      least = std::min(least, row[j]);
     }
+    if (least == limit) return limit;
   }
   return row.back();
 }
@@ -147,7 +150,7 @@ std::optional<std::string_view> nearest(std::string_view word, const std::vector
   for (std::string_view candidate : candidates) {
     if (candidate.size() > word.size() + best_distance) continue;
     if (word.size() >= candidate.size() + best_distance) continue;  // at least so many letters go
-    const std::size_t distance = edit_distance(word, candidate);
+    const std::size_t distance = edit_distance(word, candidate, best_distance);
     if (distance < best_distance) {
       best_distance = distance;
       best = candidate;

@@ -40,6 +40,32 @@ TEST(Text, NamesTheNearestWordAndNoFarOne) {
   EXPECT_EQ(text::nearest(std::string(50'000'000, 'a'), keys), std::nullopt) << "at once";
 }
 
+std::size_t letters_changed(std::string_view a, std::string_view b) {
+  if (a.empty() || b.empty()) return a.size() + b.size();
+  const std::size_t last = letters_changed(a.substr(1), b.substr(1)) + (a[0] != b[0]);
+  return std::min({last, letters_changed(a.substr(1), b) + 1, letters_changed(a, b.substr(1)) + 1});
+}
+
+TEST(Text, NamesTheWordOfWhichTheFewestLettersChange) {
+  std::uint32_t chance = 1;
+  const auto drawn = [&] {
+    std::string word;
+    for (std::size_t k = 0, length = (chance = chance * 1664525 + 1013904223) >> 24; k < 1 + length % 6; ++k)
+      word += static_cast<char>('a' + ((chance = chance * 1664525 + 1013904223) >> 24) % 3);
+    return word;
+  };
+  for (int k = 0; k < 300; ++k) {
+    const std::string word = drawn(), first = drawn(), second = drawn();
+    const std::size_t to_first = letters_changed(word, first), to_second = letters_changed(word, second);
+    const std::size_t fewest = std::min(to_first, to_second);
+    const auto near = text::nearest(word, {first, second});
+    if (fewest > word.size() / 3)
+      EXPECT_EQ(near, std::nullopt) << word << ' ' << first << ' ' << second;
+    else
+      EXPECT_EQ(near, to_first == fewest ? first : second) << word << ' ' << first << ' ' << second;
+  }
+}
+
 TEST(Text, TakesNoEndlessWordForATypingError) {
   const std::string longest(read_budget::name_bytes, 'a');
   EXPECT_EQ(text::nearest(longest, {longest}), longest);

@@ -73,6 +73,10 @@ std::string_view advice_on(std::string_view cell) {
 
 }  // namespace
 
+std::unexpected<Error> fail_row_cells(TextPosition at) {
+  return fail(fmt::format("found more than {} fields in one row, expected fewer", read_budget::row_cells), at);
+}
+
 Result<std::vector<CsvCell>> split_row(std::string_view line, char delimiter, std::size_t line_number) {
   std::vector<CsvCell> cells;
   for (std::size_t k = 0;; ++k) {
@@ -89,9 +93,7 @@ Result<std::vector<CsvCell>> split_row(std::string_view line, char delimiter, st
       k = end;
     }
     if (k >= line.size()) return cells;
-    if (cells.size() == read_budget::row_cells)
-      return fail(fmt::format("found more than {} fields in one row, expected fewer", read_budget::row_cells),
-                  {line_number, k + 2});
+    if (cells.size() == read_budget::row_cells) return fail_row_cells({line_number, k + 2});
   }
 }
 

@@ -22,6 +22,9 @@ struct CsvCell {
 /// break inside a field has no place among readings) and on text after a closing quote.
 Result<std::vector<CsvCell>> split_row(std::string_view line, char delimiter, std::size_t line_number);
 
+/// What a reader says that finds more than read_budget::row_cells.
+std::unexpected<Error> fail_row_cells(TextPosition at);
+
 struct RowShape {
   std::size_t expected = 0;  ///< cells in the header
   std::size_t needed = 0;    ///< up to the last column that is read; spreadsheets cut off empty cells behind it

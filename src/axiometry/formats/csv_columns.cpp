@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
+#include <unordered_map>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
@@ -12,8 +14,6 @@
 
 namespace axiometry::formats {
 namespace {
-
-using Words = std::vector<std::string>;
 
 struct NameAndUnit {
   std::string_view name;
@@ -63,20 +63,6 @@ std::string spell_out_signs(std::string name) {
   return trimmed;
 }
 
-/// Lower-case words and numbers: "Run 1↑" gives run, 1, up.
-Words words_of(std::string_view name) {
-  const std::string spelled = spell_out_signs(text::to_lower(name));
-  Words words;
-  for (std::size_t k = 0; k < spelled.size();) {
-    const auto in_word = is_digit(spelled[k]) ? is_digit : is_letter;
-    std::size_t end = k;
-    while (end < spelled.size() && in_word(spelled[end])) ++end;
-    if (end > k) words.push_back(spelled.substr(k, end - k));
-    k = std::max(end, k + 1);
-  }
-  return words;
-}
-
 // English and German, as instruments and spreadsheets write them.
 constexpr std::string_view deviation_words[] = {
     "deviation",      "deviations",         "dev", "error", "err", "delta", "abweichung", "abweichungen", "fehler",
@@ -107,32 +93,78 @@ constexpr std::string_view down_header_words[] = {
     "down",    "backward", "bwd",    "back",    "reverse", "rev",   "negative",  "neg",         "ab",
     "abwärts", "abwaerts", "zurück", "zurueck", "rück",    "rueck", "rückwärts", "rueckwaerts", "negativ"};
 
-template <std::size_t n>
-bool is_in(const std::string& word, const std::string_view (&list)[n]) {
-  return std::ranges::find(list, std::string_view(word)) != std::end(list);
+/// What a word may stand for; several may be true of one.
+using Meanings = unsigned;
+namespace meaning {
+constexpr Meanings deviation = 1, measured = 2, target = 4, position = 8, direction_column = 16, run = 32, test = 64,
+                   numbering = 128, filler = 256, ignored = 512, up = 1024, down = 2048;
+constexpr Meanings known =
+    deviation | measured | target | position | direction_column | run | test | numbering | filler | up | down;
+}  // namespace meaning
+
+/// Looked up for every cell in which a header is looked for, so once for each word.
+Meanings meanings_of(std::string_view word) {
+  static const std::unordered_map<std::string_view, Meanings> table = [] {
+    std::unordered_map<std::string_view, Meanings> made;
+    const auto add = [&](std::span<const std::string_view> words, Meanings meaning) {
+      for (const std::string_view w : words) made[w] |= meaning;
+    };
+    add(deviation_words, meaning::deviation);
+    add(measured_words, meaning::measured);
+    add(target_words, meaning::target);
+    add(position_words, meaning::position);
+    add(direction_column_words, meaning::direction_column);
+    add(run_words, meaning::run);
+    add(test_words, meaning::test);
+    add(numbering_words, meaning::numbering);
+    add(filler_words, meaning::filler);
+    add(ignored_words, meaning::ignored);
+    add(up_header_words, meaning::up);
+    add(down_header_words, meaning::down);
+    return made;
+  }();
+  const auto found = table.find(word);
+  return found == table.end() ? 0 : found->second;
 }
 
-template <std::size_t n>
-bool any_in(const Words& words, const std::string_view (&list)[n]) {
-  return std::ranges::any_of(words, [&](const std::string& w) { return is_in(w, list); });
+struct Word {
+  std::string text;
+  Meanings meanings = 0;
+
+  bool is_number() const { return is_digit(text.front()); }
+  bool may_be(Meanings any) const { return (meanings & any) != 0; }
+};
+using Words = std::vector<Word>;
+
+bool any_may_be(const Words& words, Meanings any) {
+  return std::ranges::any_of(words, [&](const Word& w) { return w.may_be(any); });
 }
 
-bool is_known(const std::string& w) {
-  return is_in(w, deviation_words) || is_in(w, measured_words) || is_in(w, target_words) || is_in(w, position_words) ||
-         is_in(w, direction_column_words) || is_in(w, run_words) || is_in(w, test_words) || is_in(w, numbering_words) ||
-         is_in(w, filler_words) || is_in(w, up_header_words) || is_in(w, down_header_words);
+/// Lower-case words and numbers: "Run 1↑" gives run, 1, up.
+Words words_of(std::string_view name) {
+  const std::string spelled = spell_out_signs(text::to_lower(name));
+  Words words;
+  for (std::size_t k = 0; k < spelled.size();) {
+    const auto in_word = is_digit(spelled[k]) ? is_digit : is_letter;
+    std::size_t end = k;
+    while (end < spelled.size() && in_word(spelled[end])) ++end;
+    if (end > k)
+      words.push_back({spelled.substr(k, end - k), meanings_of(std::string_view(spelled).substr(k, end - k))});
+    k = std::max(end, k + 1);
+  }
+  return words;
 }
 
 /// A reading of a wide file: a direction or a number in its name and no word of another meaning.
 bool read_as_wide(Column& column, const Words& words) {
   std::vector<std::string> numbers;
-  for (const std::string& w : words) {
-    if (is_digit(w.front())) {
-      numbers.push_back(w);
-    } else if (is_in(w, up_header_words) || is_in(w, down_header_words)) {
+  for (const Word& w : words) {
+    if (w.is_number()) {
+      numbers.push_back(w.text);
+    } else if (w.may_be(meaning::up | meaning::down)) {
       if (column.direction) return false;
-      column.direction = is_in(w, up_header_words) ? Direction::up : Direction::down;
-    } else if (!is_known(w) || is_in(w, target_words) || is_in(w, test_words)) {
+      column.direction = w.may_be(meaning::up) ? Direction::up : Direction::down;
+    } else if (!w.may_be(meaning::known) || w.may_be(meaning::target | meaning::test)) {
       return false;
     }
   }
@@ -141,36 +173,37 @@ bool read_as_wide(Column& column, const Words& words) {
     const auto number = parse_count(numbers.front());
     column.run = static_cast<std::size_t>(number.value_or(~0ull));
   }
-  const bool position = any_in(words, measured_words) || any_in(words, position_words);
-  column.measured = position && !any_in(words, deviation_words) ? Measured::position : Measured::deviation;
+  const bool is_position =
+      any_may_be(words, meaning::measured | meaning::position) && !any_may_be(words, meaning::deviation);
+  column.measured = is_position ? Measured::position : Measured::deviation;
   column.role = ColumnRole::reading;
   return true;
 }
 
 /// The role of a name without numbers and directions; Measured::position marks the undecided "position".
 void read_as_long(Column& column, const Words& words) {
-  const bool known = std::ranges::all_of(words, is_known);
+  const bool all_known = std::ranges::all_of(words, [](const Word& w) { return w.may_be(meaning::known); });
   if (text::trim(column.name).empty()) {
     column.role = ColumnRole::ignored;  // the numbering that data frames write, or a delimiter at the end of lines
-  } else if (!known) {
-    column.role = any_in(words, ignored_words) ? ColumnRole::ignored : ColumnRole::unknown;
-  } else if (any_in(words, deviation_words)) {
+  } else if (!all_known) {
+    column.role = any_may_be(words, meaning::ignored) ? ColumnRole::ignored : ColumnRole::unknown;
+  } else if (any_may_be(words, meaning::deviation)) {
     column.role = ColumnRole::reading;
-  } else if (any_in(words, measured_words)) {
+  } else if (any_may_be(words, meaning::measured)) {
     column.role = ColumnRole::reading;
     column.measured = Measured::position;
-  } else if (any_in(words, target_words)) {
-    column.role = any_in(words, numbering_words) ? ColumnRole::ignored : ColumnRole::target;
-  } else if (any_in(words, position_words)) {
-    column.role = any_in(words, numbering_words) ? ColumnRole::ignored : ColumnRole::target;
+  } else if (any_may_be(words, meaning::target)) {
+    column.role = any_may_be(words, meaning::numbering) ? ColumnRole::ignored : ColumnRole::target;
+  } else if (any_may_be(words, meaning::position)) {
+    column.role = any_may_be(words, meaning::numbering) ? ColumnRole::ignored : ColumnRole::target;
     column.measured = Measured::position;
-  } else if (any_in(words, run_words)) {
+  } else if (any_may_be(words, meaning::run)) {
     column.role = ColumnRole::run;
-  } else if (any_in(words, direction_column_words)) {
+  } else if (any_may_be(words, meaning::direction_column)) {
     column.role = ColumnRole::direction;
-  } else if (any_in(words, test_words)) {
+  } else if (any_may_be(words, meaning::test)) {
     column.role = ColumnRole::test;
-  } else if (any_in(words, ignored_words)) {
+  } else if (any_may_be(words, meaning::ignored)) {
     column.role = ColumnRole::ignored;
   }
 }

@@ -280,11 +280,12 @@ std::string with_point(const Field& field, std::string value, char decimal_mark)
 /// each would copy all before it.
 class GatheredRecords {
  public:
-  Result<void> add(const Field& field, std::string_view value) {
+  Result<void> add(const Field& field, std::string_view value, TextPosition at) {
     Metadata alone;
     AXIOMETRY_TRY_VOID(set_line_value(alone, field, value));
     const FieldValue read = field.get(alone);
-    Records& records = records_[&field];
+    auto& [records, last] = records_[&field];
+    last = at;
     if (const auto* one = std::get_if<Records>(&read))
       records.insert(records.end(), one->begin(), one->end());
     else
@@ -293,13 +294,18 @@ class GatheredRecords {
   }
 
   Result<void> put_into(Metadata& metadata) {
-    for (auto& [field, records] : records_)
-      if (!records.empty()) AXIOMETRY_TRY_VOID(set_field(metadata, *field, std::move(records)));
+    for (auto& [field, given] : records_)
+      if (!given.records.empty())
+        AXIOMETRY_TRY_VOID(placed(set_field(metadata, *field, std::move(given.records)), given.last));
     return {};
   }
 
  private:
-  std::map<const Field*, Records> records_;
+  struct Given {
+    Records records;
+    TextPosition last;
+  };
+  std::map<const Field*, Given> records_;
 };
 
 }  // namespace
@@ -366,7 +372,7 @@ Result<Metadata> metadata_of(const Preamble& preamble, AxisKind kind, char decim
           line.at);
     if (before == seen.end()) seen.push_back(&line);
     if (field.type == FieldType::records) {
-      AXIOMETRY_TRY_VOID(placed(records.add(field, line.value), line.at));
+      AXIOMETRY_TRY_VOID(placed(records.add(field, line.value, line.at), line.at));
       continue;
     }
     AXIOMETRY_TRY_VOID(placed(set_line_value(metadata, field, with_point(field, line.value, decimal_mark)), line.at));

@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv_cells.h"
 #include "axiometry/formats/decoded_text.h"
@@ -107,6 +108,7 @@ class Row {
       cells_.push_back({text::trim(line.substr(begin, end - begin)), begin + 1});
       if (end == line.size()) break;
       begin = end + 1;
+      if (cells_.size() == read_budget::row_cells) return fail_row_cells({number, begin + 1});
     }
     return check(has_break);
   }

@@ -57,6 +57,8 @@ TEST(RangesCsv, says_where_something_is_wrong) {
   EXPECT_THAT(ranges_error("point,station,length\n"), HasSubstr("1:15: found the column \"length\" without a unit"));
   EXPECT_THAT(ranges_error("point,station,length_mm,range_mm\n"), HasSubstr("1:25: found \"range_mm\" a second time"));
   EXPECT_THAT(ranges_error("point,station,length_mm\n1,1,5\n1,,6\n"), HasSubstr("3:3: found no station"));
+  EXPECT_THAT(ranges_error("point,station,length_mm\n1,1,5\n" + std::string(100'000, ',')),
+              HasSubstr("3:32769: found more than 32768 fields in one row"));
   EXPECT_THAT(ranges_error("point,station,length_mm\n1,1,5.0\n1,1,nan\n"), HasSubstr("3:5: found \"nan\""));
   EXPECT_THAT(ranges_error("point,station,length_mm\n1,1,1e12\n"), HasSubstr("2:5: found \"1e12\", expected a length"));
   EXPECT_THAT(ranges_error("point,station,length_mm\n1,1\n"), HasSubstr("2:3: found 2 fields"));

@@ -44,7 +44,8 @@ class RecordingReader {
   /// jump of its counter) are told by lost().
   virtual Result<void> feed(std::string_view bytes, const SampleSink& sink) = 0;
 
-  /// The last line, when it has no line break.
+  /// Nothing more comes: the last line, when it has no line break, and what waited to be told more. Fails where the
+  /// recording is none as a whole; what is missing of one that was interrupted is no reason.
   virtual Result<void> finish(const SampleSink& sink) = 0;
 
   /// The connection broke, or nothing more is read: bytes are missing here. Hands on what waited for the next line,

@@ -61,6 +61,8 @@ Result<void> LineReader::finish(const SampleSink& sink) {
 Result<void> LineReader::interrupted(const SampleSink& sink) {
   auto settled = settle_all(judge_.flush());
   forget_line();
+  if (settled) settled = cut_off();
+  damaged_in_a_row_ = 0;  // those of a connection that is over
   auto flushed = flush(sink);
   return settled ? flushed : settled;
 }

@@ -36,6 +36,8 @@ class LineReader : public RecordingReader {
   virtual Result<void> end() { return {}; }
   /// Bytes are missing before the next line.
   virtual void gap() {}
+  /// Besides, what was sent before them has come to its end.
+  virtual Result<void> cut_off() { return {}; }
   /// A line whose stamp is settled.
   virtual Result<void> settle(const StampedLine& line) { return put({line.stamp, line.position}); }
 

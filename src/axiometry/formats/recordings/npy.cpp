@@ -130,7 +130,7 @@ class NpyReader final : public RecordingReader {
 
   Result<void> finish(const SampleSink&) override {
     if (!shape_) return fail("found a NumPy array that ends in its header, expected samples");
-    if (rows_ != shape_->rows || !begun_.empty())
+    if (!interrupted_ && (rows_ != shape_->rows || !begun_.empty()))
       return fail(
           fmt::format("found {} samples, expected {} as the header says: the file is cut off", rows_, shape_->rows));
     return {};
@@ -138,6 +138,7 @@ class NpyReader final : public RecordingReader {
 
   Result<void> interrupted(const SampleSink&) override {
     begun_.clear();
+    interrupted_ = true;
     return {};
   }
   std::size_t unfinished() const override { return begun_.size(); }
@@ -208,6 +209,7 @@ class NpyReader final : public RecordingReader {
 
   std::optional<Shape> shape_;
   std::string begun_;  // the header, later a sample whose end has not come yet
+  bool interrupted_ = false;
   std::size_t rows_ = 0;
   double last_time_s_ = -1e300;
   std::vector<Sample> samples_;

@@ -92,6 +92,7 @@ std::span<const StampedLine> StampJudge::flush() {
   if (waiting_) settle(*waiting_);
   waiting_.reset();
   reject_doubtful();
+  rejected_in_a_row_ = 0;
   return settled_;
 }
 

@@ -193,6 +193,12 @@ class UmdReader final : public LineReader {
 
   void gap() override { interrupted_ = true; }
 
+  /// What waits is placed as at the end: a rate that is told later must not move what was measured before.
+  Result<void> cut_off() override {
+    const auto arrived = [](const Waiting& sample) { return !std::isnan(sample.arrival_s); };
+    return std::ranges::any_of(waiting_, arrived) ? without_rate() : Result<void>{};
+  }
+
   std::optional<double> rate_hz_;
   std::size_t width_ = 0;
   bool interrupted_ = false;
@@ -258,7 +264,8 @@ Minimalist Homodyne Test:
   `--wavelength` in nm, in the air of the test, and `--counts-per-wavelength` (2, 4 or 8, after the optics). Neither is
   in the stream.
 - Time is `SEQ` divided by the sample rate: that of `--rate`, else of the stream itself (code 8, in Hz × 100), else each
-  line counts at the moment it arrives. A jump of `SEQ` is counted as lost samples; a counter of 16 bits may turn over.
+  line counts at the moment it arrives. So do all lines of a recording whose connection broke off before the rate came.
+  A jump of `SEQ` is counted as lost samples; a counter of 16 bits may turn over.
 - A `PHASE` of 0x200 and more is an error code of the counter: such a sample is counted as lost, never used.
 - Codes 3, 5 and 6 (temperature in °C × 100, pressure in mbar × 100, humidity in % × 10) become first and last
   values of the air in the test. The scales are those of the firmware's source; check them against your instrument.
