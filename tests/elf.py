@@ -4,7 +4,8 @@ import struct
 import sys
 
 PT_LOAD, PT_DYNAMIC = 1, 2
-DT_NULL, DT_NEEDED, DT_STRTAB = 0, 1, 5
+PF_X, PF_W = 1, 2
+DT_NULL, DT_NEEDED, DT_STRTAB, DT_STRSZ = 0, 1, 5, 10
 
 
 class Elf:
@@ -40,6 +41,17 @@ class Elf:
     def offset_of(self, address):
         return next(address - s["address"] + s["offset"] for s in self.of_type(PT_LOAD)
                     if s["address"] <= address < s["address"] + s["file_size"])
+
+    def names(self):
+        """All that is looked up in other files, or by them: functions, variables, libraries, versions."""
+        dynamic = self.dynamic()
+        at = self.offset_of(dynamic[DT_STRTAB])
+        return set(self.data[at:at + dynamic[DT_STRSZ]].decode().split("\0"))
+
+    def code(self):
+        """The bytes that can be executed."""
+        return b"".join(self.data[s["offset"]:s["offset"] + s["file_size"]]
+                        for s in self.of_type(PT_LOAD) if s["flags"] & PF_X)
 
     def libraries(self):
         """Names of the shared libraries that it asks for itself."""

@@ -102,6 +102,26 @@ def npy(samples):
     return b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header.encode() + body
 
 
+def series(targets, runs):
+    """A test of which more is asked than to be read: its uncertainty is stated, and every 50th reading is far out."""
+    def grow(size):
+        chance = random.Random(size)
+        lines, length = ["# uncertainty.environmental_variation: 1", "target_mm,direction,run,deviation_um"], 80
+        m, n = (targets or size // (34 * runs) + 2), (runs or size // (34 * targets) + 2)
+        for place in range(2 * m * n):
+            j, d, i = place // (2 * m) + 1, place // m % 2, place % m
+            far = 500 if place % 50 == 7 else 0
+            lines.append(f"{i},{'+-'[d]},{j},{chance.gauss(far, 1):.2f}")
+        return ("\n".join(lines) + "\n").encode()
+    return grow
+
+
+def evaluated():
+    """(name, command, growth) of files that are long rather than strange."""
+    for name, grow in (("many runs", series(12, None)), ("many targets", series(None, 5)), ("nothing but runs", series(2, None))):
+        yield name, ["evaluate", "-q", "--uncertainty", "gum", "@"], grow
+
+
 # ---------------------------------------------------------------- how a file grows
 
 def fill(before, piece, behind, size, number=None):
@@ -338,6 +358,13 @@ def main():
                 if fault := faults(launcher, options.program, command, grow, folder / "grown"):
                     failed += 1
                     print(f"FAILED  {title}: {way}: {fault}\n        axiometry {' '.join(command)}", flush=True)
+        for title, command, grow in evaluated():
+            if options.only and options.only not in title:
+                continue
+            tried += 1
+            if fault := faults(launcher, options.program, command, grow, folder / "grown"):
+                failed += 1
+                print(f"FAILED  {title}: {fault}\n        axiometry {' '.join(command)}", flush=True)
     print(f"{tried} ways to grow a file, {failed} cost too much")
     return 1 if failed or tried == 0 else 0
 

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""verify_archive.py ARCHIVE [--seal FILE]... [--public-key KEY]: proves an archive of Axiometry without Axiometry.
+"""verify_archive.py ARCHIVE [--seal FILE]... [--head N:HEX]... [--public-key KEY]: proves an archive of Axiometry without Axiometry.
 
 ARCHIVE is a SQLite archive or a backup (of a PostgreSQL archive, too). Written from docs/theory/archive.md, which says how
 every hash is made, with nothing but Python's standard library, so that whoever doubts the program can read all of this.
 
-Checked: the bytes of every file, the audit trail entry by entry, that every record has its entry and every entry its
-record, numbers without gaps, the triggers that keep rows as they are, and seals with their signatures.
+Checked: how each cell is stored, the bytes of every file, the audit trail entry by entry, that every record has its entry
+and every entry its record, numbers without gaps, the lists, the triggers that keep rows as they are, and seals with their
+signatures.
 Exit code: 0 nothing is wrong, 3 something is, 2 the archive or a seal cannot be read.
 """
 import argparse
@@ -32,6 +33,14 @@ TEST_VERSION = ("test", "version", "at", "actor", "reason", "title", "machine", 
 EVALUATION = ("program", "standard", "options", "seed", "unit", "conforming", "verdict", "label", "result")
 FIGURE = ("parameter", "value", "expanded_uncertainty", "tolerance", "verdict")
 FIGURE_OF_RECORD = ("low", "high", "method")
+LIST = ("test", "version", "withdrawn", "conforming", "machine", "axis", "value_a", "value_e", "value_r", "value_b", "unit",
+        "verdict", "measured_on", "received_at", "title_key", "file_key", "machine_key", "axis_key", "title", "file_name",
+        "machine_name", "axis_name", "axis_kind", "label", "content")
+LONGEST_KEY = 400  # bytes
+MIGRATIONS = {  # number -> name and SHA-256 of what SQLite was given
+    1: ("archive", "8eee08e77cde153cc9807c8bafb156f6dd15181a01ce61b6eae68a4b5a8eea95"),
+    2: ("record", "d2fd50a321a0525264dc8f72f6d5bee5c3afe3972ec3ad1607f1aff92c8f1b66"),
+}
 DOCUMENT = ("id", "test", "version", "kind", "name", "media_type", "language", "content", "size", "at", "actor", "reason")
 
 KEPT = {  # tables whose rows never change: what tells two rows apart
@@ -41,6 +50,11 @@ KEPT = {  # tables whose rows never change: what tells two rows apart
     "figure": ("test", "version", "place"), "document": ("id",), "audit": ("id",), "migration": ("number",),
 }
 GROWING = ("machine", "axis", "instrument", "plan", "test")  # only `latest` grows, by one
+LISTS = ("test_list", "test_search", "list_instrument")
+STORED_AS = {  # what SQLite calls the values of a column that is declared so
+    "integer": "integer", "bigint": "integer", "double precision": "real", "plain_text": "text", "text": "text",
+    "blob": "blob",
+}
 
 
 def real_text(value):
@@ -73,6 +87,44 @@ def field(value):
     else:
         kind, data = b"b", bytes(value)
     return kind + str(len(data)).encode() + b":" + data
+
+
+def small(letter):
+    """Of the Latin, Greek and Cyrillic letters that are two bytes in UTF-8, and of ASCII."""
+    code = ord(letter)
+    if 0x41 <= code <= 0x5A or (0xC0 <= code <= 0xDE and code != 0xD7) or 0x391 <= code <= 0x3A9 or 0x410 <= code <= 0x42F:
+        return chr(code + 32)
+    if 0x400 <= code <= 0x40F:
+        return chr(code + 80)
+    if code == 0x178:
+        return chr(0xFF)
+    if 0x100 <= code <= 0x17E and code not in (0x130, 0x131, 0x138, 0x149):
+        odd_capital = 0x139 <= code <= 0x148 or 0x179 <= code
+        return chr(code + (code & 1) if odd_capital else code | 1)
+    return letter
+
+
+def folded(text):
+    """As it is looked for and ordered."""
+    key, room = [], LONGEST_KEY
+    for letter in text:
+        room -= len(letter.encode())
+        if room < 0:
+            break
+        key.append(small(letter))
+    return "".join(key)
+
+
+def identifier(name):
+    return '"' + name.replace('"', '""') + '"'
+
+
+def say(text, to=None):
+    """A cell may hold what no terminal shows, or what one obeys."""
+    to = to or sys.stdout
+    plain = "".join(letter if letter.isprintable() else ascii(letter)[1:-1] for letter in text)
+    encoding = to.encoding or "utf-8"
+    print(plain.encode(encoding, "backslashreplace").decode(encoding), file=to)
 
 
 def hash_of(values):
@@ -158,16 +210,21 @@ def is_signed(message, signature, public_key):
 
 class Archive:
     def __init__(self, path):
-        # Of the file as it is, so that nothing is written beside it; a log beside it would have to be merged first.
+        # Of the file as it is, so that nothing is written beside it; a log beside it would have to be merged first, and
+        # what a journal beside it knows to have been there before put back.
         path = pathlib.Path(path).resolve(strict=True)
-        log = path.with_name(path.name + "-wal")
-        if log.exists() and log.stat().st_size:
-            raise ValueError(f"found changes in {log.name} that are not merged, expected the program ended, or a backup")
+        for ending, said in (("-wal", "found changes in {} that are not merged, expected the program ended, or a backup"),
+                             ("-journal", "found a change that {} is to take back, expected that the program has done so")):
+            beside = path.with_name(path.name + ending)
+            if beside.exists() and beside.stat().st_size:
+                raise ValueError(said.format(beside.name))
         self.database = sqlite3.connect(path.as_uri() + "?immutable=1", uri=True)
         self.database.row_factory = sqlite3.Row
         if self.database.execute("PRAGMA application_id").fetchone()[0] != APPLICATION_ID:
             raise ValueError("found a database of another program, expected an archive of Axiometry")
         self.problems = []
+        self.notes = []
+        self.not_told = {}  # what no entry tells -> of how many
         self.attested = {}  # (subject, version) -> hash that the trail tells of; version 0 of what has none
         self.counts = {}
         self.received = {}
@@ -176,11 +233,24 @@ class Archive:
         self.hashes = {}    # number of an entry -> its hash
         self.versions = {}
 
+    def untold(self, what):
+        self.not_told[what] = self.not_told.get(what, 0) + 1
+
     def problem(self, text):
         self.problems.append(text)
 
     def rows(self, sql, *parameters):
         return self.database.execute(sql, parameters)
+
+    def check_tables(self):
+        """What stands in the place of a table, an endless view it may be, is not read."""
+        tables = {row["name"]: row["sql"] for row in self.rows("SELECT name, sql FROM sqlite_master WHERE type = 'table'")}
+        for table in (*KEPT, *GROWING, *LISTS):
+            if not tables.get(table, "").startswith("CREATE TABLE "):
+                raise ValueError(f"found no table {table}, expected it")
+            for column in self.rows(f"PRAGMA table_xinfo({table})"):
+                if column["hidden"]:
+                    raise ValueError(f"found a column {column['name']} of {table} that is computed, expected values")
 
     def check_file(self):
         for row in self.rows("PRAGMA integrity_check"):
@@ -202,8 +272,26 @@ class Archive:
             self.problem(f"trigger {name}: no archive has one of this name")
         return len(expected)
 
+    def check_migrations(self):
+        found = {row["number"]: (row["name"], row["sha256"]) for row in self.rows("SELECT * FROM migration")}
+        for number in sorted(found.keys() | MIGRATIONS.keys()):
+            if found.get(number) != MIGRATIONS.get(number):
+                self.problem(f"migration {number}: found {found.get(number)}, expected {MIGRATIONS.get(number)}")
+
+    def check_classes(self):
+        """SQLite keeps any value in any column: a text as bytes has the hash of the text, and no search finds it."""
+        for table in (*KEPT, *GROWING, *LISTS):
+            columns = [(row["name"], STORED_AS.get(row["type"].lower(), row["type"]), not row["notnull"] and not row["pk"])
+                       for row in self.rows(f"PRAGMA table_info({table})")]
+            shown = ", ".join(f'typeof({identifier(name)})' for name, _, _ in columns)
+            for number, *found in self.rows(f"SELECT rowid, {shown} FROM {table} NOT INDEXED"):
+                for (name, kind, nullable), stored in zip(columns, found):
+                    if stored != kind and not (nullable and stored == "null"):
+                        self.problem(f"{table}: row {number} has {name} stored as {stored}, expected {kind}"
+                                     f"{' or null' if nullable else ''}")
+
     def check_trail(self):
-        previous, last = "", 0
+        previous, last, before = "", 0, ""
         for row in self.rows("SELECT * FROM audit ORDER BY id"):
             if row["id"] != last + 1:
                 self.problem(f"audit trail: entry {row['id']} comes after {last}")
@@ -211,7 +299,10 @@ class Archive:
                                                                "detail"))])
             if made != row["sha256"]:
                 self.problem(f"audit trail: entry {row['id']} or one in front of it was changed")
-            previous, last = row["sha256"], row["id"]
+            if row["at"] < before:
+                self.notes.append(f"audit trail: the clock went back in front of entry {row['id']}, from {before} to "
+                                  f"{row['at']}")
+            previous, last, before = row["sha256"], row["id"], row["at"]
             self.hashes[last] = previous
             self.learn(row)
         return last
@@ -222,11 +313,13 @@ class Archive:
             self.withdrawn[subject] = entry["action"] == "test.withdrawn"
         change = (entry["at"], entry["actor"], entry["reason"])
         if entry["action"] == "test.received":
-            self.received[subject] = (detail["content"], detail["file"], detail.get("name_in_file", ""), *change)
+            self.received[subject] = (detail["content"], detail["file"], detail.get("name_in_file", ""),
+                                      detail.get("format"), *change)
         if entry["action"] == "content.kept":
-            self.kept[subject] = change
-        if "sha256" in detail:
-            self.attested[subject, int(detail.get("version", 0))] = detail["sha256"]
+            self.kept[subject] = (detail.get("file"), detail.get("format"), *change)
+        version = detail.get("version", 0)
+        if "sha256" in detail and version == int(version):
+            self.attested[subject, int(version)] = detail["sha256"]
             table = subject.split(" ")[0]
             self.counts[table] = self.counts.get(table, 0) + 1
 
@@ -238,6 +331,13 @@ class Archive:
     def check_count(self, table, found):
         if found != self.counts.get(table, 0):
             self.problem(f"{table}: {found} are there, the audit trail tells of {self.counts.get(table, 0)}")
+
+    def told(self, entry, stored, *columns):
+        """What an entry tells of these columns, or what is stored where it tells nothing."""
+        for value, column in zip(entry, columns):
+            if value is None:
+                self.untold(column)
+        return tuple(there if value is None else value for value, there in zip(entry, stored))
 
     def without_gaps(self, table, ids):
         for expected, number in enumerate(ids, 1):
@@ -255,8 +355,11 @@ class Archive:
             if made != row["sha256"] or len(data) != row["size"]:
                 self.problem(f"{subject}: its bytes were changed")
             self.attest(subject, 0, made)
-            if self.kept.get(subject) != (row["at"], row["actor"], row["reason"]):
-                self.problem(f"{subject}: kept by another, at another time or for another reason than the trail tells")
+            kept = self.kept.get(subject, (None,) * 5)
+            told = self.told(kept, (row["file_name"], row["format"]), "content.file_name", "content.format")
+            if told + kept[2:] != (row["file_name"], row["format"], row["at"], row["actor"], row["reason"]):
+                self.problem(f"{subject}: kept by another, at another time, for another reason or under another name or "
+                             "format than the trail tells")
         self.without_gaps("content", ids)
         self.check_count("content", len(ids))
         return len(ids)
@@ -301,14 +404,70 @@ class Archive:
         tests = self.check_versions("test", "test")
         for row in self.rows("SELECT * FROM test"):
             subject = f"test {row['id']}"
-            told = (row["content"], row["file_name"], row["name_in_file"], row["at"], row["actor"], row["reason"])
-            if self.received.get(subject) != told:
-                self.problem(f"{subject}: another file, name or receipt than the audit trail tells of")
-            if bool(row["withdrawn"]) != self.withdrawn.get(subject, False):
+            received = self.received.get(subject, (None,) * 7)
+            format_told = self.told(received[3:4], (row["format"],), "test.format")
+            if received[:3] + format_told + received[4:] != (
+                    row["content"], row["file_name"], row["name_in_file"], row["format"], row["at"], row["actor"],
+                    row["reason"]):
+                self.problem(f"{subject}: another file, name, format or receipt than the audit trail tells of")
+            if row["withdrawn"] != int(self.withdrawn.get(subject, False)):
                 self.problem(f"{subject}: withdrawn or not, against the audit trail")
         for row in self.rows("SELECT * FROM test_version"):
             self.attest(f"test {row['test']}", row["version"], hash_of(self.test_fields(row)), row["sha256"])
+        for table in ("test_instrument", "figure"):
+            for row in self.rows(f"SELECT test, version FROM {table} GROUP BY test, version HAVING min(place) <> 1 OR "
+                                 "max(place) <> count(*)"):
+                self.problem(f"{table}: places of version {row[1]} of test {row[0]} do not count from 1")
+        for row in self.rows("SELECT test, version FROM figure WHERE method = '' AND (low IS NOT NULL OR high IS NOT NULL)"):
+            self.problem(f"figure: an interval in version {row[1]} of test {row[0]} that no method has stated")
         return len(tests)
+
+    def latest(self, table):
+        return {row["id"]: row for row in self.rows(f"SELECT v.* FROM {table}_version v JOIN {table} t ON t.id = v.id AND "
+                                                    "t.latest = v.version")}
+
+    def check_lists(self):
+        """That they repeat the latest versions."""
+        machines, axes = self.latest("machine"), self.latest("axis")
+        lines = {row["test"]: tuple(row[name] for name in LIST) for row in self.rows("SELECT * FROM test_list")}
+        words = {row["test"]: (row["withdrawn"], row["words"]) for row in self.rows("SELECT * FROM test_search")}
+        instruments = {}
+        for row in self.rows("SELECT * FROM list_instrument"):
+            instruments.setdefault(row["test"], set()).add((row["instrument"], row["withdrawn"]))
+        for row in self.rows("SELECT t.content, t.file_name, t.at AS received_at, t.withdrawn, v.* FROM test t JOIN "
+                             "test_version v ON v.test = t.id AND v.version = t.latest"):
+            test = row["test"]
+            line = self.line(row, machines, axes)
+            if lines.pop(test, None) != line:
+                self.problem(f"test {test}: another line in the list than its latest version gives")
+            keys = line[LIST.index("title_key"):LIST.index("title")]
+            if words.pop(test, None) != (row["withdrawn"], " ".join(keys)):
+                self.problem(f"test {test}: other words to be searched than its latest version gives")
+            used = {(use["instrument"], row["withdrawn"]) for use in self.rows(
+                "SELECT instrument FROM test_instrument WHERE test = ? AND version = ?", test, row["version"])}
+            if instruments.pop(test, set()) != used:
+                self.problem(f"test {test}: other instruments in the list than its latest version gives")
+        for test in sorted(lines.keys() | words.keys() | instruments.keys()):
+            self.problem(f"test {test}: in the lists, and there is none")
+
+    def line(self, row, machines, axes):
+        evaluation = self.rows("SELECT * FROM evaluation WHERE test = ? AND version = ?", row["test"],
+                               row["version"]).fetchone()
+        figures = {}
+        for figure in self.rows("SELECT parameter, value FROM figure WHERE test = ? AND version = ? ORDER BY place",
+                                row["test"], row["version"]):
+            figures.setdefault(figure["parameter"], figure["value"])
+        machine, axis = machines.get(row["machine"]), axes.get(row["axis"])
+        names = {"machine_name": machine["name"] if machine else "", "axis_name": (axis or {"name": row["axis_name"]})["name"],
+                 "axis_kind": (axis or {"kind": row["axis_kind"]})["kind"]}
+        made = {
+            **{name: row[name] for name in ("test", "version", "withdrawn", "machine", "axis", "measured_on", "received_at",
+                                            "title", "file_name", "content")},
+            **{name: evaluation[name] for name in ("conforming", "unit", "verdict", "label")},
+            **{f"value_{parameter.lower()}": figures.get(parameter) for parameter in "AERB"}, **names,
+            "title_key": folded(row["title"]), "file_key": folded(row["file_name"]),
+            "machine_key": folded(names["machine_name"]), "axis_key": folded(names["axis_name"])}
+        return tuple(made[name] for name in LIST)
 
     def check_documents(self):
         ids = []
@@ -318,12 +477,26 @@ class Archive:
         self.without_gaps("document", ids)
         self.check_count("document", len(ids))
 
+    def check_head(self, number, digits):
+        if number not in self.hashes:
+            self.problem(f"audit trail: it ends in front of entry {number}, of which a report tells")
+        elif not self.hashes[number].startswith(digits):
+            self.problem(f"audit trail: entry {number} is another than that of which a report tells")
+
     def check_seal(self, seal):
         sealed = f"sealed at {seal['sealed_at']}"
         if seal["entries"] not in self.hashes:
             self.problem(f"audit trail: it ends in front of entry {seal['entries']}, which was {sealed}")
         elif self.hashes[seal["entries"]] != seal["sha256"]:
             self.problem(f"audit trail: entry {seal['entries']} is another than was {sealed}")
+
+
+def read_head(text):
+    """"17:3f2a9c0b1d2e4f56" of an issued report: number of an entry, and how its hash begins."""
+    found = re.fullmatch(r"([1-9]\d*):([0-9a-fA-F]{16,64})", text.strip())
+    if not found:
+        raise ValueError(f"found {text} as the head of an audit trail, expected one like 17:3f2a9c0b1d2e4f56")
+    return int(found[1]), found[2].lower()
 
 
 def read_seal(path, public_key):
@@ -343,32 +516,45 @@ def main():
     parser = argparse.ArgumentParser(description="Proves an archive of Axiometry without Axiometry.")
     parser.add_argument("archive", help="a SQLite archive or a backup")
     parser.add_argument("--seal", action="append", default=[], help="the audit trail must go on from it")
+    parser.add_argument("--head", action="append", default=[], help="likewise, as an issued report says it: N:HEX")
     parser.add_argument("--public-key", help="of whom the seals must be")
     arguments = parser.parse_args()
     try:
         seals = [read_seal(path, arguments.public_key) for path in arguments.seal]
+        heads = [read_head(text) for text in arguments.head]
         archive = Archive(arguments.archive)
-    except (OSError, ValueError, KeyError, TypeError, sqlite3.Error) as error:
-        print(f"verify_archive: {error}", file=sys.stderr)
+    except (OSError, ValueError, KeyError, TypeError, RecursionError, sqlite3.Error) as error:
+        say(f"verify_archive: {error}", sys.stderr)
         return 2
     try:
+        archive.check_tables()
         archive.check_file()
+        archive.check_classes()
         triggers, entries = archive.check_triggers(), archive.check_trail()
+        archive.check_migrations()
         for seal in seals:
             archive.check_seal(seal)
+        for number, digits in heads:
+            archive.check_head(number, digits)
         contents = archive.check_contents()
         archive.check_things()
         tests = archive.check_tests()
         archive.check_documents()
-    except (sqlite3.Error, ValueError, KeyError, TypeError, IndexError) as error:
+        archive.check_lists()
+    except Exception as error:  # whatever somebody put into a cell, which is what this looks for
         archive.problem(f"the rest cannot be read: {error!r}")
     for problem in archive.problems:
-        print(problem)
+        say(problem)
+    for note in archive.notes:
+        say(f"noted: {note}")
+    for column, number in archive.not_told.items():
+        print(f"not proved: {column} of {number}, from before entries told it")
+    print("not proved: when the archive was given its tables (migration.at)")
     if archive.problems:
         print(f"{len(archive.problems)} problems")
         return 3
     print(f"{contents} files, {tests} tests, {entries} entries, {triggers} triggers: all that is there is as it was written")
-    if not seals:
+    if not seals and not heads:
         print("not proved without a seal: that nothing is missing at the end")
     return 0
 

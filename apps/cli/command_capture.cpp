@@ -118,6 +118,7 @@ int capture(const CaptureArguments& arguments) {
       .notice = [&](const std::string& text) { display.notice(text); },
       .now = [&](const auto& session) { display.now(session); },
       .stopped = [] { return InterruptGuard::interrupted(); },
+      .abandoned = {},
   };
   const auto outcome = app::run_capture(arguments.run, arguments.options, observer);
   display.clear();

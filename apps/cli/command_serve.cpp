@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -47,6 +48,14 @@ Result<std::string> token_of(const std::string& file) {
 
 void say(const std::string& text) { fmt::print(stderr, "axiometry: {}\n", report::printable(text)); }
 
+/// Of a file with a secret, where its mode lets in some of those to whom it should be shut.
+void tell_of_others(const std::string& file, unsigned shut_to) {
+  struct stat status {};
+  if (file.empty() || ::stat(file.c_str(), &status) != 0 || (status.st_mode & shut_to) == 0) return;
+  say(fmt::format("{}: found a file that others may read or write (mode {:o}), expected one for its owner only (600)",
+                  file, static_cast<unsigned>(status.st_mode & 0777U)));
+}
+
 int exit_code_of(const server::ServeEnd& end) { return end.signal == SIGINT ? exit_interrupted : exit_done; }
 
 /// Threads that still work cannot be ended otherwise; what they were doing is whole in the store or not in it.
@@ -60,6 +69,10 @@ int serve(ServeArguments& arguments) {
   auto token = token_of(arguments.token_file);
   if (!token) return failed(token.error());
   arguments.options.token = *std::move(token);
+  constexpr unsigned group_and_all = 066;  // to read or write; what may only be executed tells nothing
+  constexpr unsigned all = 06;             // some systems have a group for those who may use keys of TLS
+  tell_of_others(arguments.token_file, group_and_all);
+  tell_of_others(arguments.options.key, all);
   auto address = app::store_address(arguments.options.store);
   if (!address) return failed(address.error());
   arguments.options.store = *std::move(address);

@@ -28,10 +28,13 @@ struct StoreArguments {
   std::string file;
   std::vector<std::string> files;
   std::vector<std::string> seals;
+  std::vector<std::string> heads;
   std::string public_key;
+  std::string authority;
   std::string key;
   std::string text;
   std::int64_t limit = 50;
+  bool change_key = false;
   bool json = false;
 };
 
@@ -132,6 +135,10 @@ Result<int> backup(const StoreArguments& arguments) {
     return made.error().kind == ErrorKind::conflict ? refused_with_call(made.error()) : std::unexpected(made.error());
   AXIOMETRY_TRY(const auto copy, store::Store::open(arguments.file, to_look));
   AXIOMETRY_TRY(const store::Counts counts, copy->counts());
+  for (const std::string& lost : made->missing_indexes)
+    fmt::print("noted: {}; 'axiometry store restore' makes it anew\n", report::printable(lost));
+  for (const std::string& extra : made->extras) fmt::print("noted: {}\n", report::printable(extra));
+  for (const std::string& note : made->notes) fmt::print("noted: {}\n", report::printable(note));
   fmt::print("{}: tests {}, machines {}; prove it with: axiometry store verify {}\n", report::printable(arguments.file),
              counts.tests, counts.machines, report::printable(arguments.file));
   return exit_done;
@@ -139,10 +146,11 @@ Result<int> backup(const StoreArguments& arguments) {
 
 Result<int> restore(const StoreArguments& arguments) {
   AXIOMETRY_TRY(const std::string address, app::store_address(arguments.address));
-  AXIOMETRY_TRY(const store::Counts counts, store::Store::restore(arguments.file, address));
+  AXIOMETRY_TRY(const store::Restored restored, store::Store::restore(arguments.file, address));
   AXIOMETRY_TRY(const auto archive, store::Store::open(address, {.create = false}));
-  fmt::print("{}: tests {}, machines {}, from {}\n", report::printable(archive->info().location), counts.tests,
-             counts.machines, report::printable(arguments.file));
+  for (const std::string& left : restored.left_behind) fmt::print("left behind: {}\n", report::printable(left));
+  fmt::print("{}: tests {}, machines {}, from {}\n", report::printable(archive->info().location), restored.counts.tests,
+             restored.counts.machines, report::printable(arguments.file));
   return exit_done;
 }
 
@@ -150,12 +158,13 @@ Result<int> verify(const StoreArguments& arguments) {
   StoreArguments asked = arguments;
   if (!asked.file.empty()) asked.address = asked.file;
   AXIOMETRY_TRY(const auto archive, opened(asked, to_look));
-  return verify_archive(*archive, {arguments.seals, arguments.public_key, arguments.json});
+  return verify_archive(*archive,
+                        {arguments.seals, arguments.public_key, arguments.json, arguments.heads, arguments.authority});
 }
 
 Result<int> seal(const StoreArguments& arguments) {
   AXIOMETRY_TRY(const auto archive, opened(arguments, to_look));
-  return seal_archive(*archive, {arguments.file, arguments.key});
+  return seal_archive(*archive, {arguments.file, arguments.key, arguments.change_key, arguments.authority});
 }
 
 CLI::App* add_verb(CLI::App& parent, const char* name, const char* what, int& exit_code, const Arguments& arguments,
@@ -176,6 +185,9 @@ constexpr const char* examples = R"(Examples:
   axiometry store verify copy.db                         what is in it is as it was written
   axiometry store seal today.seal --store tests.db       sign the end of the audit trail; keep the file elsewhere
   axiometry store verify tests.db --seal today.seal      nothing from before that day is missing
+  axiometry store seal today.seal --store tests.db --time-stamp http://timestamp.example/tsr
+  axiometry store verify tests.db --seal today.seal --authority roots.pem   and when the seal was there
+  axiometry store verify tests.db --head 17:3f2a9c0b1d2e4f56    the trail is still that of a report on paper
   axiometry store restore copy.db --store postgresql://archive@db.example/axiometry
   axiometry store add run1.csv run2.csv --store tests.db
 
@@ -208,16 +220,33 @@ void add_store(CLI::App& program, int& exit_code) {
       ->type_name("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  verified
+      ->add_option("--head", made->heads,
+                   "Entry from which the audit trail must go on, as an issued report says it; may be given again")
+      ->type_name("N:HEX")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   verified->add_option("--public-key", made->public_key, "Key of whom the seals must be: 64 hexadecimal digits")
       ->type_name("KEY");
+  verified
+      ->add_option("--authority", made->authority,
+                   "Certificates (PEM) of authorities of which each seal must have a time stamp, in SEAL.tsr")
+      ->type_name("FILE");
   verified->add_flag("--json", made->json, "Print JSON");
   made = fresh();
   CLI::App* sealing = add_verb(*verb, "seal",
                                "Sign the end of the audit trail, so that who keeps the file elsewhere can see when "
                                "something is missing there",
                                exit_code, made, seal);
-  sealing->add_option("FILE", made->file, "Seal; one that is there is replaced only where the trail goes on from it")
+  sealing
+      ->add_option("FILE", made->file,
+                   "Seal; one that is there is replaced only by one of the same key, where the trail goes on from it")
       ->required();
+  sealing
+      ->add_option("--time-stamp", made->authority,
+                   "Have the seal stamped by the authority at this address (RFC 3161), into FILE.tsr")
+      ->type_name("URL");
+  sealing->add_flag("--change-key", made->change_key, "Replace a seal of another key, too");
   sealing
       ->add_option("--key", made->key,
                    "File of the private key, made where there is none (ARCHIVE.key; of a server among the user's data)")

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/asio/post.hpp>
 #include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
@@ -25,7 +24,9 @@
 #include <utility>
 #include <vector>
 
+#include "deadline.h"
 #include "departure.h"
+#include "greeting.h"
 #include "request_head.h"
 #include "response_message.h"
 
@@ -42,8 +43,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t piece_bytes = std::size_t{64} << 10;
 constexpr auto lingering = std::chrono::seconds(3);
 constexpr auto watching = std::chrono::milliseconds(500);
-constexpr auto soon = std::chrono::seconds(2);
-constexpr std::size_t small_answer = std::size_t{16} << 10;  // not worth to be refused for want of memory
 constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
 
 /// On a stream of TCP or TLS. A chain of steps, each of which begins the next; between two of them nothing happens, so
@@ -56,7 +55,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
         peer_(std::move(peer)),
         whose_(peer_),
         share_(share),
-        timer_(stream_.get_executor()),
+        deadline_(stream_.get_executor()),
         watch_(stream_.get_executor()) {
     share_.connections.insert(this);
   }
@@ -67,15 +66,10 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void begin() {
-    if constexpr (is_tls) {
-      allow(share_.limits.head);
-      stream_.async_handshake(asio::ssl::stream_base::server, [self = this->shared_from_this()](error_code code) {
-        if (code) return self->close();
-        self->wait_for_request(self->share_.limits.head);
-      });
-    } else {
+    if constexpr (is_tls)
+      greet();
+    else
       wait_for_request(share_.limits.head);
-    }
   }
 
   void hang_up() override {
@@ -102,19 +96,10 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   void allow(Clock::duration time) { allow_until(Clock::now() + time); }
 
   void allow_until(Clock::time_point end) {
-    timed_out_ = false;
-    timer_.expires_at(end);
-    timer_.async_wait([self = this->shared_from_this(), number = ++deadline_](error_code code) {
-      if (code || number != self->deadline_) return;
-      self->timed_out_ = true;
+    deadline_.set(end, [self = this->shared_from_this()] {
       error_code ignored;
       self->socket().cancel(ignored);
     });
-  }
-
-  void take_your_time() {
-    ++deadline_;
-    timer_.cancel();
   }
 
   Clock::duration time_for(std::size_t bytes) const {
@@ -124,19 +109,36 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   void close() {
     is_closed_ = true;
     share_.connections.erase(this);
-    take_your_time();
+    deadline_.lift();
     error_code ignored;
     socket().close(ignored);
   }
 
+  void greet() {
+    deadline_.set(Clock::now() + share_.limits.head, [self = this->shared_from_this()] { self->close(); });
+    await_greeting(socket(), [self = this->shared_from_this()](bool has_come) {
+      if (!has_come) return self->close();
+      // Where the time passes before its turn comes, nothing holds it any more.
+      self->share_.turnstile.enter(self->peer_, [weak = self->weak_from_this()] {
+        if (const auto still_there = weak.lock()) still_there->shake_hands();
+      });
+    });
+  }
+
+  void shake_hands() {
+    stream_.async_handshake(asio::ssl::stream_base::server, [self = this->shared_from_this()](error_code code) {
+      if (code) return self->close();
+      self->wait_for_request(self->share_.limits.head);
+    });
+  }
+
   void wait_for_request(Clock::duration time) {
     if (share_.ending) return close();
-    if (buffer_.size() > 0) return read_request_head();  // sent ahead
     is_idle_ = true;
+    if (buffer_.size() > 0) return read_request_head();  // sent ahead
     allow(time);
     stream_.async_read_some(buffer_.prepare(4096),
                             [self = this->shared_from_this()](error_code code, std::size_t count) {
-                              self->is_idle_ = false;
                               if (code) return self->close();
                               self->buffer_.commit(count);
                               self->read_request_head();
@@ -149,6 +151,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     // Checked here, with the body. Beast of Boost 1.74 takes "none" for a limit that every body exceeds.
     parser_->body_limit(std::numeric_limits<std::uint64_t>::max());
     request_ = {};
+    request_.peer = peer_;
     keeps_alive_ = false;
     began_ = Clock::now();
     allow(share_.limits.head);
@@ -157,6 +160,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void head_came(error_code code) {
+    is_idle_ = false;
     if (code) return failed_to_read(code, "head");
     auto head = read_head(parser_->get(), peer_);
     if (!head) return respond(std::move(head).error());
@@ -166,7 +170,9 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     keeps_alive_ = may_stay && !has_body;
     if (auto refused = share_.service.refused(request_)) return respond(*std::move(refused));
     if (share_.service.peer_of) whose_ = share_.service.peer_of(request_);
-    if (head->length && *head->length > share_.limits.upload_bytes) return respond(too_large());
+    body_max_ = share_.limits.upload_bytes;
+    if (share_.service.body_max) body_max_ = std::min(body_max_, share_.service.body_max(request_));
+    if (head->length && *head->length > body_max_) return respond(body_too_large(request_, body_max_));
     keeps_alive_ = may_stay;
     if (!has_body) return answer();
     if (head->expects_continue) return say_go_on();
@@ -183,6 +189,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
 
   void begin_body() {
     piece_.resize(piece_bytes);
+    parser_->on_chunk_header(refuse_large_chunk_);
     body_began_ = last_moved_ = Clock::now();
     doing_ = Doing::receiving;
     read_body();
@@ -198,13 +205,12 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void body_came(error_code code) {
+    if (code == http::error::body_limit) return give_up(body_too_large(request_, body_max_));
     if (code && code != http::error::need_buffer) return failed_to_read(code, "body");
     const std::size_t count = piece_.size() - parser_->get().body().size;
-    if (request_.body.size() + count > share_.limits.upload_bytes) return give_up(too_large());
+    if (request_.body.size() + count > body_max_) return give_up(body_too_large(request_, body_max_));
     last_moved_ = Clock::now();
-    if (!share_.make_memory(*this, count))
-      return give_up(
-          busy("found more uploads at once than the server has memory for, expected fewer", soon, request_.language));
+    if (!share_.make_memory(*this, count)) return give_up(too_many_bodies(request_));
     body_bytes_ += count;
     request_.body.append(piece_.data(), count);
     if (!parser_->is_done()) return read_body();
@@ -217,11 +223,6 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     return body_bytes_ + (answer_ ? answer_->body.size() / sharing : 0);
   }
 
-  Response too_large() const {
-    return refusal(413, fmt::format("found a body of more than {} bytes, expected less", share_.limits.upload_bytes),
-                   request_.language);
-  }
-
   /// An answer although the rest of the request is still to come.
   void give_up(Response response) {
     keeps_alive_ = false;
@@ -230,7 +231,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void failed_to_read(error_code code, std::string_view part) {
-    if (timed_out_)
+    if (deadline_.has_passed())
       return give_up(refusal(408, fmt::format("found a request whose {} came too slowly, expected it faster", part)));
     if (code == http::error::end_of_stream || code == http::error::partial_message) return close();
     if (code.category() == http::make_error_code(http::error::bad_value).category()) return give_up(refusal_of(code));
@@ -238,12 +239,12 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void answer() {
-    take_your_time();
+    deadline_.lift();
     doing_ = Doing::waiting;
     std::string body = std::exchange(request_.body, {});
     auto request = std::make_shared<Request>(request_);
     request->body = std::move(body);
-    asked_ = share_.desk.ask(std::move(request), whose_ + ' ' + request_.actor,
+    asked_ = share_.desk.ask(std::move(request), whose_,
                              [self = this->shared_from_this()](std::shared_ptr<const Response> response) {
                                self->asked_.reset();
                                self->watch_.cancel();
@@ -278,37 +279,33 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void deliver(std::shared_ptr<const Response> response) {
+    if (!response) return close();
+    share_.tell_of_event(request_, *response);
     if (response->delay.count() == 0) return write(std::move(response));
-    take_your_time();
+    if (share_.ending) return close();
+    is_idle_ = true;
     doing_ = Doing::idle;  // computes nothing: may give way
-    timer_.expires_after(response->delay);
-    timer_.async_wait([self = this->shared_from_this(), response = std::move(response)](error_code) mutable {
+    const auto end = Clock::now() + response->delay;
+    deadline_.set(end, [self = this->shared_from_this(), response = std::move(response)]() mutable {
       self->write(std::move(response));
     });
   }
 
   void write(std::shared_ptr<const Response> response) {
     if (is_closed_) return;
+    is_idle_ = false;
     last_moved_ = Clock::now();
-    const std::size_t size = response->body.size();
-    if (size > small_answer && response->status == 200 && !share_.make_memory(*this, size))
-      return respond(busy("found more answers on their way than the server has memory for, expected fewer", soon,
-                          request_.language));
     if (share_.ending) keeps_alive_ = false;
-    if (share_.service.answered)
-      share_.service.answered(
-          {.request = request_,
-           .status = response->status,
-           .bytes = size,
-           .milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - began_).count()});
+    answer_ = share_.as_fits(*this, std::move(response), request_);
     doing_ = Doing::sending;
-    answer_ = std::move(response);
-    answer_until_ = Clock::now() + time_for(size);
+    answer_until_ = Clock::now() + time_for(answer_->body.size());
     message_.emplace(message_of(*answer_, {.version = parser_->get().version() == 10 ? 10U : 11U,
                                            .head_only = request_.method == "HEAD",
-                                           .keeps_alive = keeps_alive_}));
+                                           .keeps_alive = keeps_alive_,
+                                           .is_of_api = request_.path.starts_with("/api/")}));
     serializer_.emplace(*message_);
     send();
+    share_.tell_of_answer(request_, *answer_, Clock::now() - began_);
   }
 
   /// Piece by piece, each of which must go out within the grace, and all within what the size allows.
@@ -334,11 +331,10 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
 
   void say_goodbye() {
     allow(lingering);
-    if constexpr (is_tls) {
+    if constexpr (is_tls)
       stream_.async_shutdown([self = this->shared_from_this()](error_code) { self->end_sending(); });
-    } else {
+    else
       end_sending();
-    }
   }
 
   /// A socket that is closed while the client still sends would take back the answer, so what comes is read and
@@ -361,14 +357,12 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
 
   Stream stream_;
   std::string peer_;   // the address
-  std::string whose_;  // share it takes: that of the address, or of who has signed in
+  std::string whose_;  // share and turn it takes: of the address, or of who has signed in; of nobody's own choice
   ConnectionShare& share_;
-  asio::steady_timer timer_;
+  Deadline deadline_;
   asio::steady_timer watch_;
   std::optional<Desk::Ticket> asked_;  // in a line, or being answered
-  std::uint64_t deadline_ = 0;         // counts deadlines, so that one that has passed meanwhile is known
-  bool timed_out_ = false;
-  bool is_idle_ = false;
+  bool is_idle_ = true;                // no head has come whole, or the answer is only held back
   bool is_closed_ = false;
   bool keeps_alive_ = false;
   Doing doing_ = Doing::silent;
@@ -377,13 +371,16 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   std::optional<http::request_parser<http::buffer_body>> parser_;
   Request request_;
   std::vector<char> piece_;
+  std::function<void(std::uint64_t, beast::string_view, error_code&)> refuse_large_chunk_ =
+      [this](std::uint64_t size, beast::string_view, error_code& code) {
+        if (size > body_max_) code = http::error::body_limit;
+      };
+  std::size_t body_max_ = 0;
   std::size_t body_bytes_ = 0;              // also while it is answered
   std::shared_ptr<const Response> answer_;  // that goes out
   std::optional<ResponseMessage> message_;
   std::optional<http::serializer<false, ResponseMessage::body_type>> serializer_;
-  Clock::time_point began_;
-  Clock::time_point body_began_;
-  Clock::time_point answer_until_;
+  Clock::time_point began_, body_began_, answer_until_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -54,14 +55,16 @@ std::string own_origin(const Site& site, const std::string& host) {
 
 std::optional<Response> wrong_host(const Request& request, const Site& site) {
   const auto host = request.header("host");
-  if (!host) return refusal(400, "found no header Host, expected one", request.language);
+  if (!host)
+    return with_event(refusal(400, "found no header Host, expected one", request.language),
+                      SecurityEvent::host_refused);
   const std::string name = text::to_lower(*host);
   if (std::ranges::find(site.hosts, name) != site.hosts.end() || public_address(site, name) != nullptr) return {};
-  return refusal(421,
-                 fmt::format("found the host {}, expected {}; other names of this machine are given to 'axiometry "
-                             "serve' by --host-name, the address of a proxy by --public-address",
-                             text::quoted(*host), site.hosts.front()),
-                 request.language);
+  const std::string message = fmt::format(
+      "found the host {}, expected {}; other names of this machine are given to 'axiometry serve' by "
+      "--host-name, the address of a proxy by --public-address",
+      text::quoted(*host), site.hosts.front());
+  return with_event(refusal(421, message, request.language), SecurityEvent::host_refused);
 }
 
 std::optional<Response> foreign_page(const Request& request, const Site& site) {
@@ -142,10 +145,12 @@ std::optional<Response> refused_by_guard(const Request& request, const Site& sit
         405, fmt::format("found the method {}, expected GET, HEAD, POST, PUT or DELETE", text::quoted(request.method)),
         request.language);
     response.headers.emplace_back("Allow", "GET, HEAD, POST, PUT, DELETE");
-    return response;
+    return with_event(std::move(response), SecurityEvent::method_refused);
   }
   if (auto refused = wrong_host(request, site)) return refused;
-  return foreign_page(request, site);
+  auto refused = foreign_page(request, site);
+  if (refused) refused->event = SecurityEvent::origin_refused;
+  return refused;
 }
 
 }  // namespace axiometry::server

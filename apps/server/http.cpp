@@ -61,6 +61,12 @@ Response json_response(const json::Value& value, int status) {
   return {.status = status, .body = json::dump(value, 0), .headers = {{"Cache-Control", "no-store"}}};
 }
 
+Response kept_response(const json::Value& value, const Kept& kept, int status) {
+  Response response = json_response(value, status);
+  response.kept = kept;
+  return response;
+}
+
 Response error_response(const Error& error, language::Language language) {
   const auto row = std::ranges::find(kinds, error.kind, &KindRow::kind);
   AXIOMETRY_CONTRACT(row != kinds.end());
@@ -85,10 +91,37 @@ Response refusal(int status, std::string_view message, language::Language langua
   return json_response(value, status);
 }
 
+Response with_event(Response response, SecurityEvent event) {
+  response.event = event;
+  return response;
+}
+
+Response failure(bool may_have_kept, language::Language language) {
+  return refusal(500,
+                 may_have_kept ? "the program failed at this request; whether anything was kept is not known: look "
+                                 "before it is sent again"
+                               : "the program failed at this request; nothing was kept",
+                 language);
+}
+
 Response busy(std::string_view message, std::chrono::seconds retry_after, language::Language language) {
   Response response = refusal(503, message, language);
   response.headers.emplace_back("Retry-After", fmt::format("{}", retry_after.count()));
   return response;
+}
+
+Response receipt_of(const Response& whole, language::Language language) {
+  constexpr std::string_view message = "it was kept, but the server has no memory left to show it: read it again";
+  json::Value value = json::Value::object();
+  value.add("kept", true);
+  value.add("id", whole.kept.id ? json::Value(static_cast<double>(*whole.kept.id)) : json::Value());
+  value.add("version", whole.kept.version ? json::Value(*whole.kept.version) : json::Value());
+  value.add("message", language::translated(message, language));
+  return {.status = whole.status,
+          .body = json::dump(value, 0),
+          .headers = whole.headers,
+          .is_receipt = true,
+          .kept = whole.kept};
 }
 
 Response download(std::string body, std::string_view content_type, std::string_view file_name) {

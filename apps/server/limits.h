@@ -6,6 +6,9 @@
 
 namespace axiometry::server {
 
+/// When who was refused for want of workers or memory, which are soon free again, is told to come again.
+inline constexpr std::chrono::seconds ask_again_soon{2};
+
 /// What one client may take of the server. Who exceeds it is told so where that is possible, and cut off.
 ///
 /// A peer is an address, so that all browsers of one machine, or behind one proxy, are one: it may have as many
@@ -13,7 +16,7 @@ namespace axiometry::server {
 /// nothing go first (standing.h), so that whoever comes anew gets in.
 struct Limits {
   std::size_t upload_bytes = std::size_t{64} << 20;      ///< of one body: 413
-  std::size_t held_bytes = std::size_t{256} << 20;       ///< of all bodies and answers on their way: 503
+  std::size_t held_bytes = std::size_t{256} << 20;       ///< of all bodies and answers on their way (standing.h): 503
   std::size_t head_bytes = std::size_t{16} << 10;        ///< request line and header fields: 431
   std::size_t connections = 1000;                        ///< for one more another goes
   std::size_t connections_of_one = 750;                  ///< of one peer, likewise
@@ -28,6 +31,8 @@ struct Limits {
   std::chrono::milliseconds light_deadline{20'000};  ///< also of edits
   std::chrono::milliseconds heavy_deadline{60'000};
   std::chrono::milliseconds lone_deadline{180'000};  ///< Monte Carlo
+  /// From there, of what may have begun to keep something and does not end: 504, and nobody knows.
+  std::chrono::milliseconds outcome_deadline{60'000};
 };
 
 }  // namespace axiometry::server

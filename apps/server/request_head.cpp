@@ -11,6 +11,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/store/own_names.h"
+#include "limits.h"
 #include "target.h"
 
 namespace axiometry::server {
@@ -114,9 +115,21 @@ std::expected<RequestHead, Response> read_head(const http::request_header<>& hea
   return head;
 }
 
+Response body_too_large(const Request& request, std::size_t most) {
+  return with_event(
+      refusal(413, fmt::format("found a body of more than {} bytes, expected less", most), request.language),
+      SecurityEvent::quota_refused);
+}
+
+Response too_many_bodies(const Request& request) {
+  constexpr std::string_view message = "found more uploads at once than the server has memory for, expected fewer";
+  return with_event(busy(message, ask_again_soon, request.language), SecurityEvent::quota_refused);
+}
+
 Response refusal_of(const boost::beast::error_code& code) {
   if (code == http::error::header_limit || code == http::error::buffer_overflow)
-    return refusal(431, "found a request head of more than 16 KiB, expected less");
+    return with_event(refusal(431, "found a request head of more than 16 KiB, expected less"),
+                      SecurityEvent::quota_refused);
   return refusal(400, fmt::format("found no sound HTTP request ({}), expected one", code.message()));
 }
 

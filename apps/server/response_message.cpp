@@ -27,6 +27,9 @@ ResponseMessage message_of(const Response& response, const MessageOptions& optio
   for (const auto& [name, value] : response.headers) message.insert(name, header_value(value));
   const bool has_no_body = response.status == 204 || response.status == 304;
   if (!has_no_body) {
+    const bool is_named = message.count(http::field::content_disposition) > 0;
+    if (options.is_of_api && !is_named && response.content_type == "application/json")
+      message.set(http::field::content_disposition, "attachment; filename=\"api.json\"");
     message.set(http::field::content_type, header_value(response.content_type));
     message.content_length(response.body.size());
     if (!options.head_only) message.body() = {response.body.data(), response.body.size()};

@@ -15,9 +15,11 @@ struct MessageOptions {
   unsigned version = 11;  ///< of HTTP: 10 or 11
   bool head_only = false;
   bool keeps_alive = false;
+  bool is_of_api = false;  ///< the answer to a path below "/api/"
 };
 
-/// As it goes out; what is no character of a header field becomes a blank.
+/// As it goes out; what is no character of a header field becomes a blank. JSON of the API that says nothing else is
+/// the file api.json: no browser shows it, or keeps it by a name that its address chose.
 ResponseMessage message_of(const Response& response, const MessageOptions& options);
 
 }  // namespace axiometry::server

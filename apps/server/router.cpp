@@ -8,7 +8,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "axiometry/report/utf8.h"
+#include "axiometry/base/text.h"
 #include "log.h"
 
 namespace axiometry::server {
@@ -53,8 +53,8 @@ std::optional<Pairs> captured_by(const std::vector<std::string>& pattern, const 
 
 /// What `work` gives; of whatever it throws a fault of the program alone, and of this request alone.
 template <typename Work>
-auto guarded(const Request& request, const Work& work, const std::function<decltype(work())(Response)>& failed)
-    -> decltype(work()) {
+auto guarded(const Request& request, bool keeps, const Work& work,
+             const std::function<decltype(work())(Response)>& failed) -> decltype(work()) {
   std::string what = "an exception of no known kind";
   try {
     return work();
@@ -62,30 +62,42 @@ auto guarded(const Request& request, const Work& work, const std::function<declt
     what = exception.what();
   } catch (...) {  // NOLINT(bugprone-empty-catch): told below
   }
-  log_line(
-      fmt::format("axiometry: {} {}: {}", report::printable(request.method), report::printable(request.path), what));
-  return failed(refusal(500, "the program failed at this request; nothing was kept", request.language));
+  log_line(fmt::format("axiometry: {} {}: {}", log_text(request.method), log_text(request.path), what));
+  return failed(failure(keeps, request.language));
 }
 
-Response answered(const Handler& handler, const Request& request) {
+Response answered(const Handler& handler, const Request& request, bool keeps) {
   const auto answer = [&] {
     auto response = handler(request);
     return response ? *std::move(response) : error_response(response.error(), request.language);
   };
-  return guarded(request, answer, [](Response failed) { return failed; });
+  return guarded(request, keeps, answer, [](Response failed) { return failed; });
 }
 
-Job job_of(const std::shared_ptr<Request>& request, Reading reading) {
+Job job_of(const std::shared_ptr<Request>& request, Reading reading, bool keeps = false) {
   return {.load = reading.load,
           .key = std::move(reading.key),
-          .answer = [request, handler = std::move(reading.answer)](const std::stop_token& stop) {
+          .answer = [request, keeps, handler = std::move(reading.answer)](const std::stop_token& stop) {
             request->stop = stop;
-            return answered(handler, *request);
+            return answered(handler, *request, keeps);
           }};
 }
 
 Job ready(Response response) {
   return {.answer = [response = std::move(response)](const std::stop_token&) { return response; }};
+}
+
+bool has_body(const Request& head) {
+  return head.header("transfer-encoding") || head.header("content-length").value_or("0") != "0";
+}
+
+/// "application/json", also "; charset=utf-8".
+bool is_json(std::string_view type) {
+  const std::size_t end = type.find(';');
+  if (!text::equal_ignoring_case(text::trim(type.substr(0, end)), "application/json")) return false;
+  if (end == std::string_view::npos) return true;
+  const std::string_view more = text::trim(type.substr(end + 1));
+  return text::equal_ignoring_case(more, "charset=utf-8") || text::equal_ignoring_case(more, "charset=\"utf-8\"");
 }
 
 Load load_by_size(const Request& request) { return request.body.size() > light_body_max ? Load::heavy : Load::light; }
@@ -103,22 +115,53 @@ RouteReader without_reading(Handler handler, Weight weight) {
 
 }  // namespace
 
-void Router::add(std::string_view method, std::string_view pattern, Handler handler, Weight weight) {
+void Router::add(std::string_view method, std::string_view pattern, Handler handler, Weight weight,
+                 const Terms& terms) {
   entries_.push_back({std::string(method), std::string(pattern), segments_of(pattern),
-                      without_reading(std::move(handler), weight), weight});
+                      without_reading(std::move(handler), weight), weight, terms});
 }
 
-void Router::add_read(std::string_view method, std::string_view pattern, RouteReader reader) {
+void Router::add_read(std::string_view method, std::string_view pattern, RouteReader reader, const Terms& terms) {
   entries_.push_back(
-      {std::string(method), std::string(pattern), segments_of(pattern), std::move(reader), Weight::by_value});
+      {std::string(method), std::string(pattern), segments_of(pattern), std::move(reader), Weight::by_value, terms});
 }
 
-Load Router::line_of(const Request& request) const {
+bool Router::may_keep(const Entry& entry) { return entry.method != "GET" && !entry.terms.only_looks; }
+
+const Router::Entry* Router::entry_of(const Request& request) const {
   const std::string wanted = method_of(request);
   const auto segments = segments_of(request.path);
   const auto entry = std::ranges::find_if(
       entries_, [&](const Entry& e) { return e.method == wanted && captured_by(e.segments, segments).has_value(); });
-  if (entry == entries_.end()) return Load::light;
+  return entry == entries_.end() ? nullptr : &*entry;
+}
+
+bool Router::keeps(const Request& request) const {
+  const Entry* entry = entry_of(request);
+  return entry != nullptr && may_keep(*entry);
+}
+
+std::optional<Response> Router::refused(const Request& head) const {
+  const Entry* entry = entry_of(head);
+  if (entry == nullptr || entry->terms.sent != Sent::json || !has_body(head)) return {};
+  const auto type = head.header("content-type");
+  if (type && is_json(*type)) return {};
+  Response response = refusal(415,
+                              fmt::format("found a body of the type {}, expected application/json",
+                                          type ? text::quoted(*type) : std::string("none")),
+                              head.language);
+  response.headers.emplace_back("Accept", "application/json");
+  return response;
+}
+
+std::size_t Router::body_max(const Request& request) const {
+  const Entry* entry = entry_of(request);
+  return entry == nullptr ? Terms{}.body_max : entry->terms.body_max;
+}
+
+Load Router::line_of(const Request& request) const {
+  const Entry* entry = entry_of(request);
+  if (entry == nullptr) return Load::light;
   if (entry->weight == Weight::heavy) return Load::heavy;
   const Load by_size = load_by_size(request);
   if (entry->weight == Weight::edit && by_size == Load::light) return Load::edit;
@@ -135,7 +178,8 @@ Job Router::find_and_read(const std::shared_ptr<Request>& request) const {
     if (entry.method == wanted) {
       request->captured = *std::move(captured);
       auto reading = entry.reader(*request);
-      return reading ? job_of(request, *std::move(reading)) : ready(error_response(reading.error(), request->language));
+      return reading ? job_of(request, *std::move(reading), may_keep(entry))
+                     : ready(error_response(reading.error(), request->language));
     }
     allowed += (allowed.empty() ? "" : ", ") + entry.method;
   }
@@ -152,7 +196,7 @@ Job Router::find_and_read(const std::shared_ptr<Request>& request) const {
 
 Job Router::read(std::shared_ptr<Request> request) const {
   return guarded(
-      *request, [&] { return find_and_read(request); }, ready);
+      *request, false, [&] { return find_and_read(request); }, ready);
 }
 
 Response Router::answer(Request request) const {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,12 +38,26 @@ enum class Weight {
   by_value,  ///< as its RouteReader says
 };
 
+/// What the body of a request is.
+enum class Sent {
+  json,   ///< application/json in UTF-8, if there is any
+  files,  ///< bytes of whatever type they say, or a form with files
+};
+
+/// What holds for every request of a route, and is known with its head.
+struct Terms {
+  Sent sent = Sent::json;
+  bool only_looks = false;                                         ///< keeps nothing though it is a POST
+  std::size_t body_max = std::numeric_limits<std::size_t>::max();  ///< bytes; where less than anybody may send
+};
+
 /// Which handler answers which request. Patterns are literal but for whole segments in braces: "/api/tests/{id}", and
 /// "/api/tests/{id}/report.{extension}", where the brace takes the rest of a segment.
 class Router {
  public:
-  void add(std::string_view method, std::string_view pattern, Handler handler, Weight weight = Weight::light);
-  void add_read(std::string_view method, std::string_view pattern, RouteReader reader);
+  void add(std::string_view method, std::string_view pattern, Handler handler, Weight weight = Weight::light,
+           const Terms& terms = {});
+  void add_read(std::string_view method, std::string_view pattern, RouteReader reader, const Terms& terms = {});
 
   /// What answers GET and HEAD of a path that no pattern fits and that is not below "/api".
   void add_otherwise(Handler handler) { otherwise_ = std::move(handler); }
@@ -48,6 +65,15 @@ class Router {
   /// In which line a request with its body waits to be read: light where there is no route for it, and of a route by
   /// value unless the body has more than 64 kB.
   Load line_of(const Request& request) const;
+
+  /// Whether a request may keep something: not where there is no route for it.
+  bool keeps(const Request& request) const;
+
+  /// 415 for a body of another type than its route takes, or of none; by the head alone.
+  std::optional<Response> refused(const Request& head) const;
+
+  /// Bytes that its body may have by the terms of its route.
+  std::size_t body_max(const Request& request) const;
 
   /// What it costs and what answers it: the handler's response, or its error as a response; 404 for an unknown path,
   /// 405 with Allow for a known path with another method. HEAD is answered as GET without its body. Exceptions do not
@@ -71,7 +97,10 @@ class Router {
     std::vector<std::string> segments;
     RouteReader reader;
     Weight weight = Weight::light;
+    Terms terms{};
   };
+  static bool may_keep(const Entry& entry);
+  const Entry* entry_of(const Request& request) const;
   Job find_and_read(const std::shared_ptr<Request>& request) const;
 
   std::vector<Entry> entries_;

@@ -30,6 +30,7 @@ Router some_router() {
   router.add("GET", "/api/contract", [](const Request& request) -> Result<Response> {
     return Response{.body = std::string(request.segment("no such segment"))};
   });
+  router.add("POST", "/api/fault", [](const Request&) -> Result<Response> { throw std::bad_alloc(); });
   router.add("GET", "/api/conflict", [](const Request&) -> Result<Response> {
     return fail(ErrorKind::conflict, "found version 1, expected version 2");
   });
@@ -93,6 +94,55 @@ TEST(Router, tells_what_computes_for_long) {
   EXPECT_EQ(load("GET", "/nothing"), both(Load::light));
 }
 
+TEST(Router, tells_with_the_head_what_may_keep_something_and_how_large_its_body_may_be) {
+  Router router = some_router();
+  const Handler none = [](const Request&) -> Result<Response> { return Response{}; };
+  router.add("POST", "/api/preview", none, Weight::light, {.only_looks = true});
+  router.add("POST", "/api/login", none, Weight::light, {.body_max = 100});
+  const auto asked = [](std::string method, std::string path) {
+    Request request{};
+    request.method = std::move(method);
+    request.path = std::move(path);
+    return request;
+  };
+  EXPECT_TRUE(router.keeps(asked("POST", "/api/tests")));
+  EXPECT_FALSE(router.keeps(asked("GET", "/api/tests")));
+  EXPECT_FALSE(router.keeps(asked("HEAD", "/api/tests")));
+  EXPECT_FALSE(router.keeps(asked("POST", "/api/preview")));
+  EXPECT_FALSE(router.keeps(asked("PUT", "/api/tests")));
+  EXPECT_EQ(router.body_max(asked("POST", "/api/login")), 100U);
+  EXPECT_GT(router.body_max(asked("POST", "/api/tests")), std::size_t{1} << 32U);
+  EXPECT_GT(router.body_max(asked("POST", "/api/nothing")), std::size_t{1} << 32U);
+}
+
+TEST(Router, refuses_bodies_of_another_type_than_the_route_takes) {
+  Router router;
+  const Handler none = [](const Request&) -> Result<Response> { return Response{}; };
+  router.add("POST", "/api/plans", none);
+  router.add("POST", "/api/tests", none, Weight::light, {.sent = Sent::files});
+  const auto status = [&](std::string path, Pairs headers) {
+    Request head{};
+    head.method = "POST";
+    head.path = std::move(path);
+    head.headers = std::move(headers);
+    const auto refused = router.refused(head);
+    return refused ? refused->status : 0;
+  };
+  const std::pair<std::string, std::string> length = {"content-length", "5"};
+  for (const std::string type :
+       {"application/json", "Application/JSON; charset=utf-8", "application/json;charset=\"UTF-8\""})
+    EXPECT_EQ(status("/api/plans", {length, {"content-type", type}}), 0) << type;
+  for (const std::string type : {"text/plain", "", "application/json; charset=latin1", "application/jsonx", "text/json",
+                                 "multipart/form-data; boundary=x", "application/x-www-form-urlencoded"})
+    EXPECT_EQ(status("/api/plans", {length, {"content-type", type}}), 415) << type;
+  EXPECT_EQ(status("/api/plans", {length}), 415);
+  EXPECT_EQ(status("/api/plans", {{"transfer-encoding", "chunked"}}), 415);
+  EXPECT_EQ(status("/api/plans", {{"content-length", "0"}}), 0);
+  EXPECT_EQ(status("/api/plans", {}), 0);
+  EXPECT_EQ(status("/api/tests", {length, {"content-type", "text/csv"}}), 0);
+  EXPECT_EQ(status("/api/tests", {length}), 0);
+}
+
 TEST(Router, says_which_methods_a_path_has) {
   const Response response = answer("DELETE", "/api/tests");
   EXPECT_EQ(response.status, 405);
@@ -105,6 +155,8 @@ TEST(Router, answers_faults_and_errors_as_JSON) {
   const ContractsThrow in_its_request;
   EXPECT_EQ(answer("GET", "/api/contract").status, 500);
   EXPECT_THAT(answer("GET", "/api/fault").body, ::testing::Not(::testing::HasSubstr("fault\"")));
+  EXPECT_THAT(answer("GET", "/api/fault").body, ::testing::HasSubstr("nothing was kept"));
+  EXPECT_THAT(answer("POST", "/api/fault").body, ::testing::HasSubstr("whether anything was kept is not known"));
   EXPECT_EQ(answer("GET", "/api/conflict").status, 409);
   EXPECT_THAT(answer("GET", "/api/conflict").body, ::testing::HasSubstr("\"conflict\""));
 }

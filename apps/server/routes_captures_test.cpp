@@ -100,7 +100,10 @@ TEST_F(CaptureRoutes, KeepPlansInVersions) {
   EXPECT_EQ(text(plan, "title"), "X of the <b>mill</b>");
   const std::string edit =
       std::string(R"({"base_version": 1, "title": "Again", "reason": "longer", "request": )") + short_request + "}";
-  EXPECT_EQ(number(value_of(send("PUT", "/api/plans/1", edit), 200), "version"), 2);
+  const Response edited = send("PUT", "/api/plans/1", edit);
+  EXPECT_EQ(number(value_of(edited, 200), "version"), 2);
+  EXPECT_EQ(edited.kept.id, 1) << "for a receipt";
+  EXPECT_EQ(edited.kept.version, 2);
   const Response late = send("PUT", "/api/plans/1", edit);
   EXPECT_EQ(late.status, 409);
   EXPECT_EQ(text(value_of(send("GET", "/api/plans/1", "", {{"version", "1"}}), 200), "title"), "X of the <b>mill</b>");

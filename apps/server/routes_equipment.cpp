@@ -108,7 +108,7 @@ Result<Response> add(Store& store, const Request& request) {
   AXIOMETRY_TRY(const auto edit, KindOf<Thing>::from(body));
   AXIOMETRY_TRY(const auto thing, store.add(edit.value, by_of(request, edit.reason)));
   AXIOMETRY_TRY(const Value value, whole_value(store, thing));
-  return json_response(value, 201);
+  return kept_response(value, {.id = thing.id, .version = thing.version}, 201);
 }
 
 template <typename Thing>
@@ -129,7 +129,7 @@ Result<Response> change(Store& store, const Request& request) {
     return fail("found a change without base_version, expected the version it rests on", body.at());
   AXIOMETRY_TRY(const auto thing, store.change(id, *edit.base_version, edit.value, by_of(request, edit.reason)));
   AXIOMETRY_TRY(const Value value, whole_value(store, thing));
-  return json_response(value);
+  return kept_response(value, {.id = thing.id, .version = thing.version});
 }
 
 template <typename Thing>

@@ -198,8 +198,9 @@ Result<Reading> read_program_request(const Request& request) {
 }
 
 void add_draft_routes(Router& router) {
-  router.add_read("POST", "/api/plans/draft", read_draft_request);
-  router.add_read("POST", "/api/plans/draft/program", read_program_request);
+  constexpr Terms only_looks{.only_looks = true};
+  router.add_read("POST", "/api/plans/draft", read_draft_request, only_looks);
+  router.add_read("POST", "/api/plans/draft/program", read_program_request, only_looks);
   router.add(
       "POST", "/api/plans/draft/sheet.{extension}",
       [](const Request& request) -> Result<Response> {
@@ -207,7 +208,7 @@ void add_draft_routes(Router& router) {
         AXIOMETRY_TRY(const app::RequestedPlan plan, app::requested_plan(body));
         return sheet_response(plan, request);
       },
-      Weight::heavy);
+      Weight::heavy, only_looks);
 }
 
 void add_writing_routes(Router& router, store::Store& store) {
@@ -220,7 +221,7 @@ void add_writing_routes(Router& router, store::Store& store) {
         AXIOMETRY_TRY(const store::By by, by_with_reason(request, body));
         AXIOMETRY_TRY(const PlanRecord record, record_of(store, body, plan, by));
         AXIOMETRY_TRY(const VersionedPlan kept, store.add(record, by));
-        return json_response(plan_value(kept, plan, look), 201);
+        return kept_response(plan_value(kept, plan, look), {.id = kept.id, .version = kept.version}, 201);
       },
       Weight::edit);
   router.add(
@@ -236,7 +237,7 @@ void add_writing_routes(Router& router, store::Store& store) {
         AXIOMETRY_TRY(const store::By by, by_with_reason(request, body));
         AXIOMETRY_TRY(const PlanRecord record, record_of(store, body, plan, by));
         AXIOMETRY_TRY(const VersionedPlan kept, store.change(id, base_version, record, by));
-        return json_response(plan_value(kept, plan, look));
+        return kept_response(plan_value(kept, plan, look), {.id = kept.id, .version = kept.version});
       },
       Weight::edit);
 }

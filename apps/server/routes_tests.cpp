@@ -107,7 +107,7 @@ Response kept_as_file(app::Rendered rendered) {
 Result<Response> answer_test(Result<app::KeptTest> kept, const Request& request, int status = 200) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const app::KeptTest test, std::move(kept));
-  return json_response(app::to_json(test, reader), status);
+  return kept_response(app::to_json(test, reader), {.id = test.record.id, .version = test.record.version}, status);
 }
 
 app::Upload upload_of(const SentFile& file) {
@@ -153,8 +153,9 @@ Result<Response> receive(Workbench& workbench, const Request& request) {
     uploads.back().plan = plan;
   }
   AXIOMETRY_TRY(const app::Received received, workbench.receive(uploads, by_of(request), request.stop));
-  Response response = json_response(app::to_json(received, reader), 201);
-  response.headers.emplace_back("Location", fmt::format("/api/tests/{}", received.tests.front().id));
+  const store::Id first = received.tests.front().id;
+  Response response = kept_response(app::to_json(received, reader), {.id = first, .version = 1}, 201);
+  response.headers.emplace_back("Location", fmt::format("/api/tests/{}", first));
   return response;
 }
 
@@ -242,7 +243,8 @@ Result<Response> report(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const bool as_file, flag_of(request, "download", false));
   AXIOMETRY_TRY(const auto wanted, report_request(request, std::string(request.segment("extension"))));
   AXIOMETRY_TRY(app::Rendered rendered, workbench.report(id, version, wanted));
-  return as_file ? kept_as_file(std::move(rendered)) : shown(std::move(rendered));
+  const bool is_data = rendered.media_type == "application/json";
+  return as_file || is_data ? kept_as_file(std::move(rendered)) : shown(std::move(rendered));
 }
 
 Result<Response> figures(const Workbench& workbench, const Request& request) {
@@ -272,16 +274,17 @@ Result<Response> figure(const Workbench& workbench, const Request& request) {
   return shown({std::move(svg), "image/svg+xml", {}});
 }
 
-/// Of what is shown of a kept version: made once for all who ask at once.
-template <typename Show>
-Result<Reading> read_view(const Workbench& workbench, const Request& request, Show show) {
+/// Of what is shown of a kept version: made once for all who ask at once. A report in JSON is what the version keeps.
+template <auto show>
+Result<Reading> read_view(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
   AXIOMETRY_TRY(const auto version, version_of(request));
-  AXIOMETRY_TRY(const bool trials, workbench.runs_trials_for(id, version));
+  AXIOMETRY_TRY(bool trials, workbench.runs_trials_for(id, version));
+  trials = trials && !text::to_lower(request.path).ends_with("/report.json");
   AXIOMETRY_TRY(std::string key, key_of(workbench, request));
   return Reading{.load = load_with(trials, Load::heavy),
                  .key = std::move(key),
-                 .answer = [&workbench, show](const Request& again) { return show(workbench, again); }};
+                 .answer = [&workbench](const Request& again) { return show(workbench, again); }};
 }
 
 /// A report that is to be kept.
@@ -330,7 +333,7 @@ Result<Reading> read_issue(Workbench& workbench, const Request& request) {
                    wanted.stop = again.stop;
                    AXIOMETRY_TRY(const store::Document document,
                                  workbench.issue(issue.test, issue.version, wanted, by_of(again, issue.reason)));
-                   return json_response(app::to_json(document), 201);
+                   return kept_response(app::to_json(document), {.id = document.id}, 201);
                  }};
 }
 
@@ -339,7 +342,7 @@ Result<Response> attach(Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const SentFile file, file_of(request));
   AXIOMETRY_TRY(const store::Document document,
                 workbench.attach(id, {file.name, file.media_type, file.bytes}, by_of(request)));
-  return json_response(app::to_json(document), 201);
+  return kept_response(app::to_json(document), {.id = document.id}, 201);
 }
 
 /// Always as a file: what somebody attached must not run as part of the page.
@@ -352,41 +355,41 @@ Result<Response> document(const Workbench& workbench, const Request& request) {
 }  // namespace
 
 void add_test_routes(Router& router, const Context& context) {
+  constexpr Terms only_looks{.only_looks = true};
+  constexpr Terms looks_at_files{.sent = Sent::files, .only_looks = true};
   Workbench& workbench = context.workbench;
-  const auto add = [&](std::string_view method, std::string_view pattern, auto handler, Weight weight = Weight::light) {
+  const auto add = [&](std::string_view method, std::string_view pattern, auto handler, Weight weight = Weight::light,
+                       const Terms& terms = {}) {
     router.add(
-        method, pattern, [&workbench, handler](const Request& request) { return handler(workbench, request); }, weight);
+        method, pattern, [&workbench, handler](const Request& request) { return handler(workbench, request); }, weight,
+        terms);
   };
-  const auto add_read = [&](std::string_view method, std::string_view pattern, auto reader) {
-    router.add_read(method, pattern,
-                    [&workbench, reader](const Request& request) { return reader(workbench, request); });
+  const auto add_read = [&](std::string_view method, std::string_view pattern, auto reader, const Terms& terms = {}) {
+    router.add_read(
+        method, pattern, [&workbench, reader](const Request& request) { return reader(workbench, request); }, terms);
   };
-  const auto add_view = [&](std::string_view pattern, auto show) {
-    router.add_read("GET", pattern,
-                    [&workbench, show](const Request& request) { return read_view(workbench, request, show); });
-  };
-  add("POST", "/api/preview", preview, Weight::by_size);
-  add_read("POST", "/api/evaluations", read_evaluation);
+  add("POST", "/api/preview", preview, Weight::by_size, looks_at_files);
+  add_read("POST", "/api/evaluations", read_evaluation, looks_at_files);
   add(
       "POST", "/api/examples",
       [turn = std::make_shared<std::mutex>()](Workbench& w, const Request&) { return load_examples(w, *turn); },
       Weight::heavy);
   add("GET", "/api/tests", list_tests);
-  add("POST", "/api/tests", receive, Weight::by_size);
+  add("POST", "/api/tests", receive, Weight::by_size, {.sent = Sent::files});
   add_read("GET", "/api/tests/{id}", read_one);
   add("GET", "/api/tests/{id}/raw", raw);
-  add_read("POST", "/api/tests/{id}/evaluate", read_draft);
+  add_read("POST", "/api/tests/{id}/evaluate", read_draft, only_looks);
   add_read("POST", "/api/tests/{id}/versions", read_revision);
   const auto set_withdrawn = [](bool withdrawn) {
     return [withdrawn](Workbench& w, const Request& r) { return withdraw(w, r, withdrawn); };
   };
   add("POST", "/api/tests/{id}/withdraw", set_withdrawn(true), Weight::edit);
   add("POST", "/api/tests/{id}/reinstate", set_withdrawn(false), Weight::edit);
-  add_view("/api/tests/{id}/report.{extension}", report);
-  add_view("/api/tests/{id}/figures", figures);
-  add_view("/api/tests/{id}/figures/{n}.svg", figure);
+  add_read("GET", "/api/tests/{id}/report.{extension}", read_view<report>);
+  add_read("GET", "/api/tests/{id}/figures", read_view<figures>);
+  add_read("GET", "/api/tests/{id}/figures/{n}.svg", read_view<figure>);
   add_read("POST", "/api/tests/{id}/reports", read_issue);
-  add("POST", "/api/tests/{id}/attachments", attach);
+  add("POST", "/api/tests/{id}/attachments", attach, Weight::light, {.sent = Sent::files});
   add("GET", "/api/documents/{id}", document);
 }
 

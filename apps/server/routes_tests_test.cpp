@@ -80,6 +80,35 @@ TEST_F(Routes, TakeAllProcessorsByTheValueAndNotByTheBytes) {
             Load::lone);
 }
 
+TEST_F(Routes, SayWhichOfThemMayKeepSomething) {
+  const auto keeps = [&](const std::string& path) {
+    Request request{};
+    request.method = "POST";
+    request.path = path;
+    return router.keeps(request);
+  };
+  for (const std::string path : {"/api/tests", "/api/tests/1/versions", "/api/tests/1/reports",
+                                 "/api/tests/1/attachments", "/api/tests/1/withdraw", "/api/machines", "/api/examples"})
+    EXPECT_TRUE(keeps(path)) << path;
+  for (const std::string path : {"/api/preview", "/api/evaluations", "/api/tests/1/evaluate"})
+    EXPECT_FALSE(keeps(path)) << path;
+}
+
+TEST_F(Routes, WaitForNoTrialsWhereAReportIsOnlyReadFromTheArchive) {
+  upload();
+  answer(send("POST", "/api/tests/1/versions",
+              R"({"base_version": 1, "options": {"methods": ["monte-carlo"], "trials": 10000}})"),
+         201);
+  const auto load = [&](const std::string& path) {
+    auto request = std::make_shared<Request>();
+    request->method = "GET";
+    request->path = path;
+    return router.read(request).load;
+  };
+  EXPECT_EQ(load("/api/tests/1/report.csv"), Load::lone);
+  EXPECT_EQ(load("/api/tests/1/report.json"), Load::heavy);
+}
+
 TEST_F(Routes, SearchForNoMoreThanAPersonTypes) {
   upload();
   std::string words = "table";
@@ -303,6 +332,25 @@ TEST_F(Routes, AddInstrumentsAndSayWhichInputIsWrong) {
   EXPECT_EQ(send("POST", "/api/instruments", "{}").status, 422);
   EXPECT_EQ(send("POST", "/api/machines", R"({"name": "a\u0007"})").status, 422);
   EXPECT_EQ(send("PUT", "/api/instruments/1", R"({"manufacturer": "N"})").status, 422);
+}
+
+TEST_F(Routes, SayWhatTheyKeptSoThatAReceiptCanNameIt) {
+  const auto kept = [&](std::string method, std::string path, std::string body) {
+    const Response response = send(std::move(method), std::move(path), std::move(body));
+    EXPECT_EQ(response.status / 100, 2) << response.body;
+    return std::pair(response.kept.id, response.kept.version);
+  };
+  const auto version = [](store::Id id, int number) { return std::pair(std::optional(id), std::optional(number)); };
+  const auto without_version = [](store::Id id) { return std::pair(std::optional(id), std::optional<int>()); };
+  EXPECT_EQ(kept("POST", "/api/tests", std::string(app::example_table2)), version(1, 1));
+  EXPECT_EQ(kept("POST", "/api/tests/1/withdraw", R"({"reason": "r"})"), version(1, 1));
+  EXPECT_EQ(kept("POST", "/api/machines", R"({"name": "Mill"})"), version(2, 1));
+  EXPECT_EQ(kept("PUT", "/api/machines/2", R"({"name": "Lathe", "base_version": 1})"), version(2, 2));
+  EXPECT_EQ(kept("POST", "/api/axes", R"({"machine": 2, "name": "Y", "kind": "linear"})"), version(2, 1));
+  EXPECT_EQ(kept("POST", "/api/instruments", R"({"manufacturer": "M"})"), version(3, 1));
+  EXPECT_EQ(kept("POST", "/api/tests/1/attachments", "a note"), without_version(1));
+  EXPECT_EQ(kept("POST", "/api/tests/1/reports", R"({"extension": "json"})"), without_version(2));
+  EXPECT_EQ(kept("GET", "/api/machines/2", ""), std::pair(std::optional<store::Id>(), std::optional<int>()));
 }
 
 TEST_F(Routes, EvaluateWithoutKeeping) {

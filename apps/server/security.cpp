@@ -49,6 +49,7 @@ void add_security_headers(Response& response, bool tls) {
   });
   for (const auto& [name, value] : always) response.headers.emplace_back(name, value);
   if (tls) response.headers.emplace_back("Strict-Transport-Security", "max-age=31536000");
+  if (response.content_type.ends_with("+xml")) response.content_type += "; charset=utf-8";
   if (!has(response, "Cache-Control")) response.headers.emplace_back("Cache-Control", "no-store");
 }
 

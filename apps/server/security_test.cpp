@@ -50,6 +50,12 @@ TEST(SecurityHeaders, give_way_only_to_the_policy_of_a_document_that_runs_nothin
     EXPECT_EQ(values(finished({{"Content-Security-Policy", loose}}), "Content-Security-Policy").size(), 2) << loose;
 }
 
+TEST(SecurityHeaders, come_with_the_letters_of_XML) {
+  Response picture{.content_type = "image/svg+xml"};
+  add_security_headers(picture, false);
+  EXPECT_EQ(picture.content_type, "image/svg+xml; charset=utf-8");
+}
+
 TEST(SecurityHeaders, ask_browsers_to_stay_with_TLS_only_over_TLS) {
   EXPECT_TRUE(values(finished({}), "Strict-Transport-Security").empty());
   EXPECT_EQ(values(finished({}, true), "Strict-Transport-Security").size(), 1);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "axiometry/digest/sha256.h"
 
@@ -28,14 +29,14 @@ bool Sessions::is_over(const Times& times, Clock::time_point now) {
   return now - times.began >= longest || now - times.used >= unused;
 }
 
-std::string Sessions::begin(Clock::time_point now) {
+Sessions::Begun Sessions::begin(Clock::time_point now) {
   std::string session = random_text();
   const std::scoped_lock lock(mutex_);
   if (all_.size() >= most) std::erase_if(all_, [&](const auto& entry) { return is_over(entry.second, now); });
-  if (all_.size() >= most)
-    all_.erase(std::ranges::min_element(all_, {}, [](const auto& entry) { return entry.second.used; }));
+  const bool ends_another = all_.size() >= most;
+  if (ends_another) all_.erase(std::ranges::min_element(all_, {}, [](const auto& entry) { return entry.second.used; }));
   all_.emplace(sha256(session), Times{now, now});
-  return session;
+  return {std::move(session), ends_another};
 }
 
 bool Sessions::knows(std::string_view session, Clock::time_point now) {
@@ -51,10 +52,10 @@ bool Sessions::knows(std::string_view session, Clock::time_point now) {
   return true;
 }
 
-void Sessions::end(std::string_view session) {
+bool Sessions::end(std::string_view session) {
   const std::string hash = sha256(session);
   const std::scoped_lock lock(mutex_);
-  if (const auto found = all_.find(hash); found != all_.end()) all_.erase(found);
+  return all_.erase(hash) > 0;
 }
 
 std::size_t Sessions::count() const {

@@ -19,9 +19,13 @@ class Sessions {
   static constexpr std::chrono::hours unused{7 * 24};    ///< since it was shown the last time
   static constexpr std::size_t most = 10'000;            ///< for one more the one that was unused for longest ends
 
-  std::string begin(Clock::time_point now);
+  struct Begun {
+    std::string session;
+    bool ends_another = false;
+  };
+  Begun begin(Clock::time_point now);
   bool knows(std::string_view session, Clock::time_point now);
-  void end(std::string_view session);
+  bool end(std::string_view session);  ///< whether there was one
   std::size_t count() const;
 
  private:

@@ -28,9 +28,9 @@ struct Standing {
 };
 
 /// The place of the connection that gives way to a new one of `peer`, where there are already `places` in all or
-/// `share` of that peer: among those of the peer that has most (or has its share) a silent one, else an idle one, else
-/// one whose answer or body does not move, each time the one that has been still for longest. One that waits for its
-/// answer stays. Nothing where there is room, or nobody can go: then the new one does not come in.
+/// `share` of that peer: among those of the peer that has most who may go (or has its share) a silent one, else an idle
+/// one, else one whose answer or body does not move, each time the one that has been still for longest. One that waits
+/// for its answer stays. Nothing where there is room, or nobody can go: then the new one does not come in.
 struct Room {
   bool is_full = false;
   std::optional<std::size_t> goes{};
@@ -38,10 +38,24 @@ struct Room {
 Room room_for(std::span<const Standing> all, std::string_view peer, std::size_t places, std::size_t share,
               Standing::Clock::time_point now);
 
-/// The place of the connection that gives back what it holds so that `peer` can hold more: of those that receive or
-/// send, of the peer that holds most, the one that has been still for longest; of the same peer only one that stands
-/// still. Nothing where nobody can.
-std::optional<std::size_t> gives_back(std::span<const Standing> all, std::string_view peer,
-                                      Standing::Clock::time_point now);
+/// What somebody is to hold beside what it holds already.
+struct Claim {
+  std::string_view peer{};
+  std::size_t bytes = 0;
+  bool of_body = false;  ///< else of an answer
+  std::size_t held = 0;  ///< of the same body, which has come before
+};
+
+/// Of these any connection may have one, so that a list or an edit is answered beside uploads.
+inline constexpr std::size_t small_body = std::size_t{64} << 10;
+
+/// Whether that fits into `most` bytes for all, and which place gives back what it holds where it does not: of those
+/// that receive or send and either stand still or are of another peer that holds no less, of the peer that has most to
+/// give so, the one that has been still for longest. Nothing where nobody can.
+///
+/// Bodies, which stay as long as they wait, have at most three quarters of it together, so that there is always room
+/// for answers, and of that an eighth of all is kept for small ones, half of it for one peer; where they are more they
+/// count as the large ones do. One peer has at most half of all for its bodies, and half for its answers.
+Room memory_for(std::span<const Standing> all, const Claim& claim, std::size_t most, Standing::Clock::time_point now);
 
 }  // namespace axiometry::server

@@ -113,6 +113,7 @@ struct Transport::State {
   void take_in(tcp::socket socket);
   void work();
   bool is_done() const { return share->connections.empty() && desk->is_idle(); }
+  void look_whether_done();
   void await_signal();
   void finish();
 };
@@ -167,7 +168,7 @@ void Transport::State::work() {
       io.run();
       return;
     } catch (const std::exception& exception) {
-      log_line(fmt::format("axiometry: a connection failed: {}", exception.what()));
+      log_failure("a connection", exception);
     }
   }
 }
@@ -182,6 +183,17 @@ void Transport::State::await_signal() {
   });
 }
 
+/// Also where a connection is just being destroyed. Where that cannot be posted the farewell ends it.
+void Transport::State::look_whether_done() {
+  try {
+    asio::post(io, [this] {
+      if (is_done()) io.stop();
+    });
+  } catch (const std::exception& exception) {
+    log_failure("the end", exception);
+  }
+}
+
 void Transport::State::finish() {
   share->ending = true;
   error_code ignored;
@@ -191,11 +203,7 @@ void Transport::State::finish() {
   farewell.async_wait([this](const error_code& code) {
     if (!code) io.stop();
   });
-  share->when_none = desk->when_idle = [this] {
-    asio::post(io, [this] {
-      if (is_done()) io.stop();
-    });
-  };
+  share->when_none = desk->when_idle = [this] { look_whether_done(); };
   if (share->connections.empty()) share->when_none();
   const std::vector<Guest*> all(share->connections.begin(), share->connections.end());
   for (Guest* connection : all)
@@ -222,7 +230,7 @@ Transport::End Transport::run(const Service& service, const std::function<void()
   const Limits& limits = state_->options.limits;
   state_->lines = std::make_unique<Lines>(lines_for(limits));
   state_->desk = std::make_unique<Desk>(state_->io, service, limits, *state_->lines);
-  state_->share = std::make_unique<ConnectionShare>(limits, service, *state_->desk);
+  state_->share = std::make_unique<ConnectionShare>(limits, service, *state_->desk, state_->io);
   state_->signals.add(SIGINT);
   state_->signals.add(SIGTERM);
   state_->await_signal();

@@ -25,10 +25,18 @@ struct Service {
   /// In whose line a request waits to be read: heavy where that alone may take its time. On the I/O thread: must be
   /// quick, and so looks at the route and at the size of the body alone.
   std::function<Load(const Request&)> line_of;
+  /// Whether it may keep something: then its work is done to the end whoever leaves, and its answer told. On the I/O
+  /// thread: must be quick; empty: none does.
+  std::function<bool(const Request&)> keeps{};
+  /// Bytes that its body may have, where that is less than any may. On the I/O thread: must be quick; may be empty.
+  std::function<std::size_t(const Request&)> body_max{};
   /// Reads it, on one of several threads. Must not throw.
   std::function<Job(std::shared_ptr<Request>)> read;
   /// Of every response, also of those that the transport makes itself: headers that all carry.
   std::function<void(Response&)> finish;
+  /// Told of every answer with a SecurityEvent, before it is held back; of a connection that found no room with the
+  /// status 0 and a request that has a peer alone. On the I/O thread; may be empty.
+  std::function<void(const Request&, const Response&)> secured{};
   /// Told of every answer; may be empty.
   struct Answered {
     const Request& request;

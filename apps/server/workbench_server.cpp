@@ -15,18 +15,19 @@
 #include "axiometry/app/workbench.h"
 #include "axiometry/base/broken_contract.h"
 #include "axiometry/base/number_text.h"
-#include "axiometry/report/utf8.h"
 #include "guard.h"
 #include "log.h"
 #include "memory.h"
 #include "routes.h"
 #include "security.h"
+#include "security_log.h"
 #include "transport.h"
 
 namespace axiometry::server {
 namespace {
 
 constexpr std::size_t token_length_min = 16;
+constexpr std::size_t token_length_max = 512;
 constexpr std::size_t large_answer = std::size_t{4} << 20;  // bytes
 
 constexpr std::string_view how_to_get_them =
@@ -42,20 +43,29 @@ std::string page_address(const TransportOptions& transport, unsigned port) {
 }
 
 void log_answer(const Service::Answered& answered) {
-  log_line(fmt::format("{} {} {} {} {} bytes {} ms", answered.request.peer,
-                       answered.request.method.empty() ? "-" : report::printable(answered.request.method),
-                       answered.request.path.empty() ? "-" : report::printable(answered.request.path), answered.status,
-                       answered.bytes, format_fixed(answered.milliseconds, 1)));
+  log_line(fmt::format("{} {} {} {} {} bytes {} ms", log_text(answered.request.peer), log_text(answered.request.method),
+                       log_text(answered.request.path), answered.status, answered.bytes,
+                       format_fixed(answered.milliseconds, 1)));
 }
 
-Service service_of(const Router& router, const Site& site, TokenGate& token, const ServeOptions& options) {
+/// What every request passes and leaves behind.
+struct Doors {
+  Site site;
+  TokenGate token;
+  SecurityLog log;
+};
+
+Service service_of(const Router& router, Doors& doors, const ServeOptions& options) {
   Service service;
-  service.refused = [&site, &token](const Request& request) -> std::optional<Response> {
-    if (auto refused = refused_by_guard(request, site)) return refused;
-    return token.refused(request);
+  service.refused = [&router, &doors](const Request& request) -> std::optional<Response> {
+    if (auto refused = refused_by_guard(request, doors.site)) return refused;
+    if (auto refused = doors.token.refused(request)) return refused;
+    return router.refused(request);
   };
-  service.peer_of = [&token](const Request& request) { return token.peer_of(request); };
+  service.peer_of = [&doors](const Request& request) { return doors.token.peer_of(request); };
   service.line_of = [&router](const Request& request) { return router.line_of(request); };
+  service.keeps = [&router](const Request& request) { return router.keeps(request); };
+  service.body_max = [&router](const Request& request) { return router.body_max(request); };
   service.read = [&router](std::shared_ptr<Request> request) {
     Job job = router.read(std::move(request));
     job.answer = [answer = std::move(job.answer)](const std::stop_token& stop) {
@@ -66,6 +76,9 @@ Service service_of(const Router& router, const Site& site, TokenGate& token, con
     return job;
   };
   service.finish = [tls = !options.certificate.empty()](Response& response) { add_security_headers(response, tls); };
+  service.secured = [&doors](const Request& request, const Response& response) {
+    doors.log.tell({response.event, request.peer, request.method, request.path, response.status});
+  };
   if (options.log) service.answered = log_answer;
   return service;
 }
@@ -111,6 +124,9 @@ Result<void> check_exposure(const ServeOptions& options) {
   if (!options.token.empty() && options.token.size() < token_length_min)
     return fail(
         fmt::format("found a token of {} characters, expected at least {}", options.token.size(), token_length_min));
+  if (options.token.size() > token_length_max)
+    return fail(
+        fmt::format("found a token of {} characters, expected at most {}", options.token.size(), token_length_max));
   AXIOMETRY_TRY(const auto addresses, public_addresses(options));
   const auto reached = std::ranges::find(addresses, false, &PublicAddress::is_local);
   if (reached != addresses.end() && options.token.empty())
@@ -150,21 +166,27 @@ Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observe
 
   const unsigned port = transport->port();
   AXIOMETRY_TRY(auto addresses, public_addresses(options));
-  const Site site = make_site({.tls = tls,
-                               .listen = options.listen,
-                               .port = port,
-                               .names = options.host_names,
-                               .public_addresses = std::move(addresses)});
-  TokenGate token({.token = options.token, .tls = tls, .port = port});
+  Doors doors{.site = make_site({.tls = tls,
+                                 .listen = options.listen,
+                                 .port = port,
+                                 .names = options.host_names,
+                                 .public_addresses = std::move(addresses)}),
+              .token = TokenGate({.token = options.token, .tls = tls, .port = port}),
+              .log = SecurityLog(log_line)};
   app::Workbench workbench(*store);
   if (options.examples) AXIOMETRY_TRY_VOID(app::add_examples(workbench));
   AXIOMETRY_TRY(const auto captures, open_captures(options, workbench));
+  for (const std::string& recording : captures->without_order())
+    observer.notice(
+        fmt::format("{}: found no order beside it that can be read, expected one; 'axiometry capture --plan "
+                    "PLAN --from {}' plays it",
+                    recording, recording));
   Router router;
-  add_service_routes(router, {.store = *store, .token = token, .upload_bytes = options.limits.upload_bytes});
+  add_service_routes(router, {.store = *store, .token = doors.token, .upload_bytes = options.limits.upload_bytes});
   add_api_routes(router, {.store = *store, .workbench = workbench, .captures = *captures});
   add_page_routes(router, page_files());
 
-  const Service service = service_of(router, site, token, options);
+  const Service service = service_of(router, doors, options);
   std::jthread warming;
   const auto end = transport->run(service, [&] {
     observer.ready(page_address(transport_options, port));
@@ -172,12 +194,14 @@ Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observe
       try {
         if (const auto warmed = store.warm_up(stop); !warmed) observer.notice(warmed.error().to_string());
       } catch (const std::exception& exception) {
-        log_line(fmt::format("axiometry: the archive was not warmed up: {}", exception.what()));
+        log_failure("warming up the archive", exception);
       }
     });
   });
   const ServeEnd result{.signal = end.signal, .all_answered = end.all_answered};
-  if (!result.all_answered) cut_off(result);
+  if (result.all_answered) return result;
+  doors.log.tell_left_out();
+  cut_off(result);
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <utility>
 
 #include "log.h"
@@ -43,7 +44,7 @@ std::optional<WorkerPool::Ticket> WorkerPool::submit(const std::string& who, std
     const std::size_t may_wait = options_.waiting_max - (lines_.contains(who) ? options_.reserved : 0);
     if (ended_ || waiting_ >= may_wait) return {};
     std::deque<Task>& line = lines_[who];
-    if (line.empty()) turns_.push_back(who);
+    if (line.empty() && std::ranges::find(turns_, who) == turns_.end()) turns_.push_back(who);
     ticket = ++last_ticket_;
     line.push_back({ticket, std::move(task), lone});
     ++waiting_;
@@ -69,6 +70,7 @@ bool WorkerPool::withdraw(Ticket ticket) {
   return false;
 }
 
+/// Takes no memory, of which there may be none.
 std::optional<WorkerPool::Task> WorkerPool::next() {
   const auto may_begin = [this](const Task& task) { return !(task.lone && lone_runs_); };
   for (auto turn = turns_.begin(); turn != turns_.end(); ++turn) {
@@ -79,12 +81,11 @@ std::optional<WorkerPool::Task> WorkerPool::next() {
     line->second.erase(found);
     --waiting_;
     lone_runs_ = lone_runs_ || task.lone;
-    std::string who = std::move(*turn);
-    turns_.erase(turn);
-    if (line->second.empty())
+    std::rotate(turn, std::next(turn), turns_.end());
+    if (line->second.empty()) {
       lines_.erase(line);
-    else
-      turns_.push_back(std::move(who));
+      turns_.pop_back();
+    }
     return task;
   }
   return std::nullopt;
@@ -95,7 +96,7 @@ void WorkerPool::run(Task& task) {
   try {
     task.work();
   } catch (const std::exception& exception) {
-    log_line(std::string("axiometry: a request failed: ") + exception.what());
+    log_failure("a request", exception);
   }
   task.work = nullptr;
 }

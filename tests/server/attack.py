@@ -156,8 +156,12 @@ def too_much(server, checks):
             pass
         answer = read_all(client)
     checks.that("chunks without end are cut off", status_of(answer) in (413, 0), answer[:80])
+    with socket.create_connection(("127.0.0.1", server.port), timeout=30) as client:
+        client.sendall(head(server, "POST /api/tests HTTP/1.1", "Transfer-Encoding: chunked") + b"1000000000000000\r\n")
+        answer = read_all(client)
+    checks.that("a huge chunk is refused before it comes", status_of(answer) == 413, answer[:80])
     deep = b'{"changes":' + b"[" * 100_000
-    answer = server.request("POST", "/api/plans/draft", deep)
+    answer = server.request("POST", "/api/plans/draft", deep, {"Content-Type": "application/json"})
     checks.that("deep JSON is refused", answer.status in (400, 404, 405, 422), answer.body[:200])
 
 
@@ -270,6 +274,10 @@ def tokens(program, folder, checks):
         checks.that("the token opens", answer.status == 200, answer.status)
         answer = server.request("POST", "/api/login", {"token": TOKEN + "x"})
         checks.that("a wrong token does not sign in", answer.status == 401 and "set-cookie" not in answer.headers)
+        answer = server.request("POST", "/api/login", {"token": TOKEN, "more": "x" * 5000})
+        checks.that("a large body does not sign in", answer.status == 413, (answer.status, answer.body[:200]))
+        answer = server.request("GET", "/api/health", headers={"Authorization": "Bearer " + TOKEN + "x"})
+        checks.that("a wrong token is refused at health too", answer.status == 401, answer.body[:200])
         answer = server.request("POST", "/api/login", {"token": TOKEN}, {"Origin": "http://evil.example"})
         checks.that("another page does not sign in", answer.status == 403, answer.status)
         answer = server.request("POST", "/api/login", {"token": TOKEN})
@@ -318,6 +326,7 @@ def behind_a_proxy(program, folder, checks):
         answer = server.request("POST", "/api/login", {"token": TOKEN}, {"Origin": ours})
         cookie = answer.headers.get("set-cookie", "")
         checks.that("the proxy's page has a cookie for TLS alone", "; Secure" in cookie and "HttpOnly" in cookie, cookie)
+        checks.that("of this host alone", cookie.startswith("__Host-"), cookie)
         answer = server.request("GET", "/api/tests", headers={"Cookie": cookie.split(";")[0]})
         checks.that("which opens", answer.status == 200, answer.status)
         answer = server.request("GET", "/api/tests", headers=trusting)

@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 
 from attack import SECURITY, head, status_of
 from served import Checks, Served
@@ -23,6 +24,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 EXAMPLE = (ROOT / "examples" / "iso230-2-table2.json").read_bytes()
 OPERATIONS = json.loads((ROOT / "apps" / "server" / "openapi.json").read_text(encoding="utf-8"))["paths"]
 TOKEN = "fedcba9876543210-secret"
+ENDS_WITHIN_S = 3.0  # the farewell takes 5
 OPEN_TO_ALL = {("GET", "/api/health"), ("POST", "/api/login")}
 PLAN = {"axis": "X", "kind": "linear", "from": 0, "to": 500, "positions": None, "targets": None, "cycle": "standard",
         "runs": 5, "feed": 1000, "dwell_s": 4, "overrun": None, "seed": 7, "further": {}}
@@ -58,7 +60,8 @@ def strangers_are_told_nothing(server, checks):
     """Of every answer, also of one made before a route is found: what it is, how it may be used, no more."""
     server.upload("/api/tests", "kept.json", EXAMPLE)
     asked = ["/", "/licenses.txt", "/api/openapi.json", "/api/tests", "/api/tests/1", "/api/tests/1/raw",
-             "/api/tests/1/report.csv", "/nothing.js", "/api/nothing", "/%zz", "/api/tests?limit=x"]
+             "/api/tests/1/report.csv", "/api/tests/1/figures/1.svg", "/nothing.js", "/api/nothing", "/%zz",
+             "/api/tests?limit=x"]
     for line, *fields in [[f"GET {path} HTTP/1.1"] for path in asked] + [
             ["TRACE / HTTP/1.1"], ["PUT /api/health HTTP/1.1"], ["GET / HTTP/1.2"], ["nonsense"],
             ["GET /api/tests HTTP/1.1", "Sec-Fetch-Site: cross-site"],
@@ -76,7 +79,14 @@ def strangers_are_told_nothing(server, checks):
         checks.that(f"{line} has a policy", "default-src 'none'" in found.get("content-security-policy", ""), found)
         kind = found.get("content-type", "")
         checks.that(f"{line} says what its body is", not body or kind, found)
-        checks.that(f"{line} says its letters", not kind.startswith("text/") or "charset=utf-8" in kind, kind)
+        is_understood = " /api/" in line and status_of(answer) != 400
+        is_api_json = is_understood and "openapi" not in line and kind == "application/json"
+        name = found.get("content-disposition", "")
+        is_download = "/raw" in line
+        checks.that(f"{line} is a file where it is the API's JSON",
+                    name.startswith("attachment;") == (is_api_json or is_download), (kind, name))
+        has_letters = kind.startswith("text/") or "+xml" in kind
+        checks.that(f"{line} says its letters", not has_letters or "charset=utf-8" in kind, kind)
         is_archive = status_of(answer) != 200 or "/api/tests" in line
         checks.that(f"{line} is kept by nobody", not is_archive or found.get("cache-control") == "no-store", found)
 
@@ -89,7 +99,8 @@ def nothing_is_said_twice(server, checks):
         field = f"{name}: {value}"
         answer = server.raw(head(server, "GET /api/health HTTP/1.1", field, field, "Connection: close"))
         checks.that(f"two headers {name} are refused", status_of(answer) == 400, answer[:80])
-    answer = server.request("POST", "/api/machines", b'{"name": "a", "name": "b", "serial_number": ""}')
+    answer = server.request("POST", "/api/machines", b'{"name": "a", "name": "b", "serial_number": ""}',
+                            {"Content-Type": "application/json"})
     checks.that("a member that stands twice is refused", answer.status == 422, answer.body[:200])
     answer = server.request("GET", "/api/tests?limit=0&limit=5")
     checks.that("of a parameter that stands twice the first counts", answer.json()["tests"] == [], answer.body[:200])
@@ -141,8 +152,8 @@ def files_are_the_owners(server, store, checks):
     server.request("POST", f"/api/captures/{begun.json()['id']}/stop", {})
 
 
-def nobody_is_called(server, checks):
-    """Every connection of the process is one that came to it."""
+def nobody_is_called(server):
+    """Yields every socket of the process that did not come to it: none may be there, at no moment."""
     sockets = set()
     for descriptor in pathlib.Path(f"/proc/{server.process.pid}/fd").iterdir():
         try:
@@ -152,9 +163,34 @@ def nobody_is_called(server, checks):
     for table in ("tcp", "tcp6", "udp", "udp6"):
         for line in pathlib.Path(f"/proc/net/{table}").read_text(encoding="ascii").splitlines()[1:]:
             fields = line.split()
-            if f"socket:[{fields[9]}]" in sockets:
-                checks.that("it listens and answers on its port alone",
-                            table == "tcp" and fields[1] == f"0100007F:{server.port:04X}", line)
+            own = table == "tcp" and fields[1] == f"0100007F:{server.port:04X}"
+            if f"socket:[{fields[9]}]" in sockets and not own:
+                yield line
+
+
+class Watched:
+    """Looks at the sockets of a server all the while that it is used: a call need not last."""
+
+    def __init__(self, server):
+        self.server, self.over, self.looks, self.strange = server, threading.Event(), 0, []
+        self.thread = threading.Thread(target=self.watch)
+
+    def watch(self):
+        while not self.over.wait(0.002):
+            self.look()
+
+    def look(self):
+        self.strange += nobody_is_called(self.server)
+        self.looks += 1
+
+    def __enter__(self):
+        self.thread.start()
+        return self
+
+    def __exit__(self, *_):
+        self.over.set()
+        self.thread.join()
+        self.look()
 
 
 def log_holds_no_secret(program, folder, checks):
@@ -166,19 +202,132 @@ def log_holds_no_secret(program, folder, checks):
             server.request("GET", "/api/vocabulary", headers={"Authorization": "Bearer " + TOKEN})
             server.request("GET", "/api/vocabulary", headers={"Authorization": "Bearer wrong-token"})
             for line in ("GET /%1b[2Jx HTTP/1.1", "GET /a%0d%0a127.0.0.1%20GET%20/forged%20200 HTTP/1.1",
-                         "TRACE / HTTP/1.1", "GET /a\x1b[2J HTTP/1.1", "\x1b[2J / HTTP/1.1"):
+                         "GET /api/%E2%80%AEgnp.x%20200%205 HTTP/1.1", "TRACE / HTTP/1.1", "GET /a\x1b[2J HTTP/1.1",
+                         "\x1b[2J / HTTP/1.1"):
                 server.raw(head(server, line, "Connection: close"))
         log.seek(0)
         text = log.read()
     for secret in (TOKEN, cookie.split("=", 1)[1], "wrong-token", "private", "Anna"):
         checks.that("the log holds no secret and no name", secret not in text, secret)
     lines = [line for line in text.split("\n") if line and not line.startswith("axiometry: ")]
-    checks.that("every request has one line", len(lines) == 9, lines)
+    checks.that("every request has one line", len(lines) == 10, lines)
     checks.that("none can be forged", not any("forged" in line for line in lines), lines)
-    steering = [c for line in lines for c in line if c < " " or c == "\x7f"]
-    checks.that("no control character reaches a terminal", not steering, lines)
+    steering = [c for line in lines for c in line if not " " <= c <= "~"]
+    checks.that("no control character reaches a terminal, and none that turns the direction", not steering, lines)
+    checks.that("nor a blank of others", sum("/api/%E2%80%AEgnp.x%20200%205 401 " in line for line in lines) == 1, lines)
     counts = [sum(f" {status} " in line for line in lines) for status in (401, 405, 400)]
-    checks.that("what was refused is there", counts == [1, 1, 4], lines)
+    checks.that("what was refused is there", counts == [2, 1, 4], lines)
+    checks.that("with the address of who asked", all(line.startswith("127.0.0.1 ") for line in lines), lines)
+
+
+def security_events_are_told(program, folder, checks):
+    """Also without --log: a line for each in one format, without secrets; of a flood some, and how many were left out."""
+    certificate, key = made_certificate(folder, "events")
+    with open(folder / "events.txt", "w+", encoding="ascii") as log:
+        with Served(program, folder / "events.db", token=TOKEN, tls=(certificate, key), errors=log) as server:
+            server.request("POST", "/api/login", {"token": "wrong-token-of-a-guess"})
+            cookie = server.request("POST", "/api/login", {"token": TOKEN}).headers["set-cookie"].split(";")[0]
+            known = {"Cookie": cookie, "X-Actor": "Anna%20Beispiel"}
+            server.request("GET", f"/api/tests?token={TOKEN}", headers=known)
+            server.request("POST", "/api/logout", {}, known)
+            server.request("GET", "/api/tests?text=private", headers=known)
+            server.request("GET", "/api/vocabulary", headers={"Authorization": "Bearer wrong-token-of-a-guess"})
+            server.request("POST", "/api/machines", {}, {"Origin": "https://evil.example"})
+            server.request("GET", "/", headers={"Host": "evil.example"})
+            server.request("TRACE", "/")
+            server.request("GET", "/", headers={"X-Long": "a" * 70_000})
+            for _ in range(100):
+                server.request("GET", "/api/tests/%c3%a9%20a")
+        log.seek(0)
+        text = log.read()
+    for secret in (TOKEN, cookie.split("=", 1)[1], "wrong-token", "private", "Anna"):
+        checks.that("security events hold no secret and no name", secret not in text, secret)
+    told = [line for line in text.split("\n") if line.startswith("axiometry: security ")]
+    form = re.compile(r"axiometry: security \d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ (left-out event=\S+ count=(\d+)|"
+                      r"(\S+) peer=127\.0\.0\.1 method=\S+ path=\S+ status=(\d{3}))")
+    lines = [form.fullmatch(line) for line in told]
+    checks.that("all in one format", all(lines), told)
+    events = [(line[3], line[4]) for line in lines if line and line[3]]
+    wanted = [("sign-in-refused", "401"), ("signed-in", "204"), ("signed-out", "204"), ("session-refused", "401"),
+              ("token-refused", "401"), ("origin-refused", "403"), ("host-refused", "421"), ("method-refused", "405"),
+              ("quota-refused", "431")]
+    checks.that("each is told once", events[:len(wanted)] == wanted, events)
+    flood = events[len(wanted):]
+    left_out = sum(int(line[2]) for line in lines if line and line[2])
+    checks.that("of a flood some", 20 <= len(flood) < 40 and set(flood) == {("token-missing", "401")}, flood)
+    checks.that("and how many were left out", len(flood) + left_out == 100, left_out)
+
+
+def nobody_is_waited_for_at_the_end(program, folder, checks):
+    """Who has not said what is wanted, and whose wrong token is only answered late."""
+    wrong = b"GET /api/tests HTTP/1.1\r\nHost: %s\r\nAuthorization: Bearer wrong-token-of-a-guess\r\n\r\n"
+    for name, tls, openings in (("plain", None, [b"", b"GET"] + 8 * [wrong]),
+                                ("tls", made_certificate(folder, "end"), [b"", b"\x16\x03\x01"])):
+        with open(folder / "end.txt", "w+", encoding="utf-8") as told:
+            with Served(program, folder / f"{name}.db", token=TOKEN, tls=tls, errors=told) as server:
+                clients = [socket.create_connection(("127.0.0.1", server.port)) for _ in openings]
+                for client, opening in zip(clients, openings):
+                    client.sendall(opening.replace(b"%s", server.host.encode()))
+                time.sleep(0.5)
+                begin = time.monotonic()
+                code = server.stop()
+                seconds = time.monotonic() - begin
+            told.seek(0)
+            text = told.read()
+        for client in clients:
+            client.close()
+        is_false = "ended while requests" in text
+        checks.that(f"{name}: it ends at once", code == 0 and seconds < ENDS_WITHIN_S, (code, seconds))
+        checks.that(f"{name}: and says nothing of requests that were being answered", not is_false, text)
+
+
+def what_was_left_out_is_told_where_it_is_cut_off(program, folder, checks):
+    """A request that does not end is one that is waited for, and then the process ends without its last words."""
+    with open(folder / "cut.txt", "w+", encoding="utf-8") as told:
+        with Served(program, folder / "cut.db", token=TOKEN, errors=told) as server:
+            for _ in range(30):
+                server.request("GET", "/api/tests")
+            with socket.create_connection(("127.0.0.1", server.port)) as half:
+                half.sendall(head(server, "POST /api/tests HTTP/1.1", f"Authorization: Bearer {TOKEN}",
+                                  "Content-Length: 100") + b"half")
+                time.sleep(0.5)
+                server.stop()
+        told.seek(0)
+        text = told.read()
+    checks.that("it was cut off", "ended while requests were still being answered" in text, text)
+    checks.that("and has told what was left out", "left-out event=token-missing count=10" in text, text)
+
+
+def other_types_are_refused(server, checks):
+    """A body that is no JSON by its type is none, whatever it holds; files have any type."""
+    takes_files = {"/api/preview", "/api/evaluations", "/api/tests", "/api/tests/1/attachments"}
+    for method, path in operations():
+        if method == "GET" or path in takes_files:
+            continue
+        for fields in ({}, {"Content-Type": "text/plain"}, {"Content-Type": "application/x-www-form-urlencoded"}):
+            answer = server.request(method, path, b"{}", fields)
+            checks.that(f"{method} {path} with {fields} is refused", answer.status == 415, answer.status)
+    answer = server.request("POST", "/api/preview", EXAMPLE, {"Content-Type": "text/plain"})
+    checks.that("a file has any type", answer.status == 200, answer.body[:200])
+
+
+def files_that_others_may_read_are_told(program, folder, checks):
+    """At the start, of token and key; of those that are the owner's alone nothing is said."""
+    certificate, key = made_certificate(folder, "open")
+    token = folder / "token.txt"
+    token.write_text(TOKEN)
+    told_of = {0o644: (token, key), 0o640: (token,), 0o602: (token, key), 0o600: (), 0o711: ()}  # a group may use keys
+    for mode, expected in told_of.items():
+        token.chmod(mode)
+        key.chmod(mode)
+        with open(folder / "told.txt", "w+", encoding="utf-8") as told:
+            with Served(program, folder / "modes.db", "--token-file", str(token), tls=(certificate, key), errors=told):
+                pass
+            told.seek(0)
+            text = told.read()
+        for file in (token, key):
+            checks.that(f"{file.name} of mode {mode:o} is told or not", (f"{file}: found a file that others may read" in
+                                                                         text) == (file in expected), text)
 
 
 def no_program_is_started(program, checks):
@@ -272,14 +421,22 @@ def main():
             every_operation_asks(server, checks)
         store = folder / "archive.db"
         with Served(program, store) as server:
-            strangers_are_told_nothing(server, checks)
-            nothing_is_said_twice(server, checks)
-            what_was_not_asked_for_is_not_set(server, checks)
-            statements_stay_text(server, checks)
-            files_are_the_owners(server, store, checks)
-            nobody_is_called(server, checks)
+            with Watched(server) as watched:
+                strangers_are_told_nothing(server, checks)
+                nothing_is_said_twice(server, checks)
+                what_was_not_asked_for_is_not_set(server, checks)
+                statements_stay_text(server, checks)
+                other_types_are_refused(server, checks)
+                files_are_the_owners(server, store, checks)
+            checks.that("it listens and answers on its port alone",
+                        watched.looks > 1 and not watched.strange,
+                        (watched.looks, watched.strange[:3]))
         log_holds_no_secret(program, folder, checks)
+        security_events_are_told(program, folder, checks)
         any_letters_are_a_token(program, folder, checks)
+        files_that_others_may_read_are_told(program, folder, checks)
+        nobody_is_waited_for_at_the_end(program, folder, checks)
+        what_was_left_out_is_told_where_it_is_cut_off(program, folder, checks)
         newest_tls_is_preferred(program, folder, checks)
         database_is_proved_where_that_is_asked(program, folder, checks)
     checks.finish()

@@ -85,11 +85,11 @@ def light_beside_heavy(server, checks, example, seconds=6.0, rounds=3):
     checks.that("lists do not wait for heavy requests", p95 < LIST_MS_MAX, f"{p95:.1f} ms")
 
 
-def send_heavy(server, seed):
+def send_heavy(server, seed, fields=""):
     body = json.dumps(draft(seed)).encode()
     client = socket.create_connection(("127.0.0.1", server.port), timeout=60)
     client.sendall(f"POST /api/tests/1/evaluate HTTP/1.1\r\nHost: {server.host}\r\nContent-Type: application/json\r\n"
-                   f"X-Actor: client{seed}\r\nContent-Length: {len(body)}\r\n\r\n".encode() + body)
+                   f"X-Actor: client{seed}\r\n{fields}Content-Length: {len(body)}\r\n\r\n".encode() + body)
     return client
 
 

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "axiometry/app/raw_recording.h"
+#include "axiometry/base/number_text.h"
 #include "axiometry/simulation/presets.h"
 #include "axiometry/simulation/simulate.h"
 #include "axiometry/standards/iso230_2_plan.h"
@@ -41,6 +47,36 @@ inline std::string recording(const std::string& preset, std::uint64_t seed, std:
     return {};
   }));
   return bytes;
+}
+
+/// The recording line by line, with the time of each.
+struct TimedLine {
+  std::string text;
+  double time_s = 0.0;
+};
+
+/// Of "time-position", "camonitor-stream" or "umd".
+inline std::vector<TimedLine> lines_of(const std::string& layout, std::size_t runs = 1, std::uint64_t seed = 3) {
+  std::vector<TimedLine> lines;
+  const std::string whole = recording("good", seed, runs);
+  std::string_view rest = whole;
+  std::size_t number = 0;
+  for (rest.remove_prefix(rest.find('\n') + 1); !rest.empty(); rest.remove_prefix(rest.find('\n') + 1)) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    const double time_s = *parse_number(line.substr(0, line.find(',')));
+    const std::string position(line.substr(line.find(',') + 1));
+    const auto ms = static_cast<long long>(std::llround(time_s * 1e3));
+    if (layout == "time-position") lines.push_back({std::string(line) + "\n", time_s});
+    if (layout == "camonitor-stream")
+      lines.push_back(
+          {fmt::format("X 2026-11-21 12:{:02}:{:02}.{:03} {}\n", ms / 60'000 % 60, ms / 1000 % 60, ms % 1000, position),
+           time_s});
+    if (layout == "umd") {
+      const auto counts = std::llround(*parse_number(position) * 1e4);
+      lines.push_back({fmt::format("0 0 {} 0 0 {} 0 0\n", counts, ++number), time_s});
+    }
+  }
+  return lines;
 }
 
 }  // namespace axiometry::testing_support

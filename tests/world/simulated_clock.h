@@ -3,11 +3,12 @@
 
 #include <cstdint>
 
-/// The clock on the wall of the program that links this: what the system calls CLOCK_REALTIME. It stands still but
-/// where it is moved, also backwards, as clocks are that somebody sets.
+/// The clocks of the program that links this. That on the wall, which the system calls CLOCK_REALTIME, stands still but
+/// where it is moved, also backwards, as clocks are that somebody sets. CLOCK_MONOTONIC goes on by a
+/// little whenever it is asked. Who sleeps finds both moved, and has not waited.
 namespace axiometry::world {
 
-void set_clock_ms(std::int64_t since_1970);
-void move_clock_ms(std::int64_t by);
+void move_clock_ms(std::int64_t by);  ///< that on the wall
+void pass_ms(std::int64_t by);        ///< both
 
 }  // namespace axiometry::world

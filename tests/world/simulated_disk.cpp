@@ -65,7 +65,7 @@ void put(std::string& bytes, std::int64_t at, std::string_view piece) {
   std::memcpy(bytes.data() + begin, piece.data(), piece.size());
 }
 
-void make_change(std::string& bytes, const std::variant<SimulatedDisk::Write, SimulatedDisk::Truncation>& change) {
+void make_change(std::string& bytes, const SimulatedDisk::Change& change) {
   if (const auto* written = std::get_if<SimulatedDisk::Write>(&change))
     put(bytes, written->at, written->bytes);
   else
@@ -75,11 +75,7 @@ void make_change(std::string& bytes, const std::variant<SimulatedDisk::Write, Si
 /// Reaches the plate at once: the files below are never synced themselves.
 int sync(sqlite3_file* file, int) {
   if (const int code = disk->before_change(); code != SQLITE_OK) return code;
-  if (Plate* const plate = plate_of(file)) {
-    plate->exists = true;
-    for (const auto& change : plate->unsynced) make_change(plate->bytes, change);
-    plate->unsynced.clear();
-  }
+  if (Plate* const plate = plate_of(file)) sync_plate(*plate);
   disk->synced();
   return SQLITE_OK;
 }
@@ -151,9 +147,15 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
-/// What became of changes that were not synced: each is there, or not, or of a write some sectors are; in any order.
-void settle(std::string& bytes, std::vector<std::variant<SimulatedDisk::Write, SimulatedDisk::Truncation>> changes,
-            std::minstd_rand& chance) {
+}  // namespace
+
+void sync_plate(Plate& plate) {
+  plate.exists = true;
+  for (const auto& change : plate.unsynced) make_change(plate.bytes, change);
+  plate.unsynced.clear();
+}
+
+void settle(std::string& bytes, std::vector<SimulatedDisk::Change> changes, std::minstd_rand& chance) {
   const auto one_in = [&](unsigned n) { return chance() % n == 0; };
   if (one_in(4)) return;                                 // nothing had left the cache
   if (one_in(3)) std::ranges::shuffle(changes, chance);  // else mostly in their order
@@ -171,8 +173,6 @@ void settle(std::string& bytes, std::vector<std::variant<SimulatedDisk::Write, S
         put(bytes, written->at + static_cast<std::int64_t>(at), std::string_view(written->bytes).substr(at, sector));
   }
 }
-
-}  // namespace
 
 SimulatedDisk::SimulatedDisk() {
   if (disk != nullptr) throw std::logic_error("found a second simulated disk, expected one at a time");
@@ -252,7 +252,8 @@ void SimulatedDisk::removed(const std::string& path, bool synced) {
 void SimulatedDisk::after_power_failure(const std::string& folder, const std::string& into, std::minstd_rand& chance) {
   namespace files = std::filesystem;
   const auto in_folder = [&](const std::string& path) { return into + "/" + files::path(path).filename().string(); };
-  for (const auto& file : files::directory_iterator(folder)) plate_of(file.path().string());  // also what nobody opened
+  for (const auto& file : files::directory_iterator(folder))
+    if (file.is_regular_file()) plate_of(file.path().string());  // also what nobody opened
   for (const auto& [path, plate] : removed_unsynced_)
     if (chance() % 2 == 0 && !plates_.contains(path)) write_file(in_folder(path), plate->bytes);
   for (const auto& [path, plate] : plates_) {

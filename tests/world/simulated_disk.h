@@ -51,10 +51,11 @@ class SimulatedDisk {
   struct Truncation {
     std::int64_t size = 0;
   };
+  using Change = std::variant<Write, Truncation>;
   struct Plate {
     bool exists = false;  ///< since a sync
-    std::string bytes;    ///< as of the last sync
-    std::vector<std::variant<Write, Truncation>> unsynced;
+    std::string bytes{};  ///< as of the last sync
+    std::vector<Change> unsynced{};
   };
   int before_change();  ///< an error of SQLite, or SQLITE_OK
   int before_read();
@@ -71,5 +72,11 @@ class SimulatedDisk {
   std::size_t changes_until_trouble_ = 0;
   std::size_t full_for_ = 0;  // changes
 };
+
+/// All changes of a file reach the plate.
+void sync_plate(SimulatedDisk::Plate& plate);
+/// The bytes of a file as they are when the power comes back: of changes that were not synced each is there, or not, or
+/// of a write some sectors are; in any order.
+void settle(std::string& bytes, std::vector<SimulatedDisk::Change> changes, std::minstd_rand& chance);
 
 }  // namespace axiometry::world

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// axiometry_world FIRST_SEED [COUNT]: the archive and the API of the workbench in a world that a seed makes: a client
-// whose requests and answers get lost, a disk that is full, refuses, or loses its power and with it what was not
-// synced, and a clock that somebody sets back. Whatever happens, of every archive it must be true that what was
-// acknowledged is there as it was acknowledged, that what failed has left no trace, that the chain is sound, and that
-// an evaluation made again is the one that was kept. A failure names its seed, which alone repeats it.
+// axiometry_world FIRST_SEED [COUNT]: the archive, the API of the workbench and captures in a world that a seed makes:
+// a client whose requests and answers get lost, an instrument that falls silent, breaks off and comes back, a program
+// that is killed, a disk that is full, refuses, or loses its power and with it what was not synced, and a clock that
+// somebody sets back. Whatever happens, of every archive it must be true that what was acknowledged is there as it was
+// acknowledged, that what failed has left no trace, that the chain is sound, that an evaluation made again is the one
+// that was kept, that a recording played again gives the readings that people saw, and that each capture becomes one
+// test. A failure names its seed, which alone repeats it.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -18,25 +20,18 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/app/workbench.h"
-#include "axiometry/store/store.h"
-#include "server/routes.h"
+#include "captures.h"
+#include "expect.h"
+#include "life.h"
 #include "simulated_clock.h"
 #include "simulated_disk.h"
+#include "simulated_files.h"
 
 using namespace axiometry;
 using namespace axiometry::world;
 namespace files = std::filesystem;
 
 namespace {
-
-using Chance = std::minstd_rand;
-
-[[noreturn]] void broken(const std::string& what) { throw std::runtime_error(what); }
-
-void expect(bool holds, std::string_view what) {
-  if (!holds) broken(std::string(what));
-}
 
 /// A folder in memory, where there is one: a disk that is simulated needs none.
 class Folder {
@@ -80,59 +75,6 @@ struct Promised {
   std::size_t doubtful_tests = 0;  ///< uploads whose answer did not come
 };
 
-/// A program that runs on an archive, between its start and its end.
-class Life {
- public:
-  explicit Life(const std::string& file) {
-    auto opened = store::Store::open(file);
-    if (!opened) {
-      refused_ = opened.error().to_string();
-      return;
-    }
-    store_ = *std::move(opened);
-    workbench_.emplace(*store_);
-    // Nothing here asks about captures: they listen to what is outside.
-    auto& captures = *reinterpret_cast<app::CaptureService*>(&*workbench_);
-    const server::Context context{*store_, *workbench_, captures};
-    add_test_routes(router_, context);
-    add_equipment_routes(router_, context);
-    add_plan_routes(router_, context);
-  }
-
-  bool began() const { return store_ != nullptr; }
-  const std::string& refused() const { return refused_; }
-  store::Store& store() { return *store_; }
-
-  server::Response ask(std::string method, std::string path, std::string body = {}, server::Pairs query = {}) {
-    server::Request request;
-    request.method = std::move(method);
-    request.path = std::move(path);
-    request.query = std::move(query);
-    request.body = std::move(body);
-    request.actor = "A. Tester";
-    request.headers = {{"x-file-name", "run.csv"}};
-    return router_.answer(std::move(request));
-  }
-
- private:
-  std::unique_ptr<store::Store> store_;
-  std::optional<app::Workbench> workbench_;
-  server::Router router_;
-  std::string refused_;
-};
-
-json::Value parsed(const server::Response& response) {
-  auto value = json::parse(response.body);
-  if (!value) broken(fmt::format("answer {} is no JSON: {}", response.status, response.body.substr(0, 200)));
-  return *std::move(value);
-}
-
-int number_of(const json::Value& object, std::string_view name) {
-  const json::Value* const member = object.find(name);
-  if (member == nullptr || !member->is(json::Kind::number)) broken(fmt::format("the answer has no {}", name));
-  return static_cast<int>(member->number());
-}
-
 Promised::Version version_of(const json::Value& test) {
   const json::Value* const tests = test.find("tests");  // of an upload, which may be several
   const json::Value* const title = (tests == nullptr ? test : tests->items().front()).find("title");
@@ -155,6 +97,8 @@ class World {
  public:
   explicit World(std::uint32_t seed) : chance_(seed * 2'654'435'761u + 1) {}
 
+  const Captures& captures() const { return captures_; }
+
   void run(const std::string& template_file) {
     std::string file = folder_.life(0) + "/archive.db";
     if (chance_() % 8 != 0) files::copy_file(template_file, file);
@@ -170,23 +114,41 @@ class World {
  private:
   /// The program works until it is ended or the power fails; in `next` lies what is there afterwards.
   void live(const std::string& file, const std::string& next) {
+    const auto captures_of = [](const std::string& archive) { return archive + ".captures"; };
+    const std::string folder = files::path(file).parent_path().string();
     SimulatedDisk disk;
+    SimulatedFiles written(disk, captures_of(file), chance_);
+    const auto power_fails = [&] {
+      disk.after_power_failure(folder, next, chance_);
+      written.after_power_failure(captures_of(next + "/archive.db"));
+    };
+    const bool is_killed = chance_() % 4 == 0;
     plan_trouble(disk);
     {
       Life life(file);
       if (!life.began()) expect(disk.was_troubled(), "an archive cannot be opened: " + life.refused());
+      if (life.began()) captures_.check(life, captures_of(file), &disk);
       const std::size_t wishes = 2 + chance_() % 10;
       for (std::size_t k = 0; k < wishes && life.began() && disk.has_power(); ++k) {
         move_clock_ms(chance_() % 20 == 0 ? -static_cast<int>(chance_() % 10'000'000)
                                           : static_cast<int>(chance_() % 100'000));
         if (chance_() % 6 == 0) plan_trouble(disk);
         disk.calm();
-        wish(life, disk);
+        if (chance_() % 4 == 0)
+          captures_.wish(life, captures_of(file), disk);
+        else
+          wish(life, disk);
       }
-      if (disk.has_power() && chance_() % 2 == 0)
-        return disk.after_power_failure(files::path(file).parent_path().string(), next, chance_);
+      if (disk.has_power() && is_killed) return copy(folder, next);
+      if (disk.has_power() && chance_() % 2 == 0) return power_fails();
     }
-    disk.after_power_failure(files::path(file).parent_path().string(), next, chance_);
+    power_fails();
+  }
+
+  /// Of a program that was killed all files are there; what it shared in its memory is not.
+  static void copy(const std::string& folder, const std::string& next) {
+    files::copy(folder, next, files::copy_options::recursive);
+    files::remove(next + "/archive.db-shm");
   }
 
   void plan_trouble(SimulatedDisk& disk) {
@@ -238,6 +200,10 @@ class World {
         fmt::format(R"({{"base_version": {}, "title": "T {}", "reason": "r", "changes": {{"tolerance.A": "{}"}}}})",
                     kept.latest, chance_(), 1 + chance_() % 20));
     if (response.status == 409) return expect(kept.in_doubt, "a conflict with nobody: " + response.body);
+    if (answered && response.status >= 500 && response.body.contains("the change was kept")) {
+      ++kept.latest;
+      return;
+    }
     if (!answered || !done(response, disk)) {
       kept.in_doubt = true;
       return;
@@ -266,6 +232,7 @@ class World {
   void check(const std::string& file) {
     Life life(file);
     expect(life.began(), "an archive cannot be opened: " + life.refused());
+    captures_.conclude_all(life, file + ".captures");
     const auto verified = life.store().verify();
     expect(verified.has_value(), "an archive cannot be verified");
     if (!verified->problems.empty()) broken("verify: " + verified->problems.front());
@@ -276,7 +243,8 @@ class World {
     for (const std::string& name : promised_.machines)
       expect(machines.find(name) != std::string::npos, "an acknowledged machine is not there");
     const auto total = static_cast<std::size_t>(number_of(parsed(life.ask("GET", "/api/tests")), "total"));
-    expect(total >= promised_.tests.size() && total <= promised_.tests.size() + promised_.doubtful_tests,
+    expect(total >= promised_.tests.size() &&
+               total <= promised_.tests.size() + promised_.doubtful_tests + captures_.count(),
            "there are tests that nobody sent");
   }
 
@@ -303,6 +271,7 @@ class World {
   Chance chance_;
   Folder folder_;
   Promised promised_;
+  Captures captures_{chance_};
 };
 
 std::uint32_t seed_of(const char* text) {
@@ -322,15 +291,20 @@ int main(int count, char** words) try {
   const std::string made = folder.path() + "/made.db";
   expect(Life(made).began(), "no archive can be made");
   std::uint32_t failed = 0;
+  std::size_t captures = 0, readings = 0;
   for (std::uint32_t k = 0; k < seeds; ++k) {
+    World one(first + k);
     try {
-      World(first + k).run(made);
+      one.run(made);
     } catch (const std::exception& error) {
       ++failed;
       fmt::print("seed {}: {}\n", first + k, error.what());
     }
+    captures += one.captures().count();
+    readings += one.captures().readings();
   }
-  fmt::print("{} worlds, {} of them broken\n", seeds, failed);
+  fmt::print("{} worlds with {} captures and {} readings that people saw, {} of them broken\n", seeds, captures,
+             readings, failed);
   return failed == 0 ? 0 : 1;
 } catch (const std::exception& error) {
   fmt::print(stderr, "axiometry_world: {}\n", error.what());

@@ -23,7 +23,8 @@ function read(key: string): string | null {
 }
 function write(key: string, value: string): void {
   try {
-    localStorage.setItem(`axiometry.${key}`, value);
+    if (value === '') localStorage.removeItem(`axiometry.${key}`);
+    else localStorage.setItem(`axiometry.${key}`, value);
   } catch {
     // see read()
   }

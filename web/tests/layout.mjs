@@ -150,8 +150,7 @@ export const layout = {
     const page = await world.page({ width: 390, height: 844 });
     await page.goto(`/compare?tests=${ids.join(',')}`);
     const table = page.locator('.side-by-side');
-    await table.waitFor();
-    assert.equal(await table.locator('tbody tr').first().locator('td').count(), 3);
+    await page.waitForFunction(() => document.querySelectorAll('.side-by-side tbody tr:first-child td').length === 3);
     const frame = page.locator('.table-frame', { has: table });
     assert.equal(await frame.evaluate((box) => box.scrollWidth - box.clientWidth), 0);
     await page.setViewportSize({ width: 900, height: 844 });

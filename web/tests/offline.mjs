@@ -16,6 +16,7 @@ export const offline = {
     assert.equal(await page.locator('.notice').locator('visible=true').count(), 1, 'that the program is gone is said once');
     await page.getByRole('button', { name: 'Save version 2' }).click();
     await shows(page.getByRole('alert').first(), 'does not answer');
+    await settle(page);  // what is asked for until then must not reach the program that is back
     await world.back();
     await page.getByRole('button', { name: 'Try again' }).first().click();
     assert.equal(await page.getByLabel('Dwell (s)').inputValue(), '8');

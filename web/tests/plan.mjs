@@ -29,7 +29,7 @@ export const plan = {
     await shows(page.locator('main'), /Version 2/);
 
     await page.getByLabel('Control', { exact: true }).selectOption('linuxcnc');
-    await shows(page.locator('.listing'), /G1 X/);
+    await shows(page.locator('.listing'), /G1 X/);  // of whichever control: no other's program has this one's name
     const program = await downloaded(page, () => page.getByRole('button', { name: /Download/ }).click());
     assert.match(program.name, /\.ngc$/);
     assert.match(program.bytes.toString(), /G4 P4(\.0)?\b/);

@@ -15,7 +15,9 @@ import { keyboard } from './keyboard.mjs';
 import { layout } from './layout.mjs';
 import { offline } from './offline.mjs';
 import { plan } from './plan.mjs';
+import { receipts } from './receipts.mjs';
 import { record } from './record.mjs';
+import { sign_out } from './sign_out.mjs';
 import { story } from './story.mjs';
 import { timing } from './timing.mjs';
 import { trend } from './trend.mjs';
@@ -27,7 +29,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...record, ...trend, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...offline, ...timing };
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));

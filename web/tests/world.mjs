@@ -10,6 +10,10 @@ import { start_server } from './server.mjs';
 export const example = fileURLToPath(new URL('../../examples/iso230-2-table2.json', import.meta.url));
 const axe_source = await readFile(fileURLToPath(new URL('../node_modules/axe-core/axe.min.js', import.meta.url)), 'utf8');
 
+// With AXIOMETRY_LATE=200 every request waits up to so many milliseconds, so that answers come in any order: a test that
+// looks before the page has what it asks for fails then, and not only on a busy machine.
+const latest_ms = Number(process.env['AXIOMETRY_LATE'] ?? 0);
+
 /** Of all tests together: requests to anywhere else than this machine's loopback. */
 export const strangers = [];
 
@@ -61,6 +65,10 @@ export class World {
     context.on('request', (request) => {
       const url = new URL(request.url());
       if (!['data:', 'blob:', 'about:'].includes(url.protocol) && url.hostname !== '127.0.0.1') strangers.push(request.url());
+    });
+    if (latest_ms > 0) await context.route('**/api/**', async (route) => {
+      await new Promise((later) => setTimeout(later, Math.random() * latest_ms));
+      await route.continue().catch(() => undefined);
     });
     const page = await context.newPage();
     page.on('pageerror', (error) => this.faults.push(`error: ${error.message}`));

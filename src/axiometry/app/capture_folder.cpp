@@ -18,6 +18,7 @@
 #include "axiometry/app/whole_file.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "axiometry/formats/plan_json.h"
 
 namespace axiometry::app {
@@ -27,6 +28,9 @@ using json::Kind;
 using json::Value;
 
 constexpr std::string_view order_prefix = "capture-", order_suffix = ".json";
+constexpr std::string_view order_end = "\n}\n";  // what is within the outermost braces stands farther right
+constexpr std::string_view test_note = "becomes test ", kept_note = "kept";
+constexpr std::size_t sha256_digits = 64;
 constexpr const char* counter_name = "/last-number";
 
 ErrorKind error_kind_of(int error) {
@@ -93,22 +97,82 @@ std::optional<CaptureOrder> order_from(std::string_view bytes) {
   return order;
 }
 
-std::string kept_name(const std::string& base) { return base + ".kept"; }
+/// Lines behind the order in its file, so that all of it goes together.
+struct Notes {
+  std::vector<std::string> tests;
+  bool kept = false;
+};
 
-/// The order last, so that what is left of a removal that was cut short is found again.
+/// A line that a power failure cut off is none.
+Notes notes_in(std::string_view bytes) {
+  Notes notes;
+  for (const std::string_view line : text::split(bytes, '\n')) {
+    if (line == kept_note) notes.kept = true;
+    if (line.starts_with(test_note) && line.size() == test_note.size() + sha256_digits)
+      notes.tests.emplace_back(line.substr(test_note.size()));
+  }
+  return notes;
+}
+
+/// On a line of its own, whatever became of one before.
+Result<void> put_note(int descriptor, std::string_view note, std::string_view of = {}) {
+  if ((::fcntl(descriptor, F_GETFL) & O_ACCMODE) == O_RDONLY) {
+    errno = EROFS;
+    return fail_of_folder("keep the order of the capture");
+  }
+  return put(descriptor, fmt::format("\n{}{}\n", note, of));
+}
+
+/// The order last, with what is noted in it, so that what is left of a removal that was cut short is found again.
 void remove_files(const std::string& base) {
-  for (const std::string& name : {base + ".raw", times_name(base + ".raw"), times_name(base + ".raw") + ".old",
-                                  kept_name(base), base + std::string(order_suffix)})
-    ::unlink(name.c_str());
+  const std::string order = base + std::string(order_suffix);
+  remove_raw(base + ".raw");
+  static_cast<void>(folder_synced(order));
+  ::unlink(order.c_str());
 }
 
-/// The descriptor of an order that nobody else holds, or -1.
-int lock(const std::string& base) {
-  const int descriptor = ::open((base + std::string(order_suffix)).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
-  if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
-  if (descriptor >= 0) ::close(descriptor);
-  return -1;
+/// The descriptor of an order that nobody else holds. On a disk that has become read-only it can be read, no more.
+Result<int> lock(const std::string& order, store::Id id) {
+  constexpr int flags = O_CLOEXEC | O_NOFOLLOW;
+  int descriptor = ::open(order.c_str(), flags | O_RDWR | O_APPEND);
+  if (descriptor < 0 && (errno == EROFS || errno == EACCES)) descriptor = ::open(order.c_str(), flags | O_RDONLY);
+  if (descriptor < 0 && errno == ENOENT)
+    return fail(ErrorKind::not_found, fmt::format("found no interrupted capture {}", id));
+  if (descriptor < 0) return fail_of_folder("open the order of the capture");
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  const bool held_elsewhere = errno == EWOULDBLOCK;
+  const auto failed = fail_of_folder("lock the order of the capture");
+  ::close(descriptor);
+  if (!held_elsewhere) return failed;
+  return fail(ErrorKind::conflict,
+              fmt::format("found capture {} running elsewhere, expected one that was interrupted", id));
 }
+
+/// Waits for whoever holds it.
+bool locked(int descriptor) {
+  while (::flock(descriptor, LOCK_EX) != 0)
+    if (errno != EINTR) return false;
+  return true;
+}
+
+/// Held while captures are counted: two programs must not take the same number.
+class CountLock {
+ public:
+  static Result<CountLock> take(const std::string& folder) {
+    CountLock lock(::open(folder.c_str(), O_RDONLY | O_CLOEXEC));
+    if (lock.descriptor_ < 0 || !locked(lock.descriptor_)) return fail_of_folder("count the captures");
+    return lock;
+  }
+  ~CountLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  CountLock(CountLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  CountLock& operator=(CountLock&&) = delete;
+
+ private:
+  explicit CountLock(int descriptor) : descriptor_(descriptor) {}
+  int descriptor_;
+};
 
 }  // namespace
 
@@ -116,7 +180,9 @@ HeldCapture::HeldCapture(HeldCapture&& other) noexcept
     : base_(std::move(other.base_)),
       id_(other.id_),
       order_(std::move(other.order_)),
-      descriptor_(std::exchange(other.descriptor_, -1)) {}
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      noted_tests_(std::move(other.noted_tests_)),
+      kept_(other.kept_) {}
 
 HeldCapture::~HeldCapture() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -124,16 +190,16 @@ HeldCapture::~HeldCapture() {
 
 std::string HeldCapture::raw() const { return base_ + ".raw"; }
 
-Result<void> HeldCapture::note_kept(store::Id test) {
-  const int descriptor = ::open(kept_name(base_).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (descriptor < 0) return fail_of_folder("note the test of the capture");
-  auto noted = put(descriptor, fmt::format("{}\n", test));
-  ::close(descriptor);
-  if (noted && !folder_synced(kept_name(base_))) return fail_of_folder("note the test of the capture");
-  return noted;
+Result<void> HeldCapture::note_test(const std::string& sha256) {
+  AXIOMETRY_TRY_VOID(put_note(descriptor_, test_note, sha256));
+  noted_tests_.push_back(sha256);
+  return {};
 }
 
-void HeldCapture::remove() { remove_files(base_); }
+void HeldCapture::remove() {
+  static_cast<void>(put_note(descriptor_, kept_note));
+  remove_files(base_);
+}
 
 Result<void> CaptureFolder::make() const {
   std::error_code error;
@@ -160,8 +226,21 @@ std::vector<store::Id> CaptureFolder::ids() const {
   return ids;
 }
 
+/// In place of the number before, which stands until this one is on the disk.
+Result<void> CaptureFolder::count(store::Id id) const {
+  const std::string name = path_ + counter_name, beside = name + ".new";
+  const int counter = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  if (counter < 0) return fail_of_folder("count the captures");
+  auto counted = put(counter, fmt::format("{}", id));
+  ::close(counter);
+  if (counted && ::rename(beside.c_str(), name.c_str()) != 0) counted = fail_of_folder("count the captures");
+  if (!counted) ::unlink(beside.c_str());
+  return counted;
+}
+
 Result<HeldCapture> CaptureFolder::add(CaptureOrder order) {
   AXIOMETRY_TRY_VOID(make());
+  AXIOMETRY_TRY(const CountLock counting, CountLock::take(path_));
   const auto last = whole_file(path_ + counter_name);
   const auto all = ids();
   store::Id id = all.empty() ? 0 : all.back();
@@ -170,44 +249,67 @@ Result<HeldCapture> CaptureFolder::add(CaptureOrder order) {
   int descriptor = -1;
   do {
     ++id;
-    descriptor = ::open((base(id) + std::string(order_suffix)).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    constexpr int flags = O_RDWR | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC;
+    descriptor = ::open((base(id) + std::string(order_suffix)).c_str(), flags, 0600);
   } while (descriptor < 0 && errno == EEXIST);
   if (descriptor < 0) return fail_of_folder("keep the order of the capture");
   HeldCapture held(base(id), id, std::move(order), descriptor);
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return fail_of_folder("hold the capture");
-  const int counter = ::open((path_ + counter_name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  auto kept = counter < 0 ? fail_of_folder("count the captures") : put(counter, fmt::format("{}", id));
-  if (counter >= 0) ::close(counter);
+  // Another program that looks for captures that were left behind holds it for a moment, and finds no order in it yet.
+  auto kept = locked(descriptor) ? count(id) : fail_of_folder("hold the capture");
   if (kept) kept = put(descriptor, text_of(held.order()));
   if (kept && !folder_synced(path_ + counter_name)) kept = fail_of_folder("keep the order of the capture");
   if (!kept) {
-    held.remove();
+    ::unlink((held.base_ + std::string(order_suffix)).c_str());
     return std::unexpected(std::move(kept).error());
   }
   return held;
 }
 
+Result<HeldCapture> CaptureFolder::hold(store::Id id) const {
+  const std::string name = base(id) + std::string(order_suffix);
+  const auto none = [&] { return fail(ErrorKind::not_found, fmt::format("found no interrupted capture {}", id)); };
+  AXIOMETRY_TRY(const int descriptor, lock(name, id));
+  HeldCapture held(base(id), id, {}, descriptor);
+  const std::string bytes = whole_file(name).value_or("");
+  if (bytes.size() < order_end.size()) return none();
+  const std::size_t notes_at = std::min(bytes.find(order_end), bytes.size() - order_end.size()) + order_end.size();
+  auto order = order_from(std::string_view(bytes).substr(0, notes_at));
+  if (!order) return none();
+  held.order_ = *std::move(order);
+  Notes notes = notes_in(std::string_view(bytes).substr(notes_at));
+  held.noted_tests_ = std::move(notes.tests);
+  held.kept_ = notes.kept;
+  return held;
+}
+
 Result<HeldCapture> CaptureFolder::take(store::Id id) {
-  const auto bytes = whole_file(base(id) + std::string(order_suffix));
-  auto read = bytes ? order_from(*bytes) : std::nullopt;
-  if (!read) return fail(ErrorKind::not_found, fmt::format("found no interrupted capture {}", id));
-  const int descriptor = lock(base(id));
-  if (descriptor < 0)
-    return fail(ErrorKind::conflict,
-                fmt::format("found capture {} running elsewhere, expected one that was interrupted", id));
-  return HeldCapture(base(id), id, *std::move(read), descriptor);
+  auto held = hold(id);
+  if (held && held->kept_) return fail(ErrorKind::not_found, fmt::format("found no interrupted capture {}", id));
+  return held;
+}
+
+std::vector<std::string> CaptureFolder::without_order() const {
+  std::vector<std::string> recordings;
+  for (const store::Id id : ids()) {
+    const auto held = hold(id);
+    const std::string raw = base(id) + ".raw";
+    std::error_code none;
+    if (!held && held.error().kind == ErrorKind::not_found && std::filesystem::file_size(raw, none) > 0 && !none)
+      recordings.push_back(raw);
+  }
+  return recordings;
 }
 
 std::vector<CaptureFolder::Left> CaptureFolder::left_behind() {
   std::vector<Left> left;
   for (const store::Id id : ids()) {
-    auto held = take(id);
+    auto held = hold(id);
     if (!held) continue;
     std::error_code error;
     const auto size = std::filesystem::file_size(held->raw(), error);
     if (error && error != std::errc::no_such_file_or_directory) continue;  // bytes may be there
-    if (error || size == 0 || ::access(kept_name(base(id)).c_str(), F_OK) == 0)
-      held->remove();
+    if (error || size == 0 || held->kept_)
+      remove_files(held->base_);
     else
       left.push_back({id, held->order()});
   }

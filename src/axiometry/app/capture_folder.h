@@ -38,9 +38,11 @@ class HeldCapture {
   const CaptureOrder& order() const { return order_; }
   std::string raw() const;  ///< name of the raw recording; its times: times_name()
 
-  /// The test that it has become, so that it is not kept twice if this program is killed before remove().
-  Result<void> note_kept(store::Id test);
-  /// The store has all of it: its files go.
+  /// SHA-256 of each test that it was about to become: any of them may be in the store, or still come there.
+  const std::vector<std::string>& noted_tests() const { return noted_tests_; }
+  /// On the disk before the store gets the test, so that one capture never becomes two.
+  Result<void> note_test(const std::string& sha256);
+  /// The store has all of it: that is noted, and its files go.
   void remove();
 
  private:
@@ -52,6 +54,8 @@ class HeldCapture {
   store::Id id_;
   CaptureOrder order_;
   int descriptor_;  ///< of the order, locked
+  std::vector<std::string> noted_tests_{};
+  bool kept_ = false;  ///< the store has all of it
 };
 
 class CaptureFolder {
@@ -69,12 +73,16 @@ class CaptureFolder {
     store::Id id = 0;
     CaptureOrder order;
   };
-  /// Whom nobody holds, the oldest first. Those that are in the store already,
-  /// and those of which nothing came, are cleared away.
+  /// Whom nobody holds, the oldest first. Those that are in the store already, and those of which nothing came, are
+  /// cleared away.
   std::vector<Left> left_behind();
+  /// Recordings whose orders cannot be read: nobody can go on with them or keep them here, but a plan can play them.
+  std::vector<std::string> without_order() const;
 
  private:
   Result<void> make() const;
+  Result<void> count(store::Id id) const;
+  Result<HeldCapture> hold(store::Id id) const;
   std::vector<store::Id> ids() const;
   std::string base(store::Id id) const;
 

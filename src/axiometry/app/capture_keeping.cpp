@@ -10,6 +10,7 @@
 #include "axiometry/app/file_name_part.h"
 #include "axiometry/app/raw_log.h"
 #include "axiometry/app/source.h"
+#include "axiometry/app/test_of_file.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/format.h"
 
@@ -32,15 +33,16 @@ std::string name_of(const CaptureOrder& order) {
   return file_name_part(fmt::format("{}{}", order.walked.axis.name.empty() ? "" : order.walked.axis.name + " ", when));
 }
 
-Result<std::vector<Part>> recording_of(const CapturedEnd& end) {
+Result<std::vector<Part>> recording_of(const HeldCapture& held) {
+  const std::string raw = held.raw();
   std::error_code none;
   std::vector<Part> parts;
-  if (!std::filesystem::exists(end.raw, none) || std::filesystem::file_size(end.raw, none) == 0) return parts;
-  const std::string name = name_of(end.order) + ".raw";
-  AXIOMETRY_TRY(std::string bytes, file_bytes(end.raw, largest_recording));
+  if (!std::filesystem::exists(raw, none) || std::filesystem::file_size(raw, none) == 0) return parts;
+  const std::string name = name_of(held.order()) + ".raw";
+  AXIOMETRY_TRY(std::string bytes, file_bytes(raw, largest_recording));
   parts.push_back({name, std::move(bytes)});
-  if (!has_times(end.raw)) return parts;  // lost, which the test tells
-  AXIOMETRY_TRY(std::string times, file_bytes(times_name(end.raw), largest_recording));
+  if (!has_times(raw)) return parts;  // lost, which the test tells
+  AXIOMETRY_TRY(std::string times, file_bytes(times_name(raw), largest_recording));
   parts.push_back({times_name(name), std::move(times)});
   return parts;
 }
@@ -56,24 +58,25 @@ Test to_be_kept(const CaptureOrder& order, Test test) {
   return test;
 }
 
-/// A test that was kept before this program could note it: with the same bytes under the same name.
-Result<std::optional<store::Id>> kept_before(const store::Store& store, const Upload& upload) {
-  store::TestFilter filter;
-  filter.sha256 = sha256(upload.bytes);
-  filter.withdrawn = true;
-  filter.limit = 1000;
-  AXIOMETRY_TRY(const store::TestPage page, store.tests(filter));
-  const auto row = std::ranges::find(page.rows, upload.name, &store::TestRow::file_name);
-  return row == page.rows.end() ? std::optional<store::Id>() : row->id;
+std::string test_name(const CaptureOrder& order) { return name_of(order) + ".json"; }
+
+/// A test that was noted, where the store has it.
+Result<std::optional<store::Id>> noted_test(const store::Store& store, const HeldCapture& held) {
+  return store.read([&](const store::Transaction& archive) {
+    return test_of_file(archive, {test_name(held.order()), held.noted_tests()});
+  });
 }
 
-Result<store::Id> keep_test(Workbench& workbench, const CaptureOrder& order, const Test& test, const store::By& by) {
+/// One that was noted may come to the store only now, though the program that sent it was killed: so receive() looks
+/// again while nobody else writes.
+Result<store::Id> keep_test(Workbench& workbench, HeldCapture& held, const Test& test) {
   static const formats::Format* const json = formats::find_format("json");
+  const CaptureOrder& order = held.order();
   const std::string bytes = json->write(to_be_kept(order, test));
-  const Upload upload{.name = name_of(order) + ".json", .bytes = bytes, .plan = order.plan};
-  AXIOMETRY_TRY(const auto before, kept_before(workbench.archive(), upload));
-  if (before) return *before;
-  AXIOMETRY_TRY(const Received received, workbench.receive({&upload, 1}, by));
+  AXIOMETRY_TRY_VOID(held.note_test(sha256(bytes)));
+  const Upload upload{
+      .name = test_name(order), .bytes = bytes, .plan = order.plan, .perhaps_kept_as = held.noted_tests()};
+  AXIOMETRY_TRY(const Received received, workbench.receive({&upload, 1}, by_of(order)));
   return received.tests.front().id;
 }
 
@@ -86,11 +89,21 @@ Result<void> attach(Workbench& workbench, store::Id test, const std::vector<Part
   return {};
 }
 
+Result<std::optional<store::Id>> kept(Workbench& workbench, const HeldCapture& held) {
+  AXIOMETRY_TRY(const auto test, noted_test(workbench.archive(), held));
+  if (!test) return test;
+  AXIOMETRY_TRY(const auto parts, recording_of(held));
+  AXIOMETRY_TRY_VOID(attach(workbench, *test, parts, by_of(held.order())));
+  return test;
+}
+
 Result<std::optional<store::Id>> keep(Workbench& workbench, const CapturedEnd& end) {
-  const store::By by = by_of(end.order);
-  AXIOMETRY_TRY(const auto parts, recording_of(end));
+  AXIOMETRY_TRY(const auto before, kept(workbench, end.held));
+  if (before) return before;
+  const store::By by = by_of(end.held.order());
+  AXIOMETRY_TRY(const auto parts, recording_of(end.held));
   if (end.test) {
-    AXIOMETRY_TRY(const store::Id id, keep_test(workbench, end.order, *end.test, by));
+    AXIOMETRY_TRY(const store::Id id, keep_test(workbench, end.held, *end.test));
     AXIOMETRY_TRY_VOID(attach(workbench, id, parts, by));
     return std::optional(id);
   }
@@ -103,6 +116,7 @@ Result<std::optional<store::Id>> keep(Workbench& workbench, const CapturedEnd& e
 
 CaptureKeeping keeping_in(Workbench& workbench) {
   return {.keep = [&workbench](const CapturedEnd& end) { return keep(workbench, end); },
+          .kept = [&workbench](const HeldCapture& held) { return kept(workbench, held); },
           .evaluate = [&workbench](const CaptureOrder& order, const Test& test) -> Result<Outcome> {
             Draft draft;
             const Test whole = to_be_kept(order, test);

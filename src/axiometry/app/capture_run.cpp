@@ -5,15 +5,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <limits>
 #include <thread>
 #include <vector>
 
 #include "axiometry/app/output.h"
-#include "axiometry/app/outputs.h"
 #include "axiometry/app/raw_log.h"
 #include "axiometry/app/raw_playing.h"
+#include "axiometry/app/recording_spared.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/format.h"
 
@@ -54,8 +53,9 @@ class Run {
 
   Result<CaptureOutcome> operator()() {
     auto read = read_all();
+    if (abandoned_) return fail("the capture was left, to be gone on with later");
     if (!read) {
-      static_cast<void>(settle({}, true));  // what has come so far is kept
+      keep_what_came();
       return std::unexpected(std::move(read).error());
     }
     auto last = session_.finish(end_);
@@ -70,20 +70,44 @@ class Run {
  private:
   bool stop() {
     stopped_ = stopped_ || (observer_.stopped && observer_.stopped());
-    return stopped_ || session_.matcher().complete();
+    return stopped_ || over();
+  }
+
+  /// Nothing more is to be read, not even of a recording that is gone on with.
+  bool over() {
+    abandoned_ = abandoned_ || (observer_.abandoned && observer_.abandoned());
+    return abandoned_ || session_.matcher().complete();
   }
 
   void notice(const std::string& text) const {
     if (observer_.notice) observer_.notice(text);
   }
 
+  /// Before a failure. Of a live stream that is its end; but where its log fails, or was not opened, nobody knows how
+  /// much of the last bytes is there.
+  void keep_what_came() {
+    if (connect_ && !log_is_sound_) return;
+    const auto last =
+        connect_ ? session_.finish(end_) : Result<std::vector<capture::CapturedReading>>(session_.found_before());
+    static_cast<void>(settle(last ? *last : session_.found_before(), true));
+  }
+
   Result<void> read_all() {
     if (connect_) return read_live();
-    return run_.resume.empty() ? read_file() : play_raw(run_.resume);
+    if (run_.resume.empty()) return read_file();
+    AXIOMETRY_TRY_VOID(hold(run_.resume));
+    return play_samples(run_.resume);
+  }
+
+  /// What is played to be kept, or to go on with, is on the disk, and nobody else writes behind it.
+  Result<void> hold(const std::string& raw) {
+    AXIOMETRY_TRY(RawHold held, RawHold::take(raw));
+    hold_.emplace(std::move(held));
+    return sync_raw(raw);
   }
 
   Result<void> read_file() {
-    if (is_raw(run_.from)) return play_raw(run_.from);
+    if (is_raw(run_.from)) return play_samples(run_.from);
     AXIOMETRY_TRY(Source source, Source::open(run_.from));
     std::vector<char> block(file_block);
     while (!stop()) {
@@ -98,17 +122,30 @@ class Run {
     return {};
   }
 
-  Result<void> play_raw(const std::string& raw) {
+  /// Of a recording that is to hold some.
+  Result<void> play_samples(const std::string& raw) {
+    AXIOMETRY_TRY(auto none, play_raw(raw));
+    return none ? std::unexpected(*std::move(none)) : Result<void>{};
+  }
+
+  Result<std::optional<Error>> play_raw(const std::string& raw) {
     const PlayHooks hooks{.wants =
                               [this](const RawPiece& piece) {
-                                if (stop()) return false;
+                                if (run_.resume.empty() ? stop() : over()) return false;
                                 if (!first_arrival_) first_arrival_ = piece.arrival;
                                 room_ -= std::min<std::uint64_t>(room_, piece.bytes.size());
                                 show();
                                 return true;
                               },
-                          .readings = [this](const auto& readings) { return settle(readings, false); }};
+                          .readings = [this](const auto& readings) { return settle(readings, false); },
+                          .goes_on = connect_ != nullptr};
     return play_into(session_, raw, hooks);
+  }
+
+  /// A connection behind the one before: first in the log, then for the readings that the break cuts off.
+  Result<void> begin_another(RawLog& log) {
+    AXIOMETRY_TRY_VOID(sound(log.begin_connection()));
+    return interrupted();
   }
 
   Result<void> interrupted() {
@@ -125,20 +162,24 @@ class Run {
     AXIOMETRY_TRY(auto stream, connect_());
     connected_ = Clock::now();
     if (!run_.resume.empty()) {
-      AXIOMETRY_TRY_VOID(play_raw(run_.resume));
+      AXIOMETRY_TRY_VOID(hold(run_.resume));
+      AXIOMETRY_TRY(auto none, play_raw(run_.resume));
+      if (session_.samples() == 0 && !has_times(run_.resume))
+        return std::unexpected(
+            Error{"found no sample and no times beside it, expected a recording to go on with", run_.resume, {}});
+      if (none) notice(none->to_string());
       notice(fmt::format("{}: played again, {} of {} approaches are done", base_name(run_.resume),
                          session_.matcher().result().readings.size(), session_.matcher().result().approaches));
       if (stop()) return {};
     }
     AXIOMETRY_TRY(RawLog log, run_.resume.empty() ? RawLog::create(run_.raw) : RawLog::resume(run_.resume));
+    if (!hold_) AXIOMETRY_TRY_VOID(hold(run_.raw));
     log_ = &log;
-    if (!run_.resume.empty()) {
-      log.begin_connection();
-      AXIOMETRY_TRY_VOID(interrupted());
-    }
-    auto listened = listen_to(std::move(stream), log);
+    log_is_sound_ = true;
+    auto begun = run_.resume.empty() ? Result<void>{} : begin_another(log);
+    auto listened = begun ? listen_to(std::move(stream), log) : std::move(begun);
+    auto synced = sync_log();
     log_ = nullptr;
-    auto synced = log.sync();
     return listened ? synced : listened;
   }
 
@@ -154,10 +195,11 @@ class Run {
       } else if (got.state == LiveStream::State::closed) {
         AXIOMETRY_TRY(stream, reconnect(got.reason));
         if (!stream) break;
-        log.begin_connection();
-        AXIOMETRY_TRY_VOID(interrupted());
+        AXIOMETRY_TRY_VOID(begin_another(log));
       } else if (got.state == LiveStream::State::over) {
         break;
+      } else {
+        AXIOMETRY_TRY_VOID(sound(log.sync_when_due()));
       }
       show();
     }
@@ -187,7 +229,7 @@ class Run {
     room_ -= bytes.size();
     const ArrivalNs arrival = log.stamp();
     if (!first_arrival_) first_arrival_ = arrival;
-    if (auto kept = log.append(bytes, arrival); !kept) {
+    if (auto kept = sound(log.append(bytes, arrival)); !kept) {
       kept.error().message +=
           fmt::format("; {} bytes and {} readings are kept", log.size(), session_.matcher().result().readings.size());
       return kept;
@@ -248,9 +290,17 @@ class Run {
     return true;
   }
 
+  Result<void> sync_log() { return sound(log_->sync()); }
+
+  /// What was done to the log, which holds nothing for sure from its first failure on.
+  Result<void> sound(Result<void> done) {
+    log_is_sound_ = log_is_sound_ && done;
+    return done;
+  }
+
   /// First the disk, then the people.
   Result<void> settle(const std::vector<capture::CapturedReading>& readings, bool last) {
-    if (!readings.empty() && log_ != nullptr) AXIOMETRY_TRY_VOID(log_->sync());
+    if (!readings.empty() && log_ != nullptr) AXIOMETRY_TRY_VOID(sync_log());
     if (!readings.empty() || last) {
       AXIOMETRY_TRY_VOID(write_test(last));
     }
@@ -307,28 +357,15 @@ class Run {
   std::optional<Outage> outage_;
   std::uint64_t room_ = UINT64_MAX;  // for bytes that may still come
   RawLog* log_ = nullptr;
+  std::optional<RawHold> hold_;
   std::optional<ArrivalNs> first_arrival_;
   CaptureSession::End end_ = CaptureSession::End::of_reading;
   std::size_t events_told_ = 0;
   bool stopped_ = false;
+  bool abandoned_ = false;
+  bool log_is_sound_ = false;
   Clock::time_point shown_;
 };
-
-/// The test file is written over after every reading: it must take the place of nothing that was read or recorded.
-Result<void> check_recording_spared(const CaptureRun& run, const std::string& plan) {
-  if (run.out.empty() || run.out == "-") return {};
-  std::vector<InputFile> inputs{{plan}, {run.from}, {times_name(run.from)}};
-  if (!run.resume.empty()) inputs.insert(inputs.end(), {{run.resume}, {times_name(run.resume)}});
-  AXIOMETRY_TRY_VOID(InputFiles(inputs).check_spared(run.out));
-  const auto whole = [](const std::string& name) {
-    std::error_code unknown;
-    const auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, unknown), unknown);
-    return unknown ? std::filesystem::path(name) : path;
-  };
-  if (run.raw.empty() || (whole(run.out) != whole(run.raw) && whole(run.out) != whole(times_name(run.raw)))) return {};
-  return std::unexpected(
-      Error{"found one file for the test and for what arrives, expected two (--out, --raw)", run.out, {}});
-}
 
 }  // namespace
 
@@ -352,39 +389,6 @@ Result<CaptureOutcome> run_live_capture(CaptureSession session, const LiveCaptur
   Run reading(run, observer, std::move(session));
   reading.listen(capture.connect, capture.raw_limit, capture.free);
   return reading();
-}
-
-Result<Test> read_recording(Source& source, const CaptureOptions& options) {
-  AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
-  const bool live = source.name() != "-" && has_times(source.name());
-  CaptureOptions taken = options;
-  taken.recording.skip_damaged = taken.recording.skip_damaged || live;
-  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), taken));
-  auto end = CaptureSession::End::of_file;
-  Sha256 hash;
-  if (live) {
-    end = CaptureSession::End::of_reading;
-    const PlayHooks hooks{.wants =
-                              [&](const RawPiece& piece) {
-                                hash.update(piece.bytes);
-                                return true;
-                              },
-                          .readings = [](const auto&) { return Result<void>{}; }};
-    AXIOMETRY_TRY_VOID(play_into(session, source.name(), hooks));
-  } else {
-    std::vector<char> block(file_block);
-    while (true) {
-      AXIOMETRY_TRY(const std::size_t got, source.read(block));
-      if (got == 0) break;
-      hash.update({block.data(), got});
-      AXIOMETRY_TRY_VOID(session.feed({block.data(), got}));
-    }
-  }
-  AXIOMETRY_TRY_VOID(session.finish(end));
-  AXIOMETRY_TRY(Test test, session.test());
-  test.provenance.file = source.name();
-  test.provenance.sha256 = hash.finish();
-  return test;
 }
 
 }  // namespace axiometry::app

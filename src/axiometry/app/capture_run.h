@@ -28,7 +28,8 @@ struct CaptureObserver {
   std::function<void(const capture::CaptureEvent&)> event;
   std::function<void(const std::string&)> notice;  ///< "connection lost: …, trying again in 1 s"
   std::function<void(const CaptureSession&)> now;  ///< several times a second
-  std::function<bool()> stopped;                   ///< asked several times a second
+  std::function<bool()> stopped;                   ///< asked several times a second: ends it with all that was recorded
+  std::function<bool()> abandoned;                 ///< ends it as if the program were killed, to be gone on with later
 };
 
 struct CaptureOutcome {
@@ -62,8 +63,5 @@ struct LiveCapture {
 /// The same as run_capture(), without a file for the test.
 Result<CaptureOutcome> run_live_capture(CaptureSession session, const LiveCapture& capture,
                                         const CaptureObserver& observer);
-
-/// A recording in a file (or "-") as a test, for evaluation.
-Result<Test> read_recording(Source& source, const CaptureOptions& options);
 
 }  // namespace axiometry::app

@@ -91,7 +91,8 @@ CaptureObserver CaptureService::Running::observer() {
                 tell_notice(text);
               },
           .now = [this](const CaptureSession& session) { now(session); },
-          .stopped = [this] { return stop_ || interrupt_; }};
+          .stopped = [this] { return stop_.load(); },
+          .abandoned = [this] { return interrupt_.load(); }};
 }
 
 /// A source that comes and goes all night must not make the state grow: what is told of it is counted then.
@@ -177,14 +178,11 @@ CaptureService::Running::End CaptureService::Running::conclude(const Result<Capt
   const Stage stage = outcome ? (outcome->complete ? Stage::complete : Stage::stopped)
                               : (stop_ || concludes_ ? Stage::stopped : Stage::failed);
   std::string error = outcome ? "" : outcome.error().message;
-  const CapturedEnd captured{held_->order(), std::move(test_), held_->raw()};
-  const auto kept = keeping_.keep(captured);
+  const auto kept = keeping_.keep({*held_, std::move(test_)});
   if (!kept)
     return {.stage = Stage::interrupted,
             .test = {},
             .error = fmt::format("{}; what came stays on the disk and can be kept later", kept.error().message)};
-  // Without this note a crash in between would only ask keep() once more, which knows the test.
-  if (*kept) static_cast<void>(held_->note_kept(**kept));
   held_->remove();
   return {.stage = stage, .test = *kept, .error = std::move(error)};
 }

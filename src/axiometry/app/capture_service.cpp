@@ -162,16 +162,18 @@ Result<CaptureService::Begun> CaptureService::begin(const CaptureOrder& order, W
   return begun;
 }
 
+std::vector<std::string> CaptureService::without_order() const {
+  const std::scoped_lock lock(mutex_);
+  return folder_.without_order();
+}
+
 /// A place among those that run, and the source, which has one listener.
-Result<void> CaptureService::reserve(const CaptureSource& source, std::optional<store::Id> id) {
+Result<void> CaptureService::reserve(const CaptureSource& source) {
   const std::scoped_lock lock(mutex_);
   std::size_t running = beginning_.size();
   bool taken = std::ranges::find(beginning_, source.id) != beginning_.end();
-  for (const auto& [other, capture] : captures_) {
-    if (capture->ended()) continue;
-    if (id == other)
-      return fail(ErrorKind::conflict,
-                  fmt::format("found capture {} running, expected one that was interrupted", other));
+  for (const auto& [id, capture] : captures_) {
+    if (capture->ended() || capture->concluding()) continue;
     ++running;
     taken = taken || capture->source() == source.id;
   }
@@ -219,7 +221,7 @@ Result<CaptureState> CaptureService::start(const CaptureWish& wish) {
     std::erase_if(order.options, [](const auto& option) { return option.first == "seed"; });
     order.options.emplace_back("seed", fmt::format("{}", drawn_seed()));
   }
-  AXIOMETRY_TRY_VOID(reserve(*source, {}));
+  AXIOMETRY_TRY_VOID(reserve(*source));
   auto state = [&]() -> Result<CaptureState> {
     AXIOMETRY_TRY(Begun begun, begin(order, Way::listen, 0));
     auto held = [&] {
@@ -233,34 +235,60 @@ Result<CaptureState> CaptureService::start(const CaptureWish& wish) {
   return state;
 }
 
+/// Needs the lock. Each reads a whole recording in a thread of its own.
+bool CaptureService::may_conclude() const {
+  std::size_t concluding = about_to_conclude_.size();
+  for (const auto& [id, capture] : captures_)
+    if (capture->concluding() && !capture->ended() && !about_to_conclude_.contains(id)) ++concluding;
+  return concluding < settings_.most_concluding;
+}
+
 Result<CaptureState> CaptureService::restart(store::Id id, Way way) {
-  auto held = [&] {
+  auto held = [&]() -> Result<HeldCapture> {
     const std::scoped_lock lock(mutex_);
-    auto taken = folder_.take(id);
-    if (taken) restarting_[id] = state_of(taken->order(), id, Stage::waiting);
+    const auto running = captures_.find(id);
+    if (restarting_.contains(id) || (running != captures_.end() && !running->second->ended()))
+      return fail(ErrorKind::conflict, fmt::format("found capture {} running, expected one that was interrupted", id));
+    AXIOMETRY_TRY(HeldCapture taken, folder_.take(id));
+    if (way == Way::conclude && !may_conclude())
+      return fail(ErrorKind::unavailable,
+                  fmt::format("found {} interrupted captures being ended, expected fewer than {}: try again when one "
+                              "of them is kept",
+                              settings_.most_concluding, settings_.most_concluding));
+    restarting_[id] = state_of(taken.order(), id, Stage::waiting);
+    if (way == Way::conclude) about_to_conclude_.insert(id);
     return taken;
   }();
   if (!held) return std::unexpected(std::move(held).error());
-  auto state = go_on(*std::move(held), way);
+  auto state = way == Way::go_on ? go_on(*std::move(held)) : play(*std::move(held), way);
   const std::scoped_lock lock(mutex_);
   restarting_.erase(id);
+  about_to_conclude_.erase(id);
   return state;
 }
 
 /// Lets go of it before it comes back with a failure.
-Result<CaptureState> CaptureService::go_on(HeldCapture held, Way way) {
-  const auto known = source_named(held.order().source);
-  const CaptureSource source = known ? **known : without_address(held.order().source);
-  if (way == Way::go_on && !known) return std::unexpected(known.error());
-  AXIOMETRY_TRY_VOID(reserve(source, held.id()));
-  auto state = [&]() -> Result<CaptureState> {
-    std::error_code none;  // then it is empty
-    const auto size = std::filesystem::file_size(held.raw(), none);
-    AXIOMETRY_TRY(Begun begun, begin(held.order(), way, none ? 0 : size));
-    return launch(std::move(held), std::move(begun), way);
-  }();
-  release(source.id);
+Result<CaptureState> CaptureService::go_on(HeldCapture held) {
+  AXIOMETRY_TRY(const auto test, keeping_.kept(held));
+  if (test) {
+    held.remove();
+    return fail(ErrorKind::conflict, fmt::format("found capture {} in the archive already, as test {}, expected one "
+                                                 "that is to be gone on with",
+                                                 held.id(), *test));
+  }
+  AXIOMETRY_TRY(const CaptureSource* const source, source_named(held.order().source));
+  AXIOMETRY_TRY_VOID(reserve(*source));
+  auto state = play(std::move(held), Way::go_on);
+  release(source->id);
   return state;
+}
+
+/// Where it is concluded it needs no place among those that listen.
+Result<CaptureState> CaptureService::play(HeldCapture held, Way way) {
+  std::error_code none;  // then it is empty
+  const auto size = std::filesystem::file_size(held.raw(), none);
+  AXIOMETRY_TRY(Begun begun, begin(held.order(), way, none ? 0 : size));
+  return launch(std::move(held), std::move(begun), way);
 }
 
 Result<CaptureState> CaptureService::resume(store::Id id) { return restart(id, Way::go_on); }

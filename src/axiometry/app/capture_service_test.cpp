@@ -10,6 +10,8 @@
 #include <array>
 #include <atomic>
 #include <filesystem>
+#include <latch>
+#include <mutex>
 #include <thread>
 
 #include "axiometry/app/whole_file.h"
@@ -35,11 +37,12 @@ struct Archive {
   CaptureKeeping keeping() {
     return {.keep = [this](const CapturedEnd& end) -> Result<std::optional<store::Id>> {
               if (!refuses.empty()) return fail(ErrorKind::full, refuses);
-              raw.push_back(whole_file(end.raw).value_or(""));
+              raw.push_back(whole_file(end.held.raw()).value_or(""));
               tests.push_back(end.test);
               if (!end.test) return std::optional<store::Id>();
               return std::optional(static_cast<store::Id>(tests.size()));
             },
+            .kept = [](const HeldCapture&) -> Result<std::optional<store::Id>> { return std::nullopt; },
             .evaluate = [](const CaptureOrder&, const Test&) -> Result<Outcome> { return fail("not asked for"); }};
   }
 };
@@ -385,6 +388,39 @@ TEST_F(CaptureServiceTest, RunsNoMoreThanItMayAtOnce) {
   EXPECT_EQ(ninth.error().kind, ErrorKind::unavailable);
   ASSERT_TRUE(service->stop(service->states().front().id));
   EXPECT_TRUE(service->start(wish("simulator", {{"speed", "1"}})));
+}
+
+TEST_F(CaptureServiceTest, EndsNoMoreInterruptedOnesThanItMayAtOnce) {
+  std::vector<store::Id> ids;
+  {
+    const auto service = open();
+    for (int k = 0; k < 3; ++k) ids.push_back(service->start(long_wish())->id);
+    for (const store::Id id : ids) wait_until(*service, id, [](const CaptureState& state) { return state.taken >= 2; });
+  }
+  std::atomic<int> keeping = 0;
+  std::latch may_keep(1);
+  std::mutex archive;
+  CaptureKeeping slow = archive_.keeping();
+  slow.keep = [&, keep = slow.keep](const CapturedEnd& end) {
+    ++keeping;
+    may_keep.wait();
+    const std::scoped_lock lock(archive);
+    return keep(end);
+  };
+  const auto service = *CaptureService::open({.folder = folder_, .sources = {}}, std::move(slow));
+  std::vector<std::jthread> stopping;
+  for (const store::Id id : {ids[0], ids[1]}) stopping.emplace_back([&service, id] { EXPECT_TRUE(service->stop(id)); });
+  for (int k = 0; k < 6000 && keeping < 2; ++k) std::this_thread::sleep_for(10ms);
+  const auto third = service->stop(ids[2]);
+  EXPECT_THAT(third ? "" : third.error().message, HasSubstr("found 2 interrupted captures being ended"));
+  EXPECT_TRUE(!third && third.error().kind == ErrorKind::unavailable);
+  EXPECT_EQ(keeping, 2);
+  EXPECT_EQ(service->state(ids[2])->stage, Stage::interrupted);
+  may_keep.count_down();
+  stopping.clear();
+  for (const store::Id id : {ids[0], ids[1]}) wait_until(*service, id, ended);
+  EXPECT_TRUE(service->stop(ids[2]));
+  EXPECT_TRUE(wait_until(*service, ids[2], ended).test);
 }
 
 TEST_F(CaptureServiceTest, ARecordingHasALimit) {

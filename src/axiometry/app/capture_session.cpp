@@ -113,58 +113,54 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::feed(std::string_v
   }
   if (reader_) return read(bytes);
   head_ += bytes;
-  AXIOMETRY_TRY(const bool begun, begin(false));
-  if (!begun) return std::vector<capture::CapturedReading>();
+  const auto begun = begin(false);
+  if (!begun) head_.clear();  // what comes behind it may be recognised
+  if (!begun) return std::unexpected(begun.error());
+  if (!*begun) return found_before();
   const std::string head = std::exchange(head_, {});
   return read(head);
 }
 
-SampleSink CaptureSession::sink(std::vector<capture::CapturedReading>& readings) {
-  return [this, &readings](std::span<const Sample> samples) -> Result<void> {
+SampleSink CaptureSession::sink() {
+  return [this](std::span<const Sample> samples) -> Result<void> {
     samples_ += samples.size();
-    const auto standstills = detector_->push(samples);
-    if (standstills.empty()) return {};
-    for (auto& reading : match(standstills)) readings.push_back(std::move(reading));
+    match(detector_->push(samples));
     return {};
   };
 }
 
 Result<std::vector<capture::CapturedReading>> CaptureSession::read(std::string_view bytes) {
-  std::vector<capture::CapturedReading> readings;
-  AXIOMETRY_TRY_VOID(reader_->feed(bytes, sink(readings)));
-  return readings;
+  AXIOMETRY_TRY_VOID(reader_->feed(bytes, sink()));
+  return found_before();
 }
 
-std::vector<capture::CapturedReading> CaptureSession::match(const std::vector<capture::Standstill>& standstills) {
-  std::vector<capture::CapturedReading> readings;
+void CaptureSession::match(const std::vector<capture::Standstill>& standstills) {
   for (const capture::Standstill& standstill : standstills)
-    for (auto& reading : matcher_->take(standstill)) readings.push_back(std::move(reading));
-  return readings;
+    std::ranges::move(matcher_->take(standstill), std::back_inserter(found_));
 }
 
 Result<std::vector<capture::CapturedReading>> CaptureSession::interrupted() {
-  std::vector<capture::CapturedReading> readings;
   if (!reader_) {
     head_.erase(head_.rfind('\n') + 1);  // npos + 1 is 0
-    return readings;
+    return found_before();
   }
-  AXIOMETRY_TRY_VOID(reader_->interrupted(sink(readings)));
-  for (auto& reading : match(detector_->interrupt())) readings.push_back(std::move(reading));
-  return readings;
+  AXIOMETRY_TRY_VOID(reader_->interrupted(sink()));
+  match(detector_->interrupt());
+  return found_before();
 }
 
 Result<std::vector<capture::CapturedReading>> CaptureSession::finish(End end) {
-  std::vector<capture::CapturedReading> readings;
   if (!reader_) {
     AXIOMETRY_TRY([[maybe_unused]] const bool begun, begin(true));
-    AXIOMETRY_TRY(readings, read(std::exchange(head_, {})));
+    AXIOMETRY_TRY(found_, read(std::exchange(head_, {})));
   }
-  auto read_out = end == End::of_file ? reader_->finish(sink(readings)) : reader_->interrupted(sink(readings));
+  auto read_out = end == End::of_file ? Result<void>{} : reader_->interrupted(sink());  // no part of a line
+  if (read_out) read_out = reader_->finish(sink());
   if (!read_out && samples_ == 0) return std::unexpected(std::move(read_out).error());
   if (!read_out) remark(fmt::format("left out the end of the recording: {}", read_out.error().message));
-  for (auto& reading : match(detector_->interrupt())) readings.push_back(std::move(reading));
+  match(detector_->interrupt());
   AXIOMETRY_TRY_VOID(matcher_->finish());
-  return readings;
+  return found_before();
 }
 
 std::vector<std::string> CaptureSession::remarks() const {

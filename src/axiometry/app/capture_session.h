@@ -42,9 +42,11 @@ class CaptureSession {
   /// Fails on options that contradict the plan or each other.
   static Result<CaptureSession> open(Plan plan, const CaptureOptions& options);
 
-  /// Fails as the reader of the layout does. `arrival_s` is nothing when it is never known, NaN when that of these
-  /// bytes is not.
+  /// Fails as the reader of the layout does; readings of what stood before that are made, and handed on by
+  /// found_before(). `arrival_s` is nothing when it is never known, NaN when that of these bytes is not.
   Result<std::vector<capture::CapturedReading>> feed(std::string_view bytes, std::optional<double> arrival_s = {});
+  /// Those made before the last call failed; once.
+  std::vector<capture::CapturedReading> found_before() { return std::exchange(found_, {}); }
   /// The connection broke here.
   Result<std::vector<capture::CapturedReading>> interrupted();
   /// The recording ends here: a file that was read to its end, or else a stream that may have ended within a line, or
@@ -72,8 +74,8 @@ class CaptureSession {
   CaptureSession() = default;
   Result<bool> begin(bool whole);
   Result<std::vector<capture::CapturedReading>> read(std::string_view bytes);
-  std::vector<capture::CapturedReading> match(const std::vector<capture::Standstill>& standstills);
-  SampleSink sink(std::vector<capture::CapturedReading>& readings);
+  void match(const std::vector<capture::Standstill>& standstills);
+  SampleSink sink();
 
   CaptureOptions options_;
   std::optional<capture::TargetMatcher> matcher_;
@@ -84,6 +86,7 @@ class CaptureSession {
   std::shared_ptr<double> arrival_s_;
   std::size_t samples_ = 0;
   std::vector<std::string> remarks_;
+  std::vector<capture::CapturedReading> found_;  // not handed on yet
 };
 
 }  // namespace axiometry::app

@@ -11,7 +11,11 @@
 #include "axiometry/app/capture_run.h"
 #include "axiometry/app/output.h"
 #include "axiometry/app/raw_log.h"
+#include "axiometry/app/read_recording.h"
+#include "axiometry/app/source.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/digest/sha256.h"
+#include "axiometry/formats/plan_json.h"
 #include "tests/support/simulated_recording.h"
 #include "tests/support/temporary_folder.h"
 
@@ -23,39 +27,12 @@ using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+using testing_support::lines_of;
 using testing_support::recording;
 using testing_support::short_plan;
+using testing_support::TimedLine;
 
 constexpr ArrivalNs noon = 1'795'262'400'000'000'000;  // 2026-11-21 12:00 UTC
-
-/// The recording line by line, with the time of each.
-struct TimedLine {
-  std::string text;
-  double time_s = 0.0;
-};
-
-std::vector<TimedLine> lines_of(const std::string& layout, std::size_t runs = 1) {
-  std::vector<TimedLine> lines;
-  const std::string whole = recording("good", 3, runs);
-  std::string_view rest = whole;
-  std::size_t number = 0;
-  for (rest.remove_prefix(rest.find('\n') + 1); !rest.empty(); rest.remove_prefix(rest.find('\n') + 1)) {
-    const std::string_view line = rest.substr(0, rest.find('\n'));
-    const double time_s = *parse_number(line.substr(0, line.find(',')));
-    const std::string position(line.substr(line.find(',') + 1));
-    const auto ms = static_cast<long long>(std::llround(time_s * 1e3));
-    if (layout == "time-position") lines.push_back({std::string(line) + "\n", time_s});
-    if (layout == "camonitor-stream")
-      lines.push_back(
-          {fmt::format("X 2026-11-21 12:{:02}:{:02}.{:03} {}\n", ms / 60'000 % 60, ms / 1000 % 60, ms % 1000, position),
-           time_s});
-    if (layout == "umd") {
-      const auto counts = std::llround(*parse_number(position) * 1e4);
-      lines.push_back({fmt::format("0 0 {} 0 0 {} 0 0\n", counts, ++number), time_s});
-    }
-  }
-  return lines;
-}
 
 class CaptureTornTest : public testing::Test {
  protected:
@@ -196,7 +173,7 @@ TEST_F(CaptureTornTest, ARecordingThatWasGoneOnWithBehindAPowerCutPlaysBothParts
   {
     auto log = RawLog::resume(raw_);
     ASSERT_TRUE(log);
-    log->begin_connection();
+    ASSERT_TRUE(log->begin_connection());
     for (std::size_t k = first.size(); k < lines.size(); ++k)
       ASSERT_TRUE(log->append(lines[k].text, noon + static_cast<ArrivalNs>(lines[k].time_s * 1e9)));
   }
@@ -244,7 +221,89 @@ TEST_F(CaptureTornTest, BehindARefusedStretchTheRestIsLeftOutAndTold) {
   const Replay replay = played(options_of("time-position", true));
   EXPECT_EQ(replay.error, "");
   EXPECT_GE(replay.readings.size(), 3u);
-  EXPECT_THAT(replay.remarks, Contains(HasSubstr("left out the recording behind byte")));
+  EXPECT_THAT(replay.remarks,
+              Contains(HasSubstr("left out the rest of the recording: line 1000:1: found \"?\", expected")));
+}
+
+TEST_F(CaptureTornTest, BehindARefusedStretchTheNextConnectionIsPlayedAndAllOfItHashed) {
+  const auto lines = lines_of("time-position", 2);
+  const std::size_t half = lines.size() / 4 * 2;
+  std::uint64_t behind = 0;
+  write_raw({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(half)});
+  {
+    auto log = RawLog::resume(raw_);
+    ASSERT_TRUE(log);
+    for (std::size_t k = 0; k < 300; ++k) ASSERT_TRUE(log->append("?\n", log->stamp()));
+    behind = log->size();
+    ASSERT_TRUE(log->begin_connection());
+    ASSERT_TRUE(log->append("part of a line\nand the instrument's greeting\n", log->stamp()));
+    for (std::size_t k = half; k < lines.size(); ++k) ASSERT_TRUE(log->append(lines[k].text, log->stamp()));
+  }
+  const Replay replay = played(options_of("time-position", true));
+  EXPECT_EQ(replay.error, "");
+  EXPECT_GE(replay.readings.size(), 11u);
+  EXPECT_THAT(
+      replay.remarks,
+      Contains(HasSubstr(fmt::format(
+          "left out the recording up to the connection that begins behind byte {}: line {}:1: ", behind, half + 100))));
+  EXPECT_THAT(replay.remarks, Not(Contains(HasSubstr("left out the rest"))));
+  CaptureOptions options = options_of("time-position", true);
+  options.plan = folder_.written("plan.json", formats::write_plan(short_plan(2)));
+  auto source = Source::open(raw_);
+  ASSERT_TRUE(source);
+  const auto test = read_recording(*source, options);
+  ASSERT_TRUE(test) << test.error().to_string();
+  EXPECT_EQ(test->provenance.sha256, sha256(folder_.content("run.raw")));
+}
+
+TEST_F(CaptureTornTest, ReadingsInFrontOfARefusedLineAreTold) {
+  auto lines = lines_of("time-position");
+  for (std::size_t k = 900; k < lines.size(); ++k) lines[k].text = "?\n";
+  write_raw(lines);
+  std::filesystem::remove(times_name(raw_));  // so that all of it is one piece
+  std::size_t told = 0;
+  CaptureObserver observer;
+  observer.reading = [&](const capture::CapturedReading&) { ++told; };
+  auto session = CaptureSession::open(short_plan(2), options_of("time-position", true));
+  const auto outcome =
+      run_live_capture(*std::move(session), {.name = "x", .connect = {}, .raw = {}, .resume = raw_}, observer);
+  ASSERT_TRUE(outcome);
+  EXPECT_GE(told, 3u);
+  EXPECT_EQ(told, outcome->result.readings.size());
+}
+
+TEST_F(CaptureTornTest, AConnectionThatBringsNothingIsNoEnd) {
+  std::string boot;
+  for (int k = 0; k < 150; ++k) boot += "booting, please wait\n";
+  for (const std::string& layout : {std::string("time-position"), std::string()}) {
+    std::filesystem::remove(raw_);
+    std::filesystem::remove(times_name(raw_));
+    {
+      auto log = RawLog::create(raw_);
+      ASSERT_TRUE(log);
+      ASSERT_TRUE(log->append(boot, log->stamp()));
+    }
+    EXPECT_NE(played(options_of(layout, true)).error, "");
+    {
+      auto log = RawLog::resume(raw_);
+      ASSERT_TRUE(log);
+      ASSERT_TRUE(log->begin_connection());
+      ASSERT_TRUE(log->append("\n" + recording("good", 3, 2), log->stamp()));
+    }
+    const Replay replay = played(options_of(layout, true));
+    EXPECT_EQ(replay.error, "") << layout;
+    EXPECT_EQ(replay.readings.size(), 12u);
+    EXPECT_THAT(replay.remarks, Contains(HasSubstr("up to the connection that begins behind byte 3150")));
+  }
+}
+
+TEST_F(CaptureTornTest, AShortStreamWithoutARateIsPlacedByItsArrival) {
+  const auto lines = lines_of("umd");
+  ASSERT_LT(lines.size(), 4096u);
+  write_raw(lines);
+  const Replay replay = played(options_of("umd", false), 1);
+  EXPECT_EQ(replay.error, "");
+  EXPECT_EQ(replay.readings.size(), 6u);
 }
 
 /// Sends its pieces, one to each who connects, and closes; later ones hear nothing.
@@ -325,6 +384,25 @@ TEST_F(CaptureSourceTest, EndsBeforeTheDiskIsFullAndSaysSoInTime) {
        .free = [&](const std::string&) { return std::optional(free); }}));
   EXPECT_THAT(notices_, Contains(HasSubstr("it ends here")));
   EXPECT_EQ(std::filesystem::file_size(raw_), 0u);
+}
+
+TEST_F(CaptureSourceTest, GivesATestOfAllThatCameWhenTheDiskFillsInTheMiddle) {
+  std::string bytes;
+  for (const TimedLine& line : lines_of("time-position")) bytes += line.text;  // half of the plan
+  while (bytes.size() < std::size_t{3} << 20) bytes += "# a comment that only takes room on the disk\n";
+  std::size_t asked = 0;
+  const auto outcome = listen(
+      {.name = {},
+       .connect = [&]() -> Result<std::unique_ptr<LiveStream>> { return std::make_unique<FlappingStream>(bytes); },
+       .raw = {},
+       .give_up = Duration::s(0),
+       .free = [&](const std::string&) { return std::optional(++asked < 3 ? DiskRoom::little : DiskRoom::least); }});
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_TRUE(outcome->stopped);
+  EXPECT_EQ(outcome->result.readings.size(), 6u);
+  const auto size = std::filesystem::file_size(raw_);
+  EXPECT_GT(size, std::size_t{1} << 20);
+  EXPECT_LT(size, bytes.size());
 }
 
 /// Files of this process end at so many bytes, as they do on a disk that is full.

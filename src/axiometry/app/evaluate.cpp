@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <iterator>
 
-#include "axiometry/app/capture_run.h"
 #include "axiometry/app/drift_recording.h"
+#include "axiometry/app/read_recording.h"
 #include "axiometry/app/whole_file.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/generic_delimited.h"

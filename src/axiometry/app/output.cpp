@@ -28,9 +28,9 @@ mode_t usual_permissions() {
 }
 
 /// A file that no name leads to; -1 where there is no such thing or no way to name it later.
-int open_nameless(const std::filesystem::path& folder) {
+int open_nameless(const std::filesystem::path& folder, mode_t mode) {
   if (::access("/proc/self/fd", X_OK) != 0) return -1;
-  return ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  return ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
 }
 
 std::string neighbour_of(const std::string& name, std::string_view suffix) {
@@ -62,7 +62,7 @@ Result<OutputFile> OutputFile::create(const std::string& asked) {
     if (direct < 0) return fail_system(name, "write");
     return OutputFile(name, "", direct);
   }
-  if (const int nameless = open_nameless(std::filesystem::path(name).parent_path()); nameless >= 0) {
+  if (const int nameless = open_nameless(std::filesystem::path(name).parent_path(), 0666); nameless >= 0) {
     if (exists) ::fchmod(nameless, status.st_mode & 0777);
     OutputFile file(name, "", nameless);
     file.nameless_ = true;
@@ -75,10 +75,23 @@ Result<OutputFile> OutputFile::create(const std::string& asked) {
   return OutputFile(name, neighbour, descriptor);
 }
 
+Result<OutputFile> OutputFile::create_secret(const std::string& name) {
+  constexpr mode_t owner_only = 0600;  // mkstemp()'s, too
+  const int nameless = open_nameless(std::filesystem::path(name).parent_path(), owner_only);
+  std::string neighbour = nameless >= 0 ? "" : neighbour_of(name, "XXXXXX");
+  const int descriptor = nameless >= 0 ? nameless : ::mkstemp(neighbour.data());
+  if (descriptor < 0) return fail_system(name, "write");
+  OutputFile file(name, neighbour, descriptor);
+  file.nameless_ = nameless >= 0;
+  file.secret_ = true;
+  return file;
+}
+
 OutputFile::OutputFile(OutputFile&& other) noexcept
     : name_(std::move(other.name_)),
       neighbour_(std::exchange(other.neighbour_, {})),
       nameless_(other.nameless_),
+      secret_(other.secret_),
       descriptor_(std::exchange(other.descriptor_, -1)),
       buffer_(std::move(other.buffer_)) {}
 
@@ -86,6 +99,7 @@ OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
   std::swap(name_, other.name_);
   std::swap(neighbour_, other.neighbour_);
   std::swap(nameless_, other.nameless_);
+  std::swap(secret_, other.secret_);
   std::swap(descriptor_, other.descriptor_);
   std::swap(buffer_, other.buffer_);
   return *this;
@@ -128,12 +142,30 @@ Result<void> OutputFile::name_neighbour() {
   return fail_system(name_, "write");
 }
 
+/// The last step where nothing may be replaced. Some file systems know no links.
+Result<void> OutputFile::take_free_name() {
+  if (!nameless_ && ::renameat2(AT_FDCWD, neighbour_.c_str(), AT_FDCWD, name_.c_str(), RENAME_NOREPLACE) == 0) {
+    neighbour_.clear();
+    return {};
+  }
+  const std::string from = nameless_ ? fmt::format("/proc/self/fd/{}", descriptor_) : neighbour_;
+  if (::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name_.c_str(), AT_SYMLINK_FOLLOW) == 0) return {};
+  const bool taken = errno == EEXIST;
+  auto failed = fail_system(name_, "write");
+  if (taken) failed.error().kind = ErrorKind::conflict;
+  return failed;
+}
+
 /// First the bytes, then the name, then the folder that holds the name: whatever happens in between, the file is the
 /// old one or the new one.
 Result<void> OutputFile::commit() {
   AXIOMETRY_TRY_VOID(flush());
   if (!nameless_ && neighbour_.empty()) return {};
   if (!synced(descriptor_)) return fail_system(name_, "write");
+  if (secret_) {
+    AXIOMETRY_TRY_VOID(take_free_name());
+    return folder_synced(name_) ? Result<void>() : fail_system(name_, "write");
+  }
   if (nameless_) AXIOMETRY_TRY_VOID(name_neighbour());
   if (::close(std::exchange(descriptor_, -1)) != 0 || std::rename(neighbour_.c_str(), name_.c_str()) != 0)
     return fail_system(name_, "write");
@@ -143,6 +175,12 @@ Result<void> OutputFile::commit() {
 
 Result<void> write_file(const std::string& name, std::string_view bytes) {
   AXIOMETRY_TRY(OutputFile file, OutputFile::create(name));
+  AXIOMETRY_TRY_VOID(file.write(bytes));
+  return file.commit();
+}
+
+Result<void> write_secret_file(const std::string& name, std::string_view bytes) {
+  AXIOMETRY_TRY(OutputFile file, OutputFile::create_secret(name));
   AXIOMETRY_TRY_VOID(file.write(bytes));
   return file.commit();
 }

@@ -16,6 +16,9 @@ class OutputFile {
  public:
   /// Fails when no file can be made there, with the system's reason.
   static Result<OutputFile> create(const std::string& name);
+  /// Likewise of a new file that only its owner may read and write. Its commit() never replaces one, and fails with
+  /// `conflict` where the name was taken meanwhile.
+  static Result<OutputFile> create_secret(const std::string& name);
   ~OutputFile();
   OutputFile(OutputFile&&) noexcept;
   OutputFile& operator=(OutputFile&&) noexcept;
@@ -28,15 +31,18 @@ class OutputFile {
       : name_(std::move(name)), neighbour_(std::move(neighbour)), descriptor_(descriptor) {}
   Result<void> flush();
   Result<void> name_neighbour();
+  Result<void> take_free_name();
 
   std::string name_;
   std::string neighbour_;  // empty when written directly or without a name yet
   bool nameless_ = false;
+  bool secret_ = false;
   int descriptor_ = -1;
   std::string buffer_;
 };
 
 /// The whole file in one step.
 Result<void> write_file(const std::string& name, std::string_view bytes);
+Result<void> write_secret_file(const std::string& name, std::string_view bytes);
 
 }  // namespace axiometry::app

@@ -95,6 +95,28 @@ TEST_F(OutputTest, IsOnTheDiskBeforeItHasItsNameAndItsNameBeforeItIsDone) {
   EXPECT_EQ(watch.seen(), (std::vector<std::string>{"file", "folder, named"}));
 }
 
+TEST_F(OutputTest, ASecretIsItsOwnersAndOnTheDiskAndTakesNoOthersName) {
+  {
+    const SyncWatch watch(path("key"));
+    ASSERT_TRUE(write_secret_file(path("key"), "one"));
+    EXPECT_EQ(watch.seen(), (std::vector<std::string>{"file", "folder, named"}));
+  }
+  struct stat status {};
+  ASSERT_EQ(::stat(path("key").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0600u);
+  const auto refused = write_secret_file(path("key"), "two");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::conflict);
+  EXPECT_EQ(content("key"), "one");
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(OutputTest, LeavesNoSecretWhereTheDiskDoesNotTakeIt) {
+  const SyncWatch watch(path("key"), 1);
+  EXPECT_FALSE(write_secret_file(path("key"), "one"));
+  EXPECT_EQ(file_count(), 0u);
+}
+
 TEST_F(OutputTest, KeepsWhatWasThereWhenTheDiskDoesNotTakeTheNewOne) {
   ASSERT_TRUE(write_file(path("a.txt"), "old"));
   {

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -21,6 +22,8 @@ namespace axiometry::app {
 namespace {
 
 constexpr auto sync_every = std::chrono::seconds(1);
+constexpr std::size_t most_old_times = 1000;
+constexpr std::string_view old_suffix = ".old", new_suffix = ".new";
 
 Result<void> put_all(int descriptor, std::string_view bytes, const std::string& name) {
   while (!bytes.empty()) {
@@ -32,20 +35,39 @@ Result<void> put_all(int descriptor, std::string_view bytes, const std::string& 
   return {};
 }
 
-/// A name beside the times for what they were, that no file has yet: link(2) never overwrites.
-Result<void> keep_old(const std::string& times) {
-  constexpr int most = 1000;
-  for (int number = 1; number <= most; ++number) {
-    const std::string name = number == 1 ? times + ".old" : fmt::format("{}.old{}", times, number);
-    if (::link(times.c_str(), name.c_str()) == 0 || errno == ENOENT) return {};
-    if (errno != EEXIST) return fail_system(name, "write");
+/// Where a disk knows no second name of a file, such as a USB stick.
+Result<void> copy(const std::string& times, const std::string& name) {
+  AXIOMETRY_TRY(Source source, Source::open(times));
+  const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) return fail_system(name, "write");
+  std::vector<char> block(std::size_t{1} << 20);
+  Result<void> copied;
+  while (copied) {
+    const auto got = source.read(block);
+    if (!got) copied = std::unexpected(got.error());
+    if (!got || *got == 0) break;
+    copied = put_all(descriptor, {block.data(), *got}, name);
   }
-  return std::unexpected(Error{fmt::format("found {} files of earlier times, expected fewer", most), times, {}});
+  if (copied && ::fsync(descriptor) != 0) copied = fail_system(name, "write");
+  ::close(descriptor);
+  if (!copied) ::unlink(name.c_str());
+  return copied;
+}
+
+/// The file stays under a name that none has yet: neither link(2) nor O_EXCL ever overwrites.
+Result<void> keep_old(const std::string& times) {
+  for (std::size_t number = 1; number <= most_old_times; ++number) {
+    const std::string name = fmt::format("{}{}{}", times, old_suffix, number == 1 ? "" : std::to_string(number));
+    if (::link(times.c_str(), name.c_str()) == 0 || errno == ENOENT) return {};
+    if (errno != EEXIST) return copy(times, name);
+  }
+  return std::unexpected(
+      Error{fmt::format("found {} files of earlier times, expected fewer", most_old_times), times, {}});
 }
 
 /// A file of the sound stamps takes the place of the one that is not.
 Result<void> write_anew(const std::string& raw, const std::vector<RawStamp>& stamps) {
-  const std::string name = times_name(raw), beside = name + ".new";
+  const std::string name = times_name(raw), beside = name + std::string(new_suffix);
   AXIOMETRY_TRY_VOID(keep_old(name));
   const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) return fail_system(beside, "write");
@@ -78,9 +100,11 @@ Result<RawLog> RawLog::create(const std::string& name) {
     ::unlink(name.c_str());
     return error;
   }
-  AXIOMETRY_TRY_VOID(log.put(log.times_, times_magic()));
-  if (!folder_synced(name)) return fail_system(name, "write");
-  return log;
+  auto begun = log.put(log.times_, times_magic());
+  if (begun && !folder_synced(name)) begun = fail_system(name, "write");
+  if (begun) return log;
+  for (const std::string& file : {times_name(name), name}) ::unlink(file.c_str());
+  return std::unexpected(std::move(begun).error());
 }
 
 Result<RawLog> RawLog::resume(const std::string& name) {
@@ -107,6 +131,7 @@ RawLog::RawLog(RawLog&& other) noexcept
       size_(other.size_),
       last_(other.last_),
       connection_begins_(other.connection_begins_),
+      is_synced_(other.is_synced_),
       synced_(other.synced_) {}
 
 RawLog::~RawLog() {
@@ -129,13 +154,67 @@ Result<void> RawLog::append(std::string_view bytes, ArrivalNs arrival) {
   const RawStamp stamp{size_ + bytes.size(), arrival, std::exchange(connection_begins_, false)};
   AXIOMETRY_TRY_VOID(put(times_, times_record(stamp)));
   size_ = stamp.end;
-  return std::chrono::steady_clock::now() - synced_ >= sync_every ? sync() : Result<void>{};
+  is_synced_ = false;
+  return sync_when_due();
+}
+
+Result<void> RawLog::begin_connection() {
+  connection_begins_ = true;
+  is_synced_ = false;
+  return put(times_, times_record({.end = size_, .begins_connection = true}));
 }
 
 Result<void> RawLog::sync() {
   synced_ = std::chrono::steady_clock::now();
   if (::fdatasync(bytes_) != 0 || ::fdatasync(times_) != 0) return fail_system(name_, "write");
+  is_synced_ = true;
   return {};
+}
+
+Result<void> RawLog::sync_when_due() {
+  const bool due = !is_synced_ && std::chrono::steady_clock::now() - synced_ >= sync_every;
+  return due ? sync() : Result<void>{};
+}
+
+Result<RawHold> RawHold::take(const std::string& raw) {
+  RawHold hold(::open(raw.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat status {};
+  if (hold.descriptor_ < 0 || ::fstat(hold.descriptor_, &status) != 0) return fail_system(raw, "read");
+  if (!S_ISREG(status.st_mode))
+    return std::unexpected(Error{"found a device, a pipe or a folder, expected a file", raw, {}});
+  if (::flock(hold.descriptor_, LOCK_EX | LOCK_NB) == 0) return hold;
+  if (errno != EWOULDBLOCK) return fail_system(raw, "lock");
+  return std::unexpected(Error{"found another program at this recording, expected none: it has one listener", raw, {}});
+}
+
+RawHold::RawHold(RawHold&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+RawHold::~RawHold() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Result<void> sync_raw(const std::string& raw) {
+  for (const std::string& name : {raw, times_name(raw)}) {
+    const int descriptor = ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0 && errno == ENOENT && name != raw) continue;
+    if (descriptor < 0) return fail_system(name, "read");
+    const bool done = synced(descriptor);
+    ::close(descriptor);
+    if (!done) return fail_system(name, "write");
+  }
+  return folder_synced(raw) ? Result<void>{} : fail_system(raw, "write");
+}
+
+void remove_raw(const std::string& raw) {
+  const std::filesystem::path times = times_name(raw);
+  const std::string name = times.filename().string();
+  std::vector<std::string> all{raw, times.string(), times.string() + std::string(new_suffix)};
+  std::error_code ignored;
+  const auto folder = times.has_parent_path() ? times.parent_path() : std::filesystem::path(".");
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.path().filename().string().starts_with(name + std::string(old_suffix)))
+      all.push_back(entry.path().string());
+  for (const std::string& file : all) ::unlink(file.c_str());
 }
 
 Result<std::vector<std::string>> play(const std::string& raw,
@@ -147,9 +226,10 @@ Result<std::vector<std::string>> play(const std::string& raw,
   const bool timed = std::ranges::any_of(times.stamps, [](const RawStamp& s) { return s.arrival.has_value(); });
   times.stamps.push_back({.end = UINT64_MAX});  // what is behind them, and what comes while it is read
   std::uint64_t at = 0;
+  bool begins_connection = false;
   std::vector<char> block(std::size_t{1} << 20);
   for (const RawStamp& stamp : times.stamps) {
-    bool begins_connection = stamp.begins_connection;
+    begins_connection = begins_connection || stamp.begins_connection;
     while (at < stamp.end) {
       const std::size_t most = std::min<std::uint64_t>(stamp.end - at, block.size());
       AXIOMETRY_TRY(const std::size_t got, source.read(std::span(block).first(most)));

@@ -19,11 +19,11 @@ namespace axiometry::app {
 /// A file of exactly the bytes that arrived, and beside it their times (raw_times.h).
 class RawLog {
  public:
-  /// Fails when the file exists: measured data are never overwritten.
+  /// Fails when the file exists: measured data are never overwritten. Of one that cannot be begun nothing stays.
   static Result<RawLog> create(const std::string& name);
   /// Goes on behind what the file holds. Times that are not sound are written anew from what is sound of them, and the
-  /// file as it was is kept as RAW.times.old; only an unfinished end, and what points beyond the bytes, is cut off.
-  /// Fails when the raw file does not exist.
+  /// file as it was is kept as RAW.times.old, .old2 and so on; only an unfinished end, and what points beyond the
+  /// bytes, is cut off. Fails when the raw file does not exist.
   static Result<RawLog> resume(const std::string& name);
   ~RawLog();
   RawLog(RawLog&& other) noexcept;
@@ -32,13 +32,15 @@ class RawLog {
   /// Arrival of what comes next: now, but never before the piece before.
   ArrivalNs stamp();
   /// The bytes first, then their time, both by write(2): a process that is killed in between leaves bytes whose arrival
-  /// is not known, never a time that points beyond the bytes. Calls fdatasync(2), in this order too, when the last call
-  /// was a second ago.
+  /// is not known, never a time that points beyond the bytes. Calls sync_when_due().
   Result<void> append(std::string_view bytes, ArrivalNs arrival);
-  /// The next piece begins a new connection.
-  void begin_connection() { connection_begins_ = true; }
+  /// The next piece begins a new connection. That stands in the times before it comes, so that a reading which the
+  /// break has cut off stays as it was told whatever becomes of that piece.
+  Result<void> begin_connection();
   /// Onto the disk.
   Result<void> sync();
+  /// Likewise where the last call was a second ago and something has come since: for a source that falls silent.
+  Result<void> sync_when_due();
   std::uint64_t size() const { return size_; }  ///< bytes that are kept with their time
 
  private:
@@ -51,8 +53,30 @@ class RawLog {
   std::uint64_t size_ = 0;
   ArrivalNs last_ = 0;
   bool connection_begins_ = false;
+  bool is_synced_ = false;
   std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
 };
+
+/// While it lives no other program writes to that recording, or plays it to go on with it.
+class RawHold {
+ public:
+  /// Fails on what is no regular file, where somebody else holds it, and where nobody can say whether somebody does.
+  static Result<RawHold> take(const std::string& raw);
+  ~RawHold();
+  RawHold(RawHold&& other) noexcept;
+  RawHold& operator=(RawHold&&) = delete;
+
+ private:
+  explicit RawHold(int descriptor) : descriptor_(descriptor) {}
+  int descriptor_;
+};
+
+/// Onto the disk with all that is there of it: a program that was killed may have written what is not there yet. Fails
+/// when it cannot be read.
+Result<void> sync_raw(const std::string& raw);
+
+/// A raw file and all that lies beside it for it.
+void remove_raw(const std::string& raw);
 
 /// One piece of a raw file.
 struct RawPiece {

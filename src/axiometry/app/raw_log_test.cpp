@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/raw_log.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 
 #include "axiometry/app/output.h"
 #include "axiometry/app/source.h"
@@ -38,7 +42,7 @@ class RawLogTest : public testing::Test {
     ASSERT_TRUE(log);
     ASSERT_TRUE(log->append("abc", 100));
     ASSERT_TRUE(log->append("de", 200));
-    log->begin_connection();
+    ASSERT_TRUE(log->begin_connection());
     ASSERT_TRUE(log->append("f", 300));
   }
 
@@ -60,13 +64,44 @@ TEST_F(RawLogTest, NeverOverwritesAndGoesOnWhenAsked) {
   {
     auto log = RawLog::resume(raw_);
     ASSERT_TRUE(log);
-    log->begin_connection();
+    ASSERT_TRUE(log->begin_connection());
     ASSERT_TRUE(log->append("de", 200));
   }
   EXPECT_EQ(played(), "[100]abc [200|]de");
   EXPECT_EQ(remarks_, "");
   EXPECT_FALSE(std::filesystem::exists(times_name(raw_) + ".old"));
   EXPECT_FALSE(RawLog::resume(folder_.file("none")));
+}
+
+/// No file may have a byte while it lives: as on a disk without room, where names can still be given.
+class NoRoom {
+ public:
+  NoRoom() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit none{0, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &none);
+  }
+  ~NoRoom() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  NoRoom(const NoRoom&) = delete;
+  NoRoom& operator=(const NoRoom&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+TEST_F(RawLogTest, LeavesNothingWhereItCannotBeBegun) {
+  const auto begun = [&] {
+    const NoRoom none;
+    return RawLog::create(raw_);
+  }();
+  ASSERT_FALSE(begun);
+  EXPECT_NE(begun.error().message.find("cannot write"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_empty(std::filesystem::path(raw_).parent_path()));
+  EXPECT_TRUE(RawLog::create(raw_));
 }
 
 TEST_F(RawLogTest, OutlastsAnEndBetweenBytesAndTime) {
@@ -86,7 +121,7 @@ TEST_F(RawLogTest, LeavesOutTimesBeyondTheBytesAndGoesOnBehindThem) {
   ASSERT_TRUE(write_file(raw_, "abcd"));
   EXPECT_EQ(played(), "[100]abc [?]d");
   EXPECT_EQ(remarks_,
-            "found 2 of 3 times in run.raw.times beyond the 4 bytes of the recording, left them out; when 1 of the 4 "
+            "found 3 of 4 times in run.raw.times beyond the 4 bytes of the recording, left them out; when 1 of the 4 "
             "bytes of the recording arrived is not known");
   { ASSERT_TRUE(RawLog::resume(raw_)->append("XYZ", 400)); }
   EXPECT_EQ(played(), "[100]abc [?]d [400]XYZ");
@@ -105,7 +140,7 @@ TEST_F(RawLogTest, PlaysTheBytesWithoutTheirTimes) {
   EXPECT_NE(remarks_, "");
   set_times(sound.substr(16));  // its beginning is gone
   EXPECT_EQ(played(), "[100]abc [200]de [300|]f");
-  EXPECT_EQ(remarks_, "found run.raw.times without its beginning AXIOMETRYTIMES2, read 3 records of it that are sound");
+  EXPECT_EQ(remarks_, "found run.raw.times without its beginning AXIOMETRYTIMES2, read 4 records of it that are sound");
   std::filesystem::remove(times_name(raw_));
   EXPECT_EQ(played(), "[?]abcdef");
   EXPECT_EQ(remarks_, "found no run.raw.times beside the recording: when its 6 bytes arrived is not known");
@@ -125,8 +160,8 @@ TEST_F(RawLogTest, EachFlippedByteCostsOneTimeAtMostAndIsTold) {
       EXPECT_NE(remarks_, "") << at;
       const std::string expected = at < 16   ? "[?]abc [200]de [300|]f"
                                    : at < 32 ? "[?]abcde [300|]f"
-                                   : at < 48 ? "[100]abc [?|]def"
-                                             : "[100]abc [200]de [?]f";
+                                   : at < 48 ? "[100]abc [?]de [300|]f"
+                                             : "[100]abc [200]de [?|]f";  // the connection is told twice
       EXPECT_EQ(text, expected) << at;
     }
 }
@@ -145,6 +180,33 @@ TEST_F(RawLogTest, KeepsHarmedTimesBesideThoseWrittenAnew) {
   { ASSERT_TRUE(RawLog::resume(raw_)->append("h", 500)); }
   EXPECT_EQ(bytes_of(times_name(raw_) + ".old"), harmed);
   EXPECT_EQ(bytes_of(times_name(raw_) + ".old2"), again);
+}
+
+TEST_F(RawLogTest, KeepsADamagedEndToo) {
+  write_three();
+  std::string harmed = times();
+  harmed[76] = static_cast<char>(harmed[76] ^ 1);
+  set_times(harmed);
+  { ASSERT_TRUE(RawLog::resume(raw_)->append("g", 400)); }
+  EXPECT_EQ(bytes_of(times_name(raw_) + ".old"), harmed);
+  EXPECT_EQ(played(), "[100]abc [200]de [?|]f [400]g");
+  EXPECT_EQ(remarks_, "when 1 of the 7 bytes of the recording arrived is not known");
+}
+
+TEST_F(RawLogTest, IsRemovedWithAllThatLiesBesideIt) {
+  write_three();
+  for (int turn = 0; turn < 3; ++turn) {
+    std::string harmed = times();
+    harmed[60] = static_cast<char>(harmed[60] ^ 1);
+    set_times(harmed);
+    ASSERT_TRUE(RawLog::resume(raw_));
+  }
+  ASSERT_TRUE(std::filesystem::exists(times_name(raw_) + ".old3"));
+  std::filesystem::remove(times_name(raw_) + ".old2");
+  ASSERT_TRUE(write_file(times_name(raw_) + ".new", "what a crash has left"));
+  remove_raw(raw_);
+  const std::filesystem::path folder = std::filesystem::path(raw_).parent_path();
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 /// A record of the first version: where the piece begins.
@@ -167,6 +229,9 @@ TEST_F(RawLogTest, ReadsTimesOfTheFirstVersion) {
   EXPECT_EQ(played(), "[?]abcde [300]f");
   set_times(head + old_record(0, 100) + old_record(3, 20) + old_record(5, 300));
   EXPECT_EQ(played(), "[?]abc [20]de [300]f");  // of two that contradict each other the later one
+  const std::int64_t last = std::numeric_limits<std::int64_t>::max();  // 2262; times of before 1970 are none
+  set_times(head + old_record(0, std::numeric_limits<std::int64_t>::min()) + old_record(3, 200) + old_record(5, last));
+  EXPECT_EQ(played(), fmt::format("[?]abc [200]de [{}]f", last));
   set_times(head + sound);
   { ASSERT_TRUE(RawLog::resume(raw_)->append("g", 400)); }
   EXPECT_EQ(played(), "[100]abc [200]de [300|]f [400]g");

@@ -15,31 +15,31 @@ class Playing {
   Playing(CaptureSession& session, const PlayHooks& hooks) : session_(session), hooks_(hooks) {}
 
   Result<void> take(const RawPiece& piece) {
-    if (!going_on_) return {};
-    going_on_ = hooks_.wants(piece);
-    if (!going_on_) return {};
+    if (!wanted_ || !(wanted_ = hooks_.wants(piece))) return {};
+    const std::uint64_t begin = std::exchange(at_, at_ + piece.bytes.size());
     if (!first_) first_ = piece.arrival;
     if (piece.begins_connection) {
+      take_up_again(begin);
       AXIOMETRY_TRY(const auto readings, session_.interrupted());
       AXIOMETRY_TRY_VOID(hooks_.readings(readings));
     }
-    const auto readings = session_.feed(piece.bytes, arrival_s(piece));
-    if (readings) {
-      at_ += piece.bytes.size();
-      return hooks_.readings(*readings);
-    }
-    if (session_.samples() == 0) return std::unexpected(readings.error());
-    session_.remark(fmt::format("left out the recording behind byte {}: {}", at_, readings.error().to_string()));
-    going_on_ = false;
-    return {};
+    if (refused_) return {};
+    auto readings = session_.feed(piece.bytes, arrival_s(piece));
+    if (!readings) refused_ = std::move(readings).error();
+    return hooks_.readings(readings ? *readings : session_.found_before());
   }
 
-  /// `remarks`: on the times.
-  void end(std::vector<std::string> remarks) {
+  /// `remarks`: on the times. Why nothing was a sample, where so it is.
+  std::optional<Error> end(std::vector<std::string> remarks) {
+    if (refused_ && session_.samples() == 0) return refused_;
     for (std::string& remark : remarks) session_.remark(std::move(remark));
-    if (going_on_ && session_.unfinished() > 0)
+    if (hooks_.goes_on) take_up_again(at_);
+    if (refused_)
+      session_.remark(fmt::format("left out the rest of the recording: {}", refused_->to_string()));
+    else if (wanted_ && session_.unfinished() > 0)
       session_.remark(
           fmt::format("left out the last {} bytes of the recording, which are no whole sample", session_.unfinished()));
+    return std::nullopt;
   }
 
  private:
@@ -49,20 +49,28 @@ class Playing {
     return static_cast<double>(*piece.arrival - *first_) * 1e-9;
   }
 
+  /// What the reader refused ends where a connection begins, as it does in a live capture that is gone on with.
+  void take_up_again(std::uint64_t at) {
+    if (!refused_) return;
+    session_.remark(fmt::format("left out the recording up to the connection that begins behind byte {}: {}", at,
+                                refused_->to_string()));
+    refused_.reset();
+  }
+
   CaptureSession& session_;
   const PlayHooks& hooks_;
   std::optional<ArrivalNs> first_;
+  std::optional<Error> refused_;  // from where on it cannot be read
   std::uint64_t at_ = 0;
-  bool going_on_ = true;
+  bool wanted_ = true;
 };
 
 }  // namespace
 
-Result<void> play_into(CaptureSession& session, const std::string& raw, const PlayHooks& hooks) {
+Result<std::optional<Error>> play_into(CaptureSession& session, const std::string& raw, const PlayHooks& hooks) {
   Playing playing(session, hooks);
   AXIOMETRY_TRY(auto remarks, play(raw, [&](const RawPiece& piece) { return playing.take(piece); }));
-  playing.end(std::move(remarks));
-  return {};
+  return playing.end(std::move(remarks));
 }
 
 }  // namespace axiometry::app

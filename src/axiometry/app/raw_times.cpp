@@ -52,6 +52,7 @@ std::optional<ReadStamp> stamp_of(std::string_view record, int version, std::siz
   std::memcpy(words, record.data(), record_size);
   const std::uint64_t first = little_endian(words[0]);
   const auto arrival = static_cast<ArrivalNs>(little_endian(words[1]));
+  if (arrival < 0) return std::nullopt;  // before 1970
   if (version == 1) return ReadStamp{first & ~connection_bit_1, arrival, (first & connection_bit_1) != 0, number};
   const std::uint64_t told = first & ((one << check_at) - 1);
   if (check_of(told, little_endian(words[1])) != first >> check_at) return std::nullopt;
@@ -129,13 +130,20 @@ std::vector<ReadStamp> by_ends(const std::vector<ReadStamp>& begins, std::uint64
   return ends;
 }
 
-/// Where records are missing in front of one, both pieces lie in what it ends.
-void forget_arrivals(std::vector<ReadStamp>& stamps) {
+/// Where records are missing in front of one, their pieces lie in what it ends; in front of the connection that it
+/// tells of, where it has no piece of its own.
+std::vector<ReadStamp> without_the_arrivals_behind_gaps(const std::vector<ReadStamp>& stamps) {
+  std::vector<ReadStamp> result;
   std::size_t expected = 0;
-  for (ReadStamp& stamp : stamps) {
-    if (stamp.number != expected) stamp.arrival.reset();
+  for (ReadStamp stamp : stamps) {
+    if (stamp.number != expected) {
+      if (!stamp.arrival && stamp.begins_connection) result.push_back({.at = stamp.at, .number = expected});
+      stamp.arrival.reset();
+    }
     expected = stamp.number + 1;
+    result.push_back(stamp);
   }
+  return result;
 }
 
 void remark_on(const ReadTimes& read, const std::vector<ReadStamp>& kept, std::size_t beyond, std::uint64_t size,
@@ -201,12 +209,13 @@ Result<RawTimes> raw_times(const std::string& raw, std::uint64_t size) {
   });
   RawTimes times;
   remark_on(read, kept, beyond, size, name, times.remarks);
-  const bool leading = read.headed && read.version == 2 && (kept.empty() || kept.back().number + 1 == kept.size());
+  const bool leading = read.headed && read.version == 2 && kept.size() + beyond == read.records &&
+                       (kept.empty() || kept.back().number + 1 == kept.size());
   if (leading) times.prefix = magic_2.size() + kept.size() * record_size;
   if (read.version == 1)
     kept = by_ends(kept, size);
   else
-    forget_arrivals(kept);
+    kept = without_the_arrivals_behind_gaps(kept);
   for (const ReadStamp& s : kept) times.stamps.push_back({s.at, s.arrival, s.begins_connection});
   times.untimed = size - (times.stamps.empty() ? 0 : times.stamps.back().end);
   std::uint64_t unknown = times.untimed, begin = 0;

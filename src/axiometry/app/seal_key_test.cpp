@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <filesystem>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 #include "tests/support/temporary_folder.h"
 
@@ -21,6 +24,25 @@ TEST(SealKey, IsMadeOnceForItsOwnerOnlyAndIsTheSameThen) {
   EXPECT_EQ(status.st_mode & 0777, 0600u);
   EXPECT_EQ(key_in(file)->public_key(), made->public_key());
   EXPECT_EQ(read_key(file)->public_key(), made->public_key());
+}
+
+TEST(SealKey, IsOneForAllWhoMakeItAtOnce) {
+  for (int round = 0; round < 20; ++round) {
+    const testing_support::TemporaryFolder folder;
+    const std::string file = folder.file("key");
+    std::string public_keys[4];
+    {
+      std::vector<std::jthread> makers;
+      for (std::string& key : public_keys)
+        makers.emplace_back([&] {
+          const auto made = key_in(file);
+          key = made ? made->public_key() : made.error().to_string();
+        });
+    }
+    for (const std::string& key : public_keys) EXPECT_EQ(key, read_key(file)->public_key());
+    const auto files = std::filesystem::directory_iterator(folder.file("."));
+    EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "nothing half made stays";
+  }
 }
 
 TEST(SealKey, IsRefusedWhereOthersMayReadItOrItIsNone) {

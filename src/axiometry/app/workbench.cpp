@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "axiometry/app/given_text.h"
+#include "axiometry/app/test_of_file.h"
 #include "axiometry/app/test_state.h"
 #include "axiometry/app/workbench_state.h"
 
@@ -81,6 +82,7 @@ Result<bool> is_as_it_was(const store::Transaction& archive, const std::vector<T
 struct Incoming {
   store::Content content;
   std::vector<store::NewTest> tests;
+  std::vector<std::string> perhaps_kept_as;
 };
 
 /// All files that come together.
@@ -98,6 +100,7 @@ Result<Evaluation> evaluate_all(State& state, std::span<const Upload> uploads, c
     AXIOMETRY_TRY(const std::string name, given_file_name(upload.name));
     Incoming& incoming = all.files.emplace_back();
     incoming.content = {file->sha256, name, file->format, std::string(upload.bytes)};
+    incoming.perhaps_kept_as = upload.perhaps_kept_as;
     for (const MeasuredTest& measured : file->tests) {
       AXIOMETRY_TRY(First evaluated, evaluate_first(state, measured, name, answers, stop));
       Found& found = evaluated.found;
@@ -118,6 +121,11 @@ Result<Received> keep_all(store::Transaction& archive, Evaluation all, const sto
   Received received{.tests = {}, .same_content = {}, .first = *std::move(all.first)};
   std::set<store::Id> before, own;
   for (const Incoming& file : all.files) {
+    AXIOMETRY_TRY(const auto there, test_of_file(archive, {file.content.file_name, file.perhaps_kept_as}));
+    if (there) {
+      received.tests.push_back({*there, file.tests.front().state.title, {}});
+      continue;
+    }
     AXIOMETRY_TRY(const auto same, ids_with(archive, file.content.sha256));
     AXIOMETRY_TRY(const auto ids, archive.receive(file.content, file.tests, by));
     for (std::size_t k = 0; k < ids.size(); ++k) received.tests.push_back({ids[k], file.tests[k].state.title, same});
@@ -209,6 +217,12 @@ std::optional<AskedTable> asked_table(const Upload& upload) {
   if (!found || found->profile.columns.size() > columns_max) return {};
   return AskedTable{upload.profile.value_or(std::move(found->profile)), std::move(found->questions),
                     std::move(found->names), std::move(found->preview)};
+}
+
+/// Of a change that is in the archive: who cannot be shown it must not take it for lost.
+Result<KeptTest> kept_for_certain(Result<KeptTest> read) {
+  if (!read) read.error().message = fmt::format("the change was kept, but cannot be shown: {}", read.error().message);
+  return read;
 }
 
 }  // namespace
@@ -303,16 +317,17 @@ Result<KeptTest> Workbench::revise(store::Id id, const Revision& revision, const
     state.plan = revision.plan ? revision.plan : record.state.plan;
     return Revised{std::move(state), {{std::move(found.asked), std::move(found.from_archive)}}};
   };
-  const auto keep = [&](store::Transaction& archive, const Revised& revised) {
+  const auto keep = [&](store::Transaction& archive, const Revised& revised) -> Result<int> {
+    AXIOMETRY_TRY_VOID(go_on_unless(stop));
     return archive.revise(id, revision.base_version, revised.state, by);
   };
   AXIOMETRY_TRY(const int version, keep_as_evaluated(*state_, evaluate, keep));
-  return this->test(id, version);
+  return kept_for_certain(this->test(id, version));
 }
 
 Result<KeptTest> Workbench::withdraw(store::Id id, bool withdrawn, const store::By& by) {
   AXIOMETRY_TRY_VOID(state_->store.withdraw(id, withdrawn, by));
-  return test(id);
+  return kept_for_certain(test(id));
 }
 
 Result<KeptTest> Workbench::test(store::Id id, std::optional<int> version) const {

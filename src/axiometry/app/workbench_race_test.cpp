@@ -8,6 +8,8 @@
 #include <atomic>
 #include <barrier>
 #include <chrono>
+#include <latch>
+#include <optional>
 #include <stop_token>
 #include <thread>
 
@@ -98,6 +100,55 @@ TEST_F(TheWorkbenchBesideOthers, TellsOneOfTwoWhoSendTheSameBytesOfTheOther) {
     EXPECT_THAT(same[1 - second], testing::IsEmpty());
     EXPECT_EQ(same[second], own[1 - second]);
   }
+}
+
+TEST_F(TheWorkbenchBesideOthers, KeepsNothingOfWhatIsStoppedWhileItWaitsToBeKept) {
+  const auto received = receive(workbench_, example_table2);
+  ASSERT_TRUE(received);
+  const store::Id id = received->tests.front().id;
+  const ReportRequest wanted{.extension = "csv", .options = {}};
+  ASSERT_TRUE(workbench_.report(id, {}, wanted)) << "so that it is evaluated";
+  const auto stopped = [&](const auto& work) {
+    std::latch writing(1);
+    std::latch go_on(1);
+    std::jthread other([&] {
+      const auto written = store_.write([&](store::Transaction&) -> Result<int> {
+        writing.count_down();
+        go_on.wait();
+        return 0;
+      });
+      EXPECT_TRUE(written);
+      if (!written) writing.count_down();
+    });
+    writing.wait();
+    std::stop_source source;
+    std::optional<Error> error;
+    std::atomic<bool> done = false;
+    std::jthread working([&] {
+      error = work(source.get_token());
+      done = true;
+    });
+    while (store_.waiting_to_write() == 0 && !done) std::this_thread::yield();
+    EXPECT_FALSE(done) << "waits for the other";
+    source.request_stop();
+    go_on.count_down();
+    working.join();
+    return error ? error->message : "kept";
+  };
+  const auto error_of = [](const auto& result) { return result ? std::nullopt : std::optional(result.error()); };
+  EXPECT_THAT(
+      stopped([&](const std::stop_token& stop) {
+        return error_of(workbench_.revise(id, {.draft = {}, .base_version = 1, .title = "Anew"}, somebody, stop));
+      }),
+      testing::HasSubstr("nothing was kept"));
+  EXPECT_THAT(stopped([&](const std::stop_token& stop) {
+                ReportRequest report = wanted;
+                report.stop = stop;
+                return error_of(workbench_.issue(id, {}, report, somebody));
+              }),
+              testing::HasSubstr("nothing was kept"));
+  EXPECT_EQ(workbench_.test(id)->versions.size(), 1U);
+  EXPECT_TRUE(store_.documents(id)->empty());
 }
 
 TEST_F(TheWorkbenchBesideOthers, ShowsATestAsOfOneMomentWhileItIsRevised) {

@@ -69,9 +69,11 @@ Result<const report::Writer*> report_writer_of(const std::string& extension) {
                                                 text::to_lower(extension), fmt::join(known, ", .")));
 }
 
-/// The result that a version keeps, as `axiometry evaluate --json` writes it.
-Result<std::string> kept_json(const store::TestRecord& record) {
-  AXIOMETRY_TRY(const json::Value value, kept_result(record));
+/// The result that a version keeps, as `axiometry evaluate --json` writes it; where it is issued, with what the trail
+/// was before.
+Result<std::string> kept_json(const store::TestRecord& record, const std::string& trail_head) {
+  AXIOMETRY_TRY(json::Value value, kept_result(record));
+  if (!trail_head.empty()) value.add("issue", json::Value::object()).add("trail_head", trail_head);
   return json::dump(value) + "\n";
 }
 
@@ -85,11 +87,13 @@ Result<report::VerifiedFigures> second_opinion_of(const Evaluated& evaluated, co
   return verified;
 }
 
-Result<Rendered> render(Workbench::State& state, const store::TestRecord& record, const ReportRequest& request) {
+/// Of an issued report, where the audit trail ended before.
+Result<Rendered> render(Workbench::State& state, const store::TestRecord& record, const ReportRequest& request,
+                        const std::string& trail_head = {}) {
   const std::string extension = text::to_lower(request.extension);
   Rendered rendered{{}, std::string(media_type_of(extension)), report_file_name(record, extension)};
   if (extension == "json") {
-    AXIOMETRY_TRY(rendered.bytes, kept_json(record));
+    AXIOMETRY_TRY(rendered.bytes, kept_json(record, trail_head));
     return rendered;
   }
   AXIOMETRY_TRY(const report::Writer* writer, report_writer_of(extension));
@@ -97,8 +101,9 @@ Result<Rendered> render(Workbench::State& state, const store::TestRecord& record
   AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
   AXIOMETRY_TRY(const auto verified, second_opinion_of(*evaluated, request.options));
   AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
-  AXIOMETRY_TRY(rendered.bytes, writer->write({evaluated->test, evaluated->assessment, evaluated->judgements, verified},
-                                              request.options));
+  AXIOMETRY_TRY(rendered.bytes,
+                writer->write({evaluated->test, evaluated->assessment, evaluated->judgements, verified, trail_head},
+                              request.options));
   return rendered;
 }
 
@@ -135,7 +140,8 @@ Result<bool> Workbench::runs_trials_for(store::Id id, std::optional<int> version
 Result<store::Document> Workbench::issue(store::Id id, std::optional<int> version, const ReportRequest& request,
                                          const store::By& by) {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
-  AXIOMETRY_TRY(const Rendered rendered, render(*state_, record, request));
+  AXIOMETRY_TRY(const store::Head head, state_->store.head());
+  AXIOMETRY_TRY(const Rendered rendered, render(*state_, record, request, store::short_text(head)));
   if (text::to_lower(request.extension) == "json") {
     AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record, request.stop));
     AXIOMETRY_TRY([[maybe_unused]] const auto verified, second_opinion_of(*evaluated, request.options, rendered.bytes));
@@ -147,7 +153,10 @@ Result<store::Document> Workbench::issue(store::Id id, std::optional<int> versio
   document.name = rendered.file_name;
   document.media_type = rendered.media_type;
   document.language = language::tag(request.language);
-  return state_->store.add_document(document, rendered.bytes, by);
+  return state_->store.write([&](store::Transaction& archive) -> Result<store::Document> {
+    AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
+    return archive.add_document(document, rendered.bytes, by);
+  });
 }
 
 Result<store::Document> Workbench::attach(store::Id id, const Attachment& attachment, const store::By& by) {

@@ -92,29 +92,6 @@ Result<void> check_trials(const Series& series, const TestOptions& options) {
                   trials, targets, series.reading_count(), most));
 }
 
-constexpr double run_work_max = 2e8;
-
-/// What makes a noise of the readings be looked for.
-bool has_inputs(const Metadata& metadata, const FromArchive& taken) {
-  return !taken.instruments.empty() || std::ranges::any_of(metadata_fields(), [&](const Field& field) {
-    const bool is_input = field.key.starts_with("uncertainty.") || field.key.starts_with("gum.");
-    return is_input && !std::holds_alternative<std::monostate>(field.get(metadata));
-  });
-}
-
-/// Each run may be shifted by itself, which takes a time that grows with n³ m and memory with n² m of n runs and m
-/// targets: without a bound a file of 150 kB would take a minute and a gigabyte.
-Result<void> check_runs(const Series& series, const Metadata& metadata, const FromArchive& taken) {
-  const auto runs = static_cast<double>(series.run_count());
-  const auto targets = static_cast<double>(series.target_count());
-  const double most = std::max(std::floor(std::cbrt(run_work_max / (2.0 * targets))), 2.0);
-  if (runs <= most || !has_inputs(metadata, taken)) return {};
-  return fail(
-      fmt::format("found {} runs of {} targets, expected at most {:.0f} where an uncertainty is stated: "
-                  "'axiometry evaluate FILE' takes more",
-                  series.run_count(), series.target_count(), most));
-}
-
 constexpr std::size_t least_weight = 16'384;  // of a file that is remembered: what is around its tests
 
 std::string version_key(const store::TestRecord& record) { return fmt::format("{}/{}", record.id, record.version); }
@@ -167,7 +144,6 @@ Result<Found> Workbench::State::evaluate(Test test, const Draft& draft, const st
   AXIOMETRY_TRY_VOID(set_metadata(question.metadata, metadata_items(draft.changes)));
   AXIOMETRY_TRY_VOID(check_lengths(question.metadata));
   AXIOMETRY_TRY(FromArchive taken, answers(question));
-  AXIOMETRY_TRY_VOID(check_runs(test.series, question.metadata, taken));
   AXIOMETRY_TRY(Found found, evaluate_with(std::move(test), draft, std::move(taken), stop));
   found.asked = std::move(question);
   return found;

@@ -27,6 +27,9 @@ struct Upload {
   std::string_view bytes;
   std::optional<store::Id> plan{};                  ///< after which the test was made
   std::optional<formats::ImportProfile> profile{};  ///< by which a table of any layout is read
+  /// SHA-256 of contents as which the file may have been sent before, nobody knows whether it came: a test that has its
+  /// name and one of these is the answer, and nothing is kept.
+  std::vector<std::string> perhaps_kept_as{};
 };
 
 /// What may be tried with a test without keeping it.
@@ -89,7 +92,7 @@ struct ReceivedTest {
 };
 
 struct Received {
-  std::vector<ReceivedTest> tests;      ///< never empty; each at version 1
+  std::vector<ReceivedTest> tests;      ///< never empty; each at version 1 unless it was there (perhaps_kept_as)
   std::vector<store::Id> same_content;  ///< tests of before with the bytes of any of the files
   Outcome first;
 };

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/digest/raw_bytes.h"
 
 namespace axiometry {
 namespace {
@@ -25,9 +26,6 @@ struct KeyCloser {
 using Key = std::unique_ptr<EVP_PKEY, KeyCloser>;
 using SigningContext = std::unique_ptr<EVP_MD_CTX, KeyCloser>;
 using Memory = std::unique_ptr<BIO, KeyCloser>;
-
-const unsigned char* raw(std::string_view bytes) { return reinterpret_cast<const unsigned char*>(bytes.data()); }
-unsigned char* raw(std::string& bytes) { return reinterpret_cast<unsigned char*>(bytes.data()); }
 
 Key private_key(const std::string& secret) {
   Key key(EVP_PKEY_new_raw_private_key(EVP_PKEY_ED25519, nullptr, raw(secret), secret.size()));

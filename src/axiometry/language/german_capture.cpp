@@ -23,10 +23,16 @@ constexpr Phrase rows[] = {
     {"cut off by missing samples or the end of the recording",
      "abgeschnitten durch fehlende Abtastwerte oder das Ende der Aufzeichnung"},
     {"drifts by {0#} while at rest", "driftet im Stillstand um {0}"},
+    {"found a device, a pipe or a folder, expected a file",
+     "ein Gerät, eine Leitung oder ein Ordner; erwartet: eine Datei"},
     {"found a window of ±{0#} around the targets, expected one above 0 and below {1#}, half way to the next target and "
      "to the overrun",
      "Fenster von ±{0} um die Zielpositionen; erwartet: eines über 0 und unter {1}, dem halben Weg zur nächsten "
      "Zielposition und zum Überlauf"},
+    {"found another program at this recording, expected none: it has one listener",
+     "ein anderes Programm ist an dieser Aufzeichnung; erwartet: keines, denn nur eines kann hören"},
+    {"found capture {0=} in the archive already, as test {1=}, expected one that is to be gone on with",
+     "Messung {0} liegt schon als Prüfung {1} im Archiv; erwartet: eine, die noch fortzusetzen ist"},
     {"found capture {0=} running elsewhere, expected one that was interrupted",
      "Messung {0} läuft anderswo; erwartet: eine unterbrochene"},
     {"found deviations from {0#} to {1#} from the targets, expected a range of {2#} at most: the recording belongs to "
@@ -40,6 +46,8 @@ constexpr Phrase rows[] = {
     {"found no interrupted capture {0=}", "keine unterbrochene Messung {0}"},
     {"found no reading at target {0#} of the plan, expected one from every approach: left out of the test",
      "kein Messwert an Zielposition {0} des Plans; erwartet: einer aus jeder Anfahrt: in der Prüfung weggelassen"},
+    {"found no sample and no times beside it, expected a recording to go on with",
+     "kein Abtastwert und keine Zeiten daneben; erwartet: eine Aufzeichnung, die fortzusetzen ist"},
     {"found no {0#} standstills in {1#} that fit the first approaches of the plan, expected them to set the zero",
      "keine {0} Stillstände unter {1}, die zu den ersten Anfahrten des Plans passen; erwartet: solche, um Null zu "
      "setzen"},
@@ -85,7 +93,9 @@ constexpr Phrase rows[] = {
     {"left out the end of the recording: {0}", "das Ende der Aufzeichnung wurde weggelassen: {0}"},
     {"left out the last {0#} bytes of the recording, which are no whole sample",
      "die letzten {0} Bytes der Aufzeichnung, die kein ganzer Abtastwert sind, wurden weggelassen"},
-    {"left out the recording behind byte {0#}: {1}", "die Aufzeichnung hinter Byte {0} wurde weggelassen: {1}"},
+    {"left out the recording up to the connection that begins behind byte {0#}: {1}",
+     "die Aufzeichnung bis zur Verbindung, die hinter Byte {0} beginnt, wurde weggelassen: {1}"},
+    {"left out the rest of the recording: {0}", "der Rest der Aufzeichnung wurde weggelassen: {0}"},
     {"left out {0#} lines whose counter is out of order, the first is line {1#}",
      "{0} Zeilen mit einem Zähler außer der Reihe weggelassen, die erste ist Zeile {1}"},
     {"left out {0#} lines whose time is out of order, the first is line {1#}",

@@ -57,6 +57,8 @@ constexpr Phrase rows[] = {
     {"found a PNG picture, expected a text file", "PNG-Bild; erwartet: eine Textdatei"},
     {"found a ZIP archive or a spreadsheet, expected a text file; save a spreadsheet as CSV",
      "ZIP-Archiv oder Tabellenkalkulation; erwartet: eine Textdatei; die Tabelle als CSV speichern"},
+    {"found a byte 0 behind {0#} bytes, expected JSON, which has none",
+     "Byte 0 nach {0} Bytes; erwartet: JSON, das keines hat"},
     {"found a continuous recording (Text with time and position), expected a measured test; its readings are taken out "
      "of it by 'axiometry evaluate --plan PLAN FILE' with the plan the axis moved after",
      "fortlaufende Aufzeichnung (Text mit Zeit und Position); erwartet: eine gemessene Prüfung; ihre Messwerte "

@@ -29,6 +29,7 @@ constexpr Phrase rows[] = {
      "Anhang A sagt hier nichts aus: {0}; siehe Unsicherheit der Kennwerte."},
     {"Approach ↑ from below", "Anfahrt ↑ von unten"},
     {"Approach ↓ from above", "Anfahrt ↓ von oben"},
+    {"Audit trail before issue", "Änderungsnachweis vor der Ausgabe"},
     {"Axis", "Achse"},
     {"Axis under test", "Geprüfte Achse"},
     {"Bidirectional", "Beidseitig"},

@@ -13,6 +13,10 @@ constexpr Phrase rows[] = {
     {"cycle: {0}", "Zyklus: {0}"},
     {"dwell_s: {0}", "Verweilzeit: {0}"},
     {"feed: {0}", "Vorschub: {0}"},
+    {"found a change that was begun and never finished, with a file beside it (-journal) to take it back, expected it "
+     "taken back first: open the store once where it can be written",
+     "eine begonnene, nie beendete Änderung, daneben eine Datei (-journal), die sie zurücknimmt; erwartet: zuvor "
+     "zurückgenommen: das Archiv einmal dort öffnen, wo es beschreibbar ist"},
     {"found a damaged SQLite database, cut off or overwritten in part, expected a whole one: leave it as it is and "
      "restore a backup into a new file",
      "beschädigte SQLite-Datenbank, abgeschnitten oder teilweise überschrieben; erwartet: eine unversehrte: sie so "
@@ -102,10 +106,6 @@ constexpr Phrase rows[] = {
     {"found {0#} MB, expected at most {1#}", "{0} MB; erwartet: höchstens {1}"},
     {"found {0#} characters in {1=}, expected at most {2#}", "{0} Zeichen in {1}; erwartet: höchstens {2}"},
     {"found {0#} of them, expected at most {1#}", "{0} Stück; erwartet: höchstens {1}"},
-    {"found {0#} runs of {1#} targets, expected at most {2#} where an uncertainty is stated: 'axiometry evaluate FILE' "
-     "takes more",
-     "{0} Läufe mit {1} Zielpositionen; erwartet: höchstens {2}, wo eine Unsicherheit angegeben ist: „axiometry "
-     "evaluate DATEI“ nimmt mehr"},
     {"found {0#} trials, expected null or a whole number from {1#} to {2#}",
      "{0} Versuche; erwartet: null oder eine ganze Zahl von {1} bis {2}"},
     {"found {0#}, expected a whole number", "{0}; erwartet: eine ganze Zahl"},

@@ -453,6 +453,13 @@ TEST(ProvenanceSection, LeadsBackToTheSource) {
   EXPECT_THAT(all, Contains(HasSubstr("Amendment 1:2016 has not been taken into account")));
 }
 
+TEST(ProvenanceSection, SaysWhereTheTrailOfTheArchiveEndedBeforeItWasIssued) {
+  const Reported table2 = reported_table2();
+  EXPECT_THAT(facts(section(composed(table2), "provenance")), Not(Contains(HasSubstr("Audit trail"))));
+  const Document issued = compose({table2.test, table2.assessment, table2.judgements, {}, "17:3f2a9c0b1d2e4f56"}, {});
+  EXPECT_THAT(facts(section(issued, "provenance")), Contains("Audit trail before issue: 17:3f2a9c0b1d2e4f56"));
+}
+
 TEST(Compose, GivesEverySectionAnIdOfItsOwn) {
   const auto ids = section_ids(composed(reported_table2()));
   EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size());

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/result.h"
@@ -39,7 +40,12 @@ struct Subject {
   const iso230_2::Assessment& assessment;
   std::span<const iso230_2::Judgement> judgements;
   std::optional<VerifiedFigures> verified{};  ///< where all of it was recomputed before
+  std::string
+      trail_head{};  ///< of an issued report: where the archive's audit trail ended before; "17:3f2a9c0b1d2e4f56"
 };
+
+/// What a trail_head is called wherever an output says it.
+inline constexpr std::string_view trail_head_name = "Audit trail before issue";
 
 /// Parameter value and uncertainty of record (iso230_2_record.h) as shown to people: U to `uncertainty_digits`
 /// significant digits, the value to U's last place; without U to `deviation_decimals`.

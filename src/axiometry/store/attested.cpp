@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
+
 #include "axiometry/base/json.h"
 
 namespace axiometry::store {
@@ -10,9 +13,20 @@ namespace {
 
 std::string key(const std::string& subject, int version) { return fmt::format("{} {}", subject, version); }
 
-std::string text_of(const json::Value& detail, std::string_view name) {
+std::optional<std::string> text_of(const json::Value& detail, std::string_view name) {
   const json::Value* value = detail.find(name);
-  return value != nullptr && value->is(json::Kind::text) ? value->text() : std::string();
+  if (value == nullptr || !value->is(json::Kind::text)) return {};
+  return value->text();
+}
+
+/// 0 of an entry that tells none, as of what has no versions; nothing where it is no number of one.
+std::optional<int> told_version(const json::Value& detail) {
+  const json::Value* value = detail.find("version");
+  if (value == nullptr) return 0;
+  if (!value->is(json::Kind::number)) return {};
+  const double version = value->number();
+  const bool counts = version >= 1.0 && version <= std::numeric_limits<int>::max() && version == std::floor(version);
+  return counts ? std::optional(static_cast<int>(version)) : std::nullopt;
 }
 
 }  // namespace
@@ -23,14 +37,14 @@ void Attested::learn(const AuditEntry& entry) {
   const auto detail = json::parse(entry.detail);
   if (!detail || !detail->is(json::Kind::object)) return;
   if (entry.action == "test.received")
-    origins_[entry.subject] = {text_of(*detail, "content"), text_of(*detail, "file"), text_of(*detail, "name_in_file"),
-                               entry.change};
-  if (entry.action == "content.kept") kept_[entry.subject] = entry.change;
+    origins_[entry.subject] = {text_of(*detail, "content").value_or(""), text_of(*detail, "file").value_or(""),
+                               text_of(*detail, "name_in_file").value_or(""), text_of(*detail, "format"), entry.change};
+  if (entry.action == "content.kept")
+    kept_[entry.subject] = {entry.change, text_of(*detail, "file"), text_of(*detail, "format")};
   const json::Value* hash = detail->find("sha256");
-  const json::Value* version = detail->find("version");
-  if (hash == nullptr || !hash->is(json::Kind::text)) return;
-  const bool versioned = version != nullptr && version->is(json::Kind::number);
-  hashes_[key(entry.subject, versioned ? static_cast<int>(version->number()) : 0)] = hash->text();
+  const auto version = told_version(*detail);
+  if (hash == nullptr || !hash->is(json::Kind::text) || !version) return;
+  hashes_[key(entry.subject, *version)] = hash->text();
   ++counts_[entry.subject.substr(0, entry.subject.find(' '))];
 }
 
@@ -44,7 +58,7 @@ const Origin* Attested::origin(const std::string& test) const {
   return found == origins_.end() ? nullptr : &found->second;
 }
 
-const Change* Attested::kept(const std::string& content) const {
+const Keeping* Attested::kept(const std::string& content) const {
   const auto found = kept_.find(content);
   return found == kept_.end() ? nullptr : &found->second;
 }

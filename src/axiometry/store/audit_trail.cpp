@@ -72,11 +72,14 @@ Result<std::int64_t> verify_chain(Connection& connection, std::vector<std::strin
                                   const std::function<void(const AuditEntry&)>& visit) {
   std::string previous;
   std::int64_t last = 0;
-  while (true) {
-    AXIOMETRY_TRY(const Rows rows, connection.query(fmt::format("SELECT {} FROM audit WHERE id > $1 ORDER BY id LIMIT "
-                                                                "$2",
-                                                                audit_columns),
-                                                    {last, entries_at_once}));
+  AXIOMETRY_TRY(const Rows first, connection.query("SELECT coalesce(min(id), 1) FROM audit"));
+  const auto some_entries = [&](std::string_view relation, std::int64_t id) {
+    return connection.query(
+        fmt::format("SELECT {} FROM audit WHERE id {} $1 ORDER BY id LIMIT $2", audit_columns, relation),
+        {id, entries_at_once});
+  };
+  for (bool begun = false;; begun = true) {
+    AXIOMETRY_TRY(const Rows rows, begun ? some_entries(">", last) : some_entries(">=", first[0].integer(0)));
     if (rows.empty()) return last;
     for (const Row& row : rows) {
       const AuditEntry entry = entry_of(row);

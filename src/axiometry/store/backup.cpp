@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 
 #include "axiometry/base/json.h"
 #include "axiometry/store/audit_trail.h"
@@ -123,6 +125,34 @@ Result<void> make_single(const std::string& file) {
   return connection.script("PRAGMA journal_mode = DELETE");
 }
 
+/// What rows that are copied leave behind of the archive that they come from.
+struct LeftBehind {
+  SchemaDifferences schema{};
+  std::string not_compared{};  ///< why only names were looked at
+};
+
+Result<LeftBehind> left_by_rows(Connection& from, const Place& place) {
+  AXIOMETRY_TRY(const SchemaParts found, schema_parts(from));
+  const auto expected = expected_schema_parts(place);
+  if (!expected) return LeftBehind{differences_by_name(found, from.is_sqlite()), expected.error().message};
+  return LeftBehind{differences(found, *expected), ""};
+}
+
+/// Of what the copy does not have, and its archive does.
+void tell_left_behind(LeftBehind left, Verification& of_copy) {
+  const auto& missing = left.schema.missing_indexes;
+  for (const std::string& problem : left.schema.problems)
+    if (std::ranges::find(missing, problem) == missing.end())
+      of_copy.notes.push_back(fmt::format("in the archive, not in the backup: {}", problem));
+  if (!left.not_compared.empty())
+    of_copy.notes.push_back(
+        fmt::format("tables, constraints and triggers of the archive, which the backup has its own of, were not "
+                    "compared with those of schema {}, but for their names ({})",
+                    newest_schema(), left.not_compared));
+  std::ranges::move(left.schema.extras, std::back_inserter(of_copy.extras));
+  std::ranges::move(left.schema.missing_indexes, std::back_inserter(of_copy.missing_indexes));
+}
+
 Result<void> copy_to_sqlite(Connection& from, const std::string& file) {
   AXIOMETRY_TRY(const std::unique_ptr<Place> place, sqlite_place(file, {}));
   AXIOMETRY_TRY(const std::unique_ptr<Connection> to, place->connect());
@@ -145,21 +175,27 @@ Result<void> check_empty(Connection& connection) {
   return {};
 }
 
+/// A missing index takes nothing away from the rows, and who restores them makes it anew.
 Result<void> check_whole(const Verification& verification, const std::string& backup_file) {
-  if (verification.problems.empty()) return {};
+  std::vector<std::string> damage = verification.problems;
+  std::erase_if(damage, [&](const std::string& problem) {
+    return std::ranges::find(verification.missing_indexes, problem) != verification.missing_indexes.end();
+  });
+  if (damage.empty()) return {};
   return std::unexpected(Error{fmt::format("found a damaged backup ({} problems; the first: {}), expected one that is "
                                            "whole",
-                                           verification.problems.size(), verification.problems[0]),
+                                           damage.size(), damage[0]),
                                backup_file,
                                {},
                                ErrorKind::damaged});
 }
 
 /// A copy that nobody has read is a hope, not a backup.
-Result<void> check_copy(const std::string& copy, const std::string& file) {
+Result<Verification> check_copy(const std::string& copy, const std::string& file) {
   AXIOMETRY_TRY(const std::unique_ptr<Store> store, Store::open(copy, {.create = false, .read_only = true}));
-  AXIOMETRY_TRY(const Verification verification, store->verify());
-  return check_whole(verification, file);
+  AXIOMETRY_TRY(Verification verification, store->verify());
+  AXIOMETRY_TRY_VOID(check_whole(verification, file));
+  return verification;
 }
 
 Error in_file(Error error, const std::string& file) {
@@ -169,29 +205,34 @@ Error in_file(Error error, const std::string& file) {
 
 }  // namespace
 
-Result<void> Store::backup(const std::string& file) const {
+Result<Verification> Store::backup(const std::string& file) const {
   std::error_code error;
   if (files::exists(files::symlink_status(file, error))) return fail_exists(file);
   AXIOMETRY_TRY(const Neighbour neighbour, Neighbour::make(file));
-  const auto copied = [&]() -> Result<void> {
+  LeftBehind left;
+  auto copied = [&]() -> Result<Verification> {
     if (state_->info.kind == "sqlite") {
       AXIOMETRY_TRY(const ConnectionPool::Lease connection, state_->pool.lease());
       AXIOMETRY_TRY_VOID(copy_pages(static_cast<SqliteConnection&>(*connection).database(), neighbour.name()));
     } else {
-      AXIOMETRY_TRY_VOID(
-          state_->read([&](Connection& connection) { return copy_to_sqlite(connection, neighbour.name()); }));
+      AXIOMETRY_TRY_VOID(state_->read([&](Connection& connection) -> Result<void> {
+        AXIOMETRY_TRY(left, left_by_rows(connection, state_->pool.place()));
+        return copy_to_sqlite(connection, neighbour.name());
+      }));
     }
     AXIOMETRY_TRY_VOID(make_single(neighbour.name()));
     return check_copy(neighbour.name(), file);
   }();
   if (!copied) return std::unexpected(in_file(copied.error(), file));
-  return neighbour.take_name();
+  AXIOMETRY_TRY_VOID(neighbour.take_name());
+  tell_left_behind(std::move(left), *copied);
+  return copied;
 }
 
-Result<Counts> Store::restore(const std::string& backup_file, std::string_view address) {
+Result<Restored> Store::restore(const std::string& backup_file, std::string_view address) {
   if (is_postgresql(backup_file)) return fail("found the address of a server as a backup, expected a file");
   AXIOMETRY_TRY(const std::unique_ptr<Store> from, open(backup_file, {.create = false, .read_only = true}));
-  return from->state_->read([&](Connection& source) -> Result<Counts> {
+  return from->state_->read([&](Connection& source) -> Result<Restored> {
     AXIOMETRY_TRY(const Expectations expected, expectations(from->state_->pool.place()));
     AXIOMETRY_TRY(const Verification verification, verify_archive(source, expected));
     AXIOMETRY_TRY_VOID(check_whole(verification, backup_file));
@@ -207,7 +248,8 @@ Result<Counts> Store::restore(const std::string& backup_file, std::string_view a
       return target.run("ANALYZE");
     });
     if (!filled) return std::unexpected(in_file(filled.error(), to->state_->info.location));
-    return to->counts();
+    AXIOMETRY_TRY(const Counts counts, to->counts());
+    return Restored{counts, verification.extras};
   });
 }
 

@@ -13,41 +13,20 @@
 namespace axiometry::store {
 namespace {
 
-using test::by_anna;
-using test::content_of;
-using test::must;
-using test::new_test;
-using test::why;
 using testing::HasSubstr;
 
-class StoreBackupTest : public test::BothStores {
- protected:
-  std::unique_ptr<Store> filled() {
-    auto store = must(Store::open(new_address()));
-    must(store->receive(content_of(std::string("abc\0\xff", 5)), std::vector{new_test("a", 0.1 + 0.2), new_test("b")},
-                        by_anna));
-    must(store->revise(1, 1, new_test("a ä 'again'", 1e-300).state, {"Ben", "reason"}));
-    must(store->withdraw(2, true, by_anna));
-    Document document;
-    document.test = 1;
-    document.name = "report.pdf";
-    must(store->add_document(document, "bytes", by_anna));
-    must(store->add(PlanRecord{"Plan", 1, sha256("bytes")}, by_anna));
-    return store;
-  }
-};
-INSTANTIATE_TEST_SUITE_P(Both, StoreBackupTest, testing::Values("sqlite", "postgresql"),
-                         [](const auto& each) { return each.param; });
+class StoreBackupTest : public BothStores {};
+AXIOMETRY_ON_BOTH_STORES(StoreBackupTest);
 
 TEST_P(StoreBackupTest, GivesTheWholeArchiveBackAndGoesOnFromThere) {
-  const auto store = filled();
+  const auto store = must(Store::open(filled()));
   const std::string backup = file("copy.db");
   must(store->backup(backup));
   EXPECT_FALSE(std::filesystem::exists(backup + "-wal"));
   const std::string address = new_address();
-  const Counts counts = must(Store::restore(backup, address));
+  const Counts counts = must(Store::restore(backup, address)).counts;
   EXPECT_EQ(counts.tests, 2);
-  EXPECT_EQ(counts.documents, 1);
+  EXPECT_EQ(counts.documents, 2);
   const auto restored = must(Store::open(address));
   const Verification verification = must(restored->verify());
   EXPECT_THAT(verification.problems, testing::IsEmpty());
@@ -57,6 +36,8 @@ TEST_P(StoreBackupTest, GivesTheWholeArchiveBackAndGoesOnFromThere) {
   EXPECT_EQ(after[0].action, "store.restored");
   EXPECT_EQ(after[1].sha256, before[0].sha256);
   EXPECT_EQ(must(restored->test(1)).state.title, "a ä 'again'");
+  const std::string no_text("bytes\0\xff", 7);
+  EXPECT_EQ(must(restored->content(sha256(no_text))).bytes, no_text);
   EXPECT_EQ(must(restored->test(1)).state.evaluation.figures[0].value, 1e-300);
   EXPECT_EQ(must(restored->test(1, 1)).state.evaluation.figures[0].value, 0.1 + 0.2);
   EXPECT_EQ(must(restored->receive(content_of("next"), std::vector{new_test("c")}, by_anna)).at(0), 3);
@@ -66,14 +47,14 @@ TEST_P(StoreBackupTest, GivesTheWholeArchiveBackAndGoesOnFromThere) {
 
 TEST_P(StoreBackupTest, IsAStoreItselfAndIsVerifiedAsOne) {
   const std::string backup = file("copy.db");
-  must(filled()->backup(backup));
+  must(must(Store::open(filled()))->backup(backup));
   const auto store = must(Store::open(backup, {.create = false, .read_only = true}));
   EXPECT_EQ(must(store->verify()).tests, 2);
   EXPECT_TRUE(must(store->verify()).problems.empty());
 }
 
 TEST_P(StoreBackupTest, NeverReplacesAFile) {
-  const auto store = filled();
+  const auto store = must(Store::open(filled()));
   std::ofstream(file("there.db")) << "precious";
   const auto refused = store->backup(file("there.db"));
   ASSERT_FALSE(refused);
@@ -87,7 +68,7 @@ TEST_P(StoreBackupTest, NeverReplacesAFile) {
 }
 
 TEST_P(StoreBackupTest, FillsNoStoreThatHoldsAnything) {
-  const auto store = filled();
+  const auto store = must(Store::open(filled()));
   must(store->backup(file("copy.db")));
   const std::string address = new_address();
   Machine machine;
@@ -101,7 +82,7 @@ TEST_P(StoreBackupTest, FillsNoStoreThatHoldsAnything) {
 }
 
 TEST_P(StoreBackupTest, RestoresNothingFromADamagedBackup) {
-  must(filled()->backup(file("copy.db")));
+  must(must(Store::open(filled()))->backup(file("copy.db")));
   {
     const auto connection = raw(file("copy.db"));
     must(connection->script("DROP TRIGGER figure_unchanged; UPDATE figure SET value = 7"));
@@ -127,6 +108,74 @@ TEST_P(StoreBackupTest, IsNotKeptWhereTheCopyIsNotWhole) {
   for (const auto& entry : std::filesystem::directory_iterator(file(".")))
     files += entry.path().string().find("copy.db") != std::string::npos;
   EXPECT_EQ(files, 0u) << "nothing that is not whole stays";
+}
+
+TEST_P(StoreBackupTest, IsMadeAndRestoredWithAnIndexAndAViewOfSomebodysOwn) {
+  const std::string address = filled();
+  must(raw(address)->script(
+      "CREATE INDEX by_name ON machine_version (name); CREATE VIEW newest AS SELECT max(id) AS id FROM test"));
+  const auto store = must(Store::open(address));
+  const auto names_both = testing::UnorderedElementsAre(HasSubstr("index by_name"), HasSubstr("newest"));
+  EXPECT_THAT(must(store->backup(file("copy.db"))).extras, names_both);
+  if (store->info().kind == "postgresql")
+    must(
+        raw(file("copy.db"))->script("CREATE INDEX by_name ON machine_version (name); CREATE VIEW newest AS SELECT 1"));
+  const std::string restored = new_address();
+  EXPECT_THAT(must(Store::restore(file("copy.db"), restored)).left_behind, names_both);
+  EXPECT_THAT(problems(restored), testing::IsEmpty());
+  EXPECT_THAT(must(must(Store::open(restored))->verify()).extras, testing::IsEmpty());
+}
+
+TEST_P(StoreBackupTest, TellsWhatIsWrongWithTheTriggersThatItLeavesBehind) {
+  if (sqlite()) GTEST_SKIP() << "a copy of a file has its triggers";
+  const std::string address = filled();
+  must(raw(address)->script(
+      "ALTER TABLE figure DISABLE TRIGGER figure_unchanged; ALTER TABLE content ENABLE REPLICA TRIGGER "
+      "content_unchanged; DROP INDEX audit_action; CREATE RULE quiet AS ON INSERT TO migration DO INSTEAD NOTHING"));
+  const Verification made = must(must(Store::open(address))->backup(file("copy.db")));
+  EXPECT_THAT(made.problems, testing::IsEmpty());
+  EXPECT_THAT(made.notes,
+              testing::UnorderedElementsAre(HasSubstr("in the archive, not in the backup: trigger figure_unchanged"),
+                                            HasSubstr("in the archive, not in the backup: trigger content_unchanged"),
+                                            HasSubstr("in the archive, not in the backup: rule quiet of migration")));
+  EXPECT_THAT(problems(file("copy.db")), testing::IsEmpty());
+}
+
+TEST_P(StoreBackupTest, SaysThatWhatItLeavesBehindCouldNotBeCompared) {
+  if (sqlite()) GTEST_SKIP() << "who reads a file may compare it";
+  const std::string address = filled(), reader = fmt::format("reader_{}", ::getpid());
+  const auto owner = raw(address);
+  const std::string schema = must(owner->query("SELECT current_schema()::text"))[0].text(0);
+  must(owner->script(fmt::format(
+      "ALTER TABLE figure DISABLE TRIGGER figure_unchanged; CREATE ROLE {0} LOGIN; GRANT USAGE ON SCHEMA {1} TO {0}; "
+      "GRANT SELECT ON ALL TABLES IN SCHEMA {1} TO {0}",
+      reader, schema)));
+  const auto made = [&] {
+    const auto store = must(Store::open(address + "&user=" + reader, {.create = false, .read_only = true}));
+    return must(store->backup(file("copy.db")));
+  }();
+  EXPECT_THAT(made.notes, testing::UnorderedElementsAre(HasSubstr("figure_unchanged of figure: found it switched off"),
+                                                        HasSubstr("were not compared with those of schema")));
+  must(owner->script(fmt::format("DROP OWNED BY {0}; DROP ROLE {0}", reader)));
+}
+
+TEST_P(StoreBackupTest, IsMadeAndRestoredWithoutAnIndexOfOurOwnAndTellsIt) {
+  const std::string address = filled();
+  must(raw(address)->script("DROP INDEX audit_action"));
+  const auto store = must(Store::open(address));
+  const auto lost = testing::ElementsAre(HasSubstr("index audit_action"));
+  EXPECT_THAT(must(store->verify()).problems, lost);
+  EXPECT_THAT(must(store->backup(file("copy.db"))).missing_indexes, lost);
+  const std::string restored = new_address();
+  EXPECT_EQ(must(Store::restore(file("copy.db"), restored)).counts.tests, 2);
+  EXPECT_THAT(problems(restored), testing::IsEmpty());
+}
+
+TEST_P(StoreBackupTest, IsNotKeptWithoutAnIndexWhereMoreIsWrong) {
+  const std::string address = filled();
+  tamper(address, "figure", "UPDATE figure SET value = 7");
+  must(raw(address)->script("DROP INDEX audit_action"));
+  EXPECT_EQ(must(Store::open(address))->backup(file("copy.db")).error().kind, ErrorKind::damaged);
 }
 
 TEST_P(StoreBackupTest, IsOfOneMomentWhileOthersWrite) {

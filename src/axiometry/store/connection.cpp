@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "axiometry/base/text.h"
 
@@ -39,6 +40,18 @@ std::int64_t Row::integer(std::size_t column) const {
   const auto* value = std::get_if<std::int64_t>(&cells_.at(column));
   if (value == nullptr) throw DamagedCell();
   return *value;
+}
+
+int Row::number(std::size_t column) const {
+  const std::int64_t value = integer(column);
+  if (!std::in_range<int>(value)) throw DamagedCell();
+  return static_cast<int>(value);
+}
+
+bool Row::flag(std::size_t column) const {
+  const std::int64_t value = integer(column);
+  if (value != 0 && value != 1) throw DamagedCell();
+  return value == 1;
 }
 
 std::optional<std::int64_t> Row::optional_integer(std::size_t column) const {

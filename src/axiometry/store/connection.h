@@ -44,8 +44,9 @@ Cell cell(const std::optional<T>& value) {
 /// A cell as a parameter of the next statement; lives as long as the cell.
 Parameter parameter(const Cell& cell);
 
-/// Thrown where a cell is of another type than was written into its column: somebody else has been at the database, and
-/// no reader can go on. Ends the transaction as an Error of the kind damaged (store_state.h).
+/// Thrown where a cell holds what was never written into its column, a text for a number or 2 for a flag: somebody else
+/// has been at the database, and no reader can go on. Ends the transaction as an Error of the kind damaged
+/// (store_state.h).
 struct DamagedCell {};
 
 /// One line of an answer. Its cells are asked for as what was written into them.
@@ -56,8 +57,8 @@ class Row {
   const std::vector<Cell>& cells() const { return cells_; }
   std::int64_t integer(std::size_t column) const;
   std::optional<std::int64_t> optional_integer(std::size_t column) const;
-  int number(std::size_t column) const { return static_cast<int>(integer(column)); }
-  bool flag(std::size_t column) const { return integer(column) != 0; }
+  int number(std::size_t column) const;
+  bool flag(std::size_t column) const;  ///< 0 or 1
   double real(std::size_t column) const;
   std::optional<double> optional_real(std::size_t column) const;
   const std::string& text(std::size_t column) const;  ///< or the bytes of a blob

@@ -19,11 +19,17 @@ constexpr std::string_view document_columns =
 
 std::string_view kind_name(Document::Kind kind) { return kind == Document::Kind::report ? "report" : "attachment"; }
 
+Document::Kind document_kind(std::string_view name) {
+  for (const Document::Kind kind : {Document::Kind::report, Document::Kind::attachment})
+    if (kind_name(kind) == name) return kind;
+  throw DamagedCell();
+}
+
 Document document_of(const Row& row) {
   return {.id = row.integer(0),
           .test = row.integer(1),
           .version = row.number(2),
-          .kind = row.text(3) == "report" ? Document::Kind::report : Document::Kind::attachment,
+          .kind = document_kind(row.text(3)),
           .name = row.text(4),
           .media_type = row.text(5),
           .language = row.text(6),

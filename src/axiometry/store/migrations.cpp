@@ -126,4 +126,26 @@ Result<int> check_schema(Connection& connection) {
   return there;
 }
 
+Result<std::vector<std::string>> other_migrations(Connection& connection) {
+  std::vector<std::string> said;
+  Migrations missing = migrations(connection.is_sqlite());
+  AXIOMETRY_TRY(const Rows rows, connection.query("SELECT number, name, sha256 FROM migration ORDER BY number"));
+  for (const Row& row : rows) {
+    const auto ours = std::ranges::find(missing, row.integer(0), [](const auto& each) { return each.first; });
+    if (ours == missing.end() || ours->second.name != row.text(1) || ours->second.sha256 != row.text(2))
+      said.push_back(fmt::format("migration {}: found {} with the SHA-256 {}, expected {}", row.integer(0), row.text(1),
+                                 row.text(2), ours == missing.end() ? "none" : "the one of this program"));
+    if (ours != missing.end()) missing.erase(ours);
+  }
+  for (const auto& [number, migration] : missing)
+    said.push_back(fmt::format("migration {}: found none, expected {}", number, migration.name));
+  return said;
+}
+
+std::string migration_text(bool sqlite) {
+  std::string text = table_of_migrations;
+  for (const auto& [number, migration] : migrations(sqlite)) text += "\n" + migration.sql;
+  return text;
+}
+
 }  // namespace axiometry::store

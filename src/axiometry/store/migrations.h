@@ -2,6 +2,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "axiometry/base/embedded_file.h"
 #include "axiometry/base/result.h"
@@ -26,5 +28,11 @@ Result<void> make_tables(Connection& connection);
 
 /// The same checks without a change; fails, too, where something is missing.
 Result<int> check_schema(Connection& connection);
+
+/// Where the archive remembers another number, name or SHA-256 than those of this program, a sentence for each.
+Result<std::vector<std::string>> other_migrations(Connection& connection);
+
+/// All of them as text, as a database of this kind is given them.
+std::string migration_text(bool sqlite);
 
 }  // namespace axiometry::store

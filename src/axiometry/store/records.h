@@ -26,6 +26,8 @@ struct Change {
   std::string at;
   std::string actor;
   std::string reason;
+
+  friend bool operator==(const Change&, const Change&) = default;
 };
 
 /// What is known as one thing over time, edited by versions that all stay. Versions count from 1.

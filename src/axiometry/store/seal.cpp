@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "axiometry/base/json.h"
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/digest/ed25519.h"
 #include "axiometry/store/clock.h"
@@ -12,6 +13,7 @@
 namespace axiometry::store {
 namespace {
 
+constexpr std::size_t digits_of_short_head = 16;
 constexpr std::string_view seal_format = "axiometry-seal-1";
 
 Result<std::string> text_member(const json::Value& root, std::string_view name) {
@@ -31,6 +33,25 @@ Result<std::int64_t> entries_member(const json::Value& root) {
 }
 
 }  // namespace
+
+std::string short_text(const Head& head) {
+  return fmt::format("{}:{}", head.entries, head.sha256.substr(0, digits_of_short_head));
+}
+
+Result<Head> read_short_head(std::string_view text) {
+  const auto parts = text::split(text::trim(text), ':');
+  const auto number = parse_count(parts[0]);
+  const std::string digits = parts.size() == 2 ? text::to_lower(parts[1]) : "";
+  const bool sound = number && *number >= 1 && *number <= static_cast<std::uint64_t>(id_max) &&
+                     digits.size() >= digits_of_short_head && digits.size() <= 64 &&
+                     digits.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!sound)
+    return fail(
+        fmt::format("found {} as the head of an audit trail, expected its number and 16 to 64 digits of its "
+                    "hash as a report says them: 17:3f2a9c0b1d2e4f56",
+                    text::quoted(text)));
+  return Head{static_cast<std::int64_t>(*number), digits, ""};
+}
 
 std::string signed_text(const Seal& seal) {
   return fmt::format("{}\n{}\n{}\n{}\n{}\n", seal_format, seal.head.entries, seal.head.sha256, seal.head.at, seal.at);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,11 +22,23 @@ struct Head {
   std::string at;
 };
 
+/// As a report in somebody's hand says it: number and the first 16 digits of the hash, "17:3f2a9c0b1d2e4f56".
+std::string short_text(const Head& head);
+
+/// Of such a text, with 16 to 64 digits; `at` stays empty.
+Result<Head> read_short_head(std::string_view text);
+
 struct Seal {
   Head head;
   std::string at;          ///< when it was made; RFC 3339, UTC
   std::string public_key;  ///< Ed25519, 64 hexadecimal digits
   std::string signature;   ///< over signed_text(), 128 of them
+};
+
+/// How a new seal follows an older one.
+struct Sealing {
+  std::optional<Seal> earlier{};  ///< the trail must go on from it
+  bool change_key = false;        ///< even where another key has signed that one
 };
 
 /// What a seal signs (docs/theory/archive.md).

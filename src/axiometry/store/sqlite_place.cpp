@@ -81,6 +81,13 @@ Result<bool> look_before_writing(const std::string& path) {
   return look_for_archive(*writing, path);
 }
 
+/// Of a change that is still to be taken back, which who only reads cannot do.
+bool has_journal(const std::string& path) {
+  std::error_code none;
+  const std::uintmax_t size = files::file_size(path + "-journal", none);
+  return !none && size > 0;
+}
+
 /// Beside others who may write. Where SQLite's own files can neither be found nor made beside it, the file as it is
 /// now: the connection knows when it has changed.
 Result<OpenedSqlite> opened_for_reading(const std::string& path) {
@@ -94,6 +101,10 @@ Result<OpenedSqlite> opened_for_reading(const std::string& path) {
   }
   const auto stamp = file_stamp(path);
   if (!stamp) return fail(ErrorKind::not_found, "found no such file, expected a store");
+  if (has_journal(path))
+    return fail(ErrorKind::unavailable,
+                "found a change that was begun and never finished, with a file beside it (-journal) to take it back, "
+                "expected it taken back first: open the store once where it can be written");
   if (stamp->size_of_log > 0)
     return fail(ErrorKind::unavailable,
                 "found changes in the file beside it (-wal) that cannot be merged where nothing can be written, "

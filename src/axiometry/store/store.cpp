@@ -52,6 +52,8 @@ Result<void> Store::write_within(const std::function<Result<void>(Transaction&)>
   });
 }
 
+std::size_t Store::waiting_to_write() const { return state_->turn.waiting(); }
+
 Result<Counts> Store::counts() const {
   return read([](const Transaction& archive) { return archive.counts(); });
 }
@@ -143,7 +145,7 @@ Result<Content> Store::content(const std::string& sha256) const {
 }
 
 Result<Document> Store::add_document(const Document& document, std::string_view bytes, const By& by) {
-  return state_->write([&](Connection& connection) { return write_document(connection, document, bytes, by); });
+  return write([&](Transaction& archive) { return archive.add_document(document, bytes, by); });
 }
 
 Result<std::vector<Document>> Store::documents(Id test) const {

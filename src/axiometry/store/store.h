@@ -46,9 +46,17 @@ struct Verification {
   std::int64_t parts = 0;     ///< of the schema: tables, constraints, triggers …, as they must be; 0: not compared
   Head head;
   std::vector<std::string> problems;
-  std::vector<std::string> notes;     ///< nothing wrong by themselves, but worth to be known
+  std::vector<std::string> missing_indexes;  ///< of the problems: what costs time alone, and no row depends on
+  std::vector<std::string> notes;            ///< nothing wrong by themselves, but worth to be known
+  std::vector<std::string> extras;    ///< parts of the schema that are somebody's own, and guard or change nothing
   std::vector<std::string> proved;    ///< sentences, of what nothing speaks against
   std::vector<std::string> unproved;  ///< and of what nothing that was looked at can prove
+};
+
+/// What restore() has filled.
+struct Restored {
+  Counts counts;
+  std::vector<std::string> left_behind;  ///< a sentence for each part of the backup's schema that is somebody's own
 };
 
 /// May be used from many threads at once. Errors have the kinds not_found, conflict (a version that is no longer the
@@ -79,6 +87,9 @@ class Store {
     AXIOMETRY_TRY_VOID(write_within([&](Transaction& archive) { return done(answer.emplace(function(archive))); }));
     return *std::move(answer);
   }
+
+  /// How many threads wait until another has written.
+  std::size_t waiting_to_write() const;
 
   Result<Counts> counts() const;
 
@@ -125,17 +136,22 @@ class Store {
   Result<void> warm_up(const std::stop_token& stop) const;
 
   /// Reads everything: hashes, chain, references, the schema with its triggers, and what the database itself can check;
-  /// and whether the audit trail goes on from these seals.
-  Result<Verification> verify(std::span<const Seal> seals = {}) const;
-  /// Signs the end of the audit trail. Fails without any entry, with `damaged` where the trail does not go on from an
-  /// earlier seal, and does not look at anything else.
-  Result<Seal> seal(const SigningKey& key, const std::optional<Seal>& earlier = {}) const;
+  /// and whether the audit trail goes on from these seals and these heads, whose hashes may be cut short.
+  Result<Verification> verify(std::span<const Seal> seals = {}, std::span<const Head> heads = {}) const;
+  /// The end of the audit trail as it is now; not looked at.
+  Result<Head> head() const;
+  /// Signs the end of the audit trail. Fails without any entry, with `damaged` where the trail does not follow from its
+  /// beginning or go on from an earlier seal, with `conflict` where another key has signed that; looks at nothing else.
+  Result<Seal> seal(const SigningKey& key, const Sealing& sealing = {}) const;
   /// A consistent copy as a new SQLite file, whatever this store is, while others go on writing, which is verified
-  /// before it gets its name. Fails when the file exists, and with `damaged` where the copy is not whole.
-  Result<void> backup(const std::string& file) const;
-  /// Fills an empty or not yet existing store at `address` from a backup, after verifying it. Fails on a store that
-  /// holds anything.
-  static Result<Counts> restore(const std::string& backup_file, std::string_view address);
+  /// before it gets its name: what was found there. A missing index of our own is told and no more; what is somebody's
+  /// own in PostgreSQL is told and left behind. What else is wrong with the tables and triggers there stands in
+  /// `notes`, for the backup has its own, and so does why they could not be compared. Fails when the file exists, and
+  /// with `damaged` where the copy is not whole.
+  Result<Verification> backup(const std::string& file) const;
+  /// Fills an empty or not yet existing store at `address` from a backup, after verifying it, with all indexes of our
+  /// own and nothing of somebody else's. Fails on a store that holds anything.
+  static Result<Restored> restore(const std::string& backup_file, std::string_view address);
 
  private:
   struct State;

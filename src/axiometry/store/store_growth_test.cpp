@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is kept costs the same however much of it there is already: counted in rows that are read, which no clock
 // changes.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <limits>
+
+#include "axiometry/store/copy.h"
+#include "axiometry/store/migrations.h"
+#include "axiometry/store/sqlite_connection.h"
 #include "axiometry/store/store.h"
 #include "axiometry/store/store_test_support.h"
 #include "axiometry/store/test_versions.h"
+#include "axiometry/store/verification.h"
 
 namespace axiometry::store {
 namespace {
-
-using test::by_anna;
-using test::content_of;
-using test::must;
-using test::new_test;
 
 /// Another connection that counts what it is given.
 class CountingConnection final : public Connection {
@@ -28,6 +29,9 @@ class CountingConnection final : public Connection {
   bool alive() const override { return inner_->alive(); }
   bool is_sqlite() const override { return inner_->is_sqlite(); }
 
+  /// What asks more often gets no answer any more.
+  void answer_at_most(std::size_t queries) { queries_left_ = queries; }
+
   /// Rows that `function` reads in a transaction of its own.
   template <typename Function>
   std::size_t rows_of(Function function) {
@@ -40,6 +44,8 @@ class CountingConnection final : public Connection {
 
  private:
   Result<Rows> execute(std::string_view sql, std::span<const Parameter> parameters) override {
+    if (queries_left_ == 0) return fail("found one question more than expected");
+    --queries_left_;
     auto rows = inner_->query(sql, parameters);
     if (rows) rows_ += rows->size();
     return rows;
@@ -47,9 +53,10 @@ class CountingConnection final : public Connection {
 
   std::unique_ptr<Connection> inner_;
   std::size_t rows_ = 0;
+  std::size_t queries_left_ = std::numeric_limits<std::size_t>::max();
 };
 
-class StoreGrowthTest : public test::BothStores {
+class StoreGrowthTest : public BothStores {
  protected:
   CountingConnection counting() {
     const std::string address = new_address();
@@ -57,8 +64,7 @@ class StoreGrowthTest : public test::BothStores {
     return CountingConnection(raw(address));
   }
 };
-INSTANTIATE_TEST_SUITE_P(Both, StoreGrowthTest, testing::Values("sqlite", "postgresql"),
-                         [](const auto& each) { return each.param; });
+AXIOMETRY_ON_BOTH_STORES(StoreGrowthTest);
 
 TEST_P(StoreGrowthTest, ReadsNoMoreForALaterEditOfATestThanForTheFirst) {
   CountingConnection connection = counting();
@@ -88,6 +94,39 @@ TEST_P(StoreGrowthTest, LooksOnceForWhatAllTestsOfAFileState) {
   const std::size_t few = receive("b", 5);
   const std::size_t many = receive("c", 45);
   EXPECT_LE(many - few, 40 * 10u) << "each further test reads its number, its place in the trail and its names";
+}
+
+constexpr std::size_t more_than_are_there = 300;
+
+struct FarNumber {
+  const char* table;
+  const char* sql;
+  const char* said;
+};
+
+TEST_P(StoreGrowthTest, VerifiesAndCopiesInProportionToTheRowsHoweverFarApartTheirNumbersAre) {
+  for (const FarNumber& c :
+       {FarNumber{"content", "UPDATE content SET id = 2147483647 WHERE id = 2", "content 2: found"},
+        FarNumber{"test", "UPDATE test SET id = 2147483647 WHERE id = 2", "test 2 to 2147483646: found none"},
+        FarNumber{"test_version", "UPDATE test_version SET test = 2147483647 WHERE test = 2", ""},
+        FarNumber{"document", "UPDATE document SET id = 2147483647 WHERE id = 2",
+                  "document 2 to 2147483646: found none"},
+        FarNumber{"content", "UPDATE content SET id = -2147483648 WHERE id = 1", "content 1: found"},
+        FarNumber{"audit", "UPDATE audit SET id = -2147483648 WHERE id = 1", "audit trail: found"}}) {
+    const std::string address = filled();
+    tamper(address, c.table, c.sql);
+    const Expectations expected{.schema = fail(ErrorKind::read_only, "not of interest")};
+    CountingConnection connection(raw(address));
+    connection.answer_at_most(more_than_are_there);
+    must(connection.begin_read());
+    const Verification found = must(verify_archive(connection, expected));
+    EXPECT_THAT(found.problems, testing::Contains(testing::HasSubstr(c.said))) << c.sql;
+    SqliteConnection copy(must(open_sqlite(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE)));
+    must(make_tables(copy));
+    connection.answer_at_most(more_than_are_there);
+    EXPECT_TRUE(copy_rows(connection, copy)) << c.sql;
+    connection.rollback();
+  }
 }
 
 }  // namespace

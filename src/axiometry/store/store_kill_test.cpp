@@ -15,10 +15,6 @@
 namespace axiometry::store {
 namespace {
 
-using test::content_of;
-using test::must;
-using test::new_test;
-
 constexpr int rounds = 15;
 
 /// Writes tests, revisions and documents for ever; says the number of each test once it is kept.
@@ -35,9 +31,8 @@ constexpr int rounds = 15;
   }
 }
 
-class StoreKillTest : public test::BothStores {};
-INSTANTIATE_TEST_SUITE_P(Both, StoreKillTest, testing::Values("sqlite", "postgresql"),
-                         [](const auto& each) { return each.param; });
+class StoreKillTest : public BothStores {};
+AXIOMETRY_ON_BOTH_STORES(StoreKillTest);
 
 TEST_P(StoreKillTest, LosesNothingThatWasAcknowledged) {
   const std::string address = new_address();

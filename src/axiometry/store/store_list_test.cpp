@@ -9,10 +9,6 @@
 namespace axiometry::store {
 namespace {
 
-using test::by_anna;
-using test::content_of;
-using test::must;
-using test::new_test;
 using Order = TestFilter::Order;
 
 /// More tests than are sorted at once, so that both ways to a page are gone; equal values and absent ones among them.
@@ -110,9 +106,8 @@ std::vector<TestFilter> filters() {
   return filters;
 }
 
-class StoreListTest : public test::BothStores {};
-INSTANTIATE_TEST_SUITE_P(Both, StoreListTest, testing::Values("sqlite", "postgresql"),
-                         [](const auto& each) { return each.param; });
+class StoreListTest : public BothStores {};
+AXIOMETRY_ON_BOTH_STORES(StoreListTest);
 
 TEST_P(StoreListTest, GivesEveryPageOfEveryFilterInEveryOrder) {
   std::vector<NewTest> tests = many_tests(4500);

@@ -19,14 +19,9 @@
 namespace axiometry::store {
 namespace {
 
-using test::by_anna;
-using test::content_of;
-using test::must;
-using test::new_test;
-using test::why;
 using testing::HasSubstr;
 
-class SqliteTroubleTest : public test::BothStores {};
+class SqliteTroubleTest : public BothStores {};
 INSTANTIATE_TEST_SUITE_P(One, SqliteTroubleTest, testing::Values("sqlite"),
                          [](const auto& each) { return each.param; });
 
@@ -129,12 +124,16 @@ TEST_P(SqliteTroubleTest, OpensAStoreWhoseMakingWasKilled) {
   EXPECT_GT(killed, 0);
 }
 
+struct Begun {
+  std::string by;    ///< the file that it is begun in
+  std::string left;  ///< where a killed program would leave it
+};
+
 /// SQLite's journal of a change that was begun, as a killed program leaves it: the database has the change, the journal
 /// what was there before.
-TEST_P(SqliteTroubleTest, TakesBackWhatAKilledProgramHadBegun) {
-  const std::string address = file("begun.db");
+void leave(const Begun& begun) {
   sqlite3* raw = nullptr;
-  ASSERT_EQ(sqlite3_open(address.c_str(), &raw), SQLITE_OK);
+  ASSERT_EQ(sqlite3_open(begun.by.c_str(), &raw), SQLITE_OK);
   ASSERT_EQ(sqlite3_exec(raw, "PRAGMA application_id = 1098410351; PRAGMA user_version = 1", nullptr, nullptr, nullptr),
             SQLITE_OK);
   ASSERT_EQ(sqlite3_exec(raw,
@@ -143,10 +142,25 @@ TEST_P(SqliteTroubleTest, TakesBackWhatAKilledProgramHadBegun) {
                          "INSERT INTO t SELECT randomblob(4000) FROM n",
                          nullptr, nullptr, nullptr),
             SQLITE_OK);
-  for (const char* rest : {"", "-journal"})
-    std::filesystem::copy_file(address + rest, file("left.db") + std::string(rest));
+  for (const char* rest : {"", "-journal"}) std::filesystem::copy_file(begun.by + rest, begun.left + rest);
   sqlite3_close(raw);
-  ASSERT_GT(std::filesystem::file_size(file("left.db") + std::string("-journal")), 0u);
+  ASSERT_GT(std::filesystem::file_size(begun.left + "-journal"), 0u);
+}
+
+TEST_P(SqliteTroubleTest, SaysOfAChangeThatWasBegunThatWhoOnlyReadsCannotTakeItBack) {
+  leave({.by = file("begun.db"), .left = file("left.db")});
+  const std::string before = bytes_of(file("left.db"));
+  const auto refused = Store::open(file("left.db"), {.read_only = true});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::unavailable);
+  EXPECT_THAT(why(refused), HasSubstr("(-journal)"));
+  EXPECT_EQ(bytes_of(file("left.db")), before);
+  EXPECT_TRUE(Store::open(file("left.db")));
+  EXPECT_TRUE(Store::open(file("left.db"), {.read_only = true}));
+}
+
+TEST_P(SqliteTroubleTest, TakesBackWhatAKilledProgramHadBegun) {
+  leave({.by = file("begun.db"), .left = file("left.db")});
   const auto store = Store::open(file("left.db"));
   ASSERT_TRUE(store) << why(store);
   must((*store)->receive(content_of("x"), std::vector{new_test("t")}, by_anna));
@@ -192,8 +206,7 @@ std::optional<std::string> among_own_mounts(Scenario scenario) {
     std::ofstream("/proc/self/uid_map") << user;
     std::ofstream("/proc/self/gid_map") << group;
     const std::string said = may ? scenario() : "not allowed";
-    static_cast<void>(::write(ends[1], said.data(), said.size()));
-    ::_exit(0);
+    ::_exit(::write(ends[1], said.data(), said.size()) < 0 ? 1 : 0);
   }
   ::close(ends[1]);
   std::string said(4096, '\0');

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <type_traits>
@@ -21,19 +22,26 @@ class Turn {
   /// Whether it came within that time; then it is over with pass().
   bool wait_for(std::chrono::seconds longest) {
     std::unique_lock lock(mutex_);
-    if (!passed_.wait_for(lock, longest, [&] { return !taken_; })) return false;
-    taken_ = true;
-    return true;
+    ++waiting_;
+    const bool came = passed_.wait_for(lock, longest, [&] { return !taken_; });
+    --waiting_;
+    taken_ = taken_ || came;
+    return came;
   }
   void pass() {
     const std::lock_guard lock(mutex_);
     taken_ = false;
     passed_.notify_one();
   }
+  std::size_t waiting() const {
+    const std::lock_guard lock(mutex_);
+    return waiting_;
+  }
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable passed_;
+  std::size_t waiting_ = 0;
   bool taken_ = false;
 };
 

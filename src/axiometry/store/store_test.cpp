@@ -8,20 +8,14 @@
 namespace axiometry::store {
 namespace {
 
-using test::by_anna;
-using test::content_of;
-using test::must;
-using test::new_test;
-using test::why;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class StoreTest : public test::BothStores {
+class StoreTest : public BothStores {
  protected:
   std::unique_ptr<Store> new_store() { return must(Store::open(new_address())); }
 };
-INSTANTIATE_TEST_SUITE_P(Both, StoreTest, testing::Values("sqlite", "postgresql"),
-                         [](const auto& each) { return each.param; });
+AXIOMETRY_ON_BOTH_STORES(StoreTest);
 
 TEST_P(StoreTest, IsEmptyWhenNewAndSaysWhatItIs) {
   const std::string address = new_address();

@@ -14,7 +14,7 @@
 #include "axiometry/store/store.h"
 #include "tests/support/temporary_folder.h"
 
-namespace axiometry::store::test {
+namespace axiometry::store {
 
 inline const By by_anna{"Anna", "because"};
 
@@ -95,6 +95,31 @@ class BothStores : public testing::TestWithParam<std::string> {
                        ::getpid(), count);
   }
 
+  /// The address of an archive with everything that one may hold: bytes that are no text, numbers that are hard to
+  /// print, a test that was revised and one that was withdrawn.
+  std::string filled() {
+    const std::string address = new_address();
+    const auto store = must(Store::open(address));
+    must(store->receive(content_of("abc"), std::vector{new_test("a", 0.1 + 0.2), new_test("b")}, by_anna));
+    must(store->revise(1, 1, new_test("a ä 'again'", 1e-300).state, {"Ben", "reason"}));
+    must(store->withdraw(2, true, by_anna));
+    Document document;
+    document.test = 1;
+    document.name = "photo.png";
+    document.kind = Document::Kind::attachment;
+    must(store->add_document(document, std::string_view("bytes\0\xff", 7), by_anna));
+    document.name = "report.pdf";
+    document.kind = Document::Kind::report;
+    must(store->add_document(document, "report", by_anna));
+    must(store->add(PlanRecord{"Plan", 1, sha256("abc")}, by_anna));
+    return address;
+  }
+
+  static Verification verified(const std::string& address, std::span<const Seal> seals = {}) {
+    return must(must(Store::open(address, {.create = false, .read_only = true}))->verify(seals));
+  }
+  static std::vector<std::string> problems(const std::string& address) { return verified(address).problems; }
+
   /// To do what the store never does.
   static std::unique_ptr<Connection> raw(const std::string& address) {
     return must(must(place_of(address, {}))->connect());
@@ -121,4 +146,8 @@ class BothStores : public testing::TestWithParam<std::string> {
   testing_support::TemporaryFolder folder_;
 };
 
-}  // namespace axiometry::store::test
+#define AXIOMETRY_ON_BOTH_STORES(Fixture)                                          \
+  INSTANTIATE_TEST_SUITE_P(Both, Fixture, testing::Values("sqlite", "postgresql"), \
+                           [](const auto& each) { return each.param; })
+
+}  // namespace axiometry::store

@@ -7,14 +7,9 @@
 namespace axiometry::store {
 namespace {
 
-using test::by_anna;
-using test::content_of;
-using test::must;
-using test::new_test;
-using test::why;
 using testing::HasSubstr;
 
-class StoreThingsTest : public test::BothStores {
+class StoreThingsTest : public BothStores {
  protected:
   std::unique_ptr<Store> store_;
   void SetUp() override {
@@ -42,8 +37,7 @@ class StoreThingsTest : public test::BothStores {
     return must(store_->test(id)).machine.value_or(0);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Both, StoreThingsTest, testing::Values("sqlite", "postgresql"),
-                         [](const auto& each) { return each.param; });
+AXIOMETRY_ON_BOTH_STORES(StoreThingsTest);
 
 TEST_P(StoreThingsTest, KeepsEveryVersionOfAMachine) {
   const auto added = must(store_->add(machine("Mill"), by_anna));

@@ -15,38 +15,11 @@
 namespace axiometry::store {
 namespace {
 
-using test::by_anna;
-using test::content_of;
-using test::must;
-using test::new_test;
-using test::why;
 using testing::Contains;
 using testing::HasSubstr;
 
-class StoreTroubleTest : public test::BothStores {
- protected:
-  /// A store with one test of everything.
-  std::string filled() {
-    const std::string address = new_address();
-    const auto store = must(Store::open(address));
-    must(store->receive(content_of("abc"), std::vector{new_test("a"), new_test("b")}, by_anna));
-    must(store->revise(1, 1, new_test("a again").state, by_anna));
-    must(store->withdraw(2, true, by_anna));
-    Document document;
-    document.test = 1;
-    document.name = "photo.png";
-    document.kind = Document::Kind::attachment;
-    must(store->add_document(document, "bytes", by_anna));
-    must(store->add(PlanRecord{"Plan", 1, sha256("abc")}, by_anna));
-    return address;
-  }
-
-  static std::vector<std::string> problems(const std::string& address) {
-    return must(must(Store::open(address))->verify()).problems;
-  }
-};
-INSTANTIATE_TEST_SUITE_P(Both, StoreTroubleTest, testing::Values("sqlite", "postgresql"),
-                         [](const auto& each) { return each.param; });
+class StoreTroubleTest : public BothStores {};
+AXIOMETRY_ON_BOTH_STORES(StoreTroubleTest);
 
 TEST_P(StoreTroubleTest, DatabaseItselfRefusesToChangeWhatWasKept) {
   const std::string address = filled();
@@ -233,7 +206,7 @@ TEST_P(StoreTroubleTest, SaysSoWhenACellIsNotWhatWasWritten) {
   EXPECT_FALSE(must(store->verify()).problems.empty());
 }
 
-class PostgresqlTroubleTest : public test::BothStores {};
+class PostgresqlTroubleTest : public BothStores {};
 INSTANTIATE_TEST_SUITE_P(One, PostgresqlTroubleTest, testing::Values("postgresql"),
                          [](const auto& each) { return each.param; });
 

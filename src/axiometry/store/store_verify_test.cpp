@@ -3,40 +3,28 @@
 // what it cannot see.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "axiometry/digest/ed25519.h"
+#include "axiometry/store/attested.h"
 #include "axiometry/store/audit_trail.h"
+#include "axiometry/store/id_walk.h"
+#include "axiometry/store/schema_parts.h"
 #include "axiometry/store/store.h"
 #include "axiometry/store/store_test_support.h"
 
 namespace axiometry::store {
 namespace {
 
-using test::by_anna;
-using test::content_of;
-using test::must;
-using test::new_test;
-using test::why;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-class StoreVerifyTest : public test::BothStores {
- protected:
-  std::string filled() {
-    const std::string address = new_address();
-    const auto store = must(Store::open(address));
-    must(store->receive(content_of("abc"), std::vector{new_test("a"), new_test("b")}, by_anna));
-    return address;
-  }
-
-  static Verification verified(const std::string& address) {
-    return must(must(Store::open(address, {.create = false, .read_only = true}))->verify());
-  }
-};
-INSTANTIATE_TEST_SUITE_P(Both, StoreVerifyTest, testing::Values("sqlite", "postgresql"),
-                         [](const auto& each) { return each.param; });
+class StoreVerifyTest : public BothStores {};
+AXIOMETRY_ON_BOTH_STORES(StoreVerifyTest);
 
 struct SchemaCase {
   const char* sql;
@@ -51,13 +39,17 @@ constexpr SchemaCase sqlite_cases[] = {
      "trigger quiet of audit: found one that schema"},
     {"DROP INDEX audit_subject", "index audit_subject of audit: found none"},
     {"ALTER TABLE machine_version ADD COLUMN colour text", "table machine_version: found it altered"},
-    {"CREATE VIEW more AS SELECT 1", "view more of more: found one that schema"},
+    {"CREATE UNIQUE INDEX once ON audit (at, actor, subject, id)", "index once of audit: found one that schema"},
+    {"CREATE INDEX computed ON audit (abs(id))", "index computed of audit: found one that schema"},
+    {"CREATE INDEX partly ON audit (id) WHERE abs(id) > 1", "index partly of audit: found one that schema"},
 };
 
 constexpr SchemaCase postgresql_cases[] = {
     {"DROP TRIGGER audit_unchanged ON audit",
      "trigger audit_unchanged of audit: found none, expected the one of schema"},
     {"ALTER TABLE figure DISABLE TRIGGER figure_unchanged", "trigger figure_unchanged of figure: found it altered, "},
+    {"ALTER TABLE figure ENABLE REPLICA TRIGGER figure_unchanged",
+     "trigger figure_unchanged of figure: found it altered, "},
     {"ALTER TABLE figure DISABLE TRIGGER ALL", "RI_FKey_check_ins of figure): found it altered"},
     {"CREATE OR REPLACE FUNCTION refuse_change() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN RETURN NEW; END $$",
      "function refuse_change(): found it altered"},
@@ -70,6 +62,10 @@ constexpr SchemaCase postgresql_cases[] = {
      "constraint content_sha256_key of content: found none"},
     {"CREATE RULE silent AS ON INSERT TO document DO INSTEAD NOTHING",
      "rule silent of document: found one that schema"},
+    {"CREATE TABLE more () INHERITS (content)", "inheritance more of content: found one that schema"},
+    {"CREATE UNIQUE INDEX once ON audit (at, actor, subject, id)", "index once of audit: found one that schema"},
+    {"CREATE INDEX computed ON audit (abs(id))", "index computed of audit: found one that schema"},
+    {"CREATE INDEX partly ON audit (id) WHERE abs(id) > 1", "index partly of audit: found one that schema"},
 };
 
 TEST_P(StoreVerifyTest, FindsEachPartOfTheSchemaThatIsMissingAlteredOrExtra) {
@@ -81,6 +77,82 @@ TEST_P(StoreVerifyTest, FindsEachPartOfTheSchemaThatIsMissingAlteredOrExtra) {
     must(raw(address)->script(c.sql));
     EXPECT_THAT(verified(address).problems, Contains(HasSubstr(c.said))) << c.sql;
   }
+}
+
+TEST_P(StoreVerifyTest, TellsWhichCellIsStoredInAnotherClass) {
+  if (!sqlite()) GTEST_SKIP() << "PostgreSQL has no such cells";
+  const std::string address = filled();
+  must(raw(address)->script(
+      "DROP TRIGGER audit_unchanged; UPDATE audit SET subject = CAST(subject AS blob) WHERE id = 2; DROP TRIGGER "
+      "figure_unchanged; UPDATE figure SET tolerance = x'31' WHERE test = 1 AND version = 2 AND place = 1; DROP "
+      "TRIGGER content_unchanged; UPDATE content SET bytes = CAST(bytes AS text) WHERE id = 1"));
+  const std::vector<std::string> problems = verified(address).problems;
+  for (const char* said :
+       {"audit: found subject of id 2 stored as blob, expected text",
+        "figure: found tolerance of test 1, version 2, place 1 stored as blob, expected real or null",
+        "content: found bytes of id 1 stored as text, expected blob"})
+    EXPECT_THAT(problems, Contains(said));
+}
+
+TEST_P(StoreVerifyTest, TellsWhatIsSomebodysOwnAndIsNoFaultOfTheArchive) {
+  const std::string address = filled();
+  must(raw(address)->script(
+      "CREATE TABLE notes (text text); CREATE VIEW newest AS SELECT max(id) AS id FROM test; CREATE INDEX by_name ON "
+      "machine_version (name)"));
+  const Verification found = verified(address);
+  EXPECT_THAT(found.problems, IsEmpty());
+  for (const char* name : {"table notes", "newest", "index by_name of machine_version"})
+    EXPECT_THAT(found.extras, Contains(HasSubstr(name)));
+}
+
+TEST_P(StoreVerifyTest, FindsNoFaultWithWhatInheritsFromATableOfSomebodysOwn) {
+  if (sqlite()) GTEST_SKIP() << "SQLite knows no such tables";
+  const std::string address = filled();
+  must(raw(address)->script(
+      "CREATE TABLE notes (id integer) PARTITION BY RANGE (id); CREATE TABLE some_notes PARTITION OF notes FOR VALUES "
+      "FROM (0) TO (9); CREATE UNIQUE INDEX notes_once ON notes (id)"));
+  EXPECT_THAT(verified(address).problems, IsEmpty());
+}
+
+TEST(SchemaParts, AreSwitchedOffByNameWhereverTheyDoNotFireForWhoWrites) {
+  SchemaParts parts;
+  for (const char* state : {"", ", on in replicas, too", ", on in replicas only, switched off", ", switched off"}) {
+    parts[fmt::format("trigger t{} of audit", parts.size())] = fmt::format("CREATE TRIGGER t{}", state);
+    parts[fmt::format("reference r{} (check of audit)", parts.size())] = fmt::format("trigger{}", state);
+  }
+  const auto off = [](const std::string& problem) {
+    return problem.ends_with("found it switched off, expected it on");
+  };
+  const std::vector<std::string> problems = differences_by_name(parts, false).problems;
+  EXPECT_EQ(std::ranges::count_if(problems, off), 4);
+}
+
+TEST(IdCount, CountsToTheLastNumberThatThereIs) {
+  constexpr Id last = std::numeric_limits<Id>::max();
+  std::vector<std::string> said;
+  IdCount count("test");
+  for (const Id id : {std::numeric_limits<Id>::min(), Id{1}, Id{3}, last - 1, last}) count.next(id, said);
+  EXPECT_THAT(said, ElementsAre("test 2: found none, expected all without gaps",
+                                fmt::format("test 4 to {}: found none, expected all without gaps", last - 2)));
+}
+
+TEST(Attested, TakesNoHashOfAnEntryWhoseVersionIsNoNumberOfOne) {
+  const auto knows = [](const std::string& version, int asked) {
+    Attested attested;
+    attested.learn({.id = 1,
+                    .change = {},
+                    .action = "test.revised",
+                    .subject = "test 1",
+                    .detail = fmt::format(R"({{"sha256":"abc"{}}})", version),
+                    .sha256 = ""});
+    return attested.knows("test 1", asked, "abc") && attested.count("test") == 1;
+  };
+  EXPECT_TRUE(knows("", 0));
+  EXPECT_TRUE(knows(R"(,"version":1)", 1));
+  EXPECT_TRUE(knows(R"(,"version":2147483647)", 2147483647));
+  for (const char* none : {"1.5", "1e300", "-1e300", "-1", "2147483648", "\"1\"", "null"})
+    for (const int asked : {0, 1, -1, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()})
+      EXPECT_FALSE(knows(fmt::format(R"(,"version":{})", none), asked)) << none;
 }
 
 TEST_P(StoreVerifyTest, NamesEachOfTheTriggersWhenAllAreGone) {
@@ -153,26 +225,25 @@ class StoreSealTest : public StoreVerifyTest {
     must(must(Store::open(address))->receive(content_of("def"), std::vector{new_test("b")}, by_anna));
   }
   Seal seal(const std::string& address) const { return must(must(Store::open(address))->seal(key_)); }
-  static Verification verified(const std::string& address, const Seal& seal) {
-    return must(must(Store::open(address, {.create = false, .read_only = true}))->verify(std::span(&seal, 1)));
+  static Verification verified_with(const std::string& address, const Seal& seal) {
+    return verified(address, std::span(&seal, 1));
   }
 
   SigningKey key_ = SigningKey::make();
 };
-INSTANTIATE_TEST_SUITE_P(Both, StoreSealTest, testing::Values("sqlite", "postgresql"),
-                         [](const auto& each) { return each.param; });
+AXIOMETRY_ON_BOTH_STORES(StoreSealTest);
 
 TEST_P(StoreSealTest, ShowsThatTheEndOfTheTrailIsMissingWhichNothingElseDoes) {
   const std::string address = begun();
   const Seal early = seal(address);
   go_on(address);
   const Seal late = seal(address);
-  EXPECT_THAT(verified(address, late).problems, IsEmpty());
+  EXPECT_THAT(verified_with(address, late).problems, IsEmpty());
   cut_the_tail(address, fmt::format("{}", early.head.entries), &tamper);
-  EXPECT_THAT(StoreVerifyTest::verified(address).problems, IsEmpty());
-  EXPECT_THAT(verified(address, early).problems, IsEmpty());
-  EXPECT_THAT(verified(address, late).problems, ElementsAre(HasSubstr("its end is missing")));
-  const auto renewed = must(Store::open(address))->seal(key_, late);
+  EXPECT_THAT(verified(address).problems, IsEmpty());
+  EXPECT_THAT(verified_with(address, early).problems, IsEmpty());
+  EXPECT_THAT(verified_with(address, late).problems, ElementsAre(HasSubstr("its end is missing")));
+  const auto renewed = must(Store::open(address))->seal(key_, {.earlier = late});
   ASSERT_FALSE(renewed);
   EXPECT_EQ(renewed.error().kind, ErrorKind::damaged);
 }
@@ -181,12 +252,12 @@ TEST_P(StoreSealTest, SaysByHowMuchTheTrailHasGrown) {
   const std::string address = begun();
   const Seal early = seal(address);
   go_on(address);
-  const Verification found = verified(address, early);
+  const Verification found = verified_with(address, early);
   EXPECT_THAT(found.problems, IsEmpty());
   EXPECT_THAT(found.proved, Contains(HasSubstr(fmt::format("(entry {}), {} entries longer now", early.head.entries,
                                                            found.entries - early.head.entries))));
   EXPECT_THAT(found.unproved, Not(Contains(HasSubstr("missing at the end"))));
-  const Seal next = must(must(Store::open(address))->seal(key_, early));
+  const Seal next = must(must(Store::open(address))->seal(key_, {.earlier = early}));
   EXPECT_EQ(next.head.entries, found.entries);
   EXPECT_EQ(next.public_key, early.public_key);
 }
@@ -195,7 +266,73 @@ TEST_P(StoreSealTest, ShowsATrailThatWasWrittenAnewFromItsBeginning) {
   const std::string address = begun();
   const Seal early = seal(address);
   const std::string other = begun();  // at another time: no hash is the same
-  EXPECT_THAT(verified(other, early).problems, ElementsAre(HasSubstr("as it was sealed at")));
+  EXPECT_THAT(verified_with(other, early).problems, ElementsAre(HasSubstr("as it was sealed at")));
+}
+
+TEST_P(StoreSealTest, ProvesNothingOfATrailThatIsBrokenBehindIt) {
+  const std::string address = begun();
+  const Seal early = seal(address);
+  go_on(address);
+  tamper(address, "audit", fmt::format("UPDATE audit SET actor = 'Ben' WHERE id = {}", early.head.entries + 2));
+  const Verification found = verified_with(address, early);
+  EXPECT_THAT(found.problems, Contains(HasSubstr(fmt::format("found entry {}", early.head.entries + 2))));
+  EXPECT_THAT(found.proved, IsEmpty());
+  EXPECT_THAT(found.unproved, Contains(HasSubstr("goes on from the seal")));
+}
+
+TEST_P(StoreSealTest, IsSaidNotToBeReachedWhereReadingStopsBeforeIt) {
+  const std::string address = begun();
+  const Seal early = seal(address);
+  must(raw(address)->script("DROP TABLE test_search"));
+  const auto store = must(Store::open(address, {.create = false, .read_only = true}));
+  const Verification found = must(store->verify(std::span(&early, 1), std::span(&early.head, 1)));
+  EXPECT_THAT(found.problems, Contains(HasSubstr("the rest was not looked at")));
+  EXPECT_THAT(found.proved, IsEmpty());
+  for (const std::string& known : {"seal of " + early.at, fmt::format("head {}:", early.head.entries)})
+    EXPECT_THAT(found.unproved, Contains(testing::AllOf(HasSubstr("goes on from the " + known),
+                                                        testing::EndsWith("it was not reached"))));
+}
+
+TEST_P(StoreSealTest, AHeadOnPaperShowsWhatASealShows) {
+  const std::string address = begun();
+  const Seal early = seal(address);
+  go_on(address);
+  const auto verified_with_head = [](const std::string& archive, const std::string& text) {
+    const Head head = must(read_short_head(text));
+    return must(must(Store::open(archive, {.create = false, .read_only = true}))->verify({}, std::span(&head, 1)));
+  };
+  const std::string paper = short_text(early.head);
+  const std::string late = short_text(must(must(Store::open(address))->head()));
+  const Verification found = verified_with_head(address, paper);
+  EXPECT_THAT(found.problems, IsEmpty());
+  EXPECT_THAT(found.proved, Contains(HasSubstr("goes on from the head " + paper)));
+  EXPECT_THAT(found.unproved, Not(Contains(HasSubstr("missing at the end"))));
+  EXPECT_THAT(verified_with_head(begun(), paper).problems, ElementsAre(HasSubstr("expected one that begins with")));
+  tamper(address, "audit", fmt::format("UPDATE audit SET actor = 'Ben' WHERE id = {}", early.head.entries + 2));
+  EXPECT_THAT(verified_with_head(address, paper).proved, IsEmpty());
+  cut_the_tail(address, fmt::format("{}", early.head.entries), &tamper);
+  EXPECT_THAT(verified_with_head(address, paper).problems, IsEmpty());
+  EXPECT_THAT(verified_with_head(address, late).problems, ElementsAre(HasSubstr("its end is missing")));
+}
+
+TEST(ShortHead, ReadsBackAndNothingElse) {
+  const Head head{17, sha256("x"), ""};
+  const std::string text = short_text(head);
+  EXPECT_EQ(text, "17:" + head.sha256.substr(0, 16));
+  EXPECT_EQ(must(read_short_head(" " + text + "\n")).entries, 17);
+  EXPECT_EQ(must(read_short_head("17:" + head.sha256)).sha256, head.sha256);
+  for (const char* none : {"", "17", "17:", ":3f2a9c0b1d2e4f56", "17:3f2a", "0:3f2a9c0b1d2e4f56", "17:3f2a9c0b1d2e4f5g",
+                           "17:3f2a9c0b1d2e4f56:1", "-1:3f2a9c0b1d2e4f56", "99999999999:3f2a9c0b1d2e4f56"})
+    EXPECT_FALSE(read_short_head(none)) << none;
+}
+
+TEST_P(StoreSealTest, IsNotMadeOfABrokenTrail) {
+  const std::string address = begun();
+  tamper(address, "audit", "UPDATE audit SET actor = 'Ben' WHERE id = 2");
+  const auto refused = must(Store::open(address))->seal(key_);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::damaged);
+  EXPECT_THAT(why(refused), HasSubstr("entry 2"));
 }
 
 TEST_P(StoreSealTest, IsNotMadeOfAnArchiveWithoutEntries) {

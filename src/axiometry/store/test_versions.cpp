@@ -70,7 +70,10 @@ Evaluation evaluation_from(const Row& row) {
   evaluation.program = row.text(2);
   evaluation.standard = row.text(3);
   evaluation.options = row.text(4);
-  if (!row.null(5)) evaluation.seed = parse_count(row.text(5));
+  if (!row.null(5)) {
+    evaluation.seed = parse_count(row.text(5));
+    if (!evaluation.seed || fmt::format("{}", *evaluation.seed) != row.text(5)) throw DamagedCell();
+  }
   evaluation.unit = row.text(6);
   evaluation.conforming = row.flag(7);
   evaluation.verdict = row.text(8);

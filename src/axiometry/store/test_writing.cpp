@@ -40,6 +40,7 @@ Result<Id> receive_test(Connection& connection, const Content& content, const Ne
   json::Value detail = detail_of(version);
   detail.add("content", content.sha256);
   detail.add("file", content.file_name);
+  detail.add("format", content.format);
   if (!test.name_in_file.empty()) detail.add("name_in_file", test.name_in_file);
   AXIOMETRY_TRY_VOID(record(connection, change, {"test.received", subject_of(head.id), detail}));
   return head.id;
@@ -65,6 +66,8 @@ Result<void> keep_content(Connection& connection, const Content& content, const 
   json::Value detail = json::Value::object();
   detail.add("sha256", content.sha256);
   detail.add("size", static_cast<std::size_t>(size));
+  detail.add("file", content.file_name);
+  detail.add("format", content.format);
   return record(connection, change, {"content.kept", fmt::format("content {}", id), detail});
 }
 

@@ -100,4 +100,8 @@ Result<int> Transaction::revise(Id test, int base_version, const TestState& stat
   return revise_test(connection_, test, base_version, state, by);
 }
 
+Result<Document> Transaction::add_document(const Document& document, std::string_view bytes, const By& by) {
+  return write_document(connection_, document, bytes, by);
+}
+
 }  // namespace axiometry::store

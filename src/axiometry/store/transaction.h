@@ -56,6 +56,7 @@ class Transaction {
   Result<Versioned<Thing>> change(Id id, int base_version, const Thing& thing, const By& by);
   Result<std::vector<Id>> receive(const Content& content, std::span<const NewTest> tests, const By& by);
   Result<int> revise(Id test, int base_version, const TestState& state, const By& by);
+  Result<Document> add_document(const Document& document, std::string_view bytes, const By& by);
 
  private:
   Connection& connection_;

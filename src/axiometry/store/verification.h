@@ -15,6 +15,7 @@ namespace axiometry::store {
 struct Expectations {
   Result<SchemaParts> schema;  ///< or why nobody can say what it must be
   std::span<const Seal> seals{};
+  std::span<const Head> heads{};  ///< whose hashes may be cut short
 };
 
 /// Of an archive in that place. Fails only where the place cannot be used.

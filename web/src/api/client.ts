@@ -4,9 +4,12 @@ import { actor, language } from '../settings';
 import { reachable, signed_in } from './session';
 import type { ErrorKind, Failure, ImportProfile } from './types';
 
+/** What was kept though it cannot be shown, so far as it is known. */
+export interface Receipt { id: number | null; version: number | null }
+
 export class ApiError extends Error {
-  constructor(readonly kind: ErrorKind | 'offline' | 'unauthorised', message: string, readonly status: number,
-              readonly place: string = '') {
+  constructor(readonly kind: ErrorKind | 'offline' | 'unauthorised' | 'kept', message: string, readonly status: number,
+              readonly place: string = '', readonly receipt: Receipt | null = null) {
     super(message);
   }
 }
@@ -41,6 +44,13 @@ export async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
   return (await response.json()) as T;
 }
 
+/** What was kept and cannot be shown is answered by a receipt in its place, which says so. */
+async function content_of<T>(response: Response): Promise<T> {
+  const content = (await response.json()) as { kept?: unknown; message?: unknown } | null;
+  if (content?.kept === true && typeof content.message === 'string') throw new ApiError('kept', content.message, response.status, '', content as unknown as Receipt);
+  return content as T;
+}
+
 /** An answer without content is null. */
 export async function send<T>(method: 'POST' | 'PUT', path: string, body: unknown, signal?: AbortSignal): Promise<T> {
   const response = await answered(
@@ -48,7 +58,7 @@ export async function send<T>(method: 'POST' | 'PUT', path: string, body: unknow
       method, body: JSON.stringify(body), headers: headers({ 'Content-Type': 'application/json' }), signal: signal ?? null,
     }),
   );
-  return (response.status === 204 ? null : await response.json()) as T;
+  return response.status === 204 ? (null as T) : content_of<T>(response);
 }
 
 interface Sending { signal?: AbortSignal; progress?: (part: number) => void; profile?: ImportProfile | null }
@@ -59,7 +69,7 @@ export async function upload<T>(path: string, file: File, { signal, progress, pr
   const body = profile ? form_of(file, profile) : file;
   // Only XMLHttpRequest tells how far it is.
   const sent = progress ? with_progress(path, body, all, progress, signal) : fetch(path, { method: 'POST', body, signal: signal ?? null, headers: all });
-  return (await (await answered(sent)).json()) as T;
+  return content_of<T>(await answered(sent));
 }
 
 function form_of(file: File, profile: ImportProfile): FormData {

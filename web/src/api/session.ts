@@ -10,7 +10,8 @@ export const reachable = signal(true);
 /** False when the server wants a token that this browser has not given. */
 export const signed_in = signal(true);
 
-/** Goes up when the server is back or has let this browser in: what could not be loaded is asked again. */
+/** Goes up when the server is back, has let this browser in, or has kept what it could not show: what is shown is asked
+    for again. */
 export const returned = signal(0);
 
 export const health = signal<Health | null>(null);

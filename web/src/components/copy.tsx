@@ -9,7 +9,7 @@ const t = texts({
 });
 
 /** Copies a text; says so where it was pressed and to screen readers. */
-export function CopyButton({ text, label }: { text: () => string; label?: string }) {
+export function CopyButton({ text, label, disabled = false }: { text: () => string; label?: string; disabled?: boolean }) {
   const [said, set_said] = useState<'copied' | 'failed' | null>(null);
   const copy = () => {
     to_clipboard(text()).then(
@@ -20,7 +20,7 @@ export function CopyButton({ text, label }: { text: () => string; label?: string
   };
   return (
     <>
-      <button type="button" onClick={copy}>{said === null ? (label ?? t('copy')) : t(said)}</button>
+      <button type="button" disabled={disabled} onClick={copy}>{said === null ? (label ?? t('copy')) : t(said)}</button>
       <span class="visually-hidden" role="status">{said === null ? '' : t(said)}</span>
     </>
   );

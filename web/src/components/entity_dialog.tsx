@@ -4,7 +4,7 @@
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import { ApiError, get, send } from '../api/client';
-import { why_read_only } from '../api/session';
+import { returned, why_read_only } from '../api/session';
 import type { Entity } from '../api/types';
 import { texts } from '../i18n/texts';
 import { ConflictDialog } from './conflict';
@@ -16,6 +16,7 @@ const t = texts({
   reason: ['Reason for the change', 'Grund der Änderung'],
   reason_hint: ['stands in the history', 'steht in der Historie'],
   cancel: ['Cancel', 'Abbrechen'],
+  close: ['Close', 'Schließen'],
   save: ['Save as version {n}', 'Als Version {n} speichern'],
   add: ['Add', 'Anlegen'],
   read_only: ['Nothing can be kept in this store{why}.', 'In diesem Archiv kann nichts gespeichert werden{why}.'],
@@ -40,6 +41,11 @@ export function EntityDialog<T extends Entity>({ title, path, entity, collect, o
   const [theirs, set_theirs] = useState<T | null>(null);
   const base = theirs?.version ?? entity?.version ?? 0;
   const why = why_read_only();
+  const is_kept = error?.kind === 'kept';   // though it cannot be shown
+  const close = () => {
+    on_close();
+    if (is_kept) returned.value += 1;   // what is behind this is asked for again
+  };
 
   const save = async (onto: number) => {
     const body = collect();
@@ -67,11 +73,11 @@ export function EntityDialog<T extends Entity>({ title, path, entity, collect, o
   return (
     <>
       <Dialog
-        title={title} on_close={on_close} on_submit={() => void save(base)} wide={wide ?? false}
+        title={title} on_close={close} on_submit={() => { if (!is_kept) void save(base); }} wide={wide ?? false}
         actions={
           <>
-            <button type="button" onClick={on_close}>{t('cancel')}</button>
-            <button type="submit" class="primary" disabled={busy || why !== null}>{entity === null ? t('add') : t('save', { n: base + 1 })}</button>
+            <button type="button" onClick={close}>{t(is_kept ? 'close' : 'cancel')}</button>
+            <button type="submit" class="primary" disabled={busy || is_kept || why !== null}>{entity === null ? t('add') : t('save', { n: base + 1 })}</button>
           </>
         }
       >

@@ -11,6 +11,7 @@ const t = texts({
   read_only: ['This store can be read, not written', 'Dieses Archiv kann nur gelesen werden'],
   full: ['No room: nothing of this was kept', 'Kein Platz: nichts davon wurde gespeichert'],
   not_found: ['Not found', 'Nicht gefunden'],
+  kept: ['Kept, but not shown', 'Aufbewahrt, aber nicht gezeigt'],
   line: ['line {place}', 'Zeile {place}'],
   again: ['Try again', 'Noch einmal'],
 });
@@ -18,9 +19,9 @@ const t = texts({
 /** What went wrong, in words, and a way on. */
 export function FailureNotice({ error, retry }: { error: ApiError; retry?: () => void }) {
   const heading =
-    error.kind === 'conflict' || error.kind === 'read_only' || error.kind === 'full' || error.kind === 'not_found' ? t(error.kind) : null;
+    error.kind === 'conflict' || error.kind === 'read_only' || error.kind === 'full' || error.kind === 'not_found' || error.kind === 'kept' ? t(error.kind) : null;
   return (
-    <div class={`notice bad ${error.kind === 'offline' ? 'offline' : ''}`} role="alert">
+    <div class={`notice ${error.kind === 'kept' ? 'caution' : 'bad'} ${error.kind === 'offline' ? 'offline' : ''}`} role="alert">
       {heading && <p class="heading">{heading}</p>}
       <p>
         {error.kind === 'offline' ? t('offline') : error.message}

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Signal } from '@preact/signals';
-import { send } from '../api/client';
-import { ask_health, health } from '../api/session';
+import { health } from '../api/session';
 import { Field } from '../components/field';
 import { bytes, count } from '../numbers';
 import { actor, decimal, due_months, language, theme } from '../settings';
+import { sign_out } from '../sign_out';
 import './settings.css';
 import { t } from './settings/texts';
 
@@ -26,12 +26,6 @@ export function SettingsPage() {
       </div>
     </>
   );
-}
-
-/** Whatever becomes of the request, ask_health() then finds out whether this browser is still known. */
-async function sign_out(): Promise<void> {
-  await send<null>('POST', '/api/logout', {}).catch(() => null);
-  await ask_health();
 }
 
 function Choice<T extends string>({ label, value, options }: { label: string; value: Signal<T>; options: readonly (readonly [T, string])[] }) {

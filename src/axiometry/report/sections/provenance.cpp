@@ -48,6 +48,8 @@ Section provenance_section(const Subject& subject, const Options& options) {
   };
   if (subject.verified)
     facts.facts.push_back({plain("Verification"), text_cell(verified_statement(*subject.verified))});
+  if (!subject.trail_head.empty())
+    facts.facts.push_back({plain(trail_head_name), TableCell{verbatim(subject.trail_head)}});
   Section section{"provenance", "Provenance", false, {std::move(facts)}};
   std::size_t number = 0;
   for (const AppliedCorrection& correction : source.corrections)

@@ -2,7 +2,8 @@
 // Parameters and positions as one tidy table for spreadsheets and scripts: RFC 4180, UTF-8, CRLF, one value per line.
 //
 //   axis         name of the axis, as given
-//   record       "parameter", "position", and where they were run "gum" and "monte_carlo": parameters by that method
+//   record       "parameter", "position", and where they were run "gum" and "monte_carlo": parameters by that method;
+//                "claim"; of an issued report "trail": where the audit trail of the archive ended before its issue
 //   target       of a position: its coordinate; empty for parameters
 //   target_unit  "mm" or "deg"
 //   name         key of the JSON output: "A_up"; of a position "mean_up", "n_up", …; of "monte_carlo" with what it is:
@@ -183,6 +184,7 @@ Result<std::string> write(const Subject& subject, const Options& options) {
   append_positions(csv, subject);
   for (const iso230_2::Claim& claim : iso230_2::claims_of(subject.test, subject.assessment))
     csv.append({"claim", "", iso230_2::claim_key(claim.kind), claim.holds() ? "yes" : "no", "", "", ""});
+  if (!subject.trail_head.empty()) csv.append({"trail", "", "head", subject.trail_head, "", "", ""});
   return csv.take();
 }
 

@@ -58,6 +58,14 @@ TEST(CsvWriter, SaysInEveryLineWhatTheResultIsNot) {
   EXPECT_THAT(reported_table2().written("csv"), HasSubstr(",claim,,,tested,yes,"));
 }
 
+TEST(CsvWriter, SaysOfAnIssuedReportWhereTheTrailEndedBefore) {
+  const Reported table2 = reported_table2();
+  const Subject issued{table2.test, table2.assessment, table2.judgements, {}, "17:3f2a9c0b1d2e4f56"};
+  const std::string csv = find_writer("csv")->write(issued, {}).value();
+  EXPECT_TRUE(csv.starts_with(table2.written("csv"))) << "all else stays as it was";
+  EXPECT_TRUE(csv.ends_with("X,trail,,,head,17:3f2a9c0b1d2e4f56,,,,,,,,,\r\n")) << csv.substr(csv.size() - 80);
+}
+
 TEST(CsvWriter, StatesLimitAndVerdictInTheUnitOfTheParameter) {
   Reported table2 = reported_table2();
   table2.options.unit = DisplayUnit::mm;

@@ -39,6 +39,29 @@ TEST(PngWriter, WritesTheSameBytesAgain) {
   EXPECT_EQ(written("png", testing::table_2()), written("png", testing::table_2()));
 }
 
+TEST(PngWriter, SaysOfAnIssuedReportWhereTheTrailEndedBefore) {
+  const auto example = testing::table_2();
+  report::Subject issued = example.subject();
+  issued.trail_head = "17:3f2a9c0b1d2e4f56";
+  const std::string bare = written("png", example);
+  const std::string png = find_writer("png")->write(issued, example.options).value();
+  const std::string data = std::string("tEXtAudit trail before issue") + '\0' + issued.trail_head;
+  ASSERT_EQ(png.substr(37, data.size()), data);
+  EXPECT_EQ(big_endian_at(png, 33), data.size() - 4);
+  EXPECT_EQ(big_endian_at(png, 37 + data.size()), 0x9e85fe88u) << "by zlib";
+  EXPECT_EQ(png.substr(0, 33) + png.substr(37 + data.size() + 4), bare) << "all else stays as it was";
+}
+
+TEST(SvgWriter, SaysOfAnIssuedReportWhereTheTrailEndedBefore) {
+  const auto example = testing::table_2();
+  report::Subject issued = example.subject();
+  issued.trail_head = "17:3f2a9c0b1d2e4f56";
+  const std::string said = "<metadata>Audit trail before issue: 17:3f2a9c0b1d2e4f56</metadata>\n";
+  std::string svg = find_writer("svg")->write(issued, example.options).value();
+  ASSERT_THAT(svg, HasSubstr("</desc>\n" + said));
+  EXPECT_EQ(svg.erase(svg.find(said), said.size()), written("svg", example)) << "all else stays as it was";
+}
+
 TEST(SvgWriter, SaysWhatWasTestedAndAfterWhichStandard) {
   auto example = testing::table_2();
   example.test.metadata.machine.name = "Mill <1> & Co";

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "axiometry/report/cairo_painter.h"
 #include "axiometry/report/picture.h"
@@ -42,17 +45,26 @@ std::uint32_t crc32(std::string_view bytes) {
   return ~crc;
 }
 
-/// The resolution, which Cairo does not write: with it a word processor places the picture in its true
-/// size. It belongs between the header chunk, always 33 bytes from the start, and the pixels.
-std::string with_resolution(std::string png) {
+/// Between the header chunk, always 33 bytes from the start, and the pixels.
+std::string with_chunk(std::string png, std::string_view type, std::string_view data) {
   constexpr std::size_t after_header = 33;
+  if (png.size() <= after_header) return png;
+  const std::string chunk = std::string(type).append(data);
+  return png.insert(after_header,
+                    big_endian(static_cast<std::uint32_t>(data.size())) + chunk + big_endian(crc32(chunk)));
+}
+
+/// The resolution, which Cairo does not write: with it a word processor places the picture in its true size.
+std::string with_resolution(std::string png) {
   constexpr char unit_is_metre = 1;
+  if (png.find("pHYs") != std::string::npos) return png;
   const auto per_metre = static_cast<std::uint32_t>(std::lround(dots_per_inch / 0.0254));
-  const std::string chunk = "pHYs" + big_endian(per_metre) + big_endian(per_metre) + unit_is_metre;
-  if (png.size() > after_header && png.find("pHYs") == std::string::npos) {
-    png.insert(after_header, big_endian(9) + chunk + big_endian(crc32(chunk)));
-  }
-  return png;
+  return with_chunk(std::move(png), "pHYs", big_endian(per_metre) + big_endian(per_metre) + unit_is_metre);
+}
+
+/// A name and a text, parted by a zero byte.
+std::string with_text(std::string png, std::string_view name, std::string_view text) {
+  return with_chunk(std::move(png), "tEXt", std::string(name).append(1, '\0').append(text));
 }
 
 Result<std::string> painted(const Figure& page) {
@@ -74,7 +86,11 @@ Result<std::string> painted(const Figure& page) {
   return with_resolution(std::move(png));
 }
 
-Result<std::string> write(const Subject& subject, const Options& options) { return painted(picture(subject, options)); }
+Result<std::string> write(const Subject& subject, const Options& options) {
+  AXIOMETRY_TRY(std::string png, painted(picture(subject, options)));
+  if (subject.trail_head.empty()) return png;
+  return with_text(std::move(png), trail_head_name, subject.trail_head);
+}
 
 Result<std::string> set(const Document& document, const Options& options) {
   return painted(picture(translated(document, options)));

@@ -10,6 +10,9 @@ import { decimal, language } from '../../settings';
 import type { PlanForm } from './form';
 import { t } from './texts';
 
+/** The version that is to be followed by another. */
+type Base = Pick<Plan, 'id' | 'version'>;
+
 interface Props {
   form: PlanForm;
   title: string; // typed, or the usual one
@@ -27,30 +30,40 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
   const [newer, set_newer] = useState<Plan | null>(null);
   const [busy, set_busy] = useState(false);
   const [said, set_said] = useState('');
+  const [receipt, set_receipt] = useState<{ of: string; plan: Base | null } | null>(null); // of what was kept and cannot be shown
+  const shown_body = JSON.stringify({ title, axis: form.axis, request });
+  const is_kept = receipt?.of === shown_body;
+  const base = receipt?.plan ?? kept;
   useEffect(() => {
-    unsaved.value = touched ? t('leave') : null;
-  }, [touched, language.value]);
+    unsaved.value = touched && !is_kept ? t('leave') : null;
+  }, [touched, is_kept, language.value]);
   useEffect(() => () => { unsaved.value = null; }, []);
 
   const failed = async (failure: unknown) => {
     const found = failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0);
-    if (found.kind === 'conflict' && kept) set_newer(await get<Plan>(`/api/plans/${kept.id}`).catch(() => null));
+    if (found.kind === 'conflict' && base) set_newer(await get<Plan>(`/api/plans/${base.id}`).catch(() => null));
+    if (found.kind === 'kept') {
+      const { id, version } = found.receipt ?? { id: null, version: null };
+      set_receipt({ of: shown_body, plan: id === null || version === null ? null : { id, version } });
+      set_newer(null);
+    }
     set_error(found);
   };
-  const save = async (base: Plan | null) => {
+  const save = async (onto: Base | null) => {
     if (request === null || busy) return;
     set_busy(true);
     set_error(null);
     const body = { title, axis: form.axis, request };
     try {
-      const plan = base === null
+      const plan = onto === null
         ? await send<Plan>('POST', '/api/plans', body)
-        : await send<Plan>('PUT', `/api/plans/${base.id}`, { ...body, base_version: base.version, reason: '' });
+        : await send<Plan>('PUT', `/api/plans/${onto.id}`, { ...body, base_version: onto.version, reason: '' });
       unsaved.value = null;
       set_newer(null);
+      set_receipt(null);
       done(plan);
       set_said(t('saved', { n: plan.version }));
-      if (base === null) go(`/plans/${plan.id}`, 'replace');
+      if (plan.id !== kept?.id) go(`/plans/${plan.id}`, 'replace');
     } catch (failure) {
       await failed(failure);
     } finally {
@@ -69,10 +82,10 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
           <input value={form.title} placeholder={title} autocomplete="off" onInput={(event) => rename(event.currentTarget.value)} />
         </label>
         <div class="row no-print">
-          <button type="button" class="primary" disabled={request === null || busy || (kept !== null && !touched)} onClick={() => save(kept)}>
-            {kept ? t('save_version', { n: kept.version + 1 }) : t('save')}
+          <button type="button" class="primary" disabled={request === null || busy || is_kept || (base !== null && !touched)} onClick={() => save(base)}>
+            {base ? t('save_version', { n: base.version + 1 }) : t('save')}
           </button>
-          {kept && <button type="button" disabled={request === null || busy} onClick={() => save(null)}>{t('save_copy')}</button>}
+          {kept && <button type="button" disabled={request === null || busy || is_kept} onClick={() => save(null)}>{t('save_copy')}</button>}
           {['pdf', 'html'].map((extension) => (
             <button type="button" key={extension} disabled={request === null} onClick={() => sheet(extension)}>
               {t('sheet')} {extension.toUpperCase()}
@@ -93,7 +106,7 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
         <ConflictDialog
           latest={{ ...newer.change, version: newer.version }} busy={busy}
           on_close={() => set_newer(null)} on_mine={() => void save(newer)}
-          on_theirs={() => { set_error(null); set_newer(null); replace(newer); }}
+          on_theirs={() => { set_error(null); set_newer(null); set_receipt(null); replace(newer); }}
         />
       )}
     </>

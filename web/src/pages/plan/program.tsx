@@ -41,6 +41,8 @@ export function ProgramPanel({ request, plan, part, name, vocabulary }:
   const chosen = vocabulary.dialects.find(({ id }) => id === dialect);
   const body = request === null && plan === null ? null : { ...(request ? { request } : { plan }), dialect, options: { ...sent(options), part } };
   const program = use_posted('/api/plans/draft/program', body, as_text);
+  // What was made for another control or plan must not be taken along under the name of this one.
+  const is_this = program.error === null && program.data !== null && JSON.stringify(program.of) === JSON.stringify(body);
   const file = `${plain_name(`${name}${part > 1 ? `-${part}` : ''}`) || 'plan'}${chosen?.extension ?? '.nc'}`;
   const choose = (id: string) => {
     set_dialect(id);
@@ -51,8 +53,8 @@ export function ProgramPanel({ request, plan, part, name, vocabulary }:
       <header>
         <h2 id="program-title">{t('program')}<span class="only-print">: {chosen?.title}</span></h2>
         <div class="row no-print">
-          <CopyButton text={() => program.data ?? ''} />
-          <button type="button" disabled={program.data === null || program.error !== null}
+          <CopyButton text={() => program.data ?? ''} disabled={!is_this} />
+          <button type="button" disabled={!is_this}
             onClick={() => offer(new Blob([program.data ?? ''], { type: 'text/plain' }), file)}>
             {t('download')} <span class="quiet">{file}</span>
           </button>

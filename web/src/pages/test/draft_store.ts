@@ -4,13 +4,23 @@ import type { Draft } from '../../api/types';
 
 export interface KeptDraft extends Draft { base_version: number; title: string }
 
-const name = (test: number): string => `axiometry.draft.${test}`;
+const name_start = 'axiometry.draft.';
+const name = (test: number): string => `${name_start}${test}`;
 
 /** A browser may forbid to keep anything; then a draft lasts as long as the page. */
 export function keep_draft(test: number, draft: KeptDraft | null): void {
   try {
     if (draft === null) sessionStorage.removeItem(name(test));
     else sessionStorage.setItem(name(test), JSON.stringify(draft));
+  } catch {
+    // see above
+  }
+}
+
+/** Of every test. */
+export function forget_drafts(): void {
+  try {
+    for (const key of Object.keys(sessionStorage)) if (key.startsWith(name_start)) sessionStorage.removeItem(key);
   } catch {
     // see above
   }

@@ -55,7 +55,7 @@ export function SaveDialog({ state, vocabulary, close, adopt }: Props) {
   const look = () => void get<Test>(test_path(test.id)).then(set_newer, () => undefined);
   return (
     <ReasonDialog title={t('title', { version: test.latest + 1 })} action={t('save')} close={close} act={save}
-      caught={(failure) => { if (failure.kind === 'conflict') look(); return false; }} disabled={state.title.value.trim() === ''}>
+      caught={(failure) => { if (failure.kind === 'conflict') look(); if (failure.kind === 'kept') state.discard(); return false; }} disabled={state.title.value.trim() === ''}>
       <p class="small quiet">{t('raw', { version: test.version })}</p>
       <Field label={t('name')}>{(ids) => <input {...ids} type="text" value={state.title.value} onInput={(event) => state.rename(event.currentTarget.value)} />}</Field>
       <Differences vocabulary={vocabulary} of={test} stated={state.stated.value} states={[

@@ -15,7 +15,7 @@ export interface Incoming {
   profile: ImportProfile | null;  // what was said of its columns
   preview: Preview | null;
   received: Received | null;
-  error: ApiError | null;      // of the last request; what was before it stays
+  error: ApiError | null;      // of the last request; what was before it stays. Of what was kept: that it cannot be shown
 }
 
 export const incoming = signal<readonly Incoming[]>([]);
@@ -103,20 +103,21 @@ export function retry(key: number): void {
   if (one) void read(one);
 }
 
-/** Gives what the server answered; null when it failed, which the file's entry then says. */
+/** Gives what the server answered; null when it failed or cannot show what it kept, which the file's entry then says. */
 export async function keep(key: number): Promise<Received | null> {
   const one = incoming.value.find((other) => other.key === key);
   if (!one || one.state !== 'ready') return null;
   change(key, { state: 'keeping', error: null, part: 0 });
   const answer = await transfer<Received>(one, '/api/tests');
-  if (answer === null || answer instanceof ApiError) {
+  if (answer === null || (answer instanceof ApiError && answer.kind !== 'kept')) {
     change(key, { state: 'ready', error: answer });
     return null;
   }
-  change(key, { state: 'kept', received: answer });
+  const shown = answer instanceof ApiError ? { received: null, error: answer } : { received: answer, error: null };
+  change(key, { state: 'kept', ...shown });
   kept_count.value += 1;
   void ask_health();
-  return answer;
+  return shown.received;
 }
 
 /** All that is new, one after the other, so that their order in the list is that of the files. */

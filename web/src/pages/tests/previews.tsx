@@ -36,9 +36,9 @@ export function Previews({ on_formats }: { on_formats: () => void }) {
 
 /** How many of the files are where. */
 function hint(files: readonly Incoming[]): string {
-  const kept = files.filter((one) => one.received !== null).length;
+  const kept = files.filter((one) => one.state === 'kept').length;
   const asked = files.filter(is_asked).length;
-  const refused = files.filter((one) => one.preview?.refused || (one.error && !may_retry(one))).length - asked;
+  const refused = files.filter((one) => one.preview?.refused || (one.error && one.state !== 'kept' && !may_retry(one))).length - asked;
   const waiting = files.length - kept - refused - asked;
   return [
     kept > 0 && t('files_kept', { n: kept }), waiting > 0 && t('files_waiting', { n: waiting }), asked > 0 && t('files_asked', { n: asked }),
@@ -80,7 +80,7 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
       {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : !is_asked(one) && (
         <Refusal message={preview.refused.message} place={place_of(preview.refused)} on_formats={on_formats} />
       ))}
-      {preview?.table && !one.received && <HowRead one={one} table={preview.table} />}
+      {preview?.table && one.state !== 'kept' && <HowRead one={one} table={preview.table} />}
       {one.received
         ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: {one.received.tests.map((test, i) => (
             <span key={test.id}>
@@ -88,10 +88,11 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
               {test.same_content.length > 0 && <span class="quiet"> ({t('same_bytes_as')} <TestLinks ids={test.same_content} />)</span>}
             </span>
           ))}</p>
-        : preview && preview.same_content.length > 0 && (
+        : one.state !== 'kept' && preview && preview.same_content.length > 0 && (
             <p class="notice caution">{t('same')} <TestLinks ids={preview.same_content} /></p>
           )}
-      {preview && preview.tests.length > 0 && !one.received && <Contents preview={preview} />}
+      {one.error?.receipt?.id && <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: <TestLinks ids={[one.error.receipt.id]} /></p>}
+      {preview && preview.tests.length > 0 && one.state !== 'kept' && <Contents preview={preview} />}
     </li>
   );
 }
@@ -118,14 +119,15 @@ const is_plan = (message: string): boolean => message.includes('"axiometry-plan/
 /** No test, but a plan: it has a place of its own. */
 function PlanFound({ one, why }: { one: Incoming; why: string | null }) {
   const [error, set_error] = useState<ApiError | null>(null);
+  const is_kept = error?.kind === 'kept';
   const keep_it = () => void keep_plan(one.file).then(
     (plan) => { remove(one.key); go(`/plans/${plan.id}`); },
     (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)),
   );
   return (
     <>
-      <p class="notice">{t('is_plan')} <button type="button" class="link" disabled={why !== null} onClick={keep_it}>{t('keep_plan')}</button></p>
-      {error && <FailureNotice error={error} retry={keep_it} />}
+      <p class="notice">{t('is_plan')} <button type="button" class="link" disabled={why !== null || is_kept} onClick={keep_it}>{t('keep_plan')}</button></p>
+      {error && <FailureNotice error={error} {...(is_kept ? {} : { retry: keep_it })} />}
     </>
   );
 }
