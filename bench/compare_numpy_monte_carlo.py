@@ -4,7 +4,7 @@
 
 Usage: bench/compare_numpy_monte_carlo.py PROGRAM [TRIALS [ROUNDS]]
 
-Work: the model of src/axiometry/app/bench_monte_carlo.h, every reading made and all twelve parameters evaluated, with
+Work: the model of src/axiometry/app/studies/bench_monte_carlo.h, every reading made and all twelve parameters evaluated, with
 mean, standard deviation and the 2.5 % and 97.5 % quantiles of each. Sides take turns, each pinned to its cores; only
 the work is timed, not the start of a process or an import. Rates are by the clock and by the processor time that was
 used, which other programs disturb less. The figures of every run must agree with those of numpy

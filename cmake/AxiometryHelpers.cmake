@@ -12,18 +12,18 @@ function(axiometry_settings)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE} PARENT_SCOPE)
   endif()
   add_compile_options(-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=return-type
-                      -Werror=format -Werror=format-security)
+                      -Werror=format -Werror=format-security
+                      -Wno-missing-field-initializers) # what designated initialisers leave out is as its type begins
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options(-Werror=conversion -Werror=return-local-addr)
-    # False positives of g++ 12: in fmt 9, and in strings that are put together, once memcpy() is fortified.
-    add_compile_options(-Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict -Wno-array-bounds)
+    # False positives of g++ 12: in fmt 9, in strings that are put together, once memcpy() is fortified, and of what
+    # std::expected and std::optional hold.
+    add_compile_options(-Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict -Wno-array-bounds
+                        -Wno-maybe-uninitialized)
   endif()
   if(AXIOMETRY_SANITIZE)
     add_compile_options(-fsanitize=${AXIOMETRY_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     add_link_options(-fsanitize=${AXIOMETRY_SANITIZE})
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      add_compile_options(-Wno-maybe-uninitialized) # said of variants that the sanitizers keep from being seen through
-    endif()
   endif()
 endfunction()
 
@@ -33,14 +33,14 @@ function(axiometry_version_header)
                  ${PROJECT_BINARY_DIR}/generated/axiometry/base/version.h @ONLY)
 endfunction()
 
-# axiometry_library(TARGET EXPORT_NAME FOLDER...): a static library of all sources in these folders of
+# axiometry_library(TARGET EXPORT_NAME FOLDER...): a static library of all sources in and below these folders of
 # src/axiometry, without tests (*_test.cpp) and benchmarks (*_bench.cpp).
 function(axiometry_library target export_name)
   add_library(${target} STATIC)
   add_library(axiometry::${export_name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${export_name} POSITION_INDEPENDENT_CODE ON)
   foreach(folder IN LISTS ARGN)
-    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/axiometry/${folder}/*.cpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/axiometry/${folder}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "_(test|bench)\\.cpp$")
     target_sources(${target} PRIVATE ${sources})
   endforeach()
@@ -50,13 +50,13 @@ function(axiometry_library target export_name)
   target_compile_features(${target} PUBLIC cxx_std_23)
 endfunction()
 
-# axiometry_together(TARGET [HEADERS header...] [APART folder...]): compiles once what is common: the headers that most
+# axiometry_unity_build(TARGET [HEADERS header...] [APART folder...]): compiles once what is common: the headers that most
 # sources of the target include, and these; and the sources of each folder as one, so that a template is instantiated
-# once for all of them. For that a name of an anonymous namespace stands for one thing in its folder. Folders whose
-# sources give their own meaning to the same names, such as the read() of every format, stay APART. Sources never rely
-# on it: without the option it does nothing.
-function(axiometry_together target)
-  if(NOT AXIOMETRY_TOGETHER)
+# once for all of them. For that a name of an anonymous namespace stands for one thing in its folder. Folders in or below
+# which sources give their own meaning to the same names, such as the read() of every format, stay APART. Sources never
+# rely on it: without the option it does nothing.
+function(axiometry_unity_build target)
+  if(NOT AXIOMETRY_UNITY_BUILD)
     return()
   endif()
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;APART")
@@ -64,7 +64,7 @@ function(axiometry_together target)
     ${target} PRIVATE <algorithm> <array> <cmath> <expected> <functional> <map> <optional> <span> <sstream> <string>
     <string_view> <variant> <vector> <fmt/format.h> ${PROJECT_SOURCE_DIR}/src/axiometry/model/test.h
     ${PROJECT_SOURCE_DIR}/src/axiometry/base/json.h ${arg_HEADERS})
-  if(AXIOMETRY_TOGETHER STREQUAL "HEADERS") # the shortest wait after an edit
+  if(AXIOMETRY_UNITY_BUILD STREQUAL "HEADERS") # the shortest wait after an edit
     return()
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
@@ -75,19 +75,27 @@ function(axiometry_together target)
     get_filename_component(folder ${source} ABSOLUTE)
     get_filename_component(folder ${folder} DIRECTORY)
     file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
-    if(source MATCHES "\\.cpp$" AND NOT folder IN_LIST arg_APART AND folder MATCHES "^(src|apps|tests)")
+    set(apart NO)
+    foreach(above IN LISTS arg_APART)
+      string(FIND "${folder}/" "${above}/" at)
+      if(at EQUAL 0)
+        set(apart YES)
+      endif()
+    endforeach()
+    if(source MATCHES "\\.cpp$" AND NOT apart AND folder MATCHES "^(src|apps|tests)")
       string(MAKE_C_IDENTIFIER ${folder} folder)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
     endif()
   endforeach()
 endfunction()
 
-# axiometry_descriptor_table(TARGET FOLDER TYPE HEADER): every .cpp of the folder that contains a line
+# axiometry_descriptor_table(TARGET FOLDER TYPE HEADER): every .cpp in and below the folder that contains a line
 # `extern const TYPE <stem>_...`-style definition `const TYPE <stem> = {` or `const TYPE <stem>{` is
 # listed in a generated source that defines `std::span<const TYPE* const> TYPE_table()`. No
 # self-registering globals: a linker would drop them from a static library.
 function(axiometry_descriptor_table target folder type header)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/axiometry/${folder}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/axiometry/${folder}/*.cpp)
+  list(SORT sources COMPARE FILE_BASENAME) # whichever room they are in
   string(TOLOWER ${type} lower)
   set(declarations "")
   set(entries "")

@@ -19,20 +19,20 @@ import german_refusals
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = [
-    "capture/capture_result.cpp", "capture/target_matcher.cpp", "standards/iso230_2_artefact.cpp",
-    "standards/iso230_2_assessment.cpp", "standards/iso230_2_findings.cpp", "standards/iso230_2_gum.cpp",
-    "standards/iso230_2_inputs_items.cpp", "standards/iso230_2_periodic_findings.cpp",
-    "standards/iso230_2_plan_rules.cpp", "standards/iso230_2_programme.cpp",
-    "standards/iso230_2_rules_conditions.cpp", "standards/iso230_2_rules_lines.cpp",
-    "standards/iso230_2_rules_programme.cpp", "standards/iso230_2_rules_report.cpp",
-    "standards/iso230_2_uncertainty.cpp", "standards/reading_correction.cpp", "standards/station_offset.cpp",
-    "standards/station_offset.h", "standards/test_air.cpp", "tracking/line_attempt.cpp", "tracking/line_metadata.cpp",
-    "tracking/station_misreading.cpp", "tracking/station_surface.cpp", "tracking/visibility.cpp",
-    "report/lines_document.cpp", "report/lines_sections.cpp", "report/multilateration_document.cpp",
-    "report/tracking_sheet.cpp", "report/periodic_document.cpp", "report/periodic_values.cpp",
-    "report/figures/layout.cpp", "report/figures/layout_of.cpp", "report/figures/residuals.cpp",
+    "capture/capture_result.cpp", "capture/target_matcher.cpp", "standards/readings/artefact.cpp",
+    "standards/iso230_2/assessment/assessment.cpp", "standards/iso230_2/rules/findings.cpp", "standards/iso230_2/uncertainty/gum.cpp",
+    "standards/iso230_2/inputs/inputs_items.cpp", "standards/iso230_2/periodic/findings.cpp",
+    "standards/iso230_2/plan/rules.cpp", "standards/iso230_2/programme.cpp",
+    "standards/iso230_2/rules/conditions.cpp", "standards/iso230_2/rules/lines.cpp",
+    "standards/iso230_2/rules/programme.cpp", "standards/iso230_2/rules/report.cpp",
+    "standards/iso230_2/uncertainty/annex_a.cpp", "standards/readings/reading_correction.cpp", "standards/readings/station_offset.cpp",
+    "standards/readings/station_offset.h", "standards/readings/test_air.cpp", "tracking/lines/line_attempt.cpp", "tracking/lines/line_metadata.cpp",
+    "tracking/station/station_misreading.cpp", "tracking/station/station_surface.cpp", "tracking/geometry/visibility.cpp",
+    "report/documents/lines_document.cpp", "report/documents/lines_sections.cpp", "report/documents/multilateration_document.cpp",
+    "report/documents/tracking_sheet.cpp", "report/documents/periodic_document.cpp", "report/documents/periodic_values.cpp",
+    "report/figures/layout/layout.cpp", "report/figures/layout/layout_of.cpp", "report/figures/residuals.cpp",
     "report/figures/lines_overview.cpp", "report/figures/length_difference.cpp", "report/figures/periodic.cpp",
-    "report/method_values.cpp", "report/conformity_text.cpp", "report/correction_text.cpp", "report/plan_sheet.cpp",
+    "report/method_values.cpp", "report/conformity_text.cpp", "report/correction_text.cpp", "report/documents/plan_sheet.cpp",
 ]
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)+\'', re.S)
 SHORTEST = 12  # characters of a piece that says something by itself

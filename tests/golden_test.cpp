@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "axiometry/standards/iso230_2_assessment.h"
+#include "axiometry/standards/iso230_2/assessment/assessment.h"
 #include "tests/support/series.h"
 
 namespace axiometry::iso230_2 {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "axiometry/standards/iso230_2_gum.h"
+#include "axiometry/standards/iso230_2/uncertainty/gum.h"
 #include "tests/support/golden_csv.h"
 #include "tests/support/series.h"
 

@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "axiometry/standards/iso230_2_assessment.h"
+#include "axiometry/standards/iso230_2/assessment/assessment.h"
 #include "tests/support/series.h"
 
 namespace axiometry::iso230_2 {

@@ -13,7 +13,7 @@
 #include <sstream>
 
 #include "axiometry/formats/format.h"
-#include "axiometry/standards/iso230_2_assessment.h"
+#include "axiometry/standards/iso230_2/assessment/assessment.h"
 
 namespace axiometry::iso230_2 {
 namespace {

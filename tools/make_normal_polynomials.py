@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Derives the polynomials of src/axiometry/numeric/normal_polynomials.h with 60 digits and prints them.
+"""Derives the polynomials of src/axiometry/numeric/random/normal_polynomials.h with 60 digits and prints them.
 
 Each is the value at zero and a Chebyshev fit (close to the best one) of what is left; the error printed is that of
 the rounded coefficients, relative, over the whole range.

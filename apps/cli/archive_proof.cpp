@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "archive_proof.h"
+#include "cli/archive_proof.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <optional>
 
-#include "axiometry/app/output.h"
-#include "axiometry/app/seal_key.h"
-#include "axiometry/app/whole_file.h"
+#include "axiometry/app/files/output.h"
+#include "axiometry/app/files/seal_key.h"
+#include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/json.h"
-#include "axiometry/report/utf8.h"
-#include "seal_stamp.h"
+#include "axiometry/report/drawing/utf8.h"
+#include "cli/seal_stamp.h"
 
 namespace axiometry::cli {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "failure.h"
+#include "cli/failure.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 
-#include "axiometry/report/utf8.h"
+#include "axiometry/report/drawing/utf8.h"
 
 namespace axiometry::cli {
 

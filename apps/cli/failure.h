@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axiometry/base/result.h"
-#include "commands.h"
+#include "cli/verbs/commands.h"
 
 namespace axiometry::cli {
 

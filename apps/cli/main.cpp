@@ -12,7 +12,8 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
-#include "commands.h"
+#include "cli/flags/verb.h"
+#include "cli/verbs/commands.h"
 
 namespace {
 
@@ -56,25 +57,26 @@ int run(int argc, char** argv) {
   program.set_help_flag("--help,-h", "Print this help and exit");
   program.require_subcommand(1);
   program.footer(examples);
-  add_evaluate(program, exit_code);
-  add_uncertainty(program, exit_code);
-  add_plan(program, exit_code);
-  add_nc(program, exit_code);
-  add_capture(program, exit_code);
-  add_convert(program, exit_code);
-  add_periodic(program, exit_code);
-  add_simulate(program, exit_code);
-  add_air(program, exit_code);
-  add_tracking(program, exit_code);
-  add_formats(program, exit_code);
-  add_licenses(program, exit_code);
-  add_schema(program, exit_code);
-  add_check(program, exit_code);
-  add_serve(program, exit_code);
-  add_store(program, exit_code);
-  add_bench(program, exit_code);
-  add_completion(program, exit_code);
-  add_manual(program, exit_code);
+  const Verb verbs(program);
+  add_evaluate(verbs, exit_code);
+  add_uncertainty(verbs, exit_code);
+  add_plan(verbs, exit_code);
+  add_nc(verbs, exit_code);
+  add_capture(verbs, exit_code);
+  add_convert(verbs, exit_code);
+  add_periodic(verbs, exit_code);
+  add_simulate(verbs, exit_code);
+  add_air(verbs, exit_code);
+  add_tracking(verbs, exit_code);
+  add_formats(verbs, exit_code);
+  add_licenses(verbs, exit_code);
+  add_schema(verbs, exit_code);
+  add_check(verbs, exit_code);
+  add_serve(verbs, exit_code);
+  add_store(verbs, exit_code);
+  add_bench(verbs, exit_code);
+  add_completion(verbs, exit_code);
+  add_manual(verbs, exit_code);
   try {
     if (const std::string fault = unknown_first_word(program, argc, argv); !fault.empty())
       throw CLI::ValidationError(fault);

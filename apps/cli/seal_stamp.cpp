@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "seal_stamp.h"
+#include "cli/seal_stamp.h"
 
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
-#include "axiometry/app/output.h"
-#include "axiometry/app/whole_file.h"
-#include "server/post.h"
+#include "axiometry/app/files/output.h"
+#include "axiometry/app/files/whole_file.h"
+#include "server/http/post.h"
 
 namespace axiometry::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "log.h"
+#include "server/log.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "workbench_server.h"
+#include "server/workbench_server.h"
 
 #include <fmt/format.h>
 
@@ -10,18 +10,18 @@
 #include <thread>
 #include <utility>
 
-#include "axiometry/app/capture_keeping.h"
-#include "axiometry/app/examples.h"
-#include "axiometry/app/workbench.h"
+#include "axiometry/app/live/capture_keeping.h"
+#include "axiometry/app/workbench/examples.h"
+#include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/broken_contract.h"
 #include "axiometry/base/number_text.h"
-#include "guard.h"
-#include "log.h"
-#include "memory.h"
-#include "routes.h"
-#include "security.h"
-#include "security_log.h"
-#include "transport.h"
+#include "server/access/guard.h"
+#include "server/access/security.h"
+#include "server/access/security_log.h"
+#include "server/http/memory.h"
+#include "server/http/transport.h"
+#include "server/log.h"
+#include "server/routes/routes.h"
 
 namespace axiometry::server {
 namespace {

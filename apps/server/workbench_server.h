@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/app/capture_source.h"
+#include "axiometry/app/live/capture_source.h"
 #include "axiometry/base/result.h"
-#include "limits.h"
+#include "server/limits.h"
 
 /// The workbench: store, use cases and routes behind the transport. The one place where they are put together.
 namespace axiometry::server {

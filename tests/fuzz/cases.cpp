@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <string>
 
-#include "axiometry/app/check.h"
-#include "axiometry/app/simulate_text.h"
-#include "axiometry/app/tolerance_table.h"
+#include "axiometry/app/cases/check.h"
+#include "axiometry/app/evaluate/tolerance_table.h"
+#include "axiometry/app/simulate/simulate_text.h"
 #include "described.h"
 
 using namespace axiometry;

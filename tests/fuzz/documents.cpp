@@ -2,7 +2,7 @@
 //
 // Any bytes as what an archive gives back of a kept test: its options and changes, and as JSON of its own. What is read
 // is refused as damaged or understood, never trusted.
-#include "axiometry/app/test_state.h"
+#include "axiometry/app/workbench/test_state.h"
 #include "axiometry/base/json.h"
 #include "described.h"
 

@@ -6,9 +6,9 @@
 
 #include <string>
 
-#include "axiometry/formats/csv_long_rows.h"
+#include "axiometry/formats/csv/csv_long_rows.h"
 #include "axiometry/formats/format.h"
-#include "axiometry/standards/iso230_2.h"
+#include "axiometry/standards/iso230_2/parameters.h"
 #include "described.h"
 #include "tests/support/pieces.h"
 

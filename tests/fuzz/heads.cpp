@@ -6,9 +6,9 @@
 #include <boost/beast/http/parser.hpp>
 
 #include "described.h"
-#include "server/guard.h"
-#include "server/request_head.h"
-#include "server/target.h"
+#include "server/access/guard.h"
+#include "server/http/request_head.h"
+#include "server/http/target.h"
 
 using namespace axiometry;
 

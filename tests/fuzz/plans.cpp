@@ -2,9 +2,9 @@
 //
 // Any bytes as a plan of a test, as what is asked of the planner, and as a sequence of approaches. What is read is
 // written and read again as the same.
-#include "axiometry/app/plan_request.h"
-#include "axiometry/app/plan_text.h"
-#include "axiometry/formats/plan_json.h"
+#include "axiometry/app/plan/plan_request.h"
+#include "axiometry/app/plan/plan_text.h"
+#include "axiometry/formats/plan/plan_json.h"
 #include "described.h"
 
 using namespace axiometry;

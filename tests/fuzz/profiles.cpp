@@ -2,8 +2,8 @@
 //
 // Any bytes as an import profile; with a blank line between, a profile and the table to read after it. A profile that
 // is read is written and read again as the same; a guess about a table never reads other numbers than its own profile.
-#include "axiometry/formats/generic_delimited.h"
-#include "axiometry/formats/import_profile.h"
+#include "axiometry/formats/table/generic_delimited.h"
+#include "axiometry/formats/table/import_profile.h"
 #include "described.h"
 
 using namespace axiometry;

@@ -6,12 +6,12 @@
 #include <memory>
 #include <optional>
 
-#include "axiometry/app/example_table2.h"
-#include "axiometry/app/workbench.h"
+#include "axiometry/app/workbench/example_table2.h"
+#include "axiometry/app/workbench/workbench.h"
 #include "described.h"
-#include "server/job.h"
-#include "server/routes.h"
-#include "server/target.h"
+#include "server/http/target.h"
+#include "server/routes/routes.h"
+#include "server/work/job.h"
 #include "tests/support/archive.h"
 
 using namespace axiometry;

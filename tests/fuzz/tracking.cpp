@@ -4,11 +4,11 @@
 #include <fstream>
 #include <iterator>
 
-#include "axiometry/formats/location_points_csv.h"
-#include "axiometry/formats/ranges_csv.h"
-#include "axiometry/formats/station_json.h"
-#include "axiometry/formats/tracking_lengths_csv.h"
-#include "axiometry/formats/tracking_plan_json.h"
+#include "axiometry/formats/plan/tracking_plan_json.h"
+#include "axiometry/formats/tracking/location_points_csv.h"
+#include "axiometry/formats/tracking/ranges_csv.h"
+#include "axiometry/formats/tracking/station_json.h"
+#include "axiometry/formats/tracking/tracking_lengths_csv.h"
 #include "described.h"
 
 using namespace axiometry;

@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-#include "server/desk.h"
+#include "server/work/desk.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "axiometry/standards/iso230_2_monte_carlo.h"
+#include "axiometry/standards/iso230_2/monte_carlo/monte_carlo.h"
 
 namespace axiometry::testing_support {
 

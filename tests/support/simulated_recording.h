@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/app/raw_recording.h"
+#include "axiometry/app/recordings/raw_recording.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/simulation/presets.h"
 #include "axiometry/simulation/simulate.h"
-#include "axiometry/standards/iso230_2_plan.h"
+#include "axiometry/standards/iso230_2/plan/plan.h"
 
 /// A plan, and what an instrument says while an axis walks it.
 namespace axiometry::testing_support {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "axiometry/app/capture_keeping.h"
-#include "axiometry/app/capture_run.h"
-#include "axiometry/app/raw_log.h"
-#include "axiometry/app/source.h"
-#include "axiometry/formats/plan_json.h"
-#include "axiometry/store/clock.h"
+#include "axiometry/app/files/source.h"
+#include "axiometry/app/live/capture_keeping.h"
+#include "axiometry/app/live/capture_run.h"
+#include "axiometry/app/recordings/raw_log.h"
+#include "axiometry/formats/plan/plan_json.h"
+#include "axiometry/store/database/clock.h"
 #include "simulated_clock.h"
 #include "tests/support/simulated_recording.h"
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "axiometry/app/capture_service.h"
-#include "axiometry/app/workbench.h"
+#include "axiometry/app/live/capture_service.h"
+#include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/json.h"
 #include "axiometry/store/store.h"
-#include "server/routes.h"
+#include "server/routes/routes.h"
 
 namespace axiometry::world {
 

@@ -56,5 +56,5 @@ export function bytes(size: number): string {
   return `${fixed(size / step, 1)} ${step === 1e3 ? 'kB' : step === 1e6 ? 'MB' : 'GB'}`;
 }
 
-/** "100 000": groups of three parted by a narrow space that does not break. */
+/** "100 000": groups of three separated by a narrow space that does not break. */
 export const count = (n: number): string => String(n).replace(/\B(?=(\d{3})+(?!\d))/g, '\u202f');

@@ -22,7 +22,7 @@ bool is_one_of(std::string_view word, const std::ranges::input_range auto& words
 }
 
 std::vector<std::string_view> split(std::string_view s, char separator);  ///< "a||b" gives three parts
-std::vector<std::string_view> words(std::string_view s);                  ///< parted by blanks and tabs, none empty
+std::vector<std::string_view> words(std::string_view s);                  ///< separated by blanks and tabs, none empty
 
 /// Byte index of the first byte that is not valid UTF-8, or nothing.
 std::optional<std::size_t> invalid_utf8(std::string_view s);

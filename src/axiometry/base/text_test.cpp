@@ -117,7 +117,7 @@ TEST(NoFormula, SeesWhatASpreadsheetOfAnotherCountryWouldTakeForACell) {
   EXPECT_EQ(text::no_formula("a, =1+2"), "a, '=1+2");
   EXPECT_EQ(text::no_formula("a\t@x\n+y"), "a\t'@x\n'+y");
   EXPECT_EQ(text::no_formula("a,\"-x\""), "a,\"'-x\"");
-  EXPECT_EQ(text::no_formula("a, -0.5; +3"), "a, '-0.5; +3") << "parted by commas";
+  EXPECT_EQ(text::no_formula("a, -0.5; +3"), "a, '-0.5; +3") << "separated by commas";
   for (const char* harmless : {"a, -0.5, +3,-1e-3", "a; -0.5; +3", "x = y; 2 + 2", "a-b,c", "=", "", "5;-"})
     EXPECT_EQ(text::no_formula(harmless), harmless);
 }

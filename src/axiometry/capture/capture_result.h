@@ -58,7 +58,7 @@ struct CaptureResult {
 std::string approach_name(const Approach& approach);
 
 /// The test that the readings make: metadata from the plan, times of the readings, remarks on what is missing. A target
-/// without any reading is left out, which makes the test none of ISO 230-2. Fails when fewer than two targets have a
+/// without any reading is left out, which makes it no test after ISO 230-2. Fails when fewer than two targets have a
 /// reading, and when the recording does not fit the plan: less than half of its standstills belong to approaches, or
 /// the readings lie all over the window, as they do at targets that are only near those of the plan.
 Result<Test> captured_test(const Plan& plan, const CaptureResult& result);

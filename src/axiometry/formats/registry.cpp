@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "axiometry/base/text.h"
-#include "axiometry/formats/decoded_text.h"
 #include "axiometry/formats/format.h"
-#include "axiometry/formats/generic_delimited.h"
-#include "axiometry/formats/text_source.h"
+#include "axiometry/formats/table/generic_delimited.h"
+#include "axiometry/formats/text/decoded_text.h"
+#include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
 namespace {

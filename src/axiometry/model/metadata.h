@@ -61,8 +61,8 @@ struct Environment {
   std::vector<TemperatureSensor> sensors;
 };
 
-/// What the correction of raw readings takes (standards/reading_correction.h): how the instrument got from what it
-/// counts to what it shows.
+/// What the correction of raw readings takes (standards/readings/reading_correction.h): how the instrument got from
+/// what it counts to what it shows.
 struct InstrumentSettings {
   std::optional<Length> vacuum_wavelength;
   std::optional<double> refractive_index;  ///< of air that the instrument assumed; 1 when it shows lengths in vacuum
@@ -169,7 +169,8 @@ struct StatedTolerances {
 };
 
 /// A tracking interferometer beside the line under test, whose place is known within an uncertainty: what it then shows
-/// differs from the way along the line (Lee et al., Sensors 16 (2016) 482, eqs 17 to 23; tracking/length_difference.h).
+/// differs from the way along the line (Lee et al., Sensors 16 (2016) 482, eqs 17 to 23;
+/// tracking/station/length_difference.h).
 struct TrackingInputs {
   std::optional<Position> station_position;  ///< of the point of the line that is next to the station
   /// Standard uncertainties of the station across the line, mm: along the two principal directions, the larger first.

@@ -109,7 +109,7 @@ Result<void> check_line(const Plan& plan) {
   const bool given = !plan.axis.line_origin_mm.empty() || !plan.axis.line_direction.empty();
   if (given && !spatial_line(plan.axis))
     return fail(
-        "found a line in space that is none, expected three finite numbers for its origin and for its direction, not "
+        "found an invalid line in space, expected three finite numbers for its origin and for its direction, not "
         "all zero, of a linear axis");
   if (!given && !(plan.way_in_mm.empty() && plan.way_out_mm.empty()))
     return fail("found a way in or out in space, expected a line in space for it to lead to");

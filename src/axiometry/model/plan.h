@@ -60,10 +60,10 @@ struct PlannedMove {
 
 /// Fails, naming what is wrong, when the plan cannot be walked: no target, targets not finite or not strictly
 /// ascending, |P| beyond 1e9, no run or more than 10 000, an overrun or a feed outside 1e-6 to 1e9, a dwell outside 0
-/// to 1e6 s, a line in space that is none (spatial_line()), a way in or out without such a line or beyond 1e9 mm, a
+/// to 1e6 s, an invalid line in space (spatial_line()), a way in or out without such a line or beyond 1e9 mm, a
 /// sequence missing in (or given without) the user-defined cycle, an approach of the sequence that is given
 /// twice or names a target or run that does not exist; also when this holds for a further plan.
-/// Whether it satisfies the standard is another question (standards/iso230_2_plan.h).
+/// Whether it satisfies the standard is another question (standards/iso230_2/plan/plan.h).
 Result<void> check_sound(const Plan& plan);
 
 /// Every reading of the plan in the order in which it is taken. Needs a sound plan.

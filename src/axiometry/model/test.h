@@ -44,7 +44,7 @@ struct AppliedCorrection {
 
 /// What a reader must know about how a file was understood: it becomes a finding of the assessment.
 struct SourceRemark {
-  bool departs = false;  ///< such a test is none of ISO 230-2: "averages only"
+  bool departs = false;  ///< such a test is no test after ISO 230-2: "averages only"
   std::string message;   ///< what was found and how it was taken; a sentence without full stop
 };
 

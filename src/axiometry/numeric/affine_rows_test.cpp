@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/numeric/random.h"
+#include "axiometry/numeric/random/random.h"
 
 namespace axiometry::numeric {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "axiometry/numeric/weighted_choice.h"
+#include "axiometry/numeric/random/weighted_choice.h"
 
 /// What a curve may be, given one noisy value of it at each of m places.
 ///

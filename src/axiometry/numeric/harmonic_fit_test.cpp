@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "axiometry/numeric/random.h"
+#include "axiometry/numeric/random/random.h"
 
 namespace axiometry::numeric {
 namespace {

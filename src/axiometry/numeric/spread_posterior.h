@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "axiometry/numeric/weighted_choice.h"
+#include "axiometry/numeric/random/weighted_choice.h"
 
 /// What the standard deviations σ_c of many cells may be, given a few noisy readings in each.
 ///

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "axiometry/numeric/moments.h"
-#include "axiometry/numeric/random.h"
+#include "axiometry/numeric/random/random.h"
 
 namespace axiometry::numeric {
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "axiometry/report/method_values.h"
-#include "axiometry/standards/iso230_2_noise.h"
+#include "axiometry/standards/iso230_2/monte_carlo/noise.h"
 
 namespace axiometry::report {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "axiometry/model/axis.h"
-#include "axiometry/standards/iso230_2_claims.h"
+#include "axiometry/standards/iso230_2/rules/claims.h"
 
 /// What a result may be called, in the words that stand beside it everywhere.
 namespace axiometry::report {

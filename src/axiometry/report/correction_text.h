@@ -6,7 +6,7 @@
 
 #include "axiometry/model/test.h"
 #include "axiometry/report/report.h"
-#include "axiometry/standards/drift.h"
+#include "axiometry/standards/readings/drift.h"
 
 /// Corrections of readings and their drift in words, the same in reports and in the terminal.
 namespace axiometry::report {

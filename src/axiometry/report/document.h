@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "axiometry/report/figure.h"
+#include "axiometry/report/drawing/figure.h"
 
 /// A report as a list of blocks, described once (compose.h) and set by every writer of documents.
 /// Texts are UTF-8 as the user gave them; escaping is the writer's business.

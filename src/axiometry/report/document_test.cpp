@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/report/document.h"
-#include "axiometry/report/utf8.h"
+#include "axiometry/report/drawing/utf8.h"
 
 #include <gtest/gtest.h>
 

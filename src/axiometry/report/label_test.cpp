@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The label of a cycle that does not serve acceptance stands wherever results do. JSON and the combined table are
-// checked in app/label_wire_test.cpp, the terminal in tests/transcripts/label.txt.
+// checked in app/results/label_json_test.cpp, the terminal in tests/transcripts/label.txt.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "axiometry/model/plan.h"
+#include "axiometry/report/drawing/picture.h"
+#include "axiometry/report/drawing/text_layout.h"
 #include "axiometry/report/periodic.h"
-#include "axiometry/report/picture.h"
-#include "axiometry/report/text_layout.h"
 #include "tests/support/document_parts.h"
 #include "tests/support/made_up_monte_carlo.h"
 #include "tests/support/report_subject.h"

@@ -7,7 +7,7 @@
 #include "axiometry/model/test.h"
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
-#include "axiometry/standards/iso230_2_periodic.h"
+#include "axiometry/standards/iso230_2/periodic/periodic.h"
 
 /// The report of a periodic positioning error (Annex C): its figures, its numbers as people read them, the whole
 /// document.

@@ -10,10 +10,10 @@
 #include "axiometry/base/result.h"
 #include "axiometry/language/language.h"
 #include "axiometry/model/test.h"
-#include "axiometry/report/verified.h"
-#include "axiometry/standards/iso230_2_assessment.h"
-#include "axiometry/standards/iso230_2_record.h"
-#include "axiometry/standards/iso230_2_tolerance.h"
+#include "axiometry/report/documents/verified.h"
+#include "axiometry/standards/iso230_2/assessment/assessment.h"
+#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/standards/iso230_2/verdict/tolerance.h"
 
 namespace axiometry::report {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "axiometry/report/report.h"
-#include "axiometry/standards/iso230_2_resolved_inputs.h"
+#include "axiometry/standards/iso230_2/inputs/resolved_inputs.h"
 
 /// The inputs of the uncertainty as resolved, in words for reports and the terminal.
 namespace axiometry::report {

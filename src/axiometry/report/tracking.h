@@ -10,11 +10,11 @@
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
 #include "axiometry/standards/iso230_6.h"
-#include "axiometry/tracking/line_evaluation.h"
-#include "axiometry/tracking/location_points.h"
-#include "axiometry/tracking/multilateration.h"
-#include "axiometry/tracking/seven_lines.h"
-#include "axiometry/tracking/station.h"
+#include "axiometry/tracking/lengths/line_evaluation.h"
+#include "axiometry/tracking/lines/seven_lines.h"
+#include "axiometry/tracking/ranges/multilateration.h"
+#include "axiometry/tracking/station/location_points.h"
+#include "axiometry/tracking/station/station.h"
 
 /// Everything that people see of a test with a tracking interferometer.
 namespace axiometry::report {

@@ -18,8 +18,8 @@ struct Writer {
   Result<std::string> (*write)(const Subject& subject, const Options& options);  ///< the whole file's bytes
 
   /// The same of a document that is not the report of a test: a plan's sheet, a periodic error. Pages are set whole;
-  /// pictures show the document's figures; CSV holds its tables, each with its head, parted by blank lines, and where
-  /// there is a label with a column `remark` for it.
+  /// pictures show the document's figures; CSV holds its tables, each with its head, separated by blank lines, and
+  /// where there is a label with a column `remark` for it.
   Result<std::string> (*set)(const Document& document, const Options& options);
 };
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "axiometry/numeric/random.h"
+#include "axiometry/numeric/random/random.h"
 
 namespace axiometry::simulation {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "axiometry/base/text.h"
-#include "axiometry/numeric/random.h"
+#include "axiometry/numeric/random/random.h"
 #include "axiometry/simulation/elementary.h"
 
 namespace axiometry::simulation {

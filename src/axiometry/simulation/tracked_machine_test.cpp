@@ -193,7 +193,7 @@ TEST(TrackedMachine, ThatCannotBeIsRefusedWithWhatWasFound) {
   TrackingPlan plan = plan_of_lines();
   plan.lines[1].plan.axis.line_direction = {};
   EXPECT_EQ(simulate_lengths({}, {}, plan, {}, 1).error().message,
-            "the line \"y\": found a line in space that is none, expected three finite numbers for its origin and for "
+            "the line \"y\": found an invalid line in space, expected three finite numbers for its origin and for "
             "its direction, not all zero, of a linear axis");
   plan.lines[1].plan.axis.line_origin_mm = {};
   plan.lines[1].plan.way_in_mm = {};

@@ -9,7 +9,7 @@
 
 #include "axiometry/model/axis.h"
 #include "axiometry/model/tracking.h"
-#include "axiometry/standards/iso230_2_assessment.h"
+#include "axiometry/standards/iso230_2/assessment/assessment.h"
 
 /// Diagonal displacement tests, ISO 230-6:2002. Its text was not at hand; names, cycle and parameters follow general
 /// knowledge: each diagonal is run in both directions, five times, and evaluated as an axis is under ISO 230-2; over

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "axiometry/standards/iso230_2.h"
+#include "axiometry/standards/iso230_2/parameters.h"
 #include "axiometry/standards/iso230_6.h"
 
 namespace axiometry {

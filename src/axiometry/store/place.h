@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "axiometry/base/result.h"
-#include "axiometry/store/connection.h"
+#include "axiometry/store/database/connection.h"
 #include "axiometry/store/store.h"
 
 /// Where an archive is, and how one gets connections to it.

@@ -31,12 +31,12 @@ struct Change {
 };
 
 /// What is known as one thing over time, edited by versions that all stay. Versions count from 1.
-template <typename Thing>
+template <typename Asset>
 struct Versioned {
   Id id = 0;
   int version = 1;
   Change change;  ///< of this version
-  Thing value;
+  Asset value;
 };
 
 struct Machine {

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 
-#include "axiometry/store/audit_trail.h"
-#include "axiometry/store/clock.h"
-#include "axiometry/store/documents.h"
-#include "axiometry/store/folded_text.h"
-#include "axiometry/store/migrations.h"
+#include "axiometry/store/database/clock.h"
+#include "axiometry/store/database/migrations.h"
+#include "axiometry/store/kept/asset_tables.h"
+#include "axiometry/store/kept/assets.h"
+#include "axiometry/store/kept/documents.h"
+#include "axiometry/store/kept/folded_text.h"
+#include "axiometry/store/kept/test_list.h"
+#include "axiometry/store/proof/audit_trail.h"
 #include "axiometry/store/store_state.h"
-#include "axiometry/store/test_list.h"
-#include "axiometry/store/thing_tables.h"
-#include "axiometry/store/things.h"
 
 namespace axiometry::store {
 namespace {
@@ -58,40 +58,40 @@ Result<Counts> Store::counts() const {
   return read([](const Transaction& archive) { return archive.counts(); });
 }
 
-template <typename Thing>
-Result<Versioned<Thing>> Store::add(const Thing& thing, const By& by) {
+template <typename Asset>
+Result<Versioned<Asset>> Store::add(const Asset& thing, const By& by) {
   return write([&](Transaction& archive) { return archive.add(thing, by); });
 }
 
-template <typename Thing>
-Result<Versioned<Thing>> Store::change(Id id, int base_version, const Thing& thing, const By& by) {
+template <typename Asset>
+Result<Versioned<Asset>> Store::change(Id id, int base_version, const Asset& thing, const By& by) {
   return write([&](Transaction& archive) { return archive.change(id, base_version, thing, by); });
 }
 
-template <typename Thing>
-Result<Versioned<Thing>> Store::get(Id id, std::optional<int> version) const {
-  return read([&](const Transaction& archive) { return archive.get<Thing>(id, version); });
+template <typename Asset>
+Result<Versioned<Asset>> Store::get(Id id, std::optional<int> version) const {
+  return read([&](const Transaction& archive) { return archive.get<Asset>(id, version); });
 }
 
-template <typename Thing>
-Result<std::vector<Versioned<Thing>>> Store::all() const {
-  AXIOMETRY_TRY(auto things, state_->read([](Connection& connection) { return all_things<Thing>(connection); }));
+template <typename Asset>
+Result<std::vector<Versioned<Asset>>> Store::all() const {
+  AXIOMETRY_TRY(auto things, state_->read([](Connection& connection) { return all_assets<Asset>(connection); }));
   std::ranges::stable_sort(
-      things, {}, [](const Versioned<Thing>& thing) { return folded(ThingTable<Thing>::called(thing.value)); });
+      things, {}, [](const Versioned<Asset>& thing) { return folded(ThingTable<Asset>::called(thing.value)); });
   return things;
 }
 
-template <typename Thing>
-Result<std::vector<Versioned<Thing>>> Store::versions(Id id) const {
-  return read([&](const Transaction& archive) { return archive.versions<Thing>(id); });
+template <typename Asset>
+Result<std::vector<Versioned<Asset>>> Store::versions(Id id) const {
+  return read([&](const Transaction& archive) { return archive.versions<Asset>(id); });
 }
 
-#define AXIOMETRY_THING(Thing)                                                       \
-  template Result<Versioned<Thing>> Store::add(const Thing&, const By&);             \
-  template Result<Versioned<Thing>> Store::change(Id, int, const Thing&, const By&); \
-  template Result<Versioned<Thing>> Store::get<Thing>(Id, std::optional<int>) const; \
-  template Result<std::vector<Versioned<Thing>>> Store::all<Thing>() const;          \
-  template Result<std::vector<Versioned<Thing>>> Store::versions<Thing>(Id) const
+#define AXIOMETRY_THING(Asset)                                                       \
+  template Result<Versioned<Asset>> Store::add(const Asset&, const By&);             \
+  template Result<Versioned<Asset>> Store::change(Id, int, const Asset&, const By&); \
+  template Result<Versioned<Asset>> Store::get<Asset>(Id, std::optional<int>) const; \
+  template Result<std::vector<Versioned<Asset>>> Store::all<Asset>() const;          \
+  template Result<std::vector<Versioned<Asset>>> Store::versions<Asset>(Id) const
 
 AXIOMETRY_THING(Machine);
 AXIOMETRY_THING(Axis);

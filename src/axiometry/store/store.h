@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/store/kept/test_records.h"
+#include "axiometry/store/proof/seal.h"
 #include "axiometry/store/records.h"
-#include "axiometry/store/seal.h"
-#include "axiometry/store/test_records.h"
 #include "axiometry/store/transaction.h"
 
 /// The archive of machines, axes, instruments, plans and tests: SQLite in one file, or PostgreSQL for a team, behind
@@ -93,17 +93,17 @@ class Store {
 
   Result<Counts> counts() const;
 
-  /// Thing is Machine, Axis, Instrument or PlanRecord.
-  template <typename Thing>
-  Result<Versioned<Thing>> add(const Thing& thing, const By& by);
-  template <typename Thing>
-  Result<Versioned<Thing>> change(Id id, int base_version, const Thing& thing, const By& by);
-  template <typename Thing>
-  Result<Versioned<Thing>> get(Id id, std::optional<int> version = {}) const;
-  template <typename Thing>
-  Result<std::vector<Versioned<Thing>>> all() const;  ///< latest versions, by name
-  template <typename Thing>
-  Result<std::vector<Versioned<Thing>>> versions(Id id) const;  ///< oldest first
+  /// Asset is Machine, Axis, Instrument or PlanRecord.
+  template <typename Asset>
+  Result<Versioned<Asset>> add(const Asset& thing, const By& by);
+  template <typename Asset>
+  Result<Versioned<Asset>> change(Id id, int base_version, const Asset& thing, const By& by);
+  template <typename Asset>
+  Result<Versioned<Asset>> get(Id id, std::optional<int> version = {}) const;
+  template <typename Asset>
+  Result<std::vector<Versioned<Asset>>> all() const;  ///< latest versions, by name
+  template <typename Asset>
+  Result<std::vector<Versioned<Asset>>> versions(Id id) const;  ///< oldest first
 
   /// Keeps a file and all its tests, or nothing. Bytes that are there already are kept once. The tests' ids in order.
   Result<std::vector<Id>> receive(const Content& content, std::span<const NewTest> tests, const By& by);

@@ -14,8 +14,8 @@
 #include <random>
 
 #include "axiometry/digest/sha256.h"
+#include "axiometry/store/kept/test_versions.h"
 #include "axiometry/store/place.h"
-#include "axiometry/store/test_versions.h"
 
 namespace axiometry::store {
 namespace {

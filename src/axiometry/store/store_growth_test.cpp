@@ -5,13 +5,13 @@
 
 #include <limits>
 
-#include "axiometry/store/copy.h"
-#include "axiometry/store/migrations.h"
-#include "axiometry/store/sqlite_connection.h"
+#include "axiometry/store/database/migrations.h"
+#include "axiometry/store/database/sqlite_connection.h"
+#include "axiometry/store/kept/test_versions.h"
+#include "axiometry/store/proof/copy.h"
+#include "axiometry/store/proof/verification.h"
 #include "axiometry/store/store.h"
 #include "axiometry/store/store_test_support.h"
-#include "axiometry/store/test_versions.h"
-#include "axiometry/store/verification.h"
 
 namespace axiometry::store {
 namespace {

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "axiometry/store/connection_pool.h"
+#include "axiometry/store/database/connection_pool.h"
 #include "axiometry/store/store.h"
 
 namespace axiometry::store {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/store/transaction.h"
 
-#include "axiometry/store/clock.h"
-#include "axiometry/store/documents.h"
-#include "axiometry/store/stated_things.h"
-#include "axiometry/store/test_list.h"
-#include "axiometry/store/things.h"
+#include "axiometry/store/database/clock.h"
+#include "axiometry/store/kept/assets.h"
+#include "axiometry/store/kept/documents.h"
+#include "axiometry/store/kept/stated_assets.h"
+#include "axiometry/store/kept/test_list.h"
 
 namespace axiometry::store {
 
@@ -27,31 +27,31 @@ Result<Counts> Transaction::counts() const {
                 .content_bytes = row.integer(6)};
 }
 
-template <typename Thing>
-Result<Versioned<Thing>> Transaction::get(Id id, std::optional<int> version) const {
-  return get_thing<Thing>(connection_, id, version);
+template <typename Asset>
+Result<Versioned<Asset>> Transaction::get(Id id, std::optional<int> version) const {
+  return get_asset<Asset>(connection_, id, version);
 }
 
-template <typename Thing>
-Result<std::vector<Versioned<Thing>>> Transaction::versions(Id id) const {
-  return thing_versions<Thing>(connection_, id);
+template <typename Asset>
+Result<std::vector<Versioned<Asset>>> Transaction::versions(Id id) const {
+  return thing_versions<Asset>(connection_, id);
 }
 
-template <typename Thing>
-Result<Versioned<Thing>> Transaction::add(const Thing& thing, const By& by) {
+template <typename Asset>
+Result<Versioned<Asset>> Transaction::add(const Asset& thing, const By& by) {
   return add_thing(connection_, thing, change_now(by));
 }
 
-template <typename Thing>
-Result<Versioned<Thing>> Transaction::change(Id id, int base_version, const Thing& thing, const By& by) {
-  return change_thing(connection_, Versioned<Thing>{id, base_version + 1, change_now(by), thing});
+template <typename Asset>
+Result<Versioned<Asset>> Transaction::change(Id id, int base_version, const Asset& thing, const By& by) {
+  return change_thing(connection_, Versioned<Asset>{id, base_version + 1, change_now(by), thing});
 }
 
-#define AXIOMETRY_THING(Thing)                                                             \
-  template Result<Versioned<Thing>> Transaction::get<Thing>(Id, std::optional<int>) const; \
-  template Result<std::vector<Versioned<Thing>>> Transaction::versions<Thing>(Id) const;   \
-  template Result<Versioned<Thing>> Transaction::add(const Thing&, const By&);             \
-  template Result<Versioned<Thing>> Transaction::change(Id, int, const Thing&, const By&)
+#define AXIOMETRY_THING(Asset)                                                             \
+  template Result<Versioned<Asset>> Transaction::get<Asset>(Id, std::optional<int>) const; \
+  template Result<std::vector<Versioned<Asset>>> Transaction::versions<Asset>(Id) const;   \
+  template Result<Versioned<Asset>> Transaction::add(const Asset&, const By&);             \
+  template Result<Versioned<Asset>> Transaction::change(Id, int, const Asset&, const By&)
 
 AXIOMETRY_THING(Machine);
 AXIOMETRY_THING(Axis);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/store/kept/test_records.h"
 #include "axiometry/store/records.h"
-#include "axiometry/store/test_records.h"
 
 /// What belongs together in the archive: read as of one moment, or written as a whole or not at all.
 namespace axiometry::store {
@@ -34,13 +34,13 @@ class Transaction {
   Transaction& operator=(const Transaction&) = delete;
 
   Result<Counts> counts() const;
-  template <typename Thing>
-  Result<Versioned<Thing>> get(Id id, std::optional<int> version = {}) const;
-  template <typename Thing>
-  Result<std::vector<Versioned<Thing>>> versions(Id id) const;
+  template <typename Asset>
+  Result<Versioned<Asset>> get(Id id, std::optional<int> version = {}) const;
+  template <typename Asset>
+  Result<std::vector<Versioned<Asset>>> versions(Id id) const;
 
   /// Which machine, axis or instrument of the archive receive() and revise() would take for what a test states: by the
-  /// one rule of stated_things.h. Nothing where they would add one.
+  /// one rule of stated_assets.h. Nothing where they would add one.
   Result<std::optional<Versioned<Machine>>> known(const Machine& stated) const;
   Result<std::optional<Versioned<Axis>>> known(const Machine& stated, const Axis& axis) const;
   Result<std::optional<Versioned<Instrument>>> known(const Instrument& stated) const;
@@ -50,10 +50,10 @@ class Transaction {
   Result<TestPage> tests(const TestFilter& filter) const;
   Result<std::vector<Document>> documents(Id test) const;
 
-  template <typename Thing>
-  Result<Versioned<Thing>> add(const Thing& thing, const By& by);
-  template <typename Thing>
-  Result<Versioned<Thing>> change(Id id, int base_version, const Thing& thing, const By& by);
+  template <typename Asset>
+  Result<Versioned<Asset>> add(const Asset& thing, const By& by);
+  template <typename Asset>
+  Result<Versioned<Asset>> change(Id id, int base_version, const Asset& thing, const By& by);
   Result<std::vector<Id>> receive(const Content& content, std::span<const NewTest> tests, const By& by);
   Result<int> revise(Id test, int base_version, const TestState& state, const By& by);
   Result<Document> add_document(const Document& document, std::string_view bytes, const By& by);

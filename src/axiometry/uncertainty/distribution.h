@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
-#include "axiometry/numeric/random.h"
+#include "axiometry/numeric/random/random.h"
 
 /// Probability distributions of input quantities (JCGM 101:2008, 6.4). Values are plain numbers in the unit
 /// of the quantity they describe.

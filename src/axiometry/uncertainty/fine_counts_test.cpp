@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "axiometry/numeric/moments.h"
-#include "axiometry/numeric/random.h"
+#include "axiometry/numeric/random/random.h"
 
 namespace axiometry::uncertainty {
 namespace {

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/app/evaluate.h"
-#include "axiometry/app/second_opinion.h"
-#include "axiometry/app/wire.h"
-#include "axiometry/report/compose.h"
+#include "axiometry/app/evaluate/evaluate.h"
+#include "axiometry/app/results/result_json.h"
+#include "axiometry/app/results/second_opinion.h"
+#include "axiometry/report/documents/compose.h"
 #include "axiometry/verification/clause3.h"
 #include "tests/support/report_subject.h"
 #include "tests/support/series.h"

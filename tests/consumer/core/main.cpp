@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two targets, two runs, worked by hand: means ↑ 1 and 2, ↓ 0 and 1; s 0; B = 1, E = 2, A = 2.
-#include <axiometry/standards/iso230_2.h>
+#include <axiometry/standards/iso230_2/parameters.h>
 
 #include <cstdio>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <axiometry/app/evaluate.h>
+#include <axiometry/app/evaluate/evaluate.h>
 #include <axiometry/report/writer.h>
 
 #include <cstdio>

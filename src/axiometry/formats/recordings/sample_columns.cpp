@@ -9,7 +9,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recordings/time_text.h"
-#include "axiometry/formats/units.h"
+#include "axiometry/formats/text/units.h"
 
 namespace axiometry::formats {
 namespace {

@@ -28,7 +28,7 @@ std::vector<std::string_view> cells_of(std::string_view line, char delimiter);
 /// A number with a decimal point, or with a comma where the comma is not the delimiter.
 std::optional<double> number_of(std::string_view cell, char delimiter);
 
-/// The delimiter of a line: semicolon, tab, comma, else blanks; "0,5 12,25" is parted by its blanks.
+/// The delimiter of a line: semicolon, tab, comma, else blanks; "0,5 12,25" is separated by its blanks.
 char sample_delimiter(std::string_view line);
 
 /// From the first line with values, when there was no header. Nothing when it is no such line: fewer or (without

@@ -116,7 +116,7 @@ time_s,position_mm
 0.020,-4.9999
 ```
 
-- Columns are parted by comma, semicolon, tab or blanks. Numbers have a decimal point, or a decimal comma where the
+- Columns are separated by comma, semicolon, tab or blanks. Numbers have a decimal point, or a decimal comma where the
   comma parts no columns.
 - Without a header there are two columns: time in s, position in mm (° on a rotary axis). A header names the columns
   (`time`, `t`, `zeit`; anything else is a position) and their units, as `_ms`, `[ms]`, `(ms)` or `/ms`: s, ms, us, ns,

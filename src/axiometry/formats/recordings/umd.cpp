@@ -15,7 +15,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recordings/line_reader.h"
-#include "axiometry/formats/text_source.h"
+#include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
 namespace {

@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "axiometry/report/conformity_text.h"
-#include "axiometry/report/figures/dimension_line.h"
-#include "axiometry/report/figures/ink.h"
-#include "axiometry/report/figures/label.h"
-#include "axiometry/report/figures/legend.h"
-#include "axiometry/report/figures/plate.h"
-#include "axiometry/report/figures/plates.h"
-#include "axiometry/report/figures/scale.h"
+#include "axiometry/report/figures/parts/dimension_line.h"
+#include "axiometry/report/figures/parts/ink.h"
+#include "axiometry/report/figures/parts/label.h"
+#include "axiometry/report/figures/parts/legend.h"
+#include "axiometry/report/figures/parts/plate.h"
+#include "axiometry/report/figures/parts/plates.h"
+#include "axiometry/report/figures/parts/scale.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
 

@@ -6,7 +6,7 @@
 
 #include "axiometry/report/figures/figure_rules_test_support.h"
 #include "axiometry/report/figures/figures_test_support.h"
-#include "axiometry/report/figures/ink.h"
+#include "axiometry/report/figures/parts/ink.h"
 
 namespace axiometry::report {
 namespace {

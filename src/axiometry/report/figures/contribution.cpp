@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/report/figures/ink.h"
-#include "axiometry/report/figures/label.h"
-#include "axiometry/report/figures/legend.h"
-#include "axiometry/report/figures/plate.h"
-#include "axiometry/report/figures/symbols.h"
+#include "axiometry/report/figures/parts/ink.h"
+#include "axiometry/report/figures/parts/label.h"
+#include "axiometry/report/figures/parts/legend.h"
+#include "axiometry/report/figures/parts/plate.h"
+#include "axiometry/report/figures/parts/symbols.h"
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "axiometry/report/figure.h"
+#include "axiometry/report/drawing/figure.h"
 #include "axiometry/report/report.h"
 
 namespace axiometry::report {

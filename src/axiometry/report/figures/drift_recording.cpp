@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <vector>
 
-#include "axiometry/report/figures/chart.h"
-#include "axiometry/report/figures/dimension_line.h"
-#include "axiometry/report/figures/ink.h"
-#include "axiometry/report/figures/legend.h"
-#include "axiometry/report/figures/plate.h"
-#include "axiometry/report/figures/range.h"
+#include "axiometry/report/figures/parts/chart.h"
+#include "axiometry/report/figures/parts/dimension_line.h"
+#include "axiometry/report/figures/parts/ink.h"
+#include "axiometry/report/figures/parts/legend.h"
+#include "axiometry/report/figures/parts/plate.h"
+#include "axiometry/report/figures/parts/range.h"
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
-#include "axiometry/standards/environment_recording.h"
+#include "axiometry/standards/iso230_2/monte_carlo/environment_recording.h"
 
 namespace axiometry::report {
 namespace {

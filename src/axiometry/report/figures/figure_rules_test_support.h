@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/report/figure.h"
-#include "axiometry/report/svg.h"
-#include "axiometry/report/text_layout.h"
+#include "axiometry/report/drawing/figure.h"
+#include "axiometry/report/drawing/svg.h"
+#include "axiometry/report/drawing/text_layout.h"
 
 /// What every figure must keep to: its box, no text over another, and its golden picture.
 namespace axiometry::report::testing {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "axiometry/report/figures/plates.h"
+#include "axiometry/report/figures/parts/plates.h"
 
 namespace axiometry::report {
 namespace {

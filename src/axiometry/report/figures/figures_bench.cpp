@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <benchmark/benchmark.h>
 
+#include "axiometry/report/drawing/svg.h"
 #include "axiometry/report/figures/figures_test_support.h"
-#include "axiometry/report/svg.h"
 
 namespace axiometry::report {
 namespace {

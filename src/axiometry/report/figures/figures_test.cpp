@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "axiometry/report/figures/dimension_line.h"
+#include "axiometry/report/drawing/svg.h"
+#include "axiometry/report/drawing/text_layout.h"
 #include "axiometry/report/figures/figure_rules_test_support.h"
 #include "axiometry/report/figures/figures_test_support.h"
-#include "axiometry/report/figures/ink.h"
-#include "axiometry/report/svg.h"
-#include "axiometry/report/text_layout.h"
+#include "axiometry/report/figures/parts/dimension_line.h"
+#include "axiometry/report/figures/parts/ink.h"
 
 namespace axiometry::report {
 namespace {

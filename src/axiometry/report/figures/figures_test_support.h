@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "axiometry/report/figures/figures.h"
-#include "axiometry/standards/iso230_2.h"
+#include "axiometry/standards/iso230_2/parameters.h"
 
 /// Tests to draw: the worked example of ISO 230-2:2014, Table 2, and the cases in which plots get crowded.
 namespace axiometry::report::testing {

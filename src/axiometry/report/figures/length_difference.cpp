@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "axiometry/report/figures/chart.h"
-#include "axiometry/report/figures/legend.h"
-#include "axiometry/report/figures/plate.h"
-#include "axiometry/report/figures/range.h"
-#include "axiometry/report/figures/series_pens.h"
+#include "axiometry/report/figures/parts/chart.h"
+#include "axiometry/report/figures/parts/legend.h"
+#include "axiometry/report/figures/parts/plate.h"
+#include "axiometry/report/figures/parts/range.h"
+#include "axiometry/report/figures/parts/series_pens.h"
 #include "axiometry/report/translated.h"
 
 namespace axiometry::report {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "axiometry/model/tracking.h"
-#include "axiometry/report/figure.h"
+#include "axiometry/report/drawing/figure.h"
 #include "axiometry/report/report.h"
 
 /// What an error of the station does along lines, as figures (Lee et al., 4.1, Figs 11 to 13; docs/theory/

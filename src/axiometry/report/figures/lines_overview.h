@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "axiometry/report/figure.h"
+#include "axiometry/report/drawing/figure.h"
 #include "axiometry/report/tracking.h"
 
 namespace axiometry::report {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/report/figures/chart.h"
-#include "axiometry/report/figures/dimension_line.h"
-#include "axiometry/report/figures/ink.h"
-#include "axiometry/report/figures/legend.h"
-#include "axiometry/report/figures/plate.h"
-#include "axiometry/report/figures/range.h"
+#include "axiometry/report/figures/parts/chart.h"
+#include "axiometry/report/figures/parts/dimension_line.h"
+#include "axiometry/report/figures/parts/ink.h"
+#include "axiometry/report/figures/parts/legend.h"
+#include "axiometry/report/figures/parts/plate.h"
+#include "axiometry/report/figures/parts/range.h"
 #include "axiometry/report/periodic.h"
 #include "axiometry/report/translated.h"
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <optional>
 
-#include "axiometry/report/figures/ink.h"
-#include "axiometry/report/figures/label.h"
-#include "axiometry/report/figures/legend.h"
-#include "axiometry/report/figures/plate.h"
-#include "axiometry/report/figures/scale.h"
+#include "axiometry/report/figures/parts/ink.h"
+#include "axiometry/report/figures/parts/label.h"
+#include "axiometry/report/figures/parts/legend.h"
+#include "axiometry/report/figures/parts/plate.h"
+#include "axiometry/report/figures/parts/scale.h"
 #include "axiometry/report/translated.h"
-#include "axiometry/standards/iso230_2_plan.h"
+#include "axiometry/standards/iso230_2/plan/plan.h"
 
 namespace axiometry::report {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axiometry/model/plan.h"
-#include "axiometry/report/figure.h"
+#include "axiometry/report/drawing/figure.h"
 #include "axiometry/report/report.h"
 
 namespace axiometry::report {

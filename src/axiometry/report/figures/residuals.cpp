@@ -6,10 +6,10 @@
 #include <numbers>
 #include <vector>
 
-#include "axiometry/report/figures/chart.h"
-#include "axiometry/report/figures/ink.h"
-#include "axiometry/report/figures/legend.h"
-#include "axiometry/report/figures/plate.h"
+#include "axiometry/report/figures/parts/chart.h"
+#include "axiometry/report/figures/parts/ink.h"
+#include "axiometry/report/figures/parts/legend.h"
+#include "axiometry/report/figures/parts/plate.h"
 #include "axiometry/report/translated.h"
 
 namespace axiometry::report {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "axiometry/report/figure.h"
+#include "axiometry/report/drawing/figure.h"
 #include "axiometry/report/report.h"
 
 namespace axiometry::report {

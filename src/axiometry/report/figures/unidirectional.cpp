@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/report/figures/plates.h"
+#include "axiometry/report/figures/parts/plates.h"
 
 namespace axiometry::report::plot {
 namespace {

@@ -6,9 +6,9 @@
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
-#include "axiometry/standards/drift.h"
-#include "axiometry/standards/iso230_2_information.h"
-#include "axiometry/standards/iso230_2_slope.h"
+#include "axiometry/standards/iso230_2/information.h"
+#include "axiometry/standards/iso230_2/slope.h"
+#include "axiometry/standards/readings/drift.h"
 
 namespace axiometry::report {
 

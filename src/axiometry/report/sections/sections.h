@@ -10,7 +10,7 @@
 #include "axiometry/model/fields.h"
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
-#include "axiometry/standards/iso230_2_claims.h"
+#include "axiometry/standards/iso230_2/rules/claims.h"
 
 /// The sections of a report, one source each. compose() puts them together.
 namespace axiometry::report {

@@ -8,8 +8,8 @@
 #include "axiometry/report/resolved_text.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
-#include "axiometry/standards/iso230_2_artefact.h"
-#include "axiometry/standards/station_offset.h"
+#include "axiometry/standards/readings/artefact.h"
+#include "axiometry/standards/readings/station_offset.h"
 
 namespace axiometry::report {
 

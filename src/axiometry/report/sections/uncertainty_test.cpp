@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "axiometry/report/compose.h"
+#include "axiometry/report/documents/compose.h"
 #include "axiometry/report/sections/sections.h"
 #include "tests/support/document_parts.h"
 #include "tests/support/made_up_monte_carlo.h"

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <type_traits>
 
-#include "axiometry/report/compose.h"
-#include "axiometry/report/html_text.h"
-#include "axiometry/report/svg.h"
+#include "axiometry/report/documents/compose.h"
+#include "axiometry/report/drawing/html_text.h"
+#include "axiometry/report/drawing/svg.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/report/writer.h"
 #include "axiometry/report/writers/html_style.h"

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <memory>
 
-#include "axiometry/report/compose.h"
-#include "axiometry/report/pdf_document.h"
-#include "axiometry/report/pdf_palette.h"
+#include "axiometry/report/documents/compose.h"
+#include "axiometry/report/documents/pdf_document.h"
+#include "axiometry/report/drawing/utf8.h"
+#include "axiometry/report/pdf/pdf_palette.h"
 #include "axiometry/report/translated.h"
-#include "axiometry/report/utf8.h"
 #include "axiometry/report/writer.h"
 
 namespace axiometry::report {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
-#include "axiometry/report/cairo_painter.h"
-#include "axiometry/report/picture.h"
+#include "axiometry/report/drawing/picture.h"
+#include "axiometry/report/pdf/cairo_painter.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/report/writer.h"
 
@@ -62,7 +62,7 @@ std::string with_resolution(std::string png) {
   return with_chunk(std::move(png), "pHYs", big_endian(per_metre) + big_endian(per_metre) + unit_is_metre);
 }
 
-/// A name and a text, parted by a zero byte.
+/// A name and a text, separated by a zero byte.
 std::string with_text(std::string png, std::string_view name, std::string_view text) {
   return with_chunk(std::move(png), "tEXt", std::string(name).append(1, '\0').append(text));
 }

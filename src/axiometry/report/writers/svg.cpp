@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/report/svg.h"
+#include "axiometry/report/drawing/svg.h"
 
 #include <fmt/format.h>
 
-#include "axiometry/report/html_text.h"
-#include "axiometry/report/picture.h"
+#include "axiometry/report/drawing/html_text.h"
+#include "axiometry/report/drawing/picture.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/report/writer.h"
 

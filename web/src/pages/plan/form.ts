@@ -75,7 +75,7 @@ export function request_of(form: PlanForm): { request: PlanRequest; faults: null
   return Object.keys(faults).length === 0 ? { request, faults: null } : { request: null, faults };
 }
 
-/** The program reads a decimal point; lists of it are parted by commas, which a decimal comma would be taken for. */
+/** The program reads a decimal point; lists of it are separated by commas, which a decimal comma would be taken for. */
 function further_of(form: PlanForm): Record<string, string> {
   const entries = Object.entries(form.further)
     .map(([key, text]) => [key, text.trim()] as const)

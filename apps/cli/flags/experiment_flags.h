@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cli/flags/verb.h"
+
+#include "axiometry/app/results/experiment.h"
+#include "axiometry/report/report.h"
+
+/// The outputs that verbs of computations have in common.
+namespace axiometry::cli {
+
+struct ExperimentArguments {
+  app::OutputNames outputs;
+  report::Options report;
+  bool quiet = false;
+};
+
+/// --json, --report, --decimal, --language, --quiet.
+void add_experiment_flags(const Verb& verb, ExperimentArguments& arguments);
+
+/// Checks the names of the outputs; throws a UsageError. Before anything is computed.
+void check_experiment_outputs(const ExperimentArguments& arguments);
+
+/// Prints the document and writes the outputs; returns the exit code.
+int finish_experiment(const app::Experiment& experiment, const ExperimentArguments& arguments);
+
+}  // namespace axiometry::cli

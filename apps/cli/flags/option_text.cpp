@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/flags/option_text.h"
+
+#include <fmt/format.h>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/language/language.h"
+
+namespace axiometry::cli {
+
+Flag add_read(const Verb& verb, const OptionText& text, std::function<Result<void>(const std::string&)> read) {
+  return verb
+      .add_option_function<std::string>(
+          text.name,
+          [name = text.name, read](const std::string& value) {
+            if (Result<void> done = read(value); !done) throw UsageError(name, done.error().message);
+          },
+          text.description)
+      ->type_name(text.type);
+}
+
+Flag add_number(const Verb& verb, const OptionText& text, std::function<void(double)> put) {
+  return add_read(verb, text, [put](const std::string& value) -> Result<void> {
+    const auto x = parse_number(value);
+    if (!x) return fail(fmt::format("found {}, expected a number", axiometry::text::quoted(value)));
+    put(*x);
+    return {};
+  });
+}
+
+Flag add_count(const Verb& verb, const OptionText& text, std::function<void(unsigned long long)> put) {
+  return add_read(verb, text, [put](const std::string& value) -> Result<void> {
+    const auto count = parse_count(value);
+    if (!count) return fail(fmt::format("found {}, expected a whole number", axiometry::text::quoted(value)));
+    put(*count);
+    return {};
+  });
+}
+
+Flag add_decimal(const Verb& verb, char& mark, const std::string& description) {
+  return add_read(verb, {"--decimal", "MARK", description}, [&mark](const std::string& word) -> Result<void> {
+    if (word != "point" && word != "comma")
+      return fail(fmt::format("found {}, expected point or comma", text::quoted(word)));
+    mark = word == "point" ? '.' : ',';
+    return {};
+  });
+}
+
+Flag add_language(const Verb& verb, report::Options& options, Flag decimal) {
+  return add_read(verb, {"--language", "LANGUAGE", "Language of reports and sheets: en or de"},
+                  [&options, decimal](const std::string& word) -> Result<void> {
+                    const auto language = language::language_of(word);
+                    if (!language) return fail(fmt::format("found {}, expected en or de", text::quoted(word)));
+                    options.language = *language;
+                    if (decimal->count() == 0) options.numbers = language::usual_numbers(*language);
+                    return {};
+                  });
+}
+
+std::string fault_of_name(const std::string& name) {
+  return name.empty() ? "found an empty name, expected a file or -" : "";
+}
+
+}  // namespace axiometry::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cli/flags/verb.h"
+
+#include "axiometry/app/evaluate/evaluate.h"
+
+namespace axiometry::cli {
+
+/// --uncertainty, --trials, --seed, --type-a, --coverage, --threads.
+void add_method_flags(const Verb& verb, app::UncertaintyOptions& options);
+
+/// Refuses flags of the Monte Carlo method where that was not asked for.
+void check_method_flags(const Verb& verb, const app::UncertaintyOptions& options);
+
+}  // namespace axiometry::cli

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include "cli/flags/verb.h"
+
+#include "axiometry/app/live/capture_run.h"
+#include "axiometry/app/recordings/raw_log.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/report/drawing/utf8.h"
+#include "cli/flags/capture_flags.h"
+#include "cli/text/progress.h"
+#include "cli/text/terminal.h"
+#include "cli/verbs/commands.h"
+
+namespace axiometry::cli {
+namespace {
+
+struct CaptureArguments {
+  app::CaptureOptions options;
+  app::CaptureRun run;
+  std::string give_up;
+  bool quiet = false;
+};
+
+/// Readings and events as lines; on a terminal a last line says where the axis is.
+class Display {
+ public:
+  Display(bool quiet, const Plan& plan)
+      : quiet_(quiet),
+        terminal_(ColourChoice::automatic),
+        shows_now_(!quiet && ::isatty(STDOUT_FILENO) == 1),
+        kind_(plan.axis.kind),
+        plan_(plan) {}
+  ~Display() { clear(); }
+
+  void reading(const capture::CapturedReading& reading) {
+    if (quiet_) return;
+    clear();
+    const double scale = deviation_per_position(kind_);
+    const auto deviation_text = [&](double x) { return format_fixed(x, 2); };
+    std::string line = fmt::format(
+        "{}  {} {}  {} {}  s {}  {} samples", left(capture::approach_name(reading.approach), 17),
+        right(format_fixed(plan_.targets[reading.approach.target].in_native(), 4), 11), position_unit(kind_),
+        right(deviation_text(reading.deviation.in_native()), 9), deviation_unit(kind_),
+        deviation_text(reading.standstill.spread.in_native() * scale), reading.standstill.count);
+    for (const std::string& remark : reading.remarks) line += terminal_.yellow("; " + remark);
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  }
+
+  void event(const capture::CaptureEvent& event) {
+    if (quiet_) return;
+    clear();
+    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(capture::event_name(event.kind), 17)), event.message,
+               format_fixed(event.time_s, 2));
+    std::fflush(stdout);
+  }
+
+  void notice(const std::string& text) {
+    clear();
+    fmt::print(stderr, "axiometry: {}\n", report::printable(text));
+  }
+
+  void now(const app::CaptureSession& session) {
+    if (!shows_now_) return;
+    const auto& result = session.matcher().result();
+    const auto at = session.now();
+    const auto due = session.matcher().due();
+    const std::string line = fmt::format("{} of {}  {}{}", result.readings.size(), result.approaches,
+                                         at ? fmt::format("{} {} {}", format_fixed(at->position.in_native(), 4),
+                                                          position_unit(kind_), at->at_rest ? "at rest" : "moving")
+                                            : std::string("waiting for samples"),
+                                         due ? ", next " + capture::approach_name(*due) : "");
+    fmt::print("\r{}", left(line, width_));
+    std::fflush(stdout);
+    width_ = display_width(line);
+  }
+
+  void clear() {
+    if (width_ > 0) fmt::print("\r{}\r", std::string(width_, ' '));
+    width_ = 0;
+  }
+
+ private:
+  bool quiet_;
+  Terminal terminal_;
+  bool shows_now_;
+  AxisKind kind_;
+  const Plan& plan_;
+  std::size_t width_ = 0;
+};
+
+int failed(const Error& error) {
+  fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string()));
+  return InterruptGuard::interrupted() ? exit_interrupted : exit_bad_input;
+}
+
+void print_end(const app::CaptureOutcome& outcome, const app::CaptureRun& run) {
+  fmt::print("{} of {} readings from {} samples{}{}\n", outcome.result.readings.size(), outcome.result.approaches,
+             outcome.samples, outcome.lost > 0 ? fmt::format(", {} lost", outcome.lost) : "",
+             run.out.empty() || run.out == "-" ? "" : fmt::format("; {}", report::printable(run.out)));
+}
+
+int capture(const CaptureArguments& arguments) {
+  const auto plan = app::load_plan(arguments.options.plan, arguments.options.part);
+  if (!plan) return failed(plan.error());
+  const InterruptGuard guard;
+  Display display(arguments.quiet || arguments.run.out == "-", *plan);
+  const app::CaptureObserver observer{
+      .reading = [&](const auto& reading) { display.reading(reading); },
+      .event = [&](const auto& event) { display.event(event); },
+      .notice = [&](const std::string& text) { display.notice(text); },
+      .now = [&](const auto& session) { display.now(session); },
+      .stopped = [] { return InterruptGuard::interrupted(); },
+      .abandoned = {},
+  };
+  const auto outcome = app::run_capture(arguments.run, arguments.options, observer);
+  display.clear();
+  if (!outcome) return failed(outcome.error());
+  if (!arguments.quiet && arguments.run.out != "-") print_end(*outcome, arguments.run);
+  return outcome->stopped ? exit_interrupted : exit_done;
+}
+
+/// What only the whole command line can tell.
+void check(CaptureArguments& arguments) {
+  auto& [options, run, give_up, quiet] = arguments;
+  if (options.plan.empty()) throw MissingOption("--plan");
+  auto live = app::parse_live(run.from);
+  if (!live) throw UsageError("--from", live.error().message);
+  if (!*live && (!run.raw.empty() || !run.resume.empty()))
+    throw UsageError(run.raw.empty() ? "--resume" : "--raw",
+                     "found with a file as source, expected with tcp:// or serial://");
+  if (*live && run.raw.empty() && run.resume.empty()) {
+    if (run.out.empty() || run.out == "-")
+      throw UsageError("--raw", "found neither --raw nor --out FILE, expected a place to keep what arrives");
+    run.raw = run.out + ".raw";
+  }
+  if (*live || app::is_raw(run.from)) options.recording.skip_damaged = true;
+  if (give_up.empty()) return;
+  const auto seconds = parse_number(give_up);
+  if (!seconds || *seconds < 0.0 || *seconds > 1e6)
+    throw UsageError("--give-up", fmt::format("found {}, expected seconds", text::quoted(give_up)));
+  run.give_up = Duration::s(*seconds);
+}
+
+}  // namespace
+
+void add_capture(const Verb& program, int& exit_code) {
+  Verb verb = program.add_subcommand("capture", "Wait for the targets of a plan in a stream of positions");
+  auto arguments = std::make_shared<CaptureArguments>();
+  app::CaptureRun& run = arguments->run;
+  verb->add_option("--from", run.from,
+                   "Where positions come from: a file, - for the standard input, tcp://host:port or "
+                   "serial:///dev/ttyACM0?baud=2000000")
+      ->type_name("SOURCE")
+      ->required();
+  verb->add_option("--out", run.out, "Test as JSON, a whole file after every reading; - writes it once, at the end")
+      ->type_name("FILE");
+  Flag raw = verb->add_option("--raw", run.raw,
+                              "File for every byte of a live stream as it came (the name of --out and .raw); "
+                              "never overwritten")
+                 ->type_name("FILE");
+  verb->add_option("--resume", run.resume, "Play such a file first, then go on with the stream and the file")
+      ->type_name("FILE")
+      ->excludes(raw);
+  verb->add_option("--give-up", arguments->give_up,
+                   "How long a source that is away, or closes at once, is tried again (60)")
+      ->type_name("S");
+  verb->add_flag("--quiet,-q", arguments->quiet, "No lines in the terminal");
+  add_capture_flags(*verb, arguments->options);
+  verb->callback([arguments, &exit_code] {
+    check(*arguments);
+    exit_code = capture(*arguments);
+  });
+  verb->footer(R"(Examples:
+  axiometry capture --plan x.plan.json --from run.csv --out x.json
+  axiometry capture --plan x.plan.json --from tcp://192.168.1.20:5000 --out x.json
+  axiometry capture --plan x.plan.json --from serial:///dev/ttyACM0?baud=2000000 --wavelength 632.820 \
+    --counts-per-wavelength 8 --out x.json
+  axiometry capture --plan x.plan.json --from tcp://192.168.1.20:5000 --resume x.json.raw --out x.json
+  axiometry capture --plan x.plan.json --from x.json.raw --out again.json
+
+Ends when every approach has come, when the stream ends, or with Ctrl-C (exit code 130); what has come is kept.)");
+}
+
+}  // namespace axiometry::cli

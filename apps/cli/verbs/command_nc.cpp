@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include "cli/flags/verb.h"
+
+#include "axiometry/app/plan/nc_program.h"
+#include "axiometry/nc/numbers.h"
+#include "cli/failure.h"
+#include "cli/text/terminal.h"
+#include "cli/verbs/commands.h"
+
+namespace axiometry::cli {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  axiometry nc plan.json --dialect fanuc --out O2302.nc
+  axiometry nc plan.json --dialect siemens-840d --inch --trigger 27 > X_TEST.MPF
+  axiometry nc plan.json --dialect linuxcnc --unrolled --stop-at-start
+  axiometry nc tracking.json --dialect linuxcnc --out lines.ngc          all lines in one program
+  axiometry nc tracking.json --line xy --dialect heidenhain              one of them
+  axiometry nc --list
+  axiometry nc --manual heidenhain      what the program assumes of the control
+
+Exit codes: 0 done, 1 usage, 2 bad plan, or one that the control cannot be told.)";
+
+struct NcArguments {
+  app::NcRequest request;
+  std::string output = "-";
+  std::string manual;
+  unsigned trigger = 0;
+  unsigned number = 0;
+  bool list = false;
+  bool inch = false;
+  bool no_block_numbers = false;
+};
+
+void list_dialects() {
+  for (const nc::Dialect* dialect : nc::dialect_table())
+    fmt::print("{}{}{}{}\n", left(dialect->id, 14), left(dialect->extension, 6),
+               left(dialect->has_loops ? "loops" : "no loops", 10), dialect->title);
+  fmt::print("\n'axiometry nc --manual ID' explains one.\n");
+}
+
+int run(const NcArguments& arguments) {
+  if (arguments.list) {
+    list_dialects();
+    return exit_done;
+  }
+  if (!arguments.manual.empty()) {
+    const auto dialect = app::dialect_of(arguments.manual);
+    if (!dialect) throw UsageError("--manual", dialect.error().message);
+    fmt::print("{}\n\nAxes: {}\n", (*dialect)->manual, (*dialect)->axes);
+    return exit_done;
+  }
+  if (arguments.request.plan.empty()) throw MissingOption("PLAN.json");
+  if (arguments.request.dialect.empty()) throw MissingOption("--dialect");
+  if (const auto known = app::dialect_of(arguments.request.dialect); !known)
+    throw UsageError("--dialect", known.error().message);
+  const auto written = app::write_nc_program(arguments.request, arguments.output);
+  return written ? exit_done : failed(written.error());
+}
+
+}  // namespace
+
+void add_nc(const Verb& program, int& exit_code) {
+  Verb verb = program.add_subcommand("nc", "Write the part program that walks a plan, for one of many controls");
+  auto arguments = std::make_shared<NcArguments>();
+  auto& options = arguments->request.options;
+  verb->add_option("PLAN.json", arguments->request.plan,
+                   "Plan, as 'axiometry plan' or 'axiometry tracking plan' writes it; - for the standard input");
+  verb->add_option("--dialect", arguments->request.dialect, "Control to write for (axiometry nc --list)")
+      ->type_name("ID");
+  verb->add_option("--out", arguments->output, "File of the program; - for the standard output (-)")->type_name("FILE");
+  verb->add_option("--part", arguments->request.part,
+                   "Which test of the plan: 1 the plan itself, 2 … its further ones (1)")
+      ->type_name("N");
+  verb->add_option("--line", arguments->request.line, "One line of a tracking plan; all of them when not given")
+      ->type_name("ID");
+  verb->add_flag("--unrolled", options.unrolled, "No loops and variables, every run written out");
+  verb->add_flag("--inch", arguments->inch, "Program in inches; angles stay in degrees");
+  const Flag trigger =
+      verb->add_option("--trigger", arguments->trigger, "M code put out at each target after half the dwell")
+          ->type_name("M");
+  const Flag number =
+      verb->add_option("--number", arguments->number, "Program number, where the control has one")->type_name("N");
+  verb->add_option("--decimals", options.decimals, "Decimals of coordinates, more where the targets need them (4)")
+      ->check_range(0, nc::decimals_highest)
+      ->type_name("N");
+  verb->add_flag("--no-block-numbers", arguments->no_block_numbers, "Blocks without N words");
+  verb->add_flag("--stop-at-start", options.stop_at_start, "Stop before the first target, to set the instrument");
+  verb->add_flag("--stop-at-lines", options.stop_at_lines,
+                 "The same before each line of a tracking plan, to find the beam again");
+  const Flag list = verb->add_flag("--list", arguments->list, "List the dialects");
+  verb->add_option("--manual", arguments->manual, "Explain a dialect")->type_name("ID")->excludes(list);
+  verb->footer(examples);
+  verb->callback([arguments, trigger, number, &exit_code] {
+    auto& chosen = arguments->request.options;
+    if (arguments->inch) chosen.unit = nc::LengthUnit::inch;
+    chosen.block_numbers = !arguments->no_block_numbers;
+    if (trigger->count() > 0) chosen.trigger_m_code = arguments->trigger;
+    if (number->count() > 0) chosen.number = arguments->number;
+    exit_code = run(*arguments);
+  });
+}
+
+}  // namespace axiometry::cli

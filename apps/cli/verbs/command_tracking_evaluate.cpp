@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+#include "cli/flags/verb.h"
+
+#include "axiometry/app/results/second_opinion.h"
+#include "axiometry/app/tracking/tracking_evaluate.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/model/fields.h"
+#include "cli/failure.h"
+#include "cli/flags/option_text.h"
+#include "cli/flags/uncertainty_flags.h"
+#include "cli/text/progress.h"
+#include "cli/text/terminal.h"
+#include "cli/text/tracking_lines_text.h"
+#include "cli/verbs/command_tracking.h"
+#include "cli/verbs/commands.h"
+
+namespace axiometry::cli {
+namespace {
+
+struct Arguments {
+  std::string file;
+  app::TrackingEvaluateOptions evaluate;
+  std::string tolerance_table;
+  app::OutputNames outputs;
+  std::string tests;
+  report::Options report;
+  bool verify = false;
+  bool quiet = false;
+};
+
+Result<void> open_table(Arguments& a) {
+  if (a.tolerance_table.empty()) return {};
+  const auto [file, name] = app::parse_table_name(a.tolerance_table);
+  AXIOMETRY_TRY(a.evaluate.tolerance.table, app::open_tolerance_table(file));
+  a.evaluate.tolerance.table_name = name;
+  return {};
+}
+
+std::vector<app::InputFile> inputs_of(const Arguments& a) {
+  std::vector<app::InputFile> inputs{{a.file}, {a.evaluate.plan}};
+  if (!a.evaluate.station.empty()) inputs.push_back({a.evaluate.station});
+  if (a.evaluate.tolerance.table) inputs.push_back({a.evaluate.tolerance.table->file});
+  return inputs;
+}
+
+/// A result that should not be used as it is counts as one that does not conform, as in `tracking locate`.
+int exit_code_of(const app::EvaluatedLines& evaluated) {
+  using uncertainty::Verdict;
+  bool exceeded = std::ranges::any_of(evaluated.evaluation.findings, &tracking::Finding::serious);
+  bool undecided = false;
+  for (const app::Evaluated& e : evaluated.tests) {
+    const auto verdict = iso230_2::overall_verdict(e.judgements);
+    exceeded = exceeded || verdict == Verdict::does_not_conform;
+    undecided = undecided || verdict == Verdict::undecided || verdict == Verdict::not_applicable;
+  }
+  return exceeded ? exit_exceeded : undecided ? exit_undecided : exit_done;
+}
+
+Result<app::EvaluatedLines> evaluated(Arguments& a) {
+  ProgressBar bar(!a.quiet);
+  a.evaluate.uncertainty.trials.propagation.on_progress = std::ref(bar);
+  AXIOMETRY_TRY(auto result, app::evaluate_tracking(a.file, a.evaluate));
+  for (app::Evaluated& line : result.tests) {
+    if (!a.verify) break;
+    AXIOMETRY_TRY(line.verified, app::second_opinion(line, a.evaluate.uncertainty, a.report));
+  }
+  return result;
+}
+
+int run(Arguments& a) {
+  if (auto table = open_table(a); !table) return failed(table.error());
+  const std::vector<app::InputFile> inputs = inputs_of(a);
+  a.outputs.inputs = app::InputFiles(inputs);
+  if (auto spared = app::check_inputs_spared(a.outputs); !spared) return failed(spared.error(), exit_usage);
+  const auto result = evaluated(a);
+  if (!result) return failed(result.error(), InterruptGuard::interrupted() ? exit_interrupted : exit_bad_input);
+  if (!a.quiet && a.outputs.json != "-")
+    fmt::print("{}", lines_summary(*result, a.report, Terminal(ColourChoice::automatic)));
+  if (auto written = app::write_outputs(*result, a.outputs, a.report); !written) return failed(written.error());
+  if (!a.tests.empty())
+    if (auto saved = app::save_tests(*result, a.tests, a.outputs.inputs); !saved) return failed(saved.error());
+  return exit_code_of(*result);
+}
+
+void add_metadata(app::TrackingEvaluateOptions& options, const std::string& pair) {
+  const std::size_t equals = pair.find('=');
+  if (equals == std::string::npos)
+    throw UsageError("--set", fmt::format("found {}, expected KEY=VALUE", text::quoted(pair)));
+  Metadata trial;
+  if (auto set = set_field_text(trial, pair.substr(0, equals), pair.substr(equals + 1)); !set)
+    throw UsageError("--set", set.error().message);
+  options.metadata.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
+}
+
+std::string named(const std::string& name) {
+  return name.empty() ? std::string("found an empty name, expected a file") : std::string();
+}
+
+void add_input_flags(const Verb& verb, Arguments& a) {
+  constexpr const char* group = "Input";
+  verb.add_option("FILE", a.file, "Lengths as CSV, or - for the standard input")->required();
+  verb.add_option("--plan", a.evaluate.plan, "The plan whose lines were measured (axiometry tracking plan)")
+      ->required()
+      ->check(named)
+      ->type_name("FILE")
+      ->group(group);
+  verb.add_option("--station", a.evaluate.station,
+                  "The station as it was located (axiometry tracking locate --json), in place of the plan's")
+      ->check(named)
+      ->type_name("FILE")
+      ->group(group);
+  verb.add_option_function<std::vector<std::string>>(
+          "--set",
+          [&a](const std::vector<std::string>& pairs) {
+            for (const std::string& pair : pairs) add_metadata(a.evaluate, pair);
+          },
+          "Metadata of all lines over what the file says, such as machine.name='Mill 5'; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->one_at_a_time()
+      ->group(group);
+  verb.add_flag("--reversed", a.evaluate.reversed, "The lengths shown fall where the reflector recedes")->group(group);
+  add_number(verb,
+             {"--break-threshold", "MM",
+              "A jump of the lengths above it is a break of the beam (20 µm, more where "
+              "the readings scatter)"},
+             [&a](double x) {
+               if (!(x > 0.0 && x <= 1e6))
+                 throw UsageError("--break-threshold",
+                                  fmt::format("found {}, expected a length above 0 mm", format_exact(x)));
+               a.evaluate.break_threshold_mm = x;
+             })
+      ->group(group);
+  verb.add_flag_callback(
+          "--no-breaks", [&a] { a.evaluate.find_breaks = false; },
+          "Look for no breaks of the beam but those that the column segment states")
+      ->group(group);
+}
+
+void add_tolerance_flags(const Verb& verb, Arguments& a) {
+  constexpr const char* group = "Tolerances";
+  verb.add_option_function<std::vector<std::string>>(
+          "--tolerance",
+          [&a](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts)
+              if (auto added = app::add_tolerance(text, a.evaluate); !added)
+                throw UsageError("--tolerance", added.error().message);
+          },
+          "Limit of a parameter of all lines, A=10um, or of one, xy:E=20um; exit code 3 when a line does not conform; "
+          "may be repeated")
+      ->type_name("[LINE:]PARAMETER=LIMIT")
+      ->one_at_a_time()
+      ->group(group);
+  verb.add_option("--tolerance-table", a.tolerance_table, "Limits by travel from a CSV file, as evaluate has it")
+      ->check(named)
+      ->type_name("FILE[:NAME]")
+      ->group(group);
+  add_read(verb, {"--rule", "RULE", "How the uncertainty counts: simple, iso14253-1 or guard-band=WIDTH"},
+           [&a](const std::string& text) -> Result<void> {
+             AXIOMETRY_TRY(a.evaluate.tolerance.rule, app::parse_rule(text));
+             return {};
+           })
+      ->group(group);
+}
+
+void add_output_flags(const Verb& verb, Arguments& a) {
+  constexpr const char* group = "Outputs";
+  verb.add_option("--json", a.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
+      ->check(named)
+      ->type_name("FILE")
+      ->group(group);
+  verb.add_option("--report", a.outputs.reports,
+                  "One report of all lines to FILE, by its extension html, pdf, svg, png or csv; may be repeated")
+      ->type_name("FILE")
+      ->one_at_a_time()
+      ->group(group);
+  verb.add_option("--save-tests", a.tests,
+                  "The test of each line to a file of its own, such as 'tests/{name}.json', for 'axiometry evaluate'")
+      ->check(named)
+      ->type_name("FILE")
+      ->group(group);
+  Flag decimal = add_decimal(verb, a.report.numbers.decimal_mark)->group(group);
+  add_language(verb, a.report, decimal)->group(group);
+  verb.add_flag(
+          "--verify", a.verify,
+          "Compute clause 3, Annex A and every verdict of each line once more by a second, independent way in exact "
+          "arithmetic, and compare all other figures; where one differs nothing is shown or written, and the exit "
+          "code is 2")
+      ->group(group);
+  verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group(group);
+}
+
+}  // namespace
+
+void add_tracking_evaluate(const Verb& tracking, int& exit_code) {
+  Verb verb = tracking.add_subcommand("evaluate", "Evaluate lengths measured along the lines of a plan");
+  auto arguments = std::make_shared<Arguments>();
+  add_input_flags(*verb, *arguments);
+  add_tolerance_flags(*verb, *arguments);
+  add_method_flags(*verb, arguments->evaluate.uncertainty);
+  add_output_flags(*verb, *arguments);
+  verb->callback([verb, arguments, &exit_code] {
+    check_method_flags(*verb, arguments->evaluate.uncertainty);
+    if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
+      throw UsageError("--report", outputs.error().message);
+    const InterruptGuard guard;
+    exit_code = run(*arguments);
+  });
+  verb->footer(
+      R"(The file has the columns line,target,direction,run,length_difference_mm, or length_difference_mm alone in
+the order of the program. Examples:
+  axiometry tracking evaluate lengths.csv --plan seven.json --station located.json
+  axiometry tracking evaluate lengths.csv --plan seven.json --json - --save-tests 'tests/{name}.json'
+  axiometry tracking evaluate lengths.csv --plan seven.json --tolerance A=10um --tolerance xy:E=20um
+
+Exit codes: 0 done, 1 usage, 2 bad input, 3 a parameter does not conform or a finding is serious, 4 undecided.)");
+}
+
+}  // namespace axiometry::cli

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/http/request_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "axiometry/app/files/given_text.h"
+#include "axiometry/base/iso_date.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "server/http/multipart.h"
+#include "server/http/target.h"
+
+namespace axiometry::server {
+namespace {
+
+constexpr std::array units = {
+    std::pair{std::string_view("um"), report::DisplayUnit::um},
+    std::pair{std::string_view("mm"), report::DisplayUnit::mm},
+    std::pair{std::string_view("nm"), report::DisplayUnit::nm},
+    std::pair{std::string_view("deg"), report::DisplayUnit::deg},
+    std::pair{std::string_view("arcsec"), report::DisplayUnit::arcsec},
+};
+
+/// By the header of the page, by the one of downloads turned round, or in the query; empty when nobody tells.
+Result<std::string> sent_name(const Request& request) {
+  for (const char* header : {"x-file-name", "x-filename"})
+    if (const auto name = request.header(header)) {
+      auto decoded = percent_decoded(*name);
+      if (!decoded)
+        return fail(fmt::format("found the header X-File-Name {}, expected a name in percent-encoded UTF-8",
+                                text::quoted(*name)));
+      return decoded;
+    }
+  if (const auto disposition = request.header("content-disposition")) return header_parameter(*disposition, "filename");
+  for (const char* name : {"name", "filename"})
+    if (const auto given = request.parameter(name)) return std::string(*given);
+  return std::string();
+}
+
+Result<formats::ImportProfile> profile_in(std::string_view bytes) {
+  constexpr std::size_t limit = std::size_t{64} << 10;
+  if (bytes.size() > limit)
+    return fail(fmt::format("found an import profile of {} bytes, expected at most {}", bytes.size(), limit));
+  auto profile = formats::read_profile(bytes);
+  if (!profile) profile.error().file = "profile";
+  return profile;
+}
+
+}  // namespace
+
+Result<store::Id> id_of(const Request& request, std::string_view what) {
+  const std::string_view segment = request.segment("id");
+  const auto id = parse_count(segment);
+  if (!id || *id == 0 || *id > static_cast<unsigned long long>(store::id_max))
+    return fail(ErrorKind::not_found, fmt::format("found no {} {}", what, text::quoted(segment)));
+  return static_cast<store::Id>(*id);
+}
+
+Result<std::optional<int>> version_of(const Request& request) {
+  AXIOMETRY_TRY(const auto version, whole_of(request, "version", store::id_max));
+  if (!version) return std::optional<int>();
+  if (*version == 0) return fail("found the version 0, expected a whole number from 1");
+  return std::optional(static_cast<int>(*version));
+}
+
+Result<std::optional<std::int64_t>> whole_of(const Request& request, std::string_view name, std::int64_t largest) {
+  const auto text = request.parameter(name);
+  if (!text || text->empty()) return std::optional<std::int64_t>();
+  const auto number = parse_count(*text);
+  if (!number || *number > static_cast<unsigned long long>(largest))
+    return fail(fmt::format("found {}={}, expected a whole number from 0 to {}", name, text::quoted(*text), largest));
+  return std::optional(static_cast<std::int64_t>(*number));
+}
+
+Result<std::string> date_of(const Request& request, std::string_view name) {
+  const std::string text(request.parameter(name).value_or(""));
+  if (!text.empty() && iso_date(text) != text)
+    return fail(fmt::format("found {}={}, expected a date such as 2026-01-31", name, text::quoted(text)));
+  return text;
+}
+
+Result<bool> flag_of(const Request& request, std::string_view name, bool otherwise) {
+  const auto text = request.parameter(name);
+  if (!text || text->empty()) return otherwise;
+  if (*text == "1" || *text == "true" || *text == "yes") return true;
+  if (*text == "0" || *text == "false" || *text == "no") return false;
+  return fail(fmt::format("found {}={}, expected 1 or 0", name, text::quoted(*text)));
+}
+
+Result<void> choose_number_style(std::string_view decimal, std::string_view unit, report::Options& options) {
+  if (!decimal.empty() && decimal != "comma" && decimal != "point")
+    return fail(fmt::format("found the decimal mark {}, expected point or comma", text::quoted(decimal)));
+  if (!decimal.empty()) options.numbers.decimal_mark = decimal == "comma" ? ',' : '.';
+  if (unit.empty()) return {};
+  const auto row = std::ranges::find(units, unit, &std::pair<std::string_view, report::DisplayUnit>::first);
+  if (row == units.end())
+    return fail(fmt::format("found the unit {}, expected um, mm, nm, deg or arcsec", text::quoted(unit)));
+  options.unit = row->second;
+  return {};
+}
+
+Result<report::Options> report_options_of(const Request& request) {
+  report::Options options;
+  options.language = request.language;
+  options.numbers = language::usual_numbers(request.language);
+  AXIOMETRY_TRY_VOID(
+      choose_number_style(request.parameter("decimal").value_or(""), request.parameter("unit").value_or(""), options));
+  return options;
+}
+
+Result<app::Reader> reader_of(const Request& request) {
+  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  return app::Reader{request.language, options.numbers};
+}
+
+store::By by_of(const Request& request, std::string reason) { return {request.actor, std::move(reason)}; }
+
+Result<json::Value> optional_json_body(const Request& request) {
+  if (text::trim(request.body).empty()) return json::Value::object();
+  return json_body(request);
+}
+
+Result<std::string> line_member(const json::Value& body, std::string_view name) {
+  const json::Value* value = body.find(name);
+  if (value == nullptr || value->is(json::Kind::null)) return std::string();
+  if (!value->is(json::Kind::text))
+    return fail(fmt::format("{}: found {}, expected a text", name, json::kind_name(value->kind())), value->at());
+  return app::given_line(name, value->text());
+}
+
+Result<Pairs> options_member(const json::Value& body) {
+  Pairs options;
+  const json::Value* given = body.find("options");
+  if (given == nullptr || given->is(json::Kind::null)) return options;
+  if (!given->is(json::Kind::object))
+    return fail(fmt::format("options: found {}, expected object", json::kind_name(given->kind())), given->at());
+  for (const auto& [name, value] : given->members()) {
+    if (value.is(json::Kind::array) || value.is(json::Kind::object))
+      return fail(fmt::format("{}: found {}, expected a text", name, json::kind_name(value.kind())), value.at());
+    if (value.is(json::Kind::text)) options.emplace_back(name, value.text());
+    if (value.is(json::Kind::number)) options.emplace_back(name, format_exact(value.number()));
+    if (value.is(json::Kind::boolean)) options.emplace_back(name, value.boolean() ? "1" : "0");
+  }
+  return options;
+}
+
+Result<std::vector<SentFile>> files_of(const Request& request) {
+  const std::string_view type = request.header("content-type").value_or("");
+  std::vector<SentFile> files;
+  if (!is_form(type)) {
+    if (request.body.empty()) return fail("found a request without a body, expected the bytes of a file");
+    AXIOMETRY_TRY(std::string name, sent_name(request));
+    files.push_back({std::move(name), std::string(type), request.body});
+    return files;
+  }
+  AXIOMETRY_TRY(auto parts, form_parts(type, request.body));
+  const FormPart* profile = nullptr;
+  for (FormPart& part : parts) {
+    if (part.is_file) files.push_back({std::move(part.file_name), std::move(part.content_type), part.bytes});
+    if (!part.is_file && part.name == "profile") profile = &part;
+  }
+  if (files.empty()) return fail("found a form without a file, expected at least one part with a file name");
+  if (profile == nullptr) return files;
+  if (files.size() > 1)
+    return fail(fmt::format("found an import profile beside {} files, expected one file", files.size()));
+  AXIOMETRY_TRY(files.front().profile, profile_in(profile->bytes));
+  return files;
+}
+
+Result<SentFile> file_of(const Request& request) {
+  AXIOMETRY_TRY(auto files, files_of(request));
+  if (files.size() > 1) return fail(fmt::format("found {} files, expected one", files.size()));
+  return std::move(files.front());
+}
+
+}  // namespace axiometry::server

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "axiometry/app/live/capture_keeping.h"
+#include "axiometry/app/live/capture_service.h"
+#include "axiometry/app/workbench/workbench.h"
+#include "axiometry/base/text.h"
+#include "server/routes/routes.h"
+#include "tests/support/archive.h"
+
+namespace axiometry::server {
+namespace {
+
+const json::Value& description() {
+  static const auto parsed = json::parse(openapi_files().front().bytes);
+  return *parsed;
+}
+
+/// Of all, or of those that are described with this status.
+std::set<std::string> described(std::string_view status = {}) {
+  std::set<std::string> operations;
+  for (const auto& [path, methods] : description().find("paths")->members())
+    for (const auto& [method, operation] : methods.members())
+      if (status.empty() || operation.find("responses")->find(status)) operations.insert(method + " " + path);
+  return operations;
+}
+
+std::set<std::string> names_of(const std::vector<Router::Route>& routes) {
+  std::set<std::string> operations;
+  for (const Router::Route& route : routes)
+    operations.insert(fmt::format("{} {}", text::to_lower(route.method), route.pattern));
+  return operations;
+}
+
+std::vector<Router::Route> served() {
+  testing_support::Archive archive;
+  app::Workbench workbench(archive.store());
+  TokenGate token({});
+  const auto captures =
+      app::CaptureService::open({.folder = archive.folder() + "/captures", .sources = {}}, app::keeping_in(workbench));
+  if (!captures) throw std::runtime_error(captures.error().to_string());
+  Router router;
+  add_service_routes(router, {.store = archive.store(), .token = token});
+  const Context context{.store = archive.store(), .workbench = workbench, .captures = **captures};
+  add_test_routes(router, context);
+  add_equipment_routes(router, context);
+  add_plan_routes(router, context);
+  add_capture_routes(router, context);
+  return router.routes();
+}
+
+TEST(OpenApi, describes_every_route_and_nothing_else) {
+  EXPECT_THAT(names_of(served()), ::testing::UnorderedElementsAreArray(described()));
+}
+
+TEST(OpenApi, tells_of_the_line_in_which_heavy_requests_wait) {
+  std::vector<Router::Route> waiting = served();
+  std::erase_if(waiting, [](const Router::Route& route) { return route.weight == Weight::light; });
+  EXPECT_THAT(names_of(waiting), ::testing::UnorderedElementsAreArray(described("503")));
+}
+
+/// "#/components/schemas/Test" and the like.
+void collect_references(const json::Value& value, std::set<std::string>& found) {
+  if (value.is(json::Kind::array))
+    for (const json::Value& item : value.items()) collect_references(item, found);
+  if (!value.is(json::Kind::object)) return;
+  for (const auto& [name, member] : value.members()) {
+    if (name == "$ref" && member.is(json::Kind::text)) found.insert(member.text());
+    collect_references(member, found);
+  }
+}
+
+TEST(OpenApi, refers_to_nothing_that_is_missing) {
+  std::set<std::string> references;
+  collect_references(description(), references);
+  ASSERT_FALSE(references.empty());
+  for (const std::string& reference : references) {
+    const json::Value* at = &description();
+    for (const std::string_view part : text::split(std::string_view(reference).substr(2), '/')) {
+      at = at->find(part);
+      ASSERT_NE(at, nullptr) << reference;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace axiometry::server

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "axiometry/base/embedded_file.h"
+#include "axiometry/store/store.h"
+#include "server/access/token.h"
+#include "server/routes/router.h"
+
+namespace axiometry::app {
+class Workbench;
+class CaptureService;
+}  // namespace axiometry::app
+
+/// The API, one source for each kind of thing; apps/server/openapi.json describes it and web/src/api/types.ts is its
+/// shape for the page.
+namespace axiometry::server {
+
+/// What routes work with. All of it may be used from many threads.
+struct Context {
+  store::Store& store;
+  app::Workbench& workbench;
+  app::CaptureService& captures;
+};
+
+/// What service routes need. `token` says who may see more of health than "ok".
+struct ServiceContext {
+  store::Store& store;
+  TokenGate& token;
+  std::size_t upload_bytes = 0;
+};
+
+void add_service_routes(Router& router, const ServiceContext& context);  ///< health, openapi.json, vocabulary, login
+void add_test_routes(Router& router, const Context& context);       ///< previews, tests, versions, reports, figures
+void add_equipment_routes(Router& router, const Context& context);  ///< machines, axes, instruments, trends, audit
+void add_plan_routes(Router& router, const Context& context);       ///< plans, their sheets and NC programs
+void add_capture_routes(Router& router, const Context& context);    ///< live sources and captures
+/// The page: each file by its name, and index.html for every path that is not of the API, since the page routes by
+/// path; "/" says how to build it where there is none. Files NAME.gz are sent instead of NAME to who takes them.
+void add_page_routes(Router& router, std::span<const EmbeddedFile> files);
+
+std::span<const EmbeddedFile> page_files();     ///< web/bundle/, embedded (generated); empty where it was not built
+std::span<const EmbeddedFile> openapi_files();  ///< openapi.json (generated)
+
+}  // namespace axiometry::server

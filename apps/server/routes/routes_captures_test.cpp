@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plans and captures as the page asks for them, through the router, over an archive.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "axiometry/app/live/capture_keeping.h"
+#include "axiometry/app/workbench/workbench.h"
+#include "server/routes/routes.h"
+#include "tests/support/archive.h"
+
+namespace axiometry::server {
+namespace {
+
+using json::Value;
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+constexpr const char* short_request = R"({"axis": "X", "kind": "linear", "from": 0, "to": 60, "targets": 3,
+  "cycle": "standard", "runs": 2, "feed": 6000, "dwell_s": 1, "seed": 3,
+  "further": {"machine": "Mill", "warm-up": "0"}})";
+
+class CaptureRoutes : public testing::Test {
+ protected:
+  CaptureRoutes() {
+    captures = *app::CaptureService::open({.folder = captures_folder(), .sources = {}}, app::keeping_in(workbench));
+    const Context context{archive.store(), workbench, *captures};
+    add_test_routes(router, context);
+    add_equipment_routes(router, context);
+    add_plan_routes(router, context);
+    add_capture_routes(router, context);
+  }
+
+  std::string captures_folder() const { return archive.folder() + "/captures"; }
+
+  Response send(std::string method, std::string path, std::string body = {}, Pairs query = {},
+                language::Language language = language::Language::english) {
+    Request request;
+    request.method = std::move(method);
+    request.path = std::move(path);
+    request.query = std::move(query);
+    request.body = std::move(body);
+    request.actor = "A. Tester";
+    request.language = language;
+    return router.answer(std::move(request));
+  }
+
+  static Value value_of(const Response& response, int status) {
+    EXPECT_EQ(response.status, status) << response.body;
+    auto value = json::parse(response.body);
+    EXPECT_TRUE(value) << response.body;
+    return value ? *value : Value::object();
+  }
+
+  static double number(const Value& object, std::string_view name) { return object.find(name)->number(); }
+  static std::string text(const Value& object, std::string_view name) { return object.find(name)->text(); }
+  static std::string message(const Response& response) {
+    return json::parse(response.body)->find("error")->find("message")->text();
+  }
+
+  Value keep_plan(const std::string& more = "") {
+    return value_of(send("POST", "/api/plans", std::string("{\"request\": ") + short_request + more + "}"), 201);
+  }
+
+  Value wait_for_end(int id) {
+    for (int k = 0; k < 2000; ++k) {
+      const Value state = value_of(send("GET", "/api/captures/" + std::to_string(id)), 200);
+      if (text(state, "state") != "waiting" && text(state, "state") != "running") return state;
+      std::this_thread::sleep_for(10ms);
+    }
+    ADD_FAILURE() << "the capture has not ended";
+    return Value::object();
+  }
+
+  testing_support::Archive archive;
+  app::Workbench workbench{archive.store()};
+  std::unique_ptr<app::CaptureService> captures;
+  Router router;
+};
+
+TEST_F(CaptureRoutes, DraftAPlanWithoutKeepingIt) {
+  const Value draft = value_of(send("POST", "/api/plans/draft", short_request), 200);
+  EXPECT_EQ(draft.find("targets")->items().size(), 3u);
+  EXPECT_THAT(text(draft, "figure_svg"), HasSubstr("<svg"));
+  EXPECT_EQ(number(*draft.find("request"), "seed"), 3);
+  const Value dark = value_of(send("POST", "/api/plans/draft", short_request, {{"theme", "dark"}}), 200);
+  EXPECT_NE(text(dark, "figure_svg"), text(draft, "figure_svg"));
+  EXPECT_TRUE(value_of(send("GET", "/api/plans"), 200).find("plans")->items().empty());
+  const Response bad = send("POST", "/api/plans/draft", "{\"axis\": \"X\",\n \"kind\": 3}");
+  EXPECT_EQ(bad.status, 422);
+  EXPECT_EQ(json::parse(bad.body)->find("error")->find("line")->number(), 2);
+}
+
+TEST_F(CaptureRoutes, KeepPlansInVersions) {
+  const Value plan = keep_plan(", \"title\": \"X of the <b>mill</b>\"");
+  EXPECT_EQ(number(plan, "id"), 1);
+  EXPECT_EQ(text(plan, "title"), "X of the <b>mill</b>");
+  const std::string edit =
+      std::string(R"({"base_version": 1, "title": "Again", "reason": "longer", "request": )") + short_request + "}";
+  const Response edited = send("PUT", "/api/plans/1", edit);
+  EXPECT_EQ(number(value_of(edited, 200), "version"), 2);
+  EXPECT_EQ(edited.kept.id, 1) << "for a receipt";
+  EXPECT_EQ(edited.kept.version, 2);
+  const Response late = send("PUT", "/api/plans/1", edit);
+  EXPECT_EQ(late.status, 409);
+  EXPECT_EQ(text(value_of(send("GET", "/api/plans/1", "", {{"version", "1"}}), 200), "title"), "X of the <b>mill</b>");
+  EXPECT_EQ(value_of(send("GET", "/api/plans/1/versions"), 200).find("versions")->items().size(), 2u);
+  EXPECT_EQ(send("GET", "/api/plans/2").status, 404);
+  EXPECT_EQ(send("GET", "/api/plans/..").status, 404);
+}
+
+TEST_F(CaptureRoutes, ImportAPlansFileAndGiveItBack) {
+  const Value plan = keep_plan();
+  const Response file = send("GET", "/api/plans/1/plan.json");
+  EXPECT_THAT(file.body, HasSubstr("axiometry-plan/1"));
+  Value body = Value::object();
+  body.add("plan", file.body);
+  const Value imported = value_of(send("POST", "/api/plans", json::dump(body)), 201);
+  EXPECT_TRUE(imported.find("request")->is(json::Kind::null));
+  EXPECT_EQ(json::dump(*imported.find("targets")), json::dump(*plan.find("targets")));
+}
+
+TEST_F(CaptureRoutes, WriteSheetsAndProgramsOfPlansAndDrafts) {
+  keep_plan();
+  const Response sheet = send("GET", "/api/plans/1/sheet.html");
+  EXPECT_THAT(sheet.body, HasSubstr("<html"));
+  EXPECT_THAT(sheet.headers, testing::Contains(testing::Pair("Content-Security-Policy", document_policy)));
+  EXPECT_TRUE(send("GET", "/api/plans/1/sheet.pdf").body.starts_with("%PDF"));
+  EXPECT_EQ(send("GET", "/api/plans/1/sheet.exe").status, 422);
+  const Response program = send("GET", "/api/plans/1/program", "", {{"dialect", "linuxcnc"}, {"unrolled", "1"}});
+  EXPECT_EQ(program.status, 200);
+  const std::string body = std::string("{\"request\": ") + short_request +
+                           ", \"dialect\": \"linuxcnc\", \"options\": {\"unrolled\": true, \"decimals\": 4}}";
+  EXPECT_EQ(send("POST", "/api/plans/draft/program", body).body, program.body);
+  EXPECT_EQ(send("GET", "/api/plans/1/program", "", {{"dialect", "linuxcnc"}, {"part", "2"}}).status, 422);
+  EXPECT_THAT(message(send("GET", "/api/plans/1/program", "", {{"dialect", "fanic"}})), HasSubstr("perhaps fanuc"));
+  EXPECT_THAT(message(send("GET", "/api/plans/1/program", "", {{"dialect", "fanuc"}, {"file", "/etc/x"}})),
+              HasSubstr("file: found no such option"));
+}
+
+TEST_F(CaptureRoutes, CaptureFromTheSimulatorToAKeptTest) {
+  keep_plan();
+  const Value sources = value_of(send("GET", "/api/sources"), 200);
+  EXPECT_EQ(text(sources.find("sources")->items().at(0), "kind"), "simulator");
+  const Value capture = value_of(
+      send("POST", "/api/captures",
+           R"({"plan": 1, "source": "simulator", "layout": "", "options": {"speed": 60, "preset": "backlash"}})"),
+      201);
+  const int id = static_cast<int>(number(capture, "id"));
+  EXPECT_EQ(number(capture, "approaches"), 12);
+  const Value end = wait_for_end(id);
+  EXPECT_EQ(text(end, "state"), "complete") << json::dump(end);
+  EXPECT_EQ(end.find("readings")->items().size(), 12u);
+  EXPECT_TRUE(end.find("so_far")->is(json::Kind::object));
+  ASSERT_TRUE(end.find("test")->is(json::Kind::number)) << json::dump(end);
+  const Value test = value_of(send("GET", "/api/tests/1"), 200);
+  EXPECT_EQ(number(test, "plan"), 1);
+  EXPECT_EQ(text(*test.find("machine"), "name"), "Mill (simulated)");
+  ASSERT_EQ(test.find("documents")->items().size(), 2u);
+  const Response raw = send("GET", "/api/documents/1");
+  EXPECT_TRUE(raw.body.starts_with("time_s,position_mm\n"));
+  EXPECT_THAT(send("GET", "/api/tests/1/raw").body, HasSubstr("Simulated, not measured"));
+}
+
+TEST_F(CaptureRoutes, AFailingRequestBeginsNothing) {
+  keep_plan();
+  struct Bad {
+    const char* body;
+    int status;
+    const char* message;
+  };
+  const Bad table[] = {
+      {R"({"source": "simulator"})", 422, "found no plan"},
+      {R"({"plan": 9, "source": "simulator"})", 404, ""},
+      {R"({"plan": 1, "source": "tcp://127.0.0.1:22"})", 404, "found no source"},
+      {R"({"plan": 1, "source": "simulator", "host": "x"})", 422, "unknown member \"host\""},
+      {R"({"plan": 1, "source": "simulator", "layout": "/dev/sda"})", 422, "unknown stream"},
+      {R"({"plan": 1, "source": "simulator", "options": {"speed": 7}})", 422, "speed: found \"7\""},
+      {R"({"plan": 1, "source": "simulator", "options": []})", 422, "options: found array"},
+      {R"({"resume": 1})", 404, ""},
+      {R"({"resume": 1, "plan": 1})", 422, "expected it alone"},
+      {"{", 422, ""},
+  };
+  for (const Bad& bad : table) {
+    const Response response = send("POST", "/api/captures", bad.body);
+    EXPECT_EQ(response.status, bad.status) << bad.body << response.body;
+    EXPECT_THAT(message(response), HasSubstr(bad.message));
+  }
+  EXPECT_TRUE(value_of(send("GET", "/api/captures"), 200).find("captures")->items().empty());
+  EXPECT_EQ(send("GET", "/api/captures/1").status, 404);
+  EXPECT_EQ(send("POST", "/api/captures/1/stop").status, 404);
+  EXPECT_FALSE(std::filesystem::exists(captures_folder()));
+}
+
+}  // namespace
+}  // namespace axiometry::server

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Machines, axes and instruments over time; trends of an axis; the audit trail.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "axiometry/app/workbench/equipment_json.h"
+#include "axiometry/base/text.h"
+#include "server/http/request_values.h"
+#include "server/routes/routes.h"
+
+namespace axiometry::server {
+namespace {
+
+using json::Value;
+using store::Axis;
+using store::Instrument;
+using store::Machine;
+using store::Store;
+using store::Versioned;
+
+/// What differs between the kinds of things.
+template <typename Asset>
+struct KindOf;
+
+template <>
+struct KindOf<Machine> {
+  static constexpr std::string_view name = "machine";
+  static constexpr std::string_view plural = "machines";
+  static constexpr auto from = &app::machine_from;
+};
+
+template <>
+struct KindOf<Axis> {
+  static constexpr std::string_view name = "axis";
+  static constexpr std::string_view plural = "axes";
+  static constexpr auto from = &app::axis_from;
+};
+
+template <>
+struct KindOf<Instrument> {
+  static constexpr std::string_view name = "instrument";
+  static constexpr std::string_view plural = "instruments";
+  static constexpr auto from = &app::instrument_from;
+};
+
+/// The machines with what is theirs, in their order.
+std::vector<app::MachineSummary> summaries(std::vector<Versioned<Machine>> machines, std::vector<Versioned<Axis>> axes,
+                                           std::vector<store::MachineTests> tests) {
+  std::map<store::Id, std::vector<Versioned<Axis>>> axes_of;
+  for (auto& axis : axes) axes_of[axis.value.machine].push_back(std::move(axis));
+  std::map<store::Id, store::MachineTests> tests_of;
+  for (auto& of_one : tests) tests_of.emplace(of_one.machine, std::move(of_one));
+  std::vector<app::MachineSummary> all;
+  for (auto& machine : machines) {
+    const store::Id id = machine.id;
+    app::MachineSummary& summary = all.emplace_back(std::move(machine), std::move(axes_of[id]));
+    if (auto found = tests_of.find(id); found != tests_of.end()) summary.tests = std::move(found->second);
+  }
+  return all;
+}
+
+template <typename Asset>
+Result<Value> whole_value(const Store&, const Versioned<Asset>& thing) {
+  return app::to_json(thing);
+}
+
+template <>
+Result<Value> whole_value(const Store& store, const Versioned<Machine>& machine) {
+  AXIOMETRY_TRY(auto axes, store.all<Axis>());
+  AXIOMETRY_TRY(auto tests, store.machine_tests(machine.id));
+  const auto all = summaries({machine}, std::move(axes), std::move(tests));
+  return app::to_json(all.front());
+}
+
+template <typename Asset>
+Result<Value> listed(const Store& store) {
+  AXIOMETRY_TRY(const auto things, store.all<Asset>());
+  Value rows = Value::array();
+  for (const auto& thing : things) rows.push(app::to_json(thing));
+  return rows;
+}
+
+template <>
+Result<Value> listed<Machine>(const Store& store) {
+  AXIOMETRY_TRY(auto machines, store.all<Machine>());
+  AXIOMETRY_TRY(auto axes, store.all<Axis>());
+  AXIOMETRY_TRY(auto tests, store.machine_tests());
+  const auto all = summaries(std::move(machines), std::move(axes), std::move(tests));
+  Value rows = Value::array();
+  for (const auto& summary : all) rows.push(app::to_json(summary));
+  return rows;
+}
+
+template <typename Asset>
+Result<Response> list_assets(Store& store, const Request&) {
+  AXIOMETRY_TRY(Value rows, listed<Asset>(store));
+  Value object = Value::object();
+  object.add(KindOf<Asset>::plural, std::move(rows));
+  return json_response(object);
+}
+
+template <typename Asset>
+Result<Response> add(Store& store, const Request& request) {
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(const auto edit, KindOf<Asset>::from(body));
+  AXIOMETRY_TRY(const auto thing, store.add(edit.value, by_of(request, edit.reason)));
+  AXIOMETRY_TRY(const Value value, whole_value(store, thing));
+  return kept_response(value, {.id = thing.id, .version = thing.version}, 201);
+}
+
+template <typename Asset>
+Result<Response> get_asset(Store& store, const Request& request) {
+  AXIOMETRY_TRY(const store::Id id, id_of(request, KindOf<Asset>::name));
+  AXIOMETRY_TRY(const auto version, version_of(request));
+  AXIOMETRY_TRY(const auto thing, store.get<Asset>(id, version));
+  AXIOMETRY_TRY(const Value value, whole_value(store, thing));
+  return json_response(value);
+}
+
+template <typename Asset>
+Result<Response> change(Store& store, const Request& request) {
+  AXIOMETRY_TRY(const store::Id id, id_of(request, KindOf<Asset>::name));
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(const auto edit, KindOf<Asset>::from(body));
+  if (!edit.base_version)
+    return fail("found a change without base_version, expected the version it rests on", body.at());
+  AXIOMETRY_TRY(const auto thing, store.change(id, *edit.base_version, edit.value, by_of(request, edit.reason)));
+  AXIOMETRY_TRY(const Value value, whole_value(store, thing));
+  return kept_response(value, {.id = thing.id, .version = thing.version});
+}
+
+template <typename Asset>
+Result<Response> versions(Store& store, const Request& request) {
+  AXIOMETRY_TRY(const store::Id id, id_of(request, KindOf<Asset>::name));
+  AXIOMETRY_TRY(const auto all, store.versions<Asset>(id));
+  Value object = Value::object();
+  Value& rows = object.add("versions", Value::array());
+  for (const auto& thing : all) rows.push(app::to_json(thing));
+  return json_response(object);
+}
+
+template <typename Asset, typename Add>
+void add_routes_of(const Add& add_route) {
+  const std::string path = fmt::format("/api/{}", KindOf<Asset>::plural);
+  add_route("GET", path, list_assets<Asset>);
+  add_route("POST", path, add<Asset>, Weight::edit);
+  add_route("GET", path + "/{id}", get_asset<Asset>);
+  add_route("PUT", path + "/{id}", change<Asset>, Weight::edit);
+  add_route("GET", path + "/{id}/versions", versions<Asset>);
+}
+
+Result<Response> trend(Store& store, const Request& request) {
+  constexpr std::int64_t limit_usual = 500;
+  constexpr std::int64_t limit_max = 10'000;
+  AXIOMETRY_TRY(const store::Id id, id_of(request, "axis"));
+  AXIOMETRY_TRY(const auto limit, whole_of(request, "limit", limit_max));
+  std::vector<std::string> parameters;
+  for (const std::string_view key : text::split(request.parameter("parameters").value_or("A,E,R,B"), ',')) {
+    const auto* parameter = iso230_2::find_parameter(text::trim(key));
+    if (parameter == nullptr)
+      return fail(fmt::format("found the parameter {}, expected some of A, E, R, B and their like", text::quoted(key)));
+    if (std::ranges::find(parameters, parameter->key) == parameters.end()) parameters.emplace_back(parameter->key);
+  }
+  AXIOMETRY_TRY(auto axis, store.get<Axis>(id));
+  AXIOMETRY_TRY(auto machine, store.get<Machine>(axis.value.machine));
+  AXIOMETRY_TRY(auto points, store.trend(id, parameters, limit.value_or(limit_usual)));
+  return json_response(app::to_json(app::AxisTrend{std::move(axis), std::move(machine.value.name), std::move(points)}));
+}
+
+Result<Response> audit(Store& store, const Request& request) {
+  constexpr std::int64_t limit_usual = 100;
+  constexpr std::int64_t limit_max = 1000;
+  AXIOMETRY_TRY(const auto before, whole_of(request, "before", store::id_max));
+  AXIOMETRY_TRY(const auto limit, whole_of(request, "limit", limit_max));
+  AXIOMETRY_TRY(const auto entries, store.audit(std::string(request.parameter("subject").value_or("")),
+                                                before.value_or(0), limit.value_or(limit_usual)));
+  Value object = Value::object();
+  Value& rows = object.add("entries", Value::array());
+  for (const store::AuditEntry& entry : entries) rows.push(app::to_json(entry));
+  return json_response(object);
+}
+
+}  // namespace
+
+void add_equipment_routes(Router& router, const Context& context) {
+  Store& store = context.store;
+  const auto add_route = [&](std::string_view method, std::string_view pattern, auto handler,
+                             Weight weight = Weight::light) {
+    router.add(
+        method, pattern, [&store, handler](const Request& request) { return handler(store, request); }, weight);
+  };
+  add_routes_of<Machine>(add_route);
+  add_routes_of<Axis>(add_route);
+  add_routes_of<Instrument>(add_route);
+  add_route("GET", "/api/axes/{id}/trend", trend);
+  add_route("GET", "/api/audit", audit);
+}
+
+}  // namespace axiometry::server

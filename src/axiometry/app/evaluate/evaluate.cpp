@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/evaluate/evaluate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include "axiometry/app/evaluate/drift_recording.h"
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/recordings/read_recording.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/table/generic_delimited.h"
+#include "axiometry/model/fields.h"
+#include "axiometry/standards/iso230_2/inputs/resolved_keys.h"
+#include "axiometry/standards/iso230_2/rules/uncertainty_findings.h"
+#include "axiometry/standards/readings/artefact.h"
+
+namespace axiometry::app {
+namespace {
+
+constexpr std::size_t single_test_limit = std::size_t{2} << 30;  // logs of controls have gigabytes
+
+constexpr std::string_view generic_format = "generic";
+
+Result<const formats::Format*> format_of_id(std::string_view head, const std::string& forced) {
+  if (forced.empty()) {
+    auto recognised = formats::recognise(head);
+    const auto recording = formats::recognise_recording(head);
+    const bool guessed = recognised && (*recognised)->id == generic_format;
+    if ((!recognised || guessed) && recording)
+      return fail(fmt::format("found a continuous recording ({}), expected --plan with the plan the axis moved after",
+                              (*recording)->title));
+    return recognised;
+  }
+  const formats::Format* format = formats::find_format(forced);
+  if (format == nullptr)
+    return fail(fmt::format("found the unknown format \"{}\", expected one that 'axiometry formats' lists", forced));
+  if (head.empty()) return fail("found an empty file, expected a measured test");
+  return format;
+}
+
+/// What the user says about the format of a file.
+struct Forced {
+  const std::string& format;
+  const std::string& profile;
+};
+
+Result<const formats::Format*> format_of(Source& source, const Forced& forced) {
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  const bool by_profile = !forced.profile.empty();
+  if (by_profile && !forced.format.empty() && forced.format != generic_format)
+    return fail(fmt::format("found the format \"{}\" beside an import profile, expected \"{}\" or none", forced.format,
+                            generic_format));
+  return format_of_id(head, by_profile ? std::string(generic_format) : forced.format);
+}
+
+bool holds_many(const formats::Format& format, std::string_view head) {
+  return format.holds_many != nullptr && format.holds_many(head);
+}
+
+/// Reads after an import profile and says so.
+Result<Test> read_by_profile(std::string_view bytes, const std::string& name) {
+  auto text = file_bytes(name);
+  if (!text) return std::unexpected(in_file(std::move(text).error(), name));
+  const auto profile = formats::read_profile(*text);
+  if (!profile) return std::unexpected(in_file(profile.error(), name));
+  AXIOMETRY_TRY(Test test, formats::read_with(*profile, bytes));
+  auto& remarks = test.provenance.remarks;
+  remarks.insert(remarks.begin(), {false, fmt::format("columns were read after the import profile {}, SHA-256 {}",
+                                                      text::quoted(base_name(name)), sha256(*text))});
+  return test;
+}
+
+Result<Test> read_single(Source& source, const formats::Format& format, const std::string& profile) {
+  AXIOMETRY_TRY(const std::string bytes, source.read_all(single_test_limit));
+  AXIOMETRY_TRY(Test test, profile.empty() ? format.read(bytes) : read_by_profile(bytes, profile));
+  test.provenance.file = source.name();
+  test.provenance.sha256 = sha256(bytes);
+  test.provenance.format = format.id;
+  return test;
+}
+
+/// Hands over the tests of a file of many as they come; errors of a test get the line where it began.
+Result<void> read_many(Source& source, const formats::Format& format, bool hash,
+                       const std::function<Result<void>(Test&&, std::string)>& hand_over) {
+  Provenance provenance{source.name(), "", std::string(format.id)};
+  if (hash) {
+    AXIOMETRY_TRY(const auto digest, source.whole_sha256());
+    provenance.sha256 = digest.value_or("");
+  }
+  return format.read_many(source, [&](formats::NamedTest&& named) -> Result<void> {
+    Test test{std::move(named.metadata), std::move(named.series), provenance};
+    test.provenance.remarks = std::move(named.remarks);
+    auto result = hand_over(std::move(test), std::move(named.name));
+    if (!result && result.error().at.line == 0 && result.error().file.empty()) result.error().at.line = named.line;
+    return result;
+  });
+}
+
+Result<void> evaluate_source(Source& source, const EvaluateOptions& options, const EvaluatedSink& sink) {
+  if (options.recording) {
+    AXIOMETRY_TRY(Test test, read_recording(source, *options.recording));
+    AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
+    return sink(std::move(evaluated));
+  }
+  AXIOMETRY_TRY(const formats::Format* format, format_of(source, {options.format, options.profile}));
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  if (holds_many(*format, head)) {
+    using iso230_2::Depth;
+    const Depth depth = options.many_in_full ? Depth::every_finding : Depth::departures_only;
+    EvaluateOptions for_many = options;
+    if (!options.many_in_full) for_many.uncertainty.trials.contribution_trials = 0;  // a table has no room for them
+    for_many.tolerance.many_tests = true;
+    return read_many(source, *format, options.many_in_full, [&](Test&& test, std::string name) -> Result<void> {
+      AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), for_many, depth));
+      evaluated.name = std::move(name);
+      return sink(std::move(evaluated));
+    });
+  }
+  AXIOMETRY_TRY(Test test, read_single(source, *format, options.profile));
+  AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
+  return sink(std::move(evaluated));
+}
+
+Result<Test> read_source(Source& source, const Forced& forced) {
+  AXIOMETRY_TRY(const formats::Format* format, format_of(source, forced));
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  if (holds_many(*format, head)) return fail("found a file of many tests, expected one test");
+  return read_single(source, *format, forced.profile);
+}
+
+/// What was asked for, and the method of record whether asked for or not.
+Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test, const UncertaintyOptions& wanted) {
+  const iso230_2::Evaluation& evaluation = assessment.evaluation;
+  if (wanted.gum || assessment.method_of_record == UncertaintyMethod::gum) {
+    AXIOMETRY_TRY(assessment.gum, iso230_2::gum(test, evaluation));
+  }
+  if (wanted.monte_carlo || assessment.method_of_record == UncertaintyMethod::monte_carlo) {
+    AXIOMETRY_TRY(assessment.monte_carlo, iso230_2::monte_carlo(test, evaluation, wanted.trials));
+  }
+  return {};
+}
+
+/// Whose the items are that the file does not state: of a list the records since it was last emptied.
+StatedItems stated_items(const EvaluateOptions& options) {
+  StatedItems all;
+  for (const auto& [key, text] : options.metadata) {
+    auto item = std::ranges::find(all.items, key, &StatedItem::key);
+    if (item == all.items.end()) item = all.items.insert(item, {key, StatedBy::flag, {}, 0});
+    if (const StatedItem* known = options.stated.find(key)) {
+      item->by = known->by;
+      item->name = known->name;
+    }
+    item->records = text.empty() ? 0 : item->records + 1;
+  }
+  return all;
+}
+
+}  // namespace
+
+bool states_calibration(const Equipment& component) {
+  return !component.certificate.empty() || !component.calibrated_on.empty() || !component.calibration_due.empty();
+}
+
+Result<Test> prepare_test(Test test, const EvaluateOptions& options) {
+  AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options.metadata));
+  test.provenance.stated = stated_items(options);
+  for (const std::string& remark : options.remarks) test.provenance.remarks.push_back({false, remark});
+  if (!options.drift_recording.empty()) {
+    AXIOMETRY_TRY(DriftRecording recording, read_drift_recording(options.drift_recording, test.metadata.axis.kind));
+    test.provenance.remarks.push_back(
+        {false,
+         fmt::format("Recording at standstill: {} (SHA-256 {}), {} values {:.4g} s apart", options.drift_recording,
+                     recording.sha256, recording.values.size(), recording.interval.in_s())});
+    test.metadata.gum.drift_recording = std::move(recording.values);
+    test.metadata.gum.drift_interval = recording.interval;
+    std::erase_if(test.provenance.stated.items,
+                  [](const StatedItem& item) { return item.key == iso230_2::recording_key; });
+    test.provenance.stated.items.push_back({std::string(iso230_2::recording_key), StatedBy::flag});
+  }
+  test = with_recorded_variation(std::move(test));
+  for (const EquipmentCalibration& known : options.calibrations) {
+    if (known.component >= test.metadata.equipment.size()) continue;
+    Equipment& component = test.metadata.equipment[known.component];
+    if (states_calibration(component)) continue;
+    component.certificate = known.certificate;
+    component.calibrated_on = known.calibrated_on;
+    component.calibration_due = known.calibration_due;
+  }
+  if (options.artefact.value_or(!test.metadata.artefact.calibrated_positions.empty())) {
+    AXIOMETRY_TRY(test, iso230_2::apply_artefact(std::move(test)));
+  }
+  return correct_readings(std::move(test), options.corrections);
+}
+
+Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
+  Metadata of_file;
+  of_file.axis.kind = test.metadata.axis.kind;
+  of_file.tolerance = test.metadata.tolerance;
+  AXIOMETRY_TRY(test, prepare_test(std::move(test), options));
+  iso230_2::Assessment assessment = iso230_2::assess(test, depth);
+  const iso230_2::AxisParameters& measured = assessment.evaluation.parameters;
+  AXIOMETRY_TRY(Requirements demanded, requirements_for(test, measured, options.tolerance, options.metadata, &of_file));
+  AXIOMETRY_TRY_VOID(add_uncertainty(assessment, test, options.uncertainty));
+  if (depth == iso230_2::Depth::every_finding)
+    std::ranges::move(iso230_2::uncertainty_findings(test, assessment), std::back_inserter(assessment.findings));
+  std::vector<iso230_2::Judgement> judgements;
+  if (!demanded.tolerances.empty())
+    judgements =
+        iso230_2::judge(measured, demanded.tolerances, demanded.rule,
+                        {iso230_2::uncertainties_of_record(assessment), iso230_2::comparison_slack(test.series),
+                         assessment.uncorrected, iso230_2::refusals_of_record(assessment)});
+  std::ranges::move(demanded.findings, std::back_inserter(assessment.findings));
+  std::ranges::stable_sort(assessment.findings, {}, &iso230_2::Finding::severity);
+  return Evaluated{std::move(test), "", std::move(assessment), std::move(judgements), std::move(demanded.band)};
+}
+
+Result<void> set_metadata(Metadata& metadata, std::span<const std::pair<std::string, std::string>> items) {
+  const AxisKind kind = metadata.axis.kind;
+  for (const auto& [key, text] : items) AXIOMETRY_TRY_VOID(set_field_text(metadata, key, text));
+  if (metadata.axis.kind != kind)
+    return fail(fmt::format("found axis.kind given as {} for readings in {}, expected the kind the units say",
+                            axis_kind_name(metadata.axis.kind), deviation_unit(kind)));
+  return {};
+}
+
+Result<Test> read_test(const std::string& file, const std::string& format, const std::string& profile) {
+  auto source = Source::open(file);
+  if (!source) return std::unexpected(in_file(std::move(source).error(), file));
+  auto test = read_source(*source, {format, profile});
+  if (!test) return std::unexpected(in_file(std::move(test).error(), file));
+  return test;
+}
+
+Result<void> read_tests(Source& source, const TestSink& sink) {
+  AXIOMETRY_TRY(const formats::Format* format, format_of(source, {"", ""}));
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  if (holds_many(*format, head))
+    return read_many(source, *format, true, [&](Test&& test, std::string name) -> Result<void> {
+      return sink(std::move(test), std::move(name));
+    });
+  AXIOMETRY_TRY(Test test, read_single(source, *format, ""));
+  return sink(std::move(test), {});
+}
+
+Result<void> evaluate_file(const std::string& file, const EvaluateOptions& options, const EvaluatedSink& sink) {
+  auto source = Source::open(file);
+  if (!source) return std::unexpected(in_file(std::move(source).error(), file));
+  auto result = evaluate_source(*source, options, sink);
+  return result ? Result<void>{} : std::unexpected(in_file(std::move(result).error(), file));
+}
+
+Result<std::vector<InputFile>> expand_inputs(const std::vector<std::string>& names) {
+  namespace fs = std::filesystem;
+  std::vector<InputFile> inputs;
+  for (const std::string& name : names) {
+    std::error_code error;
+    if (name == "-" || !fs::is_directory(name, error)) {
+      inputs.push_back({name, false});
+      continue;
+    }
+    std::vector<InputFile> found;
+    for (fs::recursive_directory_iterator it(name, error), end; !error && it != end; it.increment(error)) {
+      const bool hidden = it->path().filename().string().starts_with('.');
+      std::error_code dangling;  // a link to nowhere or to itself is no file
+      if (hidden && it->is_directory(dangling)) it.disable_recursion_pending();
+      if (!hidden && it->is_regular_file(dangling)) found.push_back({it->path().string(), true});
+    }
+    if (error) return std::unexpected(Error{fmt::format("cannot read: {}", error.message()), name, {}});
+    std::ranges::sort(found, {}, &InputFile::name);
+    inputs.insert(inputs.end(), found.begin(), found.end());
+  }
+  return inputs;
+}
+
+Result<bool> is_test_file(const std::string& file) {
+  AXIOMETRY_TRY(Source source, Source::open(file));
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  return formats::recognise(head).has_value();
+}
+
+}  // namespace axiometry::app

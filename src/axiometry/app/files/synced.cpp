@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/files/synced.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+
+namespace axiometry::app {
+
+bool synced(int descriptor) {
+  while (::fsync(descriptor) != 0) {
+    if (errno == EINTR) continue;
+    return errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+  }
+  return true;
+}
+
+bool folder_synced(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  // A folder that may be written and not read cannot be synced by its writer.
+  if (descriptor < 0) return errno == EACCES;
+  const bool done = synced(descriptor);
+  const int code = errno;
+  ::close(descriptor);
+  errno = code;
+  return done;
+}
+
+}  // namespace axiometry::app

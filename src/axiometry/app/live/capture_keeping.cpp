@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/live/capture_keeping.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "axiometry/app/files/file_name_part.h"
+#include "axiometry/app/files/source.h"
+#include "axiometry/app/recordings/raw_log.h"
+#include "axiometry/app/workbench/test_of_file.h"
+#include "axiometry/digest/sha256.h"
+#include "axiometry/formats/format.h"
+
+namespace axiometry::app {
+namespace {
+
+constexpr std::size_t largest_recording = std::size_t{1} << 30;
+
+/// A file of the recording as it will be called in the archive.
+struct Part {
+  std::string name;
+  std::string bytes;
+};
+
+/// "X 2026-11-22 093005"
+std::string name_of(const CaptureOrder& order) {
+  std::string when = order.started.substr(0, 19);
+  std::ranges::replace(when, 'T', ' ');
+  std::erase(when, ':');
+  return file_name_part(fmt::format("{}{}", order.walked.axis.name.empty() ? "" : order.walked.axis.name + " ", when));
+}
+
+Result<std::vector<Part>> recording_of(const HeldCapture& held) {
+  const std::string raw = held.raw();
+  std::error_code none;
+  std::vector<Part> parts;
+  if (!std::filesystem::exists(raw, none) || std::filesystem::file_size(raw, none) == 0) return parts;
+  const std::string name = name_of(held.order()) + ".raw";
+  AXIOMETRY_TRY(std::string bytes, file_bytes(raw, largest_recording));
+  parts.push_back({name, std::move(bytes)});
+  if (!has_times(raw)) return parts;  // lost, which the test tells
+  AXIOMETRY_TRY(std::string times, file_bytes(times_name(raw), largest_recording));
+  parts.push_back({times_name(name), std::move(times)});
+  return parts;
+}
+
+store::By by_of(const CaptureOrder& order) {
+  return {order.actor, fmt::format("captured from {} after plan {}", order.source, order.plan)};
+}
+
+Test to_be_kept(const CaptureOrder& order, Test test) {
+  if (order.source != simulator_source().id) return test;
+  std::string& machine = test.metadata.machine.name;
+  machine = machine.empty() ? "Simulator" : machine + " (simulated)";
+  return test;
+}
+
+std::string test_name(const CaptureOrder& order) { return name_of(order) + ".json"; }
+
+/// A test that was noted, where the store has it.
+Result<std::optional<store::Id>> noted_test(const store::Store& store, const HeldCapture& held) {
+  return store.read([&](const store::Transaction& archive) {
+    return test_of_file(archive, {test_name(held.order()), held.noted_tests()});
+  });
+}
+
+/// One that was noted may come to the store only now, though the program that sent it was killed: so receive() looks
+/// again while nobody else writes.
+Result<store::Id> keep_test(Workbench& workbench, HeldCapture& held, const Test& test) {
+  static const formats::Format* const json = formats::find_format("json");
+  const CaptureOrder& order = held.order();
+  const std::string bytes = json->write(to_be_kept(order, test));
+  AXIOMETRY_TRY_VOID(held.note_test(sha256(bytes)));
+  const Upload upload{
+      .name = test_name(order), .bytes = bytes, .plan = order.plan, .perhaps_kept_as = held.noted_tests()};
+  AXIOMETRY_TRY(const Received received, workbench.receive({&upload, 1}, by_of(order)));
+  return received.tests.front().id;
+}
+
+Result<void> attach(Workbench& workbench, store::Id test, const std::vector<Part>& parts, const store::By& by) {
+  AXIOMETRY_TRY(const auto documents, workbench.archive().documents(test));
+  for (const Part& part : parts) {
+    if (std::ranges::find(documents, part.name, &store::Document::name) != documents.end()) continue;
+    AXIOMETRY_TRY_VOID(workbench.attach(test, {part.name, std::string(octets), part.bytes}, by));
+  }
+  return {};
+}
+
+Result<std::optional<store::Id>> kept(Workbench& workbench, const HeldCapture& held) {
+  AXIOMETRY_TRY(const auto test, noted_test(workbench.archive(), held));
+  if (!test) return test;
+  AXIOMETRY_TRY(const auto parts, recording_of(held));
+  AXIOMETRY_TRY_VOID(attach(workbench, *test, parts, by_of(held.order())));
+  return test;
+}
+
+Result<std::optional<store::Id>> keep(Workbench& workbench, const CapturedEnd& end) {
+  AXIOMETRY_TRY(const auto before, kept(workbench, end.held));
+  if (before) return before;
+  const store::By by = by_of(end.held.order());
+  AXIOMETRY_TRY(const auto parts, recording_of(end.held));
+  if (end.test) {
+    AXIOMETRY_TRY(const store::Id id, keep_test(workbench, end.held, *end.test));
+    AXIOMETRY_TRY_VOID(attach(workbench, id, parts, by));
+    return std::optional(id);
+  }
+  for (const Part& part : parts)
+    AXIOMETRY_TRY_VOID(workbench.archive().keep({sha256(part.bytes), part.name, "recording", part.bytes}, by));
+  return std::optional<store::Id>();
+}
+
+}  // namespace
+
+CaptureKeeping keeping_in(Workbench& workbench) {
+  return {.keep = [&workbench](const CapturedEnd& end) { return keep(workbench, end); },
+          .kept = [&workbench](const HeldCapture& held) { return kept(workbench, held); },
+          .evaluate = [&workbench](const CaptureOrder& order, const Test& test) -> Result<Outcome> {
+            Draft draft;
+            const Test whole = to_be_kept(order, test);
+            auto outcome = workbench.evaluate(whole, draft);
+            if (outcome) return outcome;
+            draft.options.gum = false;  // for which something is missing
+            return workbench.evaluate(whole, draft);
+          }};
+}
+
+Result<std::string> captures_folder(const store::Info& store) {
+  if (store.kind == "sqlite") return store.location + ".captures";
+  const auto environment = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value == nullptr ? "" : value);
+  };
+  const std::string state = environment("XDG_STATE_HOME"), home = environment("HOME");
+  if (state.empty() && home.empty()) return fail("found no home folder for captures, expected --captures");
+  const std::filesystem::path base =
+      state.empty() ? std::filesystem::path(home) / ".local" / "state" : std::filesystem::path(state);
+  return (base / "axiometry" / fmt::format("captures-{}", sha256(store.location).substr(0, 16))).string();
+}
+
+Result<Plan> captured_plan(const store::Store& store, const store::PlanRecord& record, Plan plan) {
+  if (!record.axis) return plan;
+  AXIOMETRY_TRY(const auto axis, store.get<store::Axis>(*record.axis));
+  AXIOMETRY_TRY(const auto machine, store.get<store::Machine>(axis.value.machine));
+  const auto name = [&](Plan& part) {
+    part.machine = machine.value.name;
+    part.axis.name = axis.value.name;
+  };
+  name(plan);
+  std::ranges::for_each(plan.further, name);
+  return plan;
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/live/capture_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <thread>
+#include <vector>
+
+#include "axiometry/app/files/output.h"
+#include "axiometry/app/live/recording_spared.h"
+#include "axiometry/app/recordings/raw_log.h"
+#include "axiometry/app/recordings/raw_playing.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/formats/format.h"
+
+namespace axiometry::app {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t live_block = std::size_t{64} << 10;
+constexpr std::size_t file_block = std::size_t{256} << 10;
+constexpr auto poll_time = 100ms;
+constexpr auto show_every = 100ms;
+constexpr auto first_pause = 500ms;
+constexpr auto longest_pause = 8s;
+constexpr auto sound_connection = 5s;  // with data, though no sample could be made of them yet
+constexpr std::uint64_t longest_without_break = std::uint64_t{1} << 20;
+
+/// A source that is away: since when, and what was tried.
+struct Outage {
+  Clock::time_point since;
+  Clock::duration pause = first_pause;  ///< before the next attempt
+  std::size_t attempts = 0;
+  std::size_t samples = 0;  ///< that had come before
+};
+
+/// One run from begin to end.
+class Run {
+ public:
+  Run(const CaptureRun& run, const CaptureObserver& observer, CaptureSession session)
+      : run_(run), observer_(observer), session_(std::move(session)) {}
+
+  void listen(Connect connect, std::uint64_t raw_limit, FreeBytes free = free_bytes) {
+    connect_ = std::move(connect);
+    room_ = raw_limit;
+    free_bytes_ = std::move(free);
+  }
+
+  Result<CaptureOutcome> operator()() {
+    auto read = read_all();
+    if (abandoned_) return fail("the capture was left, to be gone on with later");
+    if (!read) {
+      keep_what_came();
+      return std::unexpected(std::move(read).error());
+    }
+    auto last = session_.finish(end_);
+    if (!last) return std::unexpected(std::move(last).error());
+    AXIOMETRY_TRY_VOID(settle(*last, true));
+    for (const std::string& remark : session_.remarks()) notice(remark);
+    AXIOMETRY_TRY(Test test, this->test());
+    return CaptureOutcome{session_.matcher().complete(), stopped_,           std::move(test),
+                          session_.matcher().result(),   session_.samples(), session_.lost()};
+  }
+
+ private:
+  bool stop() {
+    stopped_ = stopped_ || (observer_.stopped && observer_.stopped());
+    return stopped_ || over();
+  }
+
+  /// Nothing more is to be read, not even of a recording that is gone on with.
+  bool over() {
+    abandoned_ = abandoned_ || (observer_.abandoned && observer_.abandoned());
+    return abandoned_ || session_.matcher().complete();
+  }
+
+  void notice(const std::string& text) const {
+    if (observer_.notice) observer_.notice(text);
+  }
+
+  /// Before a failure. Of a live stream that is its end; but where its log fails, or was not opened, nobody knows how
+  /// much of the last bytes is there.
+  void keep_what_came() {
+    if (connect_ && !log_is_sound_) return;
+    const auto last =
+        connect_ ? session_.finish(end_) : Result<std::vector<capture::CapturedReading>>(session_.found_before());
+    static_cast<void>(settle(last ? *last : session_.found_before(), true));
+  }
+
+  Result<void> read_all() {
+    if (connect_) return read_live();
+    if (run_.resume.empty()) return read_file();
+    AXIOMETRY_TRY_VOID(hold(run_.resume));
+    return play_samples(run_.resume);
+  }
+
+  /// What is played to be kept, or to go on with, is on the disk, and nobody else writes behind it.
+  Result<void> hold(const std::string& raw) {
+    AXIOMETRY_TRY(RawHold held, RawHold::take(raw));
+    hold_.emplace(std::move(held));
+    return sync_raw(raw);
+  }
+
+  Result<void> read_file() {
+    if (is_raw(run_.from)) return play_samples(run_.from);
+    AXIOMETRY_TRY(Source source, Source::open(run_.from));
+    std::vector<char> block(file_block);
+    while (!stop()) {
+      AXIOMETRY_TRY(const std::size_t got, source.read(block));
+      if (got == 0) {
+        end_ = CaptureSession::End::of_file;
+        break;
+      }
+      AXIOMETRY_TRY(const auto readings, session_.feed({block.data(), got}));
+      AXIOMETRY_TRY_VOID(settle(readings, false));
+    }
+    return {};
+  }
+
+  /// Of a recording that is to hold some.
+  Result<void> play_samples(const std::string& raw) {
+    AXIOMETRY_TRY(auto none, play_raw(raw));
+    return none ? std::unexpected(*std::move(none)) : Result<void>{};
+  }
+
+  Result<std::optional<Error>> play_raw(const std::string& raw) {
+    const PlayHooks hooks{.wants =
+                              [this](const RawPiece& piece) {
+                                if (run_.resume.empty() ? stop() : over()) return false;
+                                if (!first_arrival_) first_arrival_ = piece.arrival;
+                                room_ -= std::min<std::uint64_t>(room_, piece.bytes.size());
+                                show();
+                                return true;
+                              },
+                          .readings = [this](const auto& readings) { return settle(readings, false); },
+                          .goes_on = connect_ != nullptr};
+    return play_into(session_, raw, hooks);
+  }
+
+  /// A connection behind the one before: first in the log, then for the readings that the break cuts off.
+  Result<void> begin_another(RawLog& log) {
+    AXIOMETRY_TRY_VOID(sound(log.begin_connection()));
+    return interrupted();
+  }
+
+  Result<void> interrupted() {
+    AXIOMETRY_TRY(const auto readings, session_.interrupted());
+    return settle(readings, false);
+  }
+
+  Result<void> take(std::string_view bytes, ArrivalNs arrival) {
+    AXIOMETRY_TRY(const auto readings, session_.feed(bytes, static_cast<double>(arrival - *first_arrival_) * 1e-9));
+    return settle(readings, false);
+  }
+
+  Result<void> read_live() {
+    AXIOMETRY_TRY(auto stream, connect_());
+    connected_ = Clock::now();
+    if (!run_.resume.empty()) {
+      AXIOMETRY_TRY_VOID(hold(run_.resume));
+      AXIOMETRY_TRY(auto none, play_raw(run_.resume));
+      if (session_.samples() == 0 && !has_times(run_.resume))
+        return std::unexpected(
+            Error{"found no sample and no times beside it, expected a recording to go on with", run_.resume, {}});
+      if (none) notice(none->to_string());
+      notice(fmt::format("{}: played again, {} of {} approaches are done", base_name(run_.resume),
+                         session_.matcher().result().readings.size(), session_.matcher().result().approaches));
+      if (stop()) return {};
+    }
+    AXIOMETRY_TRY(RawLog log, run_.resume.empty() ? RawLog::create(run_.raw) : RawLog::resume(run_.resume));
+    if (!hold_) AXIOMETRY_TRY_VOID(hold(run_.raw));
+    log_ = &log;
+    log_is_sound_ = true;
+    auto begun = run_.resume.empty() ? Result<void>{} : begin_another(log);
+    auto listened = begun ? listen_to(std::move(stream), log) : std::move(begun);
+    auto synced = sync_log();
+    log_ = nullptr;
+    return listened ? synced : listened;
+  }
+
+  Result<void> listen_to(std::unique_ptr<LiveStream> stream, RawLog& log) {
+    std::vector<char> block(live_block);
+    DiskRoom disk(run_.raw.empty() ? run_.resume : run_.raw, free_bytes_);
+    while (!stop()) {
+      const LiveStream::Got got = stream->read(block, poll_time);
+      if (got.state == LiveStream::State::data) {
+        if (!has_room(disk, got.count)) break;
+        AXIOMETRY_TRY_VOID(keep_and_take({block.data(), got.count}, log));
+        note_return();
+      } else if (got.state == LiveStream::State::closed) {
+        AXIOMETRY_TRY(stream, reconnect(got.reason));
+        if (!stream) break;
+        AXIOMETRY_TRY_VOID(begin_another(log));
+      } else if (got.state == LiveStream::State::over) {
+        break;
+      } else {
+        AXIOMETRY_TRY_VOID(sound(log.sync_when_due()));
+      }
+      show();
+    }
+    return {};
+  }
+
+  /// The capture ends before the disk is full, so that what came is kept whole, and the test with it.
+  bool has_room(DiskRoom& disk, std::size_t bytes) {
+    if (bytes > room_) {
+      notice("the recording has become as long as one may be: it ends here");
+      stopped_ = true;
+      return false;
+    }
+    const DiskRoom::Answer answer = disk.before(bytes);
+    if (answer.warn)
+      notice(fmt::format("found {} MiB left on the disk of the recording; at {} MiB the capture ends",
+                         *answer.warn >> 20, DiskRoom::least >> 20));
+    if (!answer.enough) {
+      notice(fmt::format("found less than {} MiB left on the disk of the recording: it ends here",
+                         (DiskRoom::least >> 20) + 1));
+      stopped_ = true;
+    }
+    return answer.enough;
+  }
+
+  Result<void> keep_and_take(std::string_view bytes, RawLog& log) {
+    room_ -= bytes.size();
+    const ArrivalNs arrival = log.stamp();
+    if (!first_arrival_) first_arrival_ = arrival;
+    if (auto kept = sound(log.append(bytes, arrival)); !kept) {
+      kept.error().message +=
+          fmt::format("; {} bytes and {} readings are kept", log.size(), session_.matcher().result().readings.size());
+      return kept;
+    }
+    AXIOMETRY_TRY_VOID(take(bytes, arrival));
+    if (session_.without_break() <= longest_without_break) return {};
+    return fail(
+        fmt::format("found {} bytes without a line break, expected one sample a line: the capture ends here; {} "
+                    "readings are kept",
+                    session_.without_break(), session_.matcher().result().readings.size()));
+  }
+
+  /// An outage ends when samples come again, not with a connection: a source may take each and close it at once.
+  void note_return() {
+    if (!outage_) return;
+    const auto now = Clock::now();
+    if (session_.samples() == outage_->samples && now - connected_ < sound_connection) return;
+    notice(fmt::format("connected again after {} s and {} attempts; samples are missing",
+                       format_fixed(std::chrono::duration<double>(connected_ - outage_->since).count(), 1),
+                       outage_->attempts));
+    outage_.reset();
+  }
+
+  /// Nothing when it was stopped, or when the other side has not come back in time. The first attempt follows at once
+  /// where the connection had lasted, each other one after a pause twice as long as the one before.
+  Result<std::unique_ptr<LiveStream>> reconnect(const std::string& reason) {
+    const auto now = Clock::now();
+    bool at_once = !outage_ && now - connected_ >= first_pause;
+    if (!outage_) {
+      notice(fmt::format("connection lost ({}), trying again for {} s", reason, format_fixed(run_.give_up.in_s(), 0)));
+      outage_ = {.since = now, .samples = session_.samples()};
+    }
+    const auto last_moment = outage_->since + std::chrono::duration_cast<Clock::duration>(
+                                                  std::chrono::duration<double>(run_.give_up.in_s()));
+    while (true) {
+      if (!at_once && !wait_until(std::min(Clock::now() + outage_->pause, last_moment)))
+        return std::unique_ptr<LiveStream>();
+      if (Clock::now() >= last_moment) break;
+      if (!at_once) outage_->pause = std::min<Clock::duration>(2 * outage_->pause, longest_pause);
+      at_once = false;
+      ++outage_->attempts;
+      auto again = connect_();
+      if (!again) continue;
+      connected_ = Clock::now();
+      return again;
+    }
+    notice(fmt::format("the connection did not come back in {} attempts: the recording ends here", outage_->attempts));
+    return std::unique_ptr<LiveStream>();
+  }
+
+  /// False when it was stopped meanwhile.
+  bool wait_until(Clock::time_point until) {
+    while (Clock::now() < until) {
+      show();
+      if (stop()) return false;
+      std::this_thread::sleep_for(std::min<Clock::duration>(poll_time, until - Clock::now()));
+    }
+    return true;
+  }
+
+  Result<void> sync_log() { return sound(log_->sync()); }
+
+  /// What was done to the log, which holds nothing for sure from its first failure on.
+  Result<void> sound(Result<void> done) {
+    log_is_sound_ = log_is_sound_ && done;
+    return done;
+  }
+
+  /// First the disk, then the people.
+  Result<void> settle(const std::vector<capture::CapturedReading>& readings, bool last) {
+    if (!readings.empty() && log_ != nullptr) AXIOMETRY_TRY_VOID(sync_log());
+    if (!readings.empty() || last) {
+      AXIOMETRY_TRY_VOID(write_test(last));
+    }
+    const auto& events = session_.matcher().result().events;
+    events_told_ = std::min(events_told_, events.size());  // setting the zero begins a new list
+    for (const capture::CapturedReading& reading : readings) {
+      tell_events(reading.standstill.begin_s);
+      if (observer_.reading) observer_.reading(reading);
+    }
+    tell_events(std::numeric_limits<double>::max());
+    return {};
+  }
+
+  /// Those up to a time that were not told yet.
+  void tell_events(double until_s) {
+    const auto& events = session_.matcher().result().events;
+    for (; events_told_ < events.size() && events[events_told_].time_s <= until_s; ++events_told_)
+      if (observer_.event) observer_.event(events[events_told_]);
+  }
+
+  Result<Test> test() const {
+    AXIOMETRY_TRY(Test test, session_.test());
+    test.provenance.file = run_.from;
+    if (first_arrival_) {
+      using namespace std::chrono;
+      const year_month_day day(floor<days>(sys_time<nanoseconds>(nanoseconds(*first_arrival_))));
+      test.metadata.conditions.date = fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),
+                                                  static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
+    }
+    return test;
+  }
+
+  /// A test needs two targets, so there is no file before them; and none of a recording that does not fit.
+  Result<void> write_test(bool last) {
+    if (run_.out.empty() || (run_.out == "-" && !last)) return {};
+    const auto test = this->test();
+    if (!test) return {};
+    static const formats::Format* const json = formats::find_format("json");
+    return write_file(run_.out, json->write(*test));
+  }
+
+  void show() {
+    if (!observer_.now || Clock::now() - shown_ < show_every) return;
+    shown_ = Clock::now();
+    observer_.now(session_);
+  }
+
+  const CaptureRun& run_;
+  const CaptureObserver& observer_;
+  CaptureSession session_;
+  Connect connect_;
+  FreeBytes free_bytes_;
+  Clock::time_point connected_;
+  std::optional<Outage> outage_;
+  std::uint64_t room_ = UINT64_MAX;  // for bytes that may still come
+  RawLog* log_ = nullptr;
+  std::optional<RawHold> hold_;
+  std::optional<ArrivalNs> first_arrival_;
+  CaptureSession::End end_ = CaptureSession::End::of_reading;
+  std::size_t events_told_ = 0;
+  bool stopped_ = false;
+  bool abandoned_ = false;
+  bool log_is_sound_ = false;
+  Clock::time_point shown_;
+};
+
+}  // namespace
+
+Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
+                                   const CaptureObserver& observer) {
+  AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
+  AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
+  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
+  AXIOMETRY_TRY(const auto live, parse_live(run.from));
+  Run reading(run, observer, std::move(session));
+  if (live) reading.listen([address = *live] { return connect_to(address); }, UINT64_MAX);
+  auto outcome = reading();
+  if (!outcome && outcome.error().file.empty()) outcome.error().file = run.from == "-" ? "(standard input)" : run.from;
+  return outcome;
+}
+
+Result<CaptureOutcome> run_live_capture(CaptureSession session, const LiveCapture& capture,
+                                        const CaptureObserver& observer) {
+  const CaptureRun run{
+      .from = capture.name, .raw = capture.raw, .resume = capture.resume, .out = {}, .give_up = capture.give_up};
+  Run reading(run, observer, std::move(session));
+  reading.listen(capture.connect, capture.raw_limit, capture.free);
+  return reading();
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "axiometry/app/live/capture_run.h"
+#include "axiometry/app/live/capture_service.h"
+
+namespace axiometry::app {
+
+/// What a capture needs to run: checked, and with its source reached.
+struct CaptureService::Begun {
+  CaptureSource source;
+  CaptureSession session;
+  LiveCapture live;
+  std::optional<SimulatedCapture> simulated;
+};
+
+/// One capture in its thread. Its state is read from others.
+class CaptureService::Running {
+ public:
+  Running(HeldCapture held, Begun begun, const CaptureKeeping& keeping);
+  /// Interrupts it, and waits until its thread has seen that.
+  ~Running();
+
+  void stop() { stop_ = true; }
+  void interrupt() { interrupt_ = true; }
+  void wait_for_end(std::chrono::milliseconds longest);
+  CaptureState state(std::optional<CaptureRevision> after) const;  ///< nothing: without readings, events and evaluation
+
+  const std::string& source() const { return source_; }
+  bool ended() const;
+  bool interrupted() const;
+  bool concluding() const { return concludes_; }  ///< plays what there is, and stops by itself
+
+ private:
+  struct End {
+    CaptureState::Stage stage;
+    std::optional<store::Id> test;
+    std::string error;
+  };
+
+  void run();
+  CaptureObserver observer();
+  void tell_notice(const std::string& text);
+  void now(const CaptureSession& session);
+  void take_readings(const CaptureSession& session);
+  void evaluate(Test test);
+  End conclude(const Result<CaptureOutcome>& outcome);
+  void tell(End end);
+
+  const std::string source_;
+  const bool concludes_;
+  const CaptureKeeping& keeping_;
+  std::optional<HeldCapture> held_;  // until it has ended
+  std::optional<Begun> begun_;
+  std::optional<Test> test_;  // as far as it has come
+  bool evaluated_ = true;     // what has come
+  std::atomic<bool> stop_ = false;
+  std::atomic<bool> interrupt_ = false;
+
+  mutable std::mutex mutex_;  // of the state
+  std::condition_variable changed_;
+  CaptureState state_;
+  std::size_t notices_left_out_ = 0;
+  CaptureRevision anew_at_ = 0;  // readings before it hold no longer
+  std::jthread thread_;          // last: it uses all of the above
+};
+
+}  // namespace axiometry::app

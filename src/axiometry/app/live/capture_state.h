@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/files/reader.h"
+#include "axiometry/app/live/capture_source.h"
+#include "axiometry/app/workbench/workbench_values.h"
+#include "axiometry/base/json.h"
+#include "axiometry/capture/capture_result.h"
+#include "axiometry/capture/standstill.h"
+#include "axiometry/store/records.h"
+
+/// What can be said about a capture at one moment.
+namespace axiometry::app {
+
+/// Counts every change of a capture's state, from 1.
+using CaptureRevision = std::uint64_t;
+
+struct StampedReading {
+  CaptureRevision revision = 0;  ///< with which it came
+  capture::CapturedReading reading;
+};
+
+struct CaptureState {
+  enum class Stage {
+    waiting,  ///< no byte has come yet
+    running,
+    complete,     ///< every approach has come or was missed
+    stopped,      ///< by a person, or because the source came to its end
+    failed,       ///< what came could not be understood, or not be kept
+    interrupted,  ///< the program ended while it ran; what came is on the disk
+  };
+
+  store::Id id = 0;
+  store::Id plan = 0;
+  std::size_t part = 1;
+  CaptureSource source;
+  std::string started;  ///< RFC 3339, UTC
+  CaptureRevision revision = 0;
+  Stage stage = Stage::waiting;
+  AxisKind kind = AxisKind::linear;
+  std::vector<Position> targets;
+  std::size_t approaches = 0;  ///< of the plan
+  std::optional<Approach> due;
+  std::optional<capture::StandstillDetector::Now> now;
+  std::size_t taken = 0;                 ///< readings so far
+  std::vector<StampedReading> readings;  ///< those that were asked for
+  bool anew = false;                     ///< they are all there are: earlier ones hold no longer
+  std::vector<capture::CaptureEvent> events;
+  std::vector<std::string> notices;
+  std::shared_ptr<const Outcome> so_far;
+  std::optional<store::Id> test;  ///< it was kept as
+  std::string error;
+};
+
+std::string_view stage_name(CaptureState::Stage stage);
+bool has_ended(CaptureState::Stage stage);
+
+/// Capture and Source of web/src/api/types.ts.
+json::Value to_json(const CaptureState& state, const Reader& reader);
+json::Value to_json(const CaptureSource& source, const Reader& reader);
+
+}  // namespace axiometry::app

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/live/recording_spared.h"
+
+#include <filesystem>
+#include <vector>
+
+#include "axiometry/app/recordings/raw_times.h"
+#include "axiometry/app/results/outputs.h"
+
+namespace axiometry::app {
+
+Result<void> check_recording_spared(const CaptureRun& run, const std::string& plan) {
+  if (!run.resume.empty()) AXIOMETRY_TRY_VOID(InputFiles(std::vector<InputFile>{{plan}}).check_spared(run.resume));
+  if (run.out.empty() || run.out == "-") return {};
+  std::vector<InputFile> inputs{{plan}, {run.from}, {times_name(run.from)}};
+  if (!run.resume.empty()) inputs.insert(inputs.end(), {{run.resume}, {times_name(run.resume)}});
+  AXIOMETRY_TRY_VOID(InputFiles(inputs).check_spared(run.out));
+  const auto whole = [](const std::string& name) {
+    std::error_code unknown;
+    const auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, unknown), unknown);
+    return unknown ? std::filesystem::path(name) : path;
+  };
+  if (run.raw.empty() || (whole(run.out) != whole(run.raw) && whole(run.out) != whole(times_name(run.raw)))) return {};
+  return std::unexpected(
+      Error{"found one file for the test and for what arrives, expected two (--out, --raw)", run.out, {}});
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/plan/nc_program.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <vector>
+
+#include "axiometry/app/files/output.h"
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/plan/plan_json.h"
+#include "axiometry/formats/plan/tracking_plan_json.h"
+#include "axiometry/nc/numbers.h"
+#include "axiometry/standards/iso230_2/plan/plan.h"
+#include "axiometry/tracking/lines/seven_lines.h"
+
+namespace axiometry::app {
+namespace {
+
+/// What one program walks.
+struct Programme {
+  std::string title;
+  std::vector<Plan> plans;
+};
+
+Result<Programme> programme_of_part(const Plan& plan, const NcRequest& request) {
+  if (!request.line.empty())
+    return fail(fmt::format("found the line {} asked for, expected none: this is no tracking plan, which has lines",
+                            text::quoted(request.line)));
+  if (request.part < 1 || request.part > plan.further.size() + 1)
+    return fail(fmt::format("found part {} asked for, expected {}", request.part,
+                            plan.further.empty() ? "1" : fmt::format("1 to {}", plan.further.size() + 1)));
+  return Programme{"", {request.part == 1 ? plan : plan.further[request.part - 2]}};
+}
+
+/// What a comment in the program can say.
+Plan plan_of_line(const TrackingLine& line, const TrackingPlan& whole, bool alone) {
+  Plan plan = alone ? tracking::plan_alone(whole.setup, line) : line.plan;
+  if (plan.axis.name.empty()) plan.axis.name = line.id;
+  if (plan.machine.empty()) plan.machine = whole.machine;
+  if (plan.date.empty()) plan.date = whole.date;
+  return plan;
+}
+
+std::string line_ids(const TrackingPlan& plan) {
+  std::vector<std::string_view> ids;
+  for (const TrackingLine& line : plan.lines) ids.push_back(line.id);
+  return fmt::format("{}", fmt::join(ids, ", "));
+}
+
+/// The line that is asked for is lost, or there is none at all.
+std::unexpected<Error> no_line(const TrackingPlan& plan, const std::string& id) {
+  for (const LostLine& lost : plan.lost)
+    if (lost.id == id)
+      return fail(fmt::format("found the line {} asked for, which is lost ({}), expected one of {}", text::quoted(id),
+                              lost.reason, line_ids(plan)));
+  return fail(fmt::format("found the line {} asked for, expected one of {}", text::quoted(id), line_ids(plan)));
+}
+
+Result<Programme> lines_of(const TrackingPlan& plan, const NcRequest& request) {
+  if (request.part != 1)
+    return fail(fmt::format("found part {} asked for, expected none: a tracking plan has lines", request.part));
+  if (plan.lines.empty()) return fail("found a tracking plan without lines, expected at least one that is not lost");
+  Programme programme{plan.title, {}};
+  const bool all = request.line.empty();
+  for (const TrackingLine& line : plan.lines)
+    if (all || request.line == line.id) programme.plans.push_back(plan_of_line(line, plan, !all));
+  if (programme.plans.empty()) return no_line(plan, request.line);
+  return programme;
+}
+
+Result<Programme> programme_of(std::string_view bytes, const NcRequest& request) {
+  if (formats::is_tracking_plan(bytes)) {
+    AXIOMETRY_TRY(const TrackingPlan plan, formats::read_tracking_plan(bytes));
+    return lines_of(plan, request);
+  }
+  AXIOMETRY_TRY(const Plan plan, formats::read_plan(bytes));
+  return programme_of_part(plan, request);
+}
+
+/// Of several plans with the way from the end of each to the next.
+Duration duration_of(std::span<const Plan> plans) {
+  Duration sum;
+  std::optional<Vector3> at;
+  for (Plan plan : plans) {
+    const auto line = spatial_line(plan.axis);
+    if (at) plan.way_in_mm.insert(plan.way_in_mm.begin(), *at);
+    if (line) at = plan.way_out_mm.empty() ? line->at(reach(plan).lowest) : plan.way_out_mm.back();
+    sum = sum + iso230_2::estimated_duration(plan, iso230_2::usual_acceleration(plan.axis.kind));
+  }
+  return sum;
+}
+
+Result<std::string> program_of(const Programme& programme, const nc::Dialect& dialect, nc::ProgramOptions options) {
+  options.title = programme.title;
+  options.duration = duration_of(programme.plans);
+  return dialect.write(programme.plans, options);
+}
+
+Result<bool> switch_of(const std::string& text) {
+  if (text.empty() || text == "1" || text == "true") return true;
+  if (text == "0" || text == "false") return false;
+  return fail(fmt::format("found {}, expected 1 or 0", text::quoted(text)));
+}
+
+Result<unsigned> whole_of(const std::string& text, unsigned long long most) {
+  const auto count = parse_count(text);
+  if (!count || *count > most)
+    return fail(fmt::format("found {}, expected a whole number up to {}", text::quoted(text), most));
+  return static_cast<unsigned>(*count);
+}
+
+/// None where nothing is said.
+Result<std::optional<unsigned>> number_or_none(const std::string& text) {
+  constexpr unsigned long long most = 99'999'999;
+  if (text.empty()) return std::optional<unsigned>();
+  return whole_of(text, most);
+}
+
+Result<void> put_option(nc::ProgramOptions& options, const std::string& name, const std::string& text) {
+  if (name == "unit") {
+    if (text != "mm" && text != "inch") return fail(fmt::format("found {}, expected mm or inch", text::quoted(text)));
+    options.unit = text == "mm" ? nc::LengthUnit::mm : nc::LengthUnit::inch;
+  } else if (name == "unrolled") {
+    AXIOMETRY_TRY(options.unrolled, switch_of(text));
+  } else if (name == "block_numbers") {
+    AXIOMETRY_TRY(options.block_numbers, switch_of(text));
+  } else if (name == "stop_at_start") {
+    AXIOMETRY_TRY(options.stop_at_start, switch_of(text));
+  } else if (name == "stop_at_lines") {
+    AXIOMETRY_TRY(options.stop_at_lines, switch_of(text));
+  } else if (name == "decimals") {
+    AXIOMETRY_TRY(const unsigned decimals, whole_of(text, nc::decimals_highest));
+    options.decimals = static_cast<int>(decimals);
+  } else if (name == "trigger_m_code") {
+    AXIOMETRY_TRY(options.trigger_m_code, number_or_none(text));
+  } else if (name == "number") {
+    AXIOMETRY_TRY(options.number, number_or_none(text));
+  } else {
+    return fail(
+        "found no such option, expected unit, unrolled, trigger_m_code, number, decimals, block_numbers, "
+        "stop_at_start or stop_at_lines");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<const nc::Dialect*> dialect_of(std::string_view id) {
+  if (const nc::Dialect* dialect = nc::find_dialect(id)) return dialect;
+  std::vector<std::string_view> known;
+  for (const nc::Dialect* dialect : nc::dialect_table()) known.push_back(dialect->id);
+  const auto near = text::nearest(id, known);
+  return fail(fmt::format("found the unknown dialect {}, expected {}", text::quoted(id),
+                          near ? fmt::format("perhaps {}", *near) : fmt::format("one of {}", fmt::join(known, ", "))));
+}
+
+Result<std::string> nc_program(const NcRequest& request) {
+  AXIOMETRY_TRY(const nc::Dialect* const dialect, dialect_of(request.dialect));
+  AXIOMETRY_TRY(const std::string bytes, whole_file(request.plan));
+  AXIOMETRY_TRY(const Programme programme, in_file(programme_of(bytes, request), request.plan));
+  return in_file(program_of(programme, *dialect, request.options), request.plan);
+}
+
+Result<std::string> nc_program_of(const Plan& plan, const NcRequest& request) {
+  AXIOMETRY_TRY(const nc::Dialect* const dialect, dialect_of(request.dialect));
+  AXIOMETRY_TRY(const Programme programme, programme_of_part(plan, request));
+  return program_of(programme, *dialect, request.options);
+}
+
+Result<nc::ProgramOptions> nc_options(std::span<const std::pair<std::string, std::string>> texts) {
+  nc::ProgramOptions options;
+  for (const auto& [name, text] : texts)
+    if (auto put = put_option(options, name, text); !put) return fail(fmt::format("{}: {}", name, put.error().message));
+  return options;
+}
+
+Result<void> write_nc_program(const NcRequest& request, const std::string& output) {
+  std::error_code none;  // where a file does not exist there is nothing to spare
+  if (output != "-" && request.plan != "-" && std::filesystem::equivalent(request.plan, output, none))
+    return std::unexpected(Error{"found the plan itself, expected another file for the program", output, {}});
+  AXIOMETRY_TRY(const std::string program, nc_program(request));
+  return write_file(output, program);
+}
+
+}  // namespace axiometry::app

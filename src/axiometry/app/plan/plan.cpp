@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/plan/plan.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <random>
+
+#include "axiometry/app/files/output.h"
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/plan/plan_text.h"
+#include "axiometry/app/results/result_json.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/plan/plan_json.h"
+#include "axiometry/report/documents/plan_sheet.h"
+
+namespace axiometry::app {
+namespace {
+
+report::Document sheet_of(const PlannedTest& planned, const report::Options& options) {
+  return report::plan_sheet(
+      {planned.plan, planned.findings, planned.acceleration, planned.duration, planned.duration_in_all}, options);
+}
+
+}  // namespace
+
+Result<PlannedTest> planned(Plan plan, std::optional<double> acceleration) {
+  if (acceleration) AXIOMETRY_TRY_VOID(iso230_2::check_acceleration(*acceleration));
+  PlannedTest result;
+  result.acceleration = acceleration.value_or(iso230_2::usual_acceleration(plan.axis.kind));
+  result.findings = iso230_2::plan_findings(plan, result.acceleration);
+  result.duration = iso230_2::estimated_duration(plan, result.acceleration);
+  result.duration_in_all = result.duration;
+  for (const Plan& part : plan.further)
+    result.duration_in_all = result.duration_in_all + iso230_2::estimated_duration(part, result.acceleration);
+  result.plan = std::move(plan);
+  return result;
+}
+
+Result<Plan> read_plan_file(const std::string& file) {
+  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
+  return in_file(formats::read_plan(bytes), file);
+}
+
+Result<std::vector<Approach>> read_sequence(const std::string& list_or_file) {
+  if (auto sequence = parse_sequence(list_or_file)) return sequence;
+  if (list_or_file != "-" && !std::filesystem::exists(list_or_file)) return parse_sequence(list_or_file);
+  AXIOMETRY_TRY(const std::string text, whole_file(list_or_file));
+  return in_file(parse_sequence(text), list_or_file);
+}
+
+std::uint64_t drawn_seed() { return std::random_device{}(); }
+
+std::string today() {
+  const char* fixed = std::getenv("SOURCE_DATE_EPOCH");
+  const auto seconds = fixed ? parse_count(fixed) : std::nullopt;
+  const std::time_t now = seconds ? static_cast<std::time_t>(*seconds) : std::time(nullptr);
+  std::tm parts{};
+  if ((seconds ? ::gmtime_r(&now, &parts) : ::localtime_r(&now, &parts)) == nullptr) return "";
+  return fmt::format("{:04}-{:02}-{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday);
+}
+
+json::Value plan_to_json(const PlannedTest& planned) {
+  json::Value root = formats::plan_value(planned.plan);
+  root.add("findings", findings_to_json(planned.findings));
+  root.add("duration_s", std::round(planned.duration_in_all.in_s() * 10.0) / 10.0);
+  return root;
+}
+
+Result<std::string> plan_sheet_file(const PlannedTest& planned, std::string_view extension,
+                                    const report::Options& options) {
+  if (const report::Writer* writer = report::find_writer(extension))
+    return writer->set(sheet_of(planned, options), options);
+  std::vector<std::string_view> extensions;
+  for (const report::Writer* writer : report::writer_table()) extensions.push_back(writer->extension);
+  return fail(
+      fmt::format("found a sheet as {}, expected one of {}", text::quoted(extension), fmt::join(extensions, ", ")));
+}
+
+Result<void> write_plan_outputs(const PlannedTest& planned, const OutputNames& names, const report::Options& options) {
+  AXIOMETRY_TRY_VOID(write_document(sheet_of(planned, options), names.reports, options));
+  if (names.json.empty()) return {};
+  return write_file(names.json, json::dump(plan_to_json(planned)) + "\n");
+}
+
+}  // namespace axiometry::app

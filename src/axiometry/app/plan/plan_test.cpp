@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/plan/plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "axiometry/base/json.h"
+#include "tests/support/temporary_folder.h"
+
+namespace axiometry::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+class PlanFiles : public ::testing::Test {
+ protected:
+  static Plan plan(double to) {
+    iso230_2::PlanRequest r;
+    r.axis.travel_begin = Position::native(0);
+    r.axis.travel_end = Position::native(to);
+    r.seed = 1;
+    return iso230_2::make_plan(r).value();
+  }
+
+  testing_support::TemporaryFolder folder_;
+};
+
+TEST_F(PlanFiles, ReadBackWithoutWhatWasAddedForPeople) {
+  PlannedTest test = planned(plan(500), std::nullopt).value();
+  test.findings = {{"5.2", iso230_2::Severity::note, "found \"this\""}};
+  OutputNames names;
+  names.json = folder_.file("plan.json");
+  ASSERT_TRUE(write_plan_outputs(test, names, {}));
+  const auto root = json::parse(folder_.content("plan.json"));
+  ASSERT_TRUE(root);
+  EXPECT_EQ(root->find("findings")->items()[0].find("message")->text(), "found \"this\"");
+  EXPECT_NEAR(root->find("duration_s")->number(), test.duration.in_s(), 0.05);
+  const auto again = read_plan_file(names.json);
+  ASSERT_TRUE(again) << again.error().to_string();
+  EXPECT_EQ(again->targets, test.plan.targets);
+}
+
+TEST_F(PlanFiles, NameTheFileOfAnError) {
+  const auto bad = read_plan_file(folder_.written("bad.json", "{\n  \"axis\": 3}"));
+  ASSERT_FALSE(bad);
+  EXPECT_THAT(bad.error().to_string(), HasSubstr("bad.json:"));
+  EXPECT_THAT(read_plan_file(folder_.file("none.json")).error().to_string(), HasSubstr("none.json"));
+}
+
+TEST_F(PlanFiles, SequencesAreListsOrFiles) {
+  const std::string file = folder_.written("sequence.txt", "1+ 2+ # up\n2-\n");
+  EXPECT_EQ(read_sequence("1+ 2+ 2-").value(), read_sequence(file).value());
+  EXPECT_THAT(read_sequence(folder_.file("none.txt")).error().message, HasSubstr("expected the number of a target"));
+}
+
+TEST(PlanDuration, RestsOnAnAccelerationThatAnAxisHas) {
+  iso230_2::PlanRequest r;
+  r.axis.travel_begin = Position::native(0);
+  r.axis.travel_end = Position::native(500);
+  const Plan plan = iso230_2::make_plan(r).value();
+  for (double acceleration : {0.0, -5.0, 1e-300, 1e300})
+    EXPECT_THAT(planned(plan, acceleration).error().message, HasSubstr("expected 0.001 to 1000000"));
+}
+
+TEST(PlanDuration, CountsTheFurtherPlans) {
+  iso230_2::PlanRequest r;
+  r.axis.travel_begin = Position::native(0);
+  r.axis.travel_end = Position::native(6000);
+  const Plan plan = iso230_2::make_plan(r).value();
+  ASSERT_EQ(plan.further.size(), 1u);
+  const PlannedTest test = planned(plan, 2000).value();
+  EXPECT_EQ(test.acceleration, 2000);
+  EXPECT_NEAR(test.duration_in_all.in_s() - test.duration.in_s(),
+              iso230_2::estimated_duration(plan.further[0], 2000).in_s(), 1e-9);
+}
+
+TEST(PlanUseCase, TakesTheDateThatTheEnvironmentFixes) {
+  const char* before = std::getenv("SOURCE_DATE_EPOCH");
+  const std::string kept = before ? before : "";
+  ::setenv("SOURCE_DATE_EPOCH", "951782400", 1);
+  EXPECT_EQ(today(), "2000-02-29");
+  before ? ::setenv("SOURCE_DATE_EPOCH", kept.c_str(), 1) : ::unsetenv("SOURCE_DATE_EPOCH");
+  EXPECT_EQ(today().size(), 10u);
+}
+
+}  // namespace
+}  // namespace axiometry::app

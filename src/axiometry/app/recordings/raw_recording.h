@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "axiometry/app/files/output.h"
+#include "axiometry/base/quantity.h"
+#include "axiometry/model/axis.h"
+#include "axiometry/model/recording.h"
+
+/// Recordings written as instruments and loggers write them, sample by sample as they come.
+namespace axiometry::app {
+
+/// By the extension of the file's name.
+enum class RawLayout {
+  text,  ///< ".csv", ".txt": a header, then "time_s,position_mm" (or _deg), seven decimals each
+  npy,   ///< ".npy": NumPy's float64 of N rows and 2 columns, little-endian
+  umd,   ///< ".umd": lines of a µMD interferometer, 8 whole numbers; linear axes only
+};
+
+/// Fails on other extensions ("-" is text).
+Result<RawLayout> raw_layout_of(std::string_view name);
+
+struct RawSetting {
+  AxisKind kind = AxisKind::linear;
+  std::size_t samples = 0;  ///< that will be written
+  double rate = 1.0;        ///< samples a second
+  Length wavelength;        ///< in air; a count of `umd` is half of it
+};
+
+/// The bytes of a recording, sample by sample.
+class RecordingEncoder {
+ public:
+  /// Fails on counts of a rotary axis.
+  static Result<RecordingEncoder> make(RawLayout layout, const RawSetting& setting);
+
+  std::string head() const;
+  void append(std::string& bytes, const Sample& sample);
+  std::size_t written() const { return written_; }  ///< samples
+
+ private:
+  RecordingEncoder(RawLayout layout, const RawSetting& setting) : layout_(layout), setting_(setting) {}
+  void append_counts(std::string& bytes, const Sample& sample);
+
+  RawLayout layout_;
+  RawSetting setting_;
+  std::size_t written_ = 0;
+  long long displacement_ = 0;  // of the sample before, counts
+};
+
+class RawRecording {
+ public:
+  /// Fails as raw_layout_of(), RecordingEncoder::make() and OutputFile::create() do.
+  static Result<RawRecording> create(const std::string& name, const RawSetting& setting);
+
+  Result<void> write(std::span<const Sample> samples);
+
+  /// The file appears. Needs all samples to be written.
+  Result<void> commit();
+
+ private:
+  RawRecording(OutputFile file, RecordingEncoder encoder, std::size_t samples)
+      : file_(std::move(file)), encoder_(std::move(encoder)), samples_(samples), text_(encoder_.head()) {}
+
+  OutputFile file_;
+  RecordingEncoder encoder_;
+  std::size_t samples_;
+  std::string text_;
+};
+
+}  // namespace axiometry::app

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/results/outputs.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "axiometry/app/files/file_name_part.h"
+#include "axiometry/app/results/result_json.h"
+#include "axiometry/base/text.h"
+
+namespace axiometry::app {
+namespace {
+
+std::string_view extension_of(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string_view::npos || name.find('/', dot) != std::string_view::npos ? std::string_view()
+                                                                                        : name.substr(dot + 1);
+}
+
+bool is_table(std::string_view report) { return text::equal_ignoring_case(extension_of(report), "csv"); }
+
+/// Name of a test as part of a file name: its file's stem and, among many, its own name.
+std::string report_name(const Evaluated& evaluated) {
+  const std::string& file = evaluated.test.provenance.file;
+  std::string name = file == "-" ? "stdin" : std::filesystem::path(file).stem().string();
+  if (!evaluated.name.empty()) name += "-" + evaluated.name;
+  return file_name_part(std::move(name));
+}
+
+Result<void> write_report(const Evaluated& evaluated, const std::string& file, const report::Options& options) {
+  const report::Writer* writer = report::find_writer(extension_of(file));
+  auto bytes = writer->write({evaluated.test, evaluated.assessment, evaluated.judgements, evaluated.verified}, options);
+  if (!bytes) return std::unexpected(Error{bytes.error().message, file, {}});
+  return write_file(file, *bytes);
+}
+
+}  // namespace
+
+Result<void> write_document(const report::Document& document, std::span<const std::string> files,
+                            const report::Options& options) {
+  for (const std::string& file : files) {
+    const report::Writer* writer = report::find_writer(extension_of(file));
+    auto bytes = writer->set(document, options);
+    if (!bytes) return std::unexpected(Error{bytes.error().message, file, {}});
+    AXIOMETRY_TRY_VOID(write_file(file, *bytes));
+  }
+  return {};
+}
+
+bool state_tests_in_full(const OutputNames& names) {
+  return !names.json.empty() || !std::ranges::all_of(names.reports, is_table) ||
+         std::ranges::any_of(names.reports, [](const std::string& r) { return r.find(name_mark) != r.npos; });
+}
+
+InputFiles::InputFiles(std::span<const InputFile> inputs) {
+  for (const InputFile& input : inputs) {
+    struct stat status {};
+    const int failed = input.name == "-" ? ::fstat(STDIN_FILENO, &status) : ::stat(input.name.c_str(), &status);
+    if (failed == 0 && S_ISREG(status.st_mode)) files_.emplace(status.st_dev, status.st_ino);
+  }
+}
+
+Result<void> InputFiles::check_spared(const std::string& output) const {
+  struct stat status {};
+  if (::stat(output.c_str(), &status) != 0 || !files_.contains({status.st_dev, status.st_ino})) return {};
+  return std::unexpected(Error{"found an output that is also an input, expected another name", output, {}});
+}
+
+Result<void> check_inputs_spared(const OutputNames& names) {
+  if (names.json != "-") AXIOMETRY_TRY_VOID(names.inputs.check_spared(names.json));
+  for (const std::string& report : names.reports) AXIOMETRY_TRY_VOID(names.inputs.check_spared(report));
+  return {};
+}
+
+Result<void> check_outputs(const OutputNames& names) {
+  std::set<std::string> seen{names.json};
+  for (const std::string& report : names.reports)
+    if (!seen.insert(report).second)
+      return fail(fmt::format("found the output {} twice, expected different names", text::quoted(report)));
+  for (const std::string& report : names.reports) {
+    if (report::find_writer(extension_of(report)) != nullptr) continue;
+    std::vector<std::string_view> extensions;
+    for (const report::Writer* writer : report::writer_table()) extensions.push_back(writer->extension);
+    return fail(fmt::format("found the report name {}, expected a file ending in .{}", text::quoted(report),
+                            fmt::join(extensions, ", .")));
+  }
+  return {};
+}
+
+Result<void> write_outputs(const Evaluated& evaluated, const OutputNames& names, const report::Options& options) {
+  for (const std::string& report : names.reports) AXIOMETRY_TRY_VOID(write_report(evaluated, report, options));
+  if (!names.json.empty()) AXIOMETRY_TRY_VOID(write_file(names.json, json::dump(to_json(evaluated)) + "\n"));
+  return {};
+}
+
+Result<ManyOutputs> ManyOutputs::create(const OutputNames& names, const report::Options& options) {
+  ManyOutputs outputs;
+  outputs.options_ = options;
+  outputs.inputs_ = names.inputs;
+  outputs.uncertainty_ = names.uncertainty;
+  for (const std::string& report : names.reports) {
+    const bool each = report.find(name_mark) != std::string::npos;
+    if (!each && !is_table(report))
+      return fail(
+          fmt::format("found the report name {} for many tests, expected one with {} for the name of each test, or a "
+                      ".csv for a table of all",
+                      text::quoted(report), name_mark));
+    if (each) {
+      outputs.templates_.push_back(report);
+      continue;
+    }
+    AXIOMETRY_TRY(OutputFile table, OutputFile::create(report));
+    AXIOMETRY_TRY_VOID(table.write(combined_csv_header(names.uncertainty)));
+    outputs.tables_.push_back(std::move(table));
+  }
+  if (!names.json.empty()) {
+    AXIOMETRY_TRY(outputs.json_, OutputFile::create(names.json));
+  }
+  return outputs;
+}
+
+Result<void> ManyOutputs::add_json(const json::Value& value) {
+  AXIOMETRY_TRY_VOID(json_->write(json_empty_ ? "[\n" : ",\n"));
+  json_empty_ = false;
+  return json_->write(json::dump(value, 0));
+}
+
+Result<void> ManyOutputs::add(const Evaluated& evaluated) {
+  if (json_) AXIOMETRY_TRY_VOID(add_json(to_json(evaluated)));
+  for (OutputFile& table : tables_) AXIOMETRY_TRY_VOID(table.write(combined_csv_row(evaluated, uncertainty_)));
+  if (templates_.empty()) return {};
+  const std::string name = report_name(evaluated);
+  const std::string who = evaluated.test.provenance.file + (evaluated.name.empty() ? "" : ":" + evaluated.name);
+  const auto [taken, is_new] = names_taken_.emplace(name, who);
+  if (!is_new)
+    return fail(fmt::format("found the tests {} and {} with the same report name {}, expected different ones",
+                            taken->second, who, text::quoted(name)));
+  for (std::string report : templates_) {
+    report.replace(report.find(name_mark), name_mark.size(), name);
+    AXIOMETRY_TRY_VOID(inputs_.check_spared(report));
+    AXIOMETRY_TRY_VOID(write_report(evaluated, report, options_));
+  }
+  return {};
+}
+
+Result<void> ManyOutputs::add_error(const std::string& file, const Error& error) {
+  if (json_) AXIOMETRY_TRY_VOID(add_json(error_to_json(file, error)));
+  for (OutputFile& table : tables_) AXIOMETRY_TRY_VOID(table.write(combined_csv_error_row(file, error, uncertainty_)));
+  return {};
+}
+
+Result<void> ManyOutputs::commit() {
+  if (json_) {
+    AXIOMETRY_TRY_VOID(json_->write(json_empty_ ? "[]\n" : "\n]\n"));
+    AXIOMETRY_TRY_VOID(json_->commit());
+  }
+  for (OutputFile& table : tables_) AXIOMETRY_TRY_VOID(table.commit());
+  return {};
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/results/outputs.h"
+#include "axiometry/formats/tracking/ranges_csv.h"
+#include "axiometry/report/report.h"
+#include "axiometry/tracking/ranges/multilateration.h"
+
+/// The use case "from lengths between points and stations to where both are".
+namespace axiometry::app {
+
+struct MultilaterateRequest {
+  std::string ranges;  ///< file; "-" is the standard input
+  std::string points;  ///< file of nominal points; empty when they stand beside the lengths
+  tracking::MultilaterationOptions options = {};
+};
+
+/// A result with the names it speaks of.
+struct Multilaterated {
+  formats::RangesFile ranges;  ///< with its nominal points
+  tracking::MultilaterationOptions options;
+  tracking::MultilaterationFit fit;
+  std::string file, sha256;
+  std::string points_file, points_sha256;  ///< empty when there was none
+
+  Multilaterated() = default;
+  Multilaterated(const Multilaterated&) = delete;  // options look at names in `ranges`
+  Multilaterated& operator=(const Multilaterated&) = delete;
+};
+
+/// Reads and solves. Fails, with file and line where there is one, as read_ranges(), read_named_points() and
+/// tracking::multilaterate() do, on a point without nominal place, and on nominal places in two files.
+Result<std::unique_ptr<Multilaterated>> multilaterate_files(const MultilaterateRequest& request);
+
+report::Document compose(const Multilaterated& result, const report::Options& options);
+
+struct MultilateratedNames {
+  OutputNames outputs;
+  std::string points;     ///< CSV of the points found
+  std::string residuals;  ///< CSV of the readings with their residuals
+};
+
+/// JSON (docs/results.md; one line for each point, so that many need little memory), reports and tables. Fails when an
+/// output is an input or cannot be written.
+Result<void> write_outputs(const Multilaterated& result, const report::Document& document,
+                           const MultilateratedNames& names, const report::Options& options);
+
+}  // namespace axiometry::app

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/tracking/tracking_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/app/files/number_list.h"
+#include "axiometry/app/files/output.h"
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/results/result_json.h"
+#include "axiometry/base/json.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/plan/tracking_plan_json.h"
+#include "axiometry/formats/tracking/station_json.h"
+#include "axiometry/report/tracking.h"
+#include "axiometry/standards/iso230_2/plan/plan.h"
+
+namespace axiometry::app {
+namespace {
+
+Result<TrackingSetup> setup_from_file(const std::string& file) {
+  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
+  if (formats::is_tracking_plan(bytes)) {
+    AXIOMETRY_TRY(TrackingPlan plan, in_file(formats::read_tracking_plan(bytes), file));
+    return std::move(plan.setup);
+  }
+  AXIOMETRY_TRY(const json::Value value, in_file(json::parse(bytes), file));
+  return in_file(formats::tracking_setup_from(value), file);
+}
+
+/// Three numbers, or the name of a file.
+Result<Station> station_of(const std::string& text) {
+  const auto place = parse_vector(text);
+  if (place) return Station{*place, {}};
+  const auto parts = text::split(text, ',');
+  if (parts.size() == 3 &&
+      std::ranges::any_of(parts, [](std::string_view p) { return parse_number(text::trim(p)).has_value(); }))
+    return std::unexpected(place.error());
+  AXIOMETRY_TRY(const std::string bytes, whole_file(text));
+  return in_file(formats::read_station(bytes), text);
+}
+
+template <typename T>
+void take(std::optional<T> given, T& target) {
+  if (given) target = *std::move(given);
+}
+
+std::vector<std::string> seven_of(const tracking::LinesRequest& request) {
+  std::vector<std::string> ids;
+  for (std::string_view id : tracking::seven_lines)
+    if (request.ids.empty() || std::ranges::find(request.ids, id) != request.ids.end()) ids.emplace_back(id);
+  return ids;
+}
+
+std::string place_text(Vector3 v) {
+  return fmt::format("X {}, Y {}, Z {} mm", format_fixed(v.x, 3), format_fixed(v.y, 3), format_fixed(v.z, 3));
+}
+
+std::string direction_text(Vector3 axis) {
+  return fmt::format("({}, {}, {})", format_fixed(axis.x, 3), format_fixed(axis.y, 3), format_fixed(axis.z, 3));
+}
+
+bool may_turn(const TrackingPlanRequest& request) {
+  return request.turn_reflector || (request.setup.file.empty() && !request.setup.reflector_axis);
+}
+
+/// Of all directions the one that keeps the most lines; that of the set-up where none is better.
+std::optional<std::string> turn_reflector(TrackingSetup& setup, const tracking::LinesRequest& request) {
+  const auto ids = seven_of(request);
+  if (ids.empty()) return std::nullopt;
+  const auto turned =
+      tracking::suggest_station(setup, ids, request.rule, {.may_move = {false, false, false}, .turn_reflector = true});
+  if (turned.lines == 0 || distance(turned.reflector_axis, unit(setup.limits.reflector_axis)) < 1e-9)
+    return std::nullopt;
+  setup.limits.reflector_axis = turned.reflector_axis + Vector3{};
+  return fmt::format("mount the reflector so that it looks along {}: it then sees the station from {} of {} lines",
+                     direction_text(turned.reflector_axis), turned.lines, ids.size());
+}
+
+/// What a station elsewhere would keep: where it stands on the table, and where that is not enough, higher or lower.
+std::vector<std::string> suggestions(const TrackingSetup& setup, const TrackingPlanRequest& request) {
+  const auto ids = seven_of(request.lines);
+  std::vector<std::string> texts;
+  if (ids.empty()) return texts;
+  tracking::StationFreedom freedom{.may_move = {false, false, false}, .turn_reflector = may_turn(request)};
+  const auto now = tracking::suggest_station(setup, ids, request.lines.rule, freedom);
+  freedom.may_move = {true, true, false};
+  for (bool may_rise : {false, true}) {
+    freedom.may_move[2] = may_rise;
+    const auto better = tracking::suggest_station(setup, ids, request.lines.rule, freedom);
+    const bool gains = better.lines > now.lines || better.shortest_mm > now.shortest_mm + 1.0;
+    if (gains)
+      texts.push_back(
+          fmt::format("a station at {}{} would keep {} of {} lines, the shortest of {:.1f} mm; here it is {} of {}, "
+                      "the shortest of "
+                      "{:.1f} mm",
+                      place_text(better.position_mm), may_rise ? " (raised or lowered)" : "", better.lines, ids.size(),
+                      better.shortest_mm, now.lines, ids.size(), now.shortest_mm));
+    if (better.lines == ids.size()) break;
+  }
+  if (texts.empty()) texts.emplace_back("no other place for the station keeps more lines, or a longer shortest one");
+  return texts;
+}
+
+}  // namespace
+
+Result<TrackingSetup> setup_of(const SetupRequest& request) {
+  TrackingSetup setup;
+  if (!request.file.empty()) {
+    AXIOMETRY_TRY(setup, setup_from_file(request.file));
+  }
+  if (request.file.empty() && !request.travel)
+    return fail("found no travels, expected those of X, Y and Z, or a set-up that has them");
+  if (request.file.empty() && request.station.empty())
+    return fail("found no station, expected its place or the file of a located one");
+  take(request.travel, setup.travel);
+  take(request.tool_offset_mm, setup.tool_offset_mm);
+  if (!request.station.empty()) {
+    AXIOMETRY_TRY(setup.station, station_of(request.station));
+  }
+  if (request.range_mm) {
+    setup.limits.range_least_mm = request.range_mm->low;
+    setup.limits.range_most_mm = request.range_mm->high;
+  }
+  if (request.elevation_deg) {
+    setup.limits.elevation_lowest_deg = request.elevation_deg->low;
+    setup.limits.elevation_highest_deg = request.elevation_deg->high;
+  }
+  take(request.incidence_deg, setup.limits.incidence_most_deg);
+  take(request.reflector_axis, setup.limits.reflector_axis);
+  take(request.safe_radius_mm, setup.limits.safe_radius_mm);
+  take(request.line_least_mm, setup.limits.line_least_mm);
+  take(request.ranging, setup.ranging);
+  setup.obstacles.insert(setup.obstacles.end(), request.obstacles.begin(), request.obstacles.end());
+  AXIOMETRY_TRY_VOID(tracking::check_setup(setup));
+  return setup;
+}
+
+Result<MountedSetup> mounted_setup(const TrackingPlanRequest& request) {
+  MountedSetup mounted;
+  AXIOMETRY_TRY(mounted.setup, setup_of(request.setup));
+  if (may_turn(request))
+    if (auto turned = turn_reflector(mounted.setup, request.lines)) mounted.remarks.push_back(*std::move(turned));
+  return mounted;
+}
+
+Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
+  AXIOMETRY_TRY(auto mounted, mounted_setup(request));
+  auto& [setup, remarks] = mounted;
+  const double acceleration = request.lines.acceleration.value_or(iso230_2::usual_acceleration(AxisKind::linear));
+  AXIOMETRY_TRY_VOID(iso230_2::check_acceleration(acceleration));
+  if (request.suggest)
+    for (std::string& text : suggestions(setup, request)) remarks.push_back(std::move(text));
+  auto plan = tracking::plan_lines(setup, request.lines);
+  if (!plan) {
+    Error error = std::move(plan).error();
+    if (error.message.starts_with(tracking::none_left))
+      for (const std::string& remark : remarks) error.message += "; " + remark;
+    return std::unexpected(std::move(error));
+  }
+  plan->remarks.insert(plan->remarks.begin(), remarks.begin(), remarks.end());
+  const Duration duration = tracking::estimated_duration(*plan, acceleration);
+  return PlannedLines{*std::move(plan), acceleration, duration};
+}
+
+Result<PlannedLocation> plan_location_points(const TrackingPlanRequest& request, std::size_t count) {
+  AXIOMETRY_TRY(const MountedSetup mounted, mounted_setup(request));
+  AXIOMETRY_TRY(PlannedLocation planned, plan_location_points(mounted.setup, count));
+  planned.plan.remarks.insert(planned.plan.remarks.begin(), mounted.remarks.begin(), mounted.remarks.end());
+  return planned;
+}
+
+Result<TrackingPlan> read_tracking_plan_file(const std::string& file) {
+  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
+  return in_file(formats::read_tracking_plan(bytes), file);
+}
+
+Result<void> write_outputs(const PlannedLines& planned, const OutputNames& names, const report::Options& options) {
+  if (!names.reports.empty()) {
+    const report::Document sheet = report::tracking_sheet(planned.plan, planned.duration, options);
+    AXIOMETRY_TRY_VOID(write_document(sheet, names.reports, options));
+  }
+  if (names.json.empty()) return {};
+  json::Value root = formats::tracking_plan_value(planned.plan);
+  root.add("duration_s", std::round(planned.duration.in_s() * 10.0) / 10.0);
+  root.add("program", program_to_json());
+  return write_file(names.json, json::dump(root) + "\n");
+}
+
+}  // namespace axiometry::app

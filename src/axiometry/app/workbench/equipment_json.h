@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "axiometry/app/workbench/workbench_json.h"
+#include "axiometry/base/json.h"
+#include "axiometry/store/store.h"
+
+/// Machines, axes, instruments, trends and the audit trail as the API spells them (web/src/api/types.ts).
+namespace axiometry::app {
+
+/// A machine in a list: with its axes, how many tests it has and the latest of them.
+struct MachineSummary {
+  store::Versioned<store::Machine> machine;
+  std::vector<store::Versioned<store::Axis>> axes;
+  std::optional<store::MachineTests> tests{};  ///< nothing: it has none
+};
+
+json::Value to_json(const MachineSummary& summary);
+json::Value to_json(const store::Versioned<store::Machine>& machine);  ///< without what only a list has
+json::Value to_json(const store::Versioned<store::Axis>& axis);
+json::Value to_json(const store::Versioned<store::Instrument>& instrument);
+json::Value to_json(const store::AuditEntry& entry);
+
+struct AxisTrend {
+  store::Versioned<store::Axis> axis;
+  std::string machine_name;
+  std::vector<store::TrendPoint> points;
+};
+json::Value to_json(const AxisTrend& trend);
+
+/// What a request says of a thing: its value, and for a change the version it rests on.
+template <typename Asset>
+struct Edit {
+  Asset value;
+  std::optional<int> base_version{};
+  std::string reason;
+};
+
+/// Each fails, with line and column, on unknown members, on members of another kind and on texts as given_line() and
+/// given_text() do; a machine on an empty name; an axis without a machine, a name or a kind, and as limits_from(); an
+/// instrument without a manufacturer, type, serial number and role, and on inputs that no test could take.
+Result<Edit<store::Machine>> machine_from(const json::Value& value);
+Result<Edit<store::Axis>> axis_from(const json::Value& value);
+Result<Edit<store::Instrument>> instrument_from(const json::Value& value);
+
+/// {"reason"}; an empty body will do.
+Result<std::string> reason_from(const json::Value& value);
+
+}  // namespace axiometry::app

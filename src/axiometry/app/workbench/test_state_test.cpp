@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/workbench/test_state.h"
+
+#include <gtest/gtest.h>
+
+#include "axiometry/app/files/given_text.h"
+
+namespace axiometry::app {
+namespace {
+
+TEST(TestOptions, ComeBackAsTheyWereWritten) {
+  TestOptions options;
+  options.monte_carlo = true;
+  options.trials = 20000;
+  options.seed = 18446744073709551615u;
+  options.coverage = 0.99;
+  options.corrections = {"nde", "air=edlen"};
+  const auto back = test_options_from(to_json(options));
+  ASSERT_TRUE(back) << back.error().to_string();
+  EXPECT_EQ(*back, options);
+}
+
+TEST(TestOptions, RefuseWhatIsUnknownWithItsPlace) {
+  const auto refused = [](std::string_view text) {
+    const auto options = test_options_from(*json::parse(text));
+    return options ? std::string("taken") : options.error().to_string();
+  };
+  EXPECT_EQ(refused(R"({"methods": ["gumm"]})"), "line 1:14: found the method \"gumm\", expected perhaps gum");
+  EXPECT_NE(refused(R"({"trials": 1e9})"), "taken");
+  EXPECT_NE(refused(R"({"trials": 100.5})"), "taken");
+  EXPECT_NE(refused(R"({"seed": -1})"), "taken");
+  EXPECT_NE(refused(R"({"coverage": 1})"), "taken");
+  EXPECT_NE(refused(R"({"corrections": ["air=ciddor", "air=edlen"]})"), "taken");
+  EXPECT_NE(refused(R"({"method": []})"), "taken");
+  EXPECT_NE(refused(R"([])"), "taken");
+}
+
+TEST(Changes, RefuseUnknownKeysAndTextsThatNoLineHolds) {
+  const auto refused = [](std::string_view text) { return !changes_from(*json::parse(text)); };
+  EXPECT_FALSE(refused(R"({"machine.name": "<script>alert(1)</script>"})")) << "markup is text";
+  EXPECT_TRUE(refused(R"({"machine.nam": "x"})"));
+  EXPECT_TRUE(refused(R"({"machine.name": 3})"));
+  EXPECT_TRUE(refused(R"({"machine.name": "a\u0000b"})"));
+  EXPECT_TRUE(refused("{\"machine.name\": \"" + std::string(20000, 'x') + "\"}"));
+}
+
+TEST(GivenText, RefusesControlCharactersInvalidBytesAndWhatHidesNames) {
+  EXPECT_EQ(*given_line("title", "  Größe ± 3 µm "), "Größe ± 3 µm");
+  EXPECT_FALSE(given_line("title", "a\nb"));
+  EXPECT_TRUE(given_text("notes", "a\nb"));
+  EXPECT_FALSE(given_line("title", "a\xC3"));
+  EXPECT_FALSE(given_line("title", "invoice\u202Efdp.exe"));
+  EXPECT_TRUE(given_line("title", std::string(500, 'x')));
+  EXPECT_FALSE(given_line("title", std::string(501, 'x')));
+  EXPECT_EQ(given_line("title", std::string(501, 'x')).error().message,
+            "found 501 characters in title, expected at most 500");
+}
+
+TEST(GivenVersion, IsNotCutToANumberThatFits) {
+  EXPECT_EQ(*given_version("version", json::Value(7.0)), 7);
+  EXPECT_FALSE(given_version("version", json::Value(4294967297.0)));
+  EXPECT_FALSE(given_version("version", json::Value(0.0)));
+}
+
+TEST(GivenFileName, IsANameAndNothingElse) {
+  EXPECT_EQ(*given_file_name("/etc/passwd"), "passwd");
+  EXPECT_EQ(*given_file_name("C:\\temp\\a.csv"), "a.csv");
+  EXPECT_EQ(*given_file_name(".."), "unnamed");
+  EXPECT_EQ(*given_file_name(""), "unnamed");
+  EXPECT_FALSE(given_file_name("a\r\nb"));
+}
+
+TEST(Limits, RefuseParametersAndSizesThatNoAxisHas) {
+  const auto refused = [](std::string_view text) { return !limits_from(*json::parse(text)); };
+  EXPECT_FALSE(refused(R"([{"parameter": "A", "value": 10}])"));
+  EXPECT_TRUE(refused(R"([{"parameter": "Q", "value": 10}])"));
+  EXPECT_TRUE(refused(R"([{"parameter": "A", "value": 0}])"));
+  EXPECT_TRUE(refused(R"([{"parameter": "A", "value": 1}, {"parameter": "A", "value": 2}])"));
+}
+
+TEST(FromArchive, ComesBackAsItWasWritten) {
+  FromArchive taken;
+  taken.instruments = {
+      {3, 2, "Laser", {{"uncertainty.misalignment_mm", "1"}}, {{"uncertainty.device_calibration", "2"}}}};
+  taken.calibrations = {{3, 1, {0, "C-1", "2026-01-13", "2027-01-13"}}};
+  taken.axis = AxisLimits{4, 1, {{"A", 10.0}}};
+  const auto back = from_archive_of(to_json(taken));
+  ASSERT_TRUE(back) << back.error().to_string();
+  EXPECT_EQ(json::dump(to_json(*back)), json::dump(to_json(taken)));
+}
+
+TEST(FromArchive, SaysWhoseEachInputIsAndWhatItLeavesOut) {
+  FromArchive taken;
+  taken.instruments = {
+      {3, 2, "Laser", {{"uncertainty.misalignment_mm", "1"}}, {{"uncertainty.device_calibration", "2"}}}};
+  const EvaluateOptions options = with_archive({}, {{"uncertainty.length_mm", "900"}}, taken);
+  EXPECT_EQ(options.stated.by("uncertainty.misalignment_mm"), StatedBy::instrument);
+  EXPECT_EQ(options.stated.find("uncertainty.misalignment_mm")->name, "Laser");
+  EXPECT_EQ(options.stated.by("uncertainty.length_mm"), StatedBy::entered);
+  ASSERT_EQ(options.remarks.size(), 1u);
+  EXPECT_NE(options.remarks[0].find("uncertainty.device_calibration = 2 of Laser"), std::string::npos);
+}
+
+TEST(KeptOptions, HoldTheProfileOfATableAndNeedNone) {
+  store::Evaluation evaluation;
+  evaluation.options = R"({"methods": ["gum"], "from_archive": {"instruments": [], "calibrations": [], "axis": null}})";
+  const auto without = kept_options(evaluation);
+  ASSERT_TRUE(without) << without.error().to_string();
+  EXPECT_FALSE(without->profile);
+  evaluation.options =
+      R"({"import_profile": {"format": "axiometry-import-profile/1", "sign": -1,
+          "columns": [{"role": "target"}, {"role": "deviation"}]}})";
+  const auto with = kept_options(evaluation);
+  ASSERT_TRUE(with && with->profile) << with.error().to_string();
+  EXPECT_EQ(with->profile->sign, -1.0);
+  evaluation.options = R"({"import_profile": {"format": "axiometry-import-profile/2"}})";
+  EXPECT_EQ(kept_options(evaluation).error().kind, ErrorKind::damaged);
+}
+
+}  // namespace
+}  // namespace axiometry::app

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/files/reader.h"
+#include "axiometry/app/workbench/workbench_values.h"
+#include "axiometry/base/json.h"
+
+/// The workbench's values as the API spells them (web/src/api/types.ts), and its requests as values. Texts of this
+/// program are set in the reader's language; what users wrote stays.
+namespace axiometry::app {
+
+json::Value to_json(const Outcome& outcome, const Reader& reader);    ///< Evaluated
+json::Value to_json(const Preview& preview, const Reader& reader);    ///< Preview
+json::Value to_json(const Received& received, const Reader& reader);  ///< Received
+json::Value to_json(const KeptTest& kept, const Reader& reader);      ///< Test
+json::Value to_json(const store::TestPage& page, const Reader& reader);
+json::Value to_json(const store::Document& document);
+json::Value to_json(const store::Change& change);
+json::Value figures_to_json(std::span<const store::Figure> figures);
+json::Value error_to_json(const Error& error, const Reader& reader);  ///< the inner object of a Failure
+
+/// null for an empty text.
+json::Value text_or_null(const std::string& text);
+json::Value id_value(store::Id id);
+
+/// The result with its sentences and titles in the reader's language: findings, notes, budgets, corrections, label.
+json::Value localised_result(const json::Value& result, const Reader& reader);
+
+/// {"changes", "options"}; either may be left out. Each fails, with line and column, on members that are unknown or of
+/// another kind.
+Result<Draft> draft_from(const json::Value& value);
+/// Needs base_version.
+Result<Revision> revision_from(const json::Value& value);
+
+}  // namespace axiometry::app

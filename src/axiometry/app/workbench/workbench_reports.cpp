@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reports, figures and documents of the tests in the archive.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "axiometry/app/files/file_name_part.h"
+#include "axiometry/app/files/given_text.h"
+#include "axiometry/app/results/second_opinion.h"
+#include "axiometry/app/workbench/test_state.h"
+#include "axiometry/app/workbench/workbench_state.h"
+#include "axiometry/base/text.h"
+#include "axiometry/report/drawing/dark_page.h"
+#include "axiometry/report/drawing/svg.h"
+#include "axiometry/report/figures/conformity.h"
+#include "axiometry/report/figures/contribution.h"
+#include "axiometry/report/figures/distribution.h"
+#include "axiometry/report/figures/drift_recording.h"
+#include "axiometry/report/figures/figures.h"
+#include "axiometry/report/translated.h"
+#include "axiometry/report/writer.h"
+
+namespace axiometry::app {
+namespace {
+
+struct MediaRow {
+  std::string_view extension;
+  std::string_view media_type;
+};
+constexpr std::array media_types = {
+    MediaRow{"html", "text/html; charset=utf-8"},
+    MediaRow{"pdf", "application/pdf"},
+    MediaRow{"svg", "image/svg+xml"},
+    MediaRow{"png", "image/png"},
+    MediaRow{"csv", "text/csv; charset=utf-8"},
+    MediaRow{"json", "application/json"},
+};
+
+/// Types that a browser shows and does not run.
+constexpr std::array<std::string_view, 6> harmless = {"image/png",  "image/jpeg",      "image/gif",
+                                                      "image/webp", "application/pdf", "text/plain"};
+
+/// "image/png" of "image/PNG; q=1"; octets of what is no media type.
+std::string checked_media_type(std::string_view sent) {
+  const std::string type = text::to_lower(text::trim(sent.substr(0, sent.find(';'))));
+  const auto is_token = [](std::string_view s) {
+    return !s.empty() && s.size() <= 100 && std::ranges::all_of(s, [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || std::string_view("!#$&-^_.+").contains(c);
+    });
+  };
+  const auto parts = text::split(type, '/');
+  const bool sound = parts.size() == 2 && is_token(parts[0]) && is_token(parts[1]);
+  return sound ? type : std::string(octets);
+}
+
+std::string report_file_name(const store::TestRecord& record, std::string_view extension) {
+  const std::string& title = record.state.title;
+  return fmt::format("{}{}.{}", title.empty() ? fmt::format("test-{}", record.id) : file_name_part(title),
+                     record.version > 1 ? fmt::format("-v{}", record.version) : std::string(), extension);
+}
+
+Result<const report::Writer*> report_writer_of(const std::string& extension) {
+  if (const report::Writer* writer = report::find_writer(extension)) return writer;
+  std::vector<std::string_view> known;
+  for (const report::Writer* writer : report::writer_table()) known.push_back(writer->extension);
+  return fail(ErrorKind::not_found, fmt::format("found a report ending in .{}, expected .json, .{}",
+                                                text::to_lower(extension), fmt::join(known, ", .")));
+}
+
+/// The result that a version keeps, as `axiometry evaluate --json` writes it; where it is issued, with what the trail
+/// was before.
+Result<std::string> kept_json(const store::TestRecord& record, const std::string& trail_head) {
+  AXIOMETRY_TRY(json::Value value, kept_result(record));
+  if (!trail_head.empty()) value.add("issue", json::Value::object()).add("trail_head", trail_head);
+  return json::dump(value) + "\n";
+}
+
+/// No report leaves the archive whose figures a second way does not find again.
+Result<report::VerifiedFigures> second_opinion_of(const Evaluated& evaluated, const report::Options& options,
+                                                  std::string written = {}) {
+  const UncertaintyOptions asked{
+      evaluated.assessment.gum.has_value(), evaluated.assessment.monte_carlo.has_value(), {}};
+  auto verified = second_opinion(evaluated, asked, options, std::move(written));
+  if (!verified) return fail(ErrorKind::damaged, verified.error().message);
+  return verified;
+}
+
+/// Of an issued report, where the audit trail ended before.
+Result<Rendered> render(Workbench::State& state, const store::TestRecord& record, const ReportRequest& request,
+                        const std::string& trail_head = {}) {
+  const std::string extension = text::to_lower(request.extension);
+  Rendered rendered{{}, std::string(media_type_of(extension)), report_file_name(record, extension)};
+  if (extension == "json") {
+    AXIOMETRY_TRY(rendered.bytes, kept_json(record, trail_head));
+    return rendered;
+  }
+  AXIOMETRY_TRY(const report::Writer* writer, report_writer_of(extension));
+  AXIOMETRY_TRY(const auto evaluated, state.evaluated(record, request.stop));
+  AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
+  AXIOMETRY_TRY(const auto verified, second_opinion_of(*evaluated, request.options));
+  AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
+  AXIOMETRY_TRY(rendered.bytes,
+                writer->write({evaluated->test, evaluated->assessment, evaluated->judgements, verified, trail_head},
+                              request.options));
+  return rendered;
+}
+
+std::vector<report::Figure> drawn_figures(const Evaluated& evaluated, const report::Options& options) {
+  const report::Subject subject{evaluated.test, evaluated.assessment, evaluated.judgements};
+  std::vector<report::Figure> figures = report::figures(subject, options);
+  for (auto& further :
+       {report::conformity_figure(subject, options), report::contribution_figure(subject, options),
+        report::distribution_figure(subject, options), report::drift_recording_figure(subject, options)})
+    if (further) figures.push_back(*further);
+  for (report::Figure& figure : figures) figure = report::with_words_translated(std::move(figure), options);
+  return figures;
+}
+
+}  // namespace
+
+std::string_view media_type_of(std::string_view extension) {
+  const auto row = std::ranges::find(media_types, extension, &MediaRow::extension);
+  return row == media_types.end() ? octets : row->media_type;
+}
+
+Result<Rendered> Workbench::report(store::Id id, std::optional<int> version, const ReportRequest& request) const {
+  AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
+  return render(*state_, record, request);
+}
+
+Result<bool> Workbench::runs_trials_for(store::Id id, std::optional<int> version) const {
+  AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
+  if (state_->remembered(record)) return false;
+  AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
+  return kept.options.monte_carlo;
+}
+
+Result<store::Document> Workbench::issue(store::Id id, std::optional<int> version, const ReportRequest& request,
+                                         const store::By& by) {
+  AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
+  AXIOMETRY_TRY(const store::Head head, state_->store.head());
+  AXIOMETRY_TRY(const Rendered rendered, render(*state_, record, request, store::short_text(head)));
+  if (text::to_lower(request.extension) == "json") {
+    AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record, request.stop));
+    AXIOMETRY_TRY([[maybe_unused]] const auto verified, second_opinion_of(*evaluated, request.options, rendered.bytes));
+  }
+  store::Document document;
+  document.test = id;
+  document.version = record.version;
+  document.kind = store::Document::Kind::report;
+  document.name = rendered.file_name;
+  document.media_type = rendered.media_type;
+  document.language = language::tag(request.language);
+  return state_->store.write([&](store::Transaction& archive) -> Result<store::Document> {
+    AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
+    return archive.add_document(document, rendered.bytes, by);
+  });
+}
+
+Result<store::Document> Workbench::attach(store::Id id, const Attachment& attachment, const store::By& by) {
+  if (attachment.bytes.empty()) return fail("found an empty file, expected an attachment");
+  AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id));
+  store::Document document;
+  document.test = id;
+  document.version = record.version;
+  document.kind = store::Document::Kind::attachment;
+  AXIOMETRY_TRY(document.name, given_file_name(attachment.name));
+  document.media_type = checked_media_type(attachment.media_type);
+  return state_->store.add_document(document, attachment.bytes, by);
+}
+
+Result<Rendered> Workbench::document(store::Id id) const {
+  AXIOMETRY_TRY(const store::Document document, state_->store.document(id));
+  AXIOMETRY_TRY(store::Content content, state_->store.content(document.sha256));
+  const std::string type = checked_media_type(document.media_type);
+  const bool shown = std::ranges::find(harmless, type) != harmless.end();
+  return Rendered{std::move(content.bytes), shown ? type : std::string(octets), document.name};
+}
+
+Result<std::vector<std::string>> Workbench::figures(store::Id id, std::optional<int> version,
+                                                    const ReportRequest& request) const {
+  AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
+  AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record, request.stop));
+  std::vector<std::string> titles;
+  for (const report::Figure& figure : drawn_figures(*evaluated, request.options)) titles.push_back(figure.title);
+  return titles;
+}
+
+Result<std::string> Workbench::figure(store::Id id, std::optional<int> version, std::size_t index, bool dark,
+                                      const ReportRequest& request) const {
+  AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
+  AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record, request.stop));
+  auto figures = drawn_figures(*evaluated, request.options);
+  if (index >= figures.size())
+    return fail(ErrorKind::not_found,
+                fmt::format("found the figure {} of a test with {}, expected one of them", index, figures.size()));
+  report::Figure& figure = figures[index];
+  return report::to_svg(dark ? report::for_dark_page(std::move(figure)) : figure);
+}
+
+}  // namespace axiometry::app

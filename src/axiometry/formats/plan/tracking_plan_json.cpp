@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/plan/tracking_plan_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "axiometry/base/text.h"
+#include "axiometry/formats/plan/plan_json.h"
+#include "axiometry/formats/test/test_schema.h"
+#include "axiometry/formats/text/json_members.h"
+#include "axiometry/formats/text/text_source.h"
+
+namespace axiometry::formats {
+namespace {
+
+using json::Kind;
+using json::Value;
+
+Result<TrackingLine> line_from(const Value& value, const std::vector<TrackingLine>& before) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "line"));
+  TrackingLine line;
+  AXIOMETRY_TRY(const Value* id, members.required("id"));
+  AXIOMETRY_TRY(line.id, text_in(*id, "id"));
+  AXIOMETRY_TRY(const Value* plan, members.required("plan"));
+  AXIOMETRY_TRY_VOID(members.finish());
+  if (line.id.empty()) return fail("found a line without a name, expected one such as \"xy\"", id->at());
+  if (std::ranges::find(before, line.id, &TrackingLine::id) != before.end())
+    return fail(fmt::format("found the line {} a second time, expected each once", text::quoted(line.id)), id->at());
+  AXIOMETRY_TRY(line.plan, plan_from_value(*plan));
+  if (!spatial_line(line.plan.axis))
+    return fail(fmt::format("found the line {} without line_origin_mm and line_direction in its axis, expected both",
+                            text::quoted(line.id)),
+                plan->at());
+  return line;
+}
+
+Result<LostLine> lost_from(const Value& value) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "lost"));
+  LostLine lost;
+  AXIOMETRY_TRY_VOID(members.take("id", lost.id));
+  AXIOMETRY_TRY_VOID(members.take("reason", lost.reason));
+  AXIOMETRY_TRY_VOID(members.finish());
+  return lost;
+}
+
+/// Each item of an array that may be absent.
+template <typename Take>
+Result<void> each(const Value* list, std::string_view what, Take take) {
+  if (list == nullptr) return {};
+  AXIOMETRY_TRY(const auto* items, items_in(*list, what));
+  for (const Value& item : *items) AXIOMETRY_TRY_VOID(take(item));
+  return {};
+}
+
+Result<TrackingPlan> plan_from(const Value& root) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(root, "tracking plan"));
+  AXIOMETRY_TRY(const Value* format, members.required("format"));
+  if (!format->is(Kind::text) || format->text() != tracking_plan_format_name)
+    return fail(fmt::format("found another \"format\", expected \"{}\"", tracking_plan_format_name), format->at());
+  TrackingPlan plan;
+  for (const auto& [name, member] :
+       {std::pair{"title", &plan.title}, std::pair{"machine", &plan.machine}, std::pair{"date", &plan.date}})
+    AXIOMETRY_TRY_VOID(members.take(name, *member));
+  AXIOMETRY_TRY(const Value* setup, members.required("setup"));
+  AXIOMETRY_TRY(plan.setup, tracking_setup_from(*setup));
+  AXIOMETRY_TRY(const Value* lines, members.required("lines"));
+  AXIOMETRY_TRY_VOID(each(lines, "lines", [&](const Value& item) -> Result<void> {
+    AXIOMETRY_TRY(TrackingLine line, line_from(item, plan.lines));
+    plan.lines.push_back(std::move(line));
+    return {};
+  }));
+  AXIOMETRY_TRY_VOID(each(members.optional("lost"), "lost", [&](const Value& item) -> Result<void> {
+    AXIOMETRY_TRY(plan.lost.emplace_back(), lost_from(item));
+    return {};
+  }));
+  AXIOMETRY_TRY_VOID(each(members.optional("remarks"), "remarks", [&](const Value& item) -> Result<void> {
+    AXIOMETRY_TRY(plan.remarks.emplace_back(), text_in(item, "remarks"));
+    return {};
+  }));
+  for (std::string_view name : {"$schema", "program", "version", "duration_s"}) members.pass_over(name);
+  AXIOMETRY_TRY_VOID(members.finish());
+  return plan;
+}
+
+}  // namespace
+
+Value tracking_plan_value(const TrackingPlan& plan) {
+  Value root = object({{"format", tracking_plan_format_name}});
+  for (const auto& [name, text] :
+       {std::pair{"title", &plan.title}, std::pair{"machine", &plan.machine}, std::pair{"date", &plan.date}})
+    if (!text->empty()) root.add(name, *text);
+  root.add("setup", tracking_setup_value(plan.setup));
+  Value& lines = root.add("lines", Value::array());
+  for (const TrackingLine& line : plan.lines) lines.push(object({{"id", line.id}, {"plan", plan_value(line.plan)}}));
+  Value& lost = root.add("lost", Value::array());
+  for (const LostLine& line : plan.lost) lost.push(object({{"id", line.id}, {"reason", line.reason}}));
+  Value& remarks = root.add("remarks", Value::array());
+  for (const std::string& remark : plan.remarks) remarks.push(remark);
+  return root;
+}
+
+std::string write_tracking_plan(const TrackingPlan& plan) { return json::dump(tracking_plan_value(plan)) + "\n"; }
+
+bool is_tracking_plan(std::string_view bytes) {
+  const auto text = utf8_text(bytes);
+  const auto root = text ? json::parse(*text) : Result<Value>(std::unexpected(text.error()));
+  if (!root || !root->is(Kind::object)) return false;
+  const Value* format = root->find("format");
+  return format != nullptr && format->is(Kind::text) && format->text() == tracking_plan_format_name;
+}
+
+Result<TrackingPlan> read_tracking_plan(std::string_view bytes) {
+  AXIOMETRY_TRY(const std::string_view text, utf8_text(bytes));
+  AXIOMETRY_TRY(const Value root, json::parse(text));
+  return plan_from(root);
+}
+
+}  // namespace axiometry::formats

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/model/test.h"
+
+/// What is to be said of a test, beside its figures.
+namespace axiometry::iso230_2 {
+
+enum class Severity {
+  departure,  ///< the test departs from the standard: it may not be called a test after ISO 230-2
+  missing,    ///< something the report shall state (clause 8) was not given
+  note,       ///< worth knowing; nothing is wrong
+};
+
+std::string_view severity_name(Severity severity);  ///< "departure", "missing", "note"
+
+/// In place of a clause, of what the reader of the file found (Provenance::remarks) and not of a rule of the standard.
+inline constexpr const char* source_clause = "source";
+
+/// A deviation within a message, "2.99 µm", so that whoever shows the message may show it in another unit.
+struct MessageDeviation {
+  std::size_t at = 0;      ///< of its first byte
+  std::size_t length = 0;  ///< in bytes, with its unit
+  Deviation value;
+};
+
+/// One departure, omission or remark, with the clause it rests on.
+struct Finding {
+  std::string clause;  ///< "5.3.2"; "source"
+  Severity severity = Severity::note;
+  std::string message;  ///< what was found and what the clause expects; a whole sentence without full stop
+  std::vector<MessageDeviation> deviations{};  ///< of the message, in its order
+};
+
+}  // namespace axiometry::iso230_2

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "axiometry/model/series.h"
+#include "axiometry/numeric/curve_posterior.h"
+#include "axiometry/numeric/random/random.h"
+#include "axiometry/numeric/random/weighted_choice.h"
+#include "axiometry/numeric/rows.h"
+#include "axiometry/numeric/spread_posterior.h"
+
+/// What the axis truly did, and what it would do in the long run, given readings that contain noise of known size.
+///
+/// A reading is x_ij = μ_i + ρ_j + ε_ij (the machine) + d_j + e_ij + δ_i (the measurement): μ the long-run means
+/// of a direction, ρ and d shifts of a whole run, ε and e independent from reading to reading, δ common to a
+/// target. Known are the sizes of d, e and δ; what the machine has of its own, the readings must tell. Adding d, e
+/// and δ once more around the readings would count them twice. Instead each observed departure is shared between
+/// machine and measurement in the ratio of their variances, and never below zero: the generalisation of (A.10).
+/// Derivation, and proof of the coverage by simulation: docs/theory/uncertainty.md, docs/studies/coverage.md.
+///
+/// Common shifts of all readings are not followed: no parameter of clause 3 depends on them.
+namespace axiometry::iso230_2 {
+
+/// Standard uncertainties in the native deviation unit (µm or ″), all ≥ 0.
+struct ReadingNoise {
+  double reading = 0.0;              ///< u(e), of each reading
+  double run = 0.0;                  ///< u(d), common to a run
+  double target = 0.0;               ///< u(δ), of a target in either direction …
+  double up_down_correlation = 1.0;  ///< … with this correlation between the two, −1 to 1
+  double target_direction = 0.0;     ///< of a target in one direction, independent
+};
+
+class ReadingPosterior {
+ public:
+  enum class Asked { long_run, readings };  ///< what will be drawn: both, or readings alone
+
+  /// Takes a time that grows with the third power of the targets, but none for readings alone of exact() instruments.
+  ReadingPosterior(const Series& series, const ReadingNoise& noise, Asked asked = Asked::long_run);
+
+  /// What perfect instruments would have read: rows in the order of Series::cell (direction, target, run), NaN
+  /// where no reading is. Uses the streams from `key.stream` on, `streams` of them.
+  void draw_readings(numeric::RandomKey key, numeric::Rows<double> readings) const;
+
+  /// Contract: asked for. Long-run μ and σ of each cell: rows in the order direction, target; NaN where no reading is.
+  /// σ contains the machine's own shifts from run to run.
+  void draw_long_run(numeric::RandomKey key, numeric::Rows<double> means, numeric::Rows<double> sds) const;
+
+  static constexpr std::uint64_t streams = 2;
+
+  /// Whether the readings are exactly what the axis did: no noise of known size.
+  bool exact() const { return exact_; }
+
+ private:
+  struct Cell {
+    std::size_t place = 0;  ///< direction × m + target
+    std::size_t target = 0;
+    std::size_t count = 0;          ///< n
+    double mean = 0.0;              ///< x̄ without the shifts of the runs that it happens to have
+    std::vector<double> readings;   ///< of each run, NaN where missing
+    std::vector<double> residuals;  ///< of each run: x less mean and shift of the run
+  };
+  /// A curve over the targets: the middle of ↑ and ↓, their difference, or one direction alone.
+  struct Curve {
+    numeric::CurvePosterior posterior;
+    struct Term {
+      std::size_t cell, place;
+      double factor;
+    };
+    std::vector<Term> terms;  ///< how the curve's values add to the cells' means
+  };
+  struct State;
+
+  void find_run_shifts();
+  void take_run_shifts(std::span<const double> cells_of_run);
+  void take_cell_means();
+  void find_spread();
+  void find_run_sds();
+  void find_curves(const Series& series);
+  void add_curve(const Series& series, std::span<const double> values, double noise_variance, std::size_t trend_terms,
+                 std::vector<Curve::Term> terms);
+  State draw_state(numeric::RandomKey key, std::size_t trials) const;
+  void share_means(State& state) const;
+  std::vector<double> draw_run_shifts(State& state) const;
+  void draw_cell(std::size_t index, std::span<const double> shifts, State& state, numeric::Rows<double> readings) const;
+
+  std::size_t targets_ = 0;
+  std::size_t runs_ = 0;
+  ReadingNoise noise_;
+  double shared_variance_ = 0.0;  ///< of δ as far as ↑ and ↓ share it, with opposite signs where r < 0
+  double own_variance_ = 0.0;     ///< of what either direction of a target has of its own
+  double down_sign_ = 1.0;
+  bool exact_ = false;
+  std::vector<Cell> cells_;
+  double cells_per_run_ = 0.0;      ///< C, on average; 0 where shifts of the runs are not followed
+  std::vector<double> run_shifts_;  ///< observed ρ_j + d_j, about their mean
+  std::vector<double> run_sds_;     ///< what the machine's own σ_ρ may be, draws fill the steps between
+  double run_step_ = 0.0;           ///< of ln σ_ρ
+  numeric::WeightedChoice run_choice_;
+  std::optional<numeric::SpreadPosterior> spread_;
+  std::vector<Curve> curves_;
+  std::size_t curve_values_ = 0;  ///< places of all curves together
+};
+
+}  // namespace axiometry::iso230_2

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "axiometry/numeric/rows.h"
+#include "axiometry/standards/iso230_2/batch.h"
+#include "axiometry/standards/iso230_2/inputs/inputs.h"
+#include "axiometry/standards/iso230_2/monte_carlo/monte_carlo.h"
+#include "axiometry/standards/iso230_2/monte_carlo/noise.h"
+#include "axiometry/standards/iso230_2/monte_carlo/posterior.h"
+#include "axiometry/standards/iso230_2/parameters.h"
+#include "axiometry/standards/readings/station_offset.h"
+#include "axiometry/uncertainty/monte_carlo.h"
+
+/// The trials of iso230_2_monte_carlo.h, block by block; private to it and its tests.
+namespace axiometry::iso230_2 {
+
+struct TrialModelOptions {
+  Measurand measurand = Measurand::this_test;
+  TypeA type_a = TypeA::pooled;
+  std::uint64_t seed = 1;
+  bool sampling = true;                   ///< whether approaches and their noise vary from trial to trial
+  std::optional<std::size_t> only_input;  ///< the others stay at their estimates
+};
+
+class TrialModel {
+ public:
+  /// Refers to series and inputs, which must outlive it. The noise is that of the model, whatever the inputs say.
+  TrialModel(const Series& series, const UncertaintyInputs& inputs, const NoiseModel& noise,
+             const TrialModelOptions& options);
+
+  /// Parameters that exist, in the order of `parameters`: one row of outputs each.
+  std::span<const ParameterInfo* const> outputs() const { return layout_.outputs(); }
+
+  /// One block of trials (uncertainty::BlockModel).
+  void operator()(std::uint64_t block, uncertainty::BlockOutputs outputs) const;
+
+ private:
+  /// Trials that are drawn together; a block holds a whole number of them.
+  static constexpr std::size_t chunk = 80;
+  static_assert(uncertainty::block_size % chunk == 0);
+
+  /// A relative error of length, made of one input, or of α and ΔT of one body.
+  struct LengthError {
+    Effect effect = Effect::scale;
+    std::size_t input = 0;                   ///< of UncertaintyInputs; α where there are two
+    std::optional<std::size_t> temperature;  ///< ΔT
+  };
+
+  void find_length_errors();
+  std::vector<double> draws(std::size_t input, std::uint64_t place) const;
+  std::vector<double> draw(const LengthError& error, std::uint64_t place) const;
+  std::vector<double> length_errors(std::uint64_t place) const;
+  void add_length_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
+  void add_station_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
+  void add_target_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
+  void add_displacement_errors(std::uint64_t place, numeric::Rows<double> outputs) const;
+  void draw_t_scaled(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> sds) const;
+  void draw_resampled(std::uint64_t place, numeric::Rows<double> readings) const;
+  void draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const;
+
+  const Series& series_;
+  const UncertaintyInputs& inputs_;
+  TrialModelOptions options_;
+  BatchLayout layout_;
+  std::vector<LengthError> length_errors_;
+  std::optional<StationErrors> station_;
+  std::vector<ReadingNoise> noise_;           ///< shares, which the chunks of trials take in turn
+  std::vector<ReadingPosterior> posteriors_;  ///< one for each share
+  std::shared_ptr<const DriftPosterior> drift_;
+};
+
+}  // namespace axiometry::iso230_2

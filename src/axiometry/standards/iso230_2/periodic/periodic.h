@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/model/test.h"
+#include "axiometry/standards/iso230_2/assessment/assessment.h"
+
+/// Periodic positioning error (ISO 230-2:2014, Annex C). The text of the annex was not at hand: what is done follows
+/// general knowledge of the test and docs/theory/periodic-error.md, where the formulas are derived.
+///
+/// The deviations of one direction (means over its runs, each target counting once) are taken for
+///
+///     x(P) = a + b (P − P_1) + Σ_h A_h sin(2π h (P − P_1)/λ + φ_h),   h = 1 and those of 2, 3, 4 that count
+///
+/// by least squares, line and curve at once (numeric/harmonic_fit.h). The period λ is known, or that of the highest
+/// peak of the spectrum, refined with all harmonics. Targets may be spaced unevenly. Standard uncertainties u are those
+/// of the fit, from the residuals; expanded ones are U = k u with k of Student's t for the degrees of freedom. What is
+/// removed is the line, in this view alone: the readings stay as they are.
+namespace axiometry::iso230_2 {
+
+/// A result of the fit with its standard uncertainty.
+template <typename Quantity>
+struct Estimate {
+  Quantity value{};
+  Quantity u{};
+};
+
+struct PeriodicOptions {
+  std::optional<Position> period{};    ///< λ, when it is known; else it is searched
+  std::optional<Position> shortest{};  ///< of the band that is searched; 2.1 times the mean spacing when not given
+  std::optional<Position> longest{};   ///< half the measured travel when not given, so that two periods are covered
+};
+
+/// One sinusoid of the curve.
+struct PeriodicHarmonic {
+  std::size_t order = 1;          ///< h; 1 is the fundamental
+  Estimate<Deviation> amplitude;  ///< A_h ≥ 0; noise alone gives about 1.3 times its u
+  Estimate<Angle> phase;          ///< φ_h in (−180°, 180°], at the first target P_1; u at most 104° (anything)
+  double chance = 1.0;            ///< that noise alone makes this harmonic as large
+  bool significant = false;       ///< chance below 1 %; then, and the fundamental always, it is part of the curve
+};
+
+/// The deviation at one target and its parts: deviation = line + curve + residual (and insignificant harmonics).
+struct PeriodicPoint {
+  Position target;
+  Deviation deviation;   ///< mean over the runs of this direction
+  Deviation line;        ///< the straight line that is removed
+  Deviation curve;       ///< the fundamental and the significant harmonics
+  double phase_deg = 0;  ///< place within the period, 0 to 360, counted from P_1
+};
+
+/// A sinusoid of the searched band, for figures.
+struct PeriodicSpectrumLine {
+  Position period;
+  Deviation amplitude;
+};
+
+/// Another period that stands out when the curve is taken away.
+struct FurtherPeriod {
+  Position period;
+  Deviation amplitude;
+  double false_alarm = 1.0;
+};
+
+struct PeriodicDirection {
+  Direction direction = Direction::up;
+  std::size_t runs = 0;  ///< the largest number of readings at a target
+  Position origin;       ///< P_1, the first target with a reading
+  std::vector<PeriodicPoint> points;
+
+  Estimate<Deviation> offset;     ///< a, at P_1
+  Estimate<double> slope_native;  ///< b: µm/mm or ″/°
+
+  bool period_known = false;                ///< then it has no uncertainty here
+  Estimate<Position> period;                ///< λ
+  std::vector<PeriodicHarmonic> harmonics;  ///< as many of four as the targets can tell, the fundamental first
+  Estimate<Angle> phase_at_zero;  ///< of the fundamental at position 0, with the uncertainty that λ has on the way
+
+  Estimate<Deviation> peak_to_valley;  ///< of `curve` over one period; not inflated by the residuals
+  Deviation range_about_line;          ///< of the deviations less the line: what a reader of the raw data sees
+  Deviation range_of_residuals;        ///< of what the curve leaves
+  Deviation residual_sd;               ///< with n − parameters degrees of freedom
+  std::size_t degrees_of_freedom = 0;
+  std::optional<Deviation> scatter_of_means;  ///< s/√n pooled over the targets: what the runs let expect as residual_sd
+  double coverage_factor = 2.0;               ///< k for a probability of 95.45 %
+
+  double false_alarm = 1.0;  ///< that noise alone gives such a peak: in the band, or at the known period
+  bool significant = false;  ///< false_alarm below 1 %
+  double periods_covered = 0.0;
+  double targets_per_period = 0.0;
+  std::optional<FurtherPeriod> further;
+  std::vector<PeriodicSpectrumLine> spectrum;  ///< from long to short periods; also where the period is known
+  Deviation noise_level;                       ///< amplitude that noise like the residuals exceeds in 1 % of such bands
+  bool peak_at_end = false;                    ///< the highest peak stands at an end of the searched band
+
+  double line_native(double position) const {
+    return offset.value.in_native() + slope_native.value * (position - origin.in_native());
+  }
+  /// The fundamental and the significant harmonics, µm or ″.
+  double curve_native(double position) const;
+};
+
+struct PeriodicError {
+  std::vector<PeriodicDirection> directions;  ///< one or two
+  std::vector<Finding> findings;              ///< departures from the test first
+  std::string label;                          ///< of cycles that do not serve the standard; must stand with the results
+
+  /// Whether nothing departs from the test of Annex C.
+  bool conforming() const;
+};
+
+/// The periodic error of each direction that was measured. Findings: fewer than two periods, targets further apart than
+/// a quarter period, periods that equal spacing cannot tell apart, both directions measured, no significant error, a
+/// peak at the end of the band, an expected period that is not the one found, a further period.
+///
+/// Fails on a period or band that is not positive, finite and in order, a band without room, more than 10⁷ periods to
+/// search or 10¹¹ steps for it, fewer than 7 targets with readings in a direction (6 with a known period), and targets
+/// that cannot show the known period (every half period of it, or a part of one period that looks straight).
+Result<PeriodicError> periodic_error(const Test& test, const PeriodicOptions& options = {});
+
+}  // namespace axiometry::iso230_2

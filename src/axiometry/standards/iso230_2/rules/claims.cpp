@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/standards/iso230_2/rules/claims.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "axiometry/base/contract.h"
+#include "axiometry/base/iso_date.h"
+#include "axiometry/base/text.h"
+#include "axiometry/model/fields.h"
+#include "axiometry/standards/iso230_2/rules/rules.h"
+#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/standards/readings/reading_correction.h"
+#include "axiometry/standards/test_standard.h"
+
+namespace axiometry::iso230_2 {
+namespace {
+
+using rules::Case;
+using Against = std::vector<Finding>;
+
+/// A note of what the standard forbids but where something allows it that no item states: that the targets could not be
+/// chosen, that another test was made as well.
+void add_unexplained(Against& against, std::optional<Finding> finding) {
+  if (!finding || finding->severity == Severity::departure) return;  // those stand among the departures
+  finding->severity = Severity::missing;
+  against.push_back(*std::move(finding));
+}
+
+/// Where a rule finds what was not stated; its notes and departures are looked for elsewhere.
+void add_missing(Against& against, std::optional<Finding> finding) {
+  if (finding && finding->severity == Severity::missing) against.push_back(*std::move(finding));
+}
+
+void add_unless_given(Against& against, const char* clause, std::string_view key, const Metadata& metadata) {
+  const Field* field = find_field(key);
+  AXIOMETRY_CONTRACT(field != nullptr);
+  if (!rules::is_stated(*field, metadata))
+    against.push_back(rules::missing(clause, fmt::format("{} is not stated", rules::within_sentence(field->title))));
+}
+
+// Clause 3
+
+/// Readers say so of files that hold no approaches but what was made of them.
+bool holds_no_approaches(const SourceRemark& remark) {
+  return remark.departs && (remark.message.contains("expected single approaches") ||
+                            remark.message.contains("expected measured approaches"));
+}
+
+/// Where evaluate() puts 0 in the place of a term, R and A are lower bounds and not those of 3.22 and 3.27.
+bool stands_zero_for_a_term(const Evaluation& evaluation) {
+  const AxisParameters& p = evaluation.parameters;
+  return std::ranges::any_of(evaluation.positions, [&](const PositionResult& at) {
+    const bool up = p.R_up && at.mean_up && !at.s_up;
+    const bool down = p.R_down && at.mean_down && !at.s_down;
+    const bool reversal = p.R && !at.reversal;
+    return up || down || reversal;
+  });
+}
+
+Against against_computed(const Test& test, const Assessment& assessment) {
+  Against against;
+  for (const SourceRemark& remark : test.provenance.remarks)
+    if (holds_no_approaches(remark)) against.push_back({source_clause, Severity::departure, remark.message});
+  if (stands_zero_for_a_term(assessment.evaluation))
+    against.push_back(
+        rules::departure("3.18",
+                         "found targets without s_i or B_i where others have it: 0 stands for them, and R "
+                         "and A are lower bounds"));
+  if (test.metadata.conditions.cycle == TestCycle::step)
+    against.push_back(rules::departure(
+        "Annex B", "found the step cycle, whose results may not be published with reference to the standard"));
+  return against;
+}
+
+// Clauses 4 and 5
+
+bool any_temperature(const Environment& environment) {
+  const bool sensor =
+      std::ranges::any_of(environment.sensors, [](const TemperatureSensor& s) { return s.start.has_value() && s.end; });
+  return sensor || (environment.air_temperature_start && environment.air_temperature_end);
+}
+
+void add_temperatures(Against& against, const Case& c) {
+  const Metadata& m = c.metadata;
+  const bool stated = any_temperature(m.environment);
+  if (!stated)
+    against.push_back(rules::missing("4.1", "temperatures at the start and the end of the test are not stated"));
+  if (!c.linear()) return;
+  add_missing(against, rules::temperature_without_correction(c));
+  if (!m.nde.applied && !stated)
+    against.push_back(rules::missing("4.1", "whether differential expansion was corrected is not stated"));
+  if (m.nde.applied != true) return;
+  add_unless_given(against, "5.3.1", "nde.machine_expansion_um_per_m_C", m);
+  add_unless_given(against, "5.3.1", "nde.routine", m);
+  add_unless_given(against, "5.3.1", "sensors", m);
+  add_missing(against, rules::sensors_complete(c));
+}
+
+/// "none", "not used": whoever compensates nothing has no sampling points.
+bool compensates(std::string_view compensation) {
+  const std::string word = text::to_lower(compensation);
+  return std::ranges::none_of(std::initializer_list<std::string_view>{"none", "no", "off", "not used", "keine", "aus"},
+                              [&](std::string_view none) { return word == none; });
+}
+
+/// Formula (1) asks for a random part within ±30 % of the interval or one expected period.
+bool random_part_may_be_large(const Case& c) {
+  const auto& period = c.metadata.axis.expected_period;
+  const double interval = c.travel() / static_cast<double>(c.series.target_count() - 1);
+  return period && period->in_native() > 0.5 * interval;
+}
+
+void add_targets(Against& against, const Case& c) {
+  const Axis& axis = c.metadata.axis;
+  add_unexplained(against, rules::targets_within_axis_travel(c));
+  add_unexplained(against, rules::equally_spaced_targets(c));
+  if (!random_part_may_be_large(c)) add_unexplained(against, rules::gap_between_targets(c));
+  const bool unknown_points =
+      !axis.compensation.empty() && compensates(axis.compensation) && axis.compensation_points.empty();
+  if (unknown_points && rules::may_serve_acceptance(c.metadata.conditions.purpose))
+    against.push_back(rules::missing("5.2",
+                                     "sampling points of the compensation are not stated, so that nobody can tell "
+                                     "whether targets lie on them"));
+  add_unexplained(against, rules::additional_test(c));
+}
+
+constexpr std::pair<const char*, std::string_view> items_of_the_test[] = {{"4.2", "test.axes_not_under_test"},
+                                                                          {"4.2", "axis.compensation"},
+                                                                          {"4.3", "test.warm_up"},
+                                                                          {"5.1", "test.feed"},
+                                                                          {"5.1", "test.dwell_s"},
+                                                                          {"5.3.1", "axis.measurement_line"}};
+
+/// Statements that no test can be made with.
+void add_impossible(Against& against, const Metadata& m) {
+  const TestConditions& of_test = m.conditions;
+  if (of_test.feed && !(*of_test.feed > 0.0))
+    against.push_back(rules::missing("5.1", "found a feed of 0, expected the one that the axis was driven with"));
+  if (of_test.dwell && !(of_test.dwell->in_s() > 0.0))
+    against.push_back(rules::missing("5.1", "found a dwell of 0 s, expected the axis at rest while it is read"));
+  if (!compensates(of_test.warm_up) && !of_test.warm_up.empty())
+    against.push_back(
+        rules::missing("4.3", "a warm-up is stated not to have been made; whether that was agreed is not"));
+}
+
+/// Values that hold what is known to be wrong with them, or lack what the machine did.
+void add_known_errors(Against& against, const Test& test, const Assessment& assessment) {
+  if (was_corrected(test, "drift"))
+    against.push_back(rules::missing(
+        "5.3.1",
+        "found readings from which a drift was taken, of which nobody can tell that the machine had no part in it"));
+  for (const UncorrectedEffect& effect : assessment.uncorrected)
+    against.push_back(rules::missing("4.1", effect.reason()));
+}
+
+Against against_tested(const Case& c, const Test& test, const Assessment& assessment) {
+  Against against;
+  if (is_diagonal(c.metadata.axis))
+    against.push_back(rules::missing(
+        "1",
+        "found several axes moving at once, which is no test of a single axis; the text of ISO 230-6 was not at hand"));
+  std::ranges::copy_if(assessment.findings, std::back_inserter(against),
+                       [](const Finding& finding) { return finding.severity == Severity::departure; });
+  add_targets(against, c);
+  add_temperatures(against, c);
+  for (const auto& [clause, key] : items_of_the_test) add_unless_given(against, clause, key, c.metadata);
+  add_impossible(against, c.metadata);
+  add_known_errors(against, test, assessment);
+  const bool by_artefact = !c.metadata.artefact.type.empty();
+  if (!by_artefact) add_unless_given(against, "5.3.1", "equipment", c.metadata);
+  return against;
+}
+
+// Clause 8
+
+/// The parameters that 8.2.2 or 8.2.3 lists and this test does not have.
+std::optional<Finding> parameters_missing(const Case& c) {
+  const bool repeated = required_approaches(c.programme) > 1;
+  std::vector<std::string_view> absent;
+  for (const ParameterInfo& parameter : parameters) {
+    const bool rests_on_s = parameter.symbol.starts_with('A') || parameter.symbol.starts_with('R');
+    if ((repeated || !rests_on_s) && !(c.evaluation.parameters.*parameter.member)) absent.push_back(parameter.symbol);
+  }
+  if (absent.empty()) return std::nullopt;
+  return rules::missing(repeated ? "8.2.2" : "8.2.3",
+                        fmt::format("no value of the listed parameters {}", fmt::join(absent, ", ")));
+}
+
+/// What has a value and no uncertainty of record.
+std::optional<Finding> uncertainty_of_record_missing(const Assessment& assessment) {
+  if (!method_of_record(assessment)) return std::nullopt;
+  std::vector<std::string_view> without;
+  for (const ParameterInfo& parameter : parameters)
+    if (assessment.evaluation.parameters.*parameter.member && !uncertainty_of_record(assessment, parameter))
+      without.push_back(parameter.symbol);
+  if (without.empty()) return std::nullopt;
+  return rules::missing("8.2.1", fmt::format("no uncertainty is stated of {}", fmt::join(without, ", ")));
+}
+
+/// A day that the calendar does not have, written as ISO 8601 has it; other spellings are not judged.
+std::optional<Finding> impossible_date(const Case& c) {
+  const std::string& date = c.metadata.conditions.date;
+  const bool as_iso = date.size() >= 10 && date[4] == '-' && date[7] == '-';
+  if (!as_iso || !iso_date(date).empty()) return std::nullopt;
+  return rules::missing("8.1", fmt::format("the date of the test is given as {}, which is no day", date));
+}
+
+Against against_reported(const Case& c, const Assessment& assessment) {
+  Against against;
+  add_missing(against, impossible_date(c));
+  add_missing(against, rules::items_of_identification(c));
+  add_missing(against, rules::equipment_identified(c));
+  add_missing(against, rules::sensors_complete(c));
+  add_missing(against, rules::line_in_space(c));
+  add_missing(against, parameters_missing(c));
+  add_missing(against, rules::uncertainty_stated(c));
+  add_missing(against, uncertainty_of_record_missing(assessment));
+  add_missing(against, rules::station_stated(c));
+  return against;
+}
+
+std::string title_of_claim(ClaimKind kind, const Axis& axis) {
+  switch (kind) {
+    case ClaimKind::computed: return fmt::format("Computed after clause 3 of {}", edition);
+    case ClaimKind::tested:
+      return fmt::format("Tested in accordance with {}", is_diagonal(axis) ? standard_of(axis) : edition);
+    case ClaimKind::reported: return fmt::format("Report complete after clause 8 of {}", edition);
+  }
+  return "";
+}
+
+Claim made(ClaimKind kind, const Axis& axis, Against against) {
+  std::ranges::stable_sort(against, {}, &Finding::severity);
+  return {kind, title_of_claim(kind, axis), std::move(against)};
+}
+
+}  // namespace
+
+std::string_view claim_key(ClaimKind kind) {
+  switch (kind) {
+    case ClaimKind::computed: return "computed";
+    case ClaimKind::tested: return "tested";
+    case ClaimKind::reported: return "reported";
+  }
+  return "";
+}
+
+Claims claims_of(const Test& test, const Assessment& assessment) {
+  const Axis& axis = test.metadata.axis;
+  const Case c = rules::make_case(test.metadata, test.series, assessment.evaluation, assessment.annex_a);
+  return {made(ClaimKind::computed, axis, against_computed(test, assessment)),
+          made(ClaimKind::tested, axis, against_tested(c, test, assessment)),
+          made(ClaimKind::reported, axis, against_reported(c, assessment))};
+}
+
+std::string against_text(const Claim& claim) {
+  const auto departures = std::ranges::count(claim.against, Severity::departure, &Finding::severity);
+  const auto missing = static_cast<std::ptrdiff_t>(claim.against.size()) - departures;
+  const auto points = [](std::ptrdiff_t n) { return n == 1 ? "1 point" : fmt::format("{} points", n); };
+  std::string text;
+  if (departures > 0) text = fmt::format("contradicted by {}", points(departures));
+  if (missing > 0) text += fmt::format("{}{} not stated", text.empty() ? "" : ", ", points(missing));
+  return text;
+}
+
+}  // namespace axiometry::iso230_2

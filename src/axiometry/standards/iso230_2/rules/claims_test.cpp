@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// For each claim what makes it false.
+#include "axiometry/standards/iso230_2/rules/claims.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "tests/support/series.h"
+
+namespace axiometry::iso230_2 {
+namespace {
+
+using testing_support::make_series;
+using testing_support::none;
+using testing_support::RunDeviations;
+namespace table2 = testing_support::table2;
+
+Claims claims(const axiometry::Test& test) { return claims_of(test, assess(test)); }
+
+bool holds(const axiometry::Test& test, ClaimKind kind) { return claim(claims(test), kind).holds(); }
+
+/// "departure 5.2: …" of each point.
+std::string points(const axiometry::Test& test, ClaimKind kind) {
+  std::string text;
+  const Claims all = claims(test);
+  for (const Finding& f : claim(all, kind).against)
+    text += std::string(severity_name(f.severity)) + " " + f.clause + ": " + f.message + "\n";
+  return text;
+}
+
+/// Everything stated and kept.
+axiometry::Test whole() { return table2::complete_test(); }
+
+axiometry::Test bare() {
+  const std::vector<RunDeviations> runs = {
+      {1, 2, 3, 2, 1}, {1, 3, 3, 2, 2}, {0, 2, 3, 3, 1}, {1, 2, 4, 2, 1}, {1, 2, 3, 1, 1}};
+  return {{}, make_series({0, 110, 240, 390, 500}, runs, runs), {}};
+}
+
+TEST(Claims, HoldAllForATestThatStatesAndKeepsEverything) {
+  for (ClaimKind kind : {ClaimKind::computed, ClaimKind::tested, ClaimKind::reported})
+    EXPECT_EQ(points(whole(), kind), "") << claim_key(kind);
+}
+
+TEST(Claims, LeaveBareNumbersTheFirstOnly) {
+  EXPECT_TRUE(holds(bare(), ClaimKind::computed));
+  EXPECT_FALSE(holds(bare(), ClaimKind::tested));
+  EXPECT_FALSE(holds(bare(), ClaimKind::reported));
+  const Claim tested = claim(claims(bare()), ClaimKind::tested);
+  for (const Finding& f : tested.against) EXPECT_EQ(f.severity, Severity::missing) << f.message;
+  EXPECT_EQ(against_text(tested), "9 points not stated") << points(bare(), ClaimKind::tested);
+}
+
+using Change = std::function<void(axiometry::Test&)>;
+
+TEST(Claims, OfTheTestFallWithAnythingThatIsNotStated) {
+  const std::pair<const char*, Change> changes[] = {
+      {"4.1", [](axiometry::Test& t) { t.metadata.environment = {}; }},
+      {"4.2", [](axiometry::Test& t) { t.metadata.conditions.axes_not_under_test.clear(); }},
+      {"4.2", [](axiometry::Test& t) { t.metadata.axis.compensation.clear(); }},
+      {"1",
+       [](axiometry::Test& t) {
+         t.metadata.axis.line_direction = {1, 1, 0}, t.metadata.axis.line_origin_mm = {0, 0, 0};
+       }},
+      {"3.2", [](axiometry::Test& t) { t.metadata.axis.travel_begin = Position::native(6.711); }},
+      {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up.clear(); }},
+      {"5.1", [](axiometry::Test& t) { t.metadata.conditions.feed.reset(); }},
+      {"5.1", [](axiometry::Test& t) { t.metadata.conditions.dwell.reset(); }},
+      {"5.2", [](axiometry::Test& t) { t.metadata.axis.compensation_points.clear(); }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.equipment.clear(); }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line.clear(); }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.nde.routine.clear(); }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.nde.machine_expansion.reset(); }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.environment.sensors.clear(); }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.environment.sensors.front().location.clear(); }},
+      {"4.1", [](axiometry::Test& t) { t.metadata.nde.applied.reset(); }},
+      // Statements that say nothing, or that no test can be made with.
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line = "n/a"; }},
+      {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "-"; }},
+      {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "none"; }},
+      {"5.1", [](axiometry::Test& t) { t.metadata.conditions.feed = 0.0; }},
+      {"5.1", [](axiometry::Test& t) { t.metadata.conditions.dwell = Duration::s(0.0); }},
+      // Errors that are known and not corrected.
+      {"4.1", [](axiometry::Test& t) { t.metadata.instrument.sign_reversed = true; }},
+      {"4.1", [](axiometry::Test& t) { t.metadata.instrument.gain = 1.01; }},
+      {"5.3.1",
+       [](axiometry::Test& t) {
+         t.provenance.corrections.push_back({"drift", "Drift", {}, {}, {}});
+       }},
+  };
+  for (const auto& [clause, change] : changes) {
+    axiometry::Test test = whole();
+    change(test);
+    EXPECT_NE(points(test, ClaimKind::tested).find(std::string("missing ") + clause), std::string::npos)
+        << clause << '\n'
+        << points(test, ClaimKind::tested);
+    EXPECT_TRUE(holds(test, ClaimKind::computed)) << clause;
+  }
+}
+
+TEST(Claims, OfTheTestAreContradictedByWhatTheStandardForbids) {
+  const std::pair<const char*, Change> changes[] = {
+      {"4.1", [](axiometry::Test& t) { t.metadata.nde.applied = false; }},
+      {"5.2", [](axiometry::Test& t) { t.metadata.axis.compensation_points.push_back(175.077); }},
+      {"5.3.2", [](axiometry::Test& t) { t.metadata.conditions.cycle = TestCycle::pilgrim; }},
+      {"Annex B", [](axiometry::Test& t) { t.metadata.conditions.cycle = TestCycle::step; }},
+      {"source",
+       [](axiometry::Test& t) {
+         t.provenance.remarks.push_back({true, "found a guess"});
+       }},
+  };
+  for (const auto& [clause, change] : changes) {
+    axiometry::Test test = whole();
+    change(test);
+    EXPECT_NE(points(test, ClaimKind::tested).find(std::string("departure ") + clause + ":"), std::string::npos)
+        << clause << '\n'
+        << points(test, ClaimKind::tested);
+  }
+}
+
+/// The complete test on other targets, with n runs.
+axiometry::Test on(const std::vector<double>& targets, std::size_t n = 5) {
+  std::vector<RunDeviations> runs;
+  for (std::size_t j = 0; j < n; ++j) {
+    RunDeviations run;
+    for (std::size_t i = 0; i < targets.size(); ++i) run.push_back(0.1 * static_cast<double>((i * 7 + j * 3) % 5));
+    runs.push_back(run);
+  }
+  axiometry::Test test = whole();
+  test.metadata.axis.compensation_points = {-5};
+  test.series = make_series(targets, runs, runs);
+  return test;
+}
+
+TEST(Claims, OfTheTestNeedTargetsAfterFormulaOne) {
+  EXPECT_EQ(points(on({0, 110, 240, 390, 500}), ClaimKind::tested), "");
+  EXPECT_NE(points(on({0, 100, 200, 300, 400}), ClaimKind::tested).find("missing 5.2: found 5 equally spaced"),
+            std::string::npos);
+  EXPECT_NE(points(on({0, 20, 40, 70, 90, 500}), ClaimKind::tested).find("missing 5.2"), std::string::npos);
+  axiometry::Test gauge = on({0, 100, 200, 300, 400});  // a gauge has the steps it has
+  gauge.metadata.artefact.type = "step gauge";
+  gauge.metadata.artefact.calibrated_positions = {0, 100, 200, 300, 400};
+  EXPECT_EQ(points(gauge, ClaimKind::tested).find("missing 5.2"), std::string::npos);
+}
+
+TEST(Claims, OfTheTestNeedNumberDirectionsAndRuns) {
+  EXPECT_FALSE(holds(on({0, 160, 300}), ClaimKind::tested));
+  EXPECT_FALSE(holds(on({0, 110, 240, 390, 500}, 3), ClaimKind::tested));
+  axiometry::Test one_way = on({0, 110, 240, 390, 500});
+  one_way.series = make_series({0, 110, 240, 390, 500}, {{0, 1, 0, 1, 0}, {1, 0, 1, 0, 1}}, {});
+  EXPECT_FALSE(holds(one_way, ClaimKind::tested));
+  EXPECT_FALSE(holds(one_way, ClaimKind::reported)) << "clause 8.2 lists parameters that do not exist";
+  EXPECT_TRUE(holds(one_way, ClaimKind::computed));
+}
+
+TEST(Claims, OfALongAxisNeedTheOtherTestToo) {
+  axiometry::Test test = on({0, 260, 490, 760, 1010, 1240, 1500, 1770, 1990, 2260, 2500}, 1);
+  test.metadata.axis.travel_end = Position::native(2600);
+  EXPECT_NE(points(test, ClaimKind::tested).find("missing 5.3.3"), std::string::npos);
+  EXPECT_EQ(points(test, ClaimKind::reported).find("8.2.3"), std::string::npos) << "R and A are not applicable";
+}
+
+TEST(Claims, OfTheComputationFallWhereNoApproachWasMeasuredOrATermIsMissing) {
+  axiometry::Test averages = whole();
+  averages.provenance.remarks.push_back(
+      {true, "found averages only, expected single approaches; R and A do not exist, and means stand for readings"});
+  EXPECT_FALSE(holds(averages, ClaimKind::computed));
+
+  axiometry::Test lower_bound = bare();
+  std::vector<RunDeviations> up = {{1, 2, 3, 2, 1}, {1, none, 3, 2, 2}}, down = {{1, 2, 3, 2, 1}, {2, 2, 3, 3, 1}};
+  lower_bound.series = make_series({0, 110, 240, 390, 500}, up, down);
+  EXPECT_FALSE(holds(lower_bound, ClaimKind::computed));
+
+  axiometry::Test step = whole();
+  step.metadata.conditions.cycle = TestCycle::step;
+  EXPECT_FALSE(holds(step, ClaimKind::computed));
+}
+
+TEST(Claims, OfTheReportFallWithAnyItemOfClauseEight) {
+  const std::pair<const char*, Change> changes[] = {
+      {"8.1", [](axiometry::Test& t) { t.metadata.conditions.inspector.clear(); }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.conditions.inspector = "-"; }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.conditions.date = "2099-13-45"; }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.conditions.tool_offset_mm.clear(); }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.equipment.front().serial_number.clear(); }},
+      {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty = {}; }},
+      {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty.misalignment.reset(); }},
+  };
+  for (const auto& [clause, change] : changes) {
+    axiometry::Test test = whole();
+    change(test);
+    EXPECT_NE(points(test, ClaimKind::reported).find(std::string("missing ") + clause), std::string::npos) << clause;
+    EXPECT_TRUE(holds(test, ClaimKind::tested) || std::string(clause) == "8.1") << points(test, ClaimKind::tested);
+  }
+}
+
+TEST(Claims, OfTheTestAreContradictedWhereAFindingDepartsAndOnlyThere) {
+  axiometry::Test diagonal = whole();
+  diagonal.metadata.axis.line_origin_mm = {0, 0, 0};
+  diagonal.metadata.axis.line_direction = {1, 1, 1};
+  for (const axiometry::Test& test : {whole(), bare(), on({0, 100, 200, 300, 400}), on({0, 160, 300}), diagonal}) {
+    const Claims all = claims(test);
+    const bool contradicted = std::ranges::any_of(claim(all, ClaimKind::tested).against,
+                                                  [](const Finding& f) { return f.severity == Severity::departure; });
+    EXPECT_EQ(contradicted, !assess(test).conforming());
+  }
+}
+
+TEST(Claims, AreTheSameAtEitherDepth) {
+  for (const axiometry::Test& test : {whole(), bare(), on({0, 100, 200, 300, 400}), on({0, 160, 300})}) {
+    const Claims shallow = claims_of(test, assess(test, Depth::departures_only)), deep = claims(test);
+    for (std::size_t k = 0; k < deep.size(); ++k) EXPECT_EQ(shallow[k].against.size(), deep[k].against.size()) << k;
+  }
+}
+
+TEST(Claims, NameTheStandardOfADiagonal) {
+  axiometry::Test test = whole();
+  test.metadata.axis.line_origin_mm = {0, 0, 0};
+  test.metadata.axis.line_direction = {1, 1, 1};
+  EXPECT_EQ(claim(claims(test), ClaimKind::tested).title, "Tested in accordance with ISO 230-6");
+}
+
+}  // namespace
+}  // namespace axiometry::iso230_2

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Clauses 3 and 4: what was measured, and under which conditions.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "axiometry/base/text.h"
+#include "axiometry/standards/iso230_2/inputs/resolved_inputs.h"
+#include "axiometry/standards/iso230_2/reversal.h"
+#include "axiometry/standards/iso230_2/rules/rules.h"
+#include "axiometry/standards/iso230_2/slope.h"
+
+namespace axiometry::iso230_2::rules {
+namespace {
+
+constexpr double same_temperature = 0.1 + 1e-9;  // °C: what a display resolves
+constexpr double change_worth_a_word = 1.0;      // °C from start to end
+
+struct Thermometer {
+  std::string name;
+  double start = 0.0;
+  double end = 0.0;
+  double worst() const { return std::abs(start - 20.0) > std::abs(end - 20.0) ? start : end; }
+};
+
+void add(std::vector<Thermometer>& list, std::string name, std::optional<Temperature> start,
+         std::optional<Temperature> end) {
+  if (!start && !end) return;
+  const double first = (start ? *start : *end).in_celsius();
+  list.push_back({std::move(name), first, end ? end->in_celsius() : first});
+}
+
+std::vector<Thermometer> sensors_of(const Environment& environment, std::string_view role) {
+  std::vector<Thermometer> list;
+  for (const TemperatureSensor& s : environment.sensors)
+    if (text::equal_ignoring_case(s.role, role))
+      add(list, fmt::format("the {} sensor{}", role, s.location.empty() ? "" : " (" + s.location + ")"), s.start,
+          s.end);
+  return list;
+}
+
+/// Sensors on material; only without them does the air tell the temperature of the machine.
+std::vector<Thermometer> material(const Environment& environment) {
+  std::vector<Thermometer> list = sensors_of(environment, "machine");
+  for (Thermometer& t : sensors_of(environment, "equipment")) list.push_back(std::move(t));
+  if (!list.empty()) return list;
+  list = sensors_of(environment, "air");
+  add(list, "the air", environment.air_temperature_start, environment.air_temperature_end);
+  return list;
+}
+
+/// 4.1 allows the correction to happen by itself: one temperature, one expansion coefficient.
+bool corrects_itself(const Metadata& metadata) {
+  const auto machine = sensors_of(metadata.environment, "machine");
+  const auto equipment = sensors_of(metadata.environment, "equipment");
+  if (machine.empty() || equipment.empty()) return false;
+  if (!metadata.nde.machine_expansion || metadata.nde.machine_expansion != metadata.nde.equipment_expansion)
+    return false;
+  return std::ranges::all_of(machine, [&](const Thermometer& m) {
+    return std::ranges::all_of(equipment, [&](const Thermometer& e) {
+      return std::abs(m.start - e.start) <= same_temperature && std::abs(m.end - e.end) <= same_temperature;
+    });
+  });
+}
+
+/// Of the readings there are. Their s would not do: the mean of equal readings is rounded.
+bool all_equal(std::span<const double> cell) {
+  const auto first = std::ranges::find_if_not(cell, [](double x) { return std::isnan(x); });
+  return std::all_of(first, cell.end(), [&](double x) { return std::isnan(x) || x == *first; });
+}
+
+/// +1 when the readings of a cell only rise from run to run, −1 when they only fall, else 0.
+int progression(std::span<const double> cell) {
+  if (cell.back() == cell.front()) return 0;
+  if (std::ranges::is_sorted(cell)) return 1;
+  return std::ranges::is_sorted(cell, std::ranges::greater{}) ? -1 : 0;
+}
+
+}  // namespace
+
+std::optional<Finding> both_ends_from_both_sides(const Case& c) {
+  if (c.runs.up == 0 || c.runs.down == 0) return std::nullopt;  // directions_of_approach speaks
+  std::string ends;
+  for (std::size_t i : {std::size_t{0}, c.series.target_count() - 1}) {
+    const bool up = c.series.count(i, Direction::up) > 0;
+    const bool down = c.series.count(i, Direction::down) > 0;
+    if (up && down) continue;
+    ends += fmt::format("{}{} from {} only", ends.empty() ? "" : " and ", target_text(c, i), up ? "↑" : "↓");
+  }
+  if (ends.empty()) return std::nullopt;
+  return departure(
+      "3.2",
+      fmt::format("found an end of the measurement travel approached from one side, {}, expected both sides", ends));
+}
+
+std::optional<Finding> targets_within_axis_travel(const Case& c) {
+  const Axis& axis = c.metadata.axis;
+  const double first = c.target(0);
+  const double last = c.target(c.series.target_count() - 1);
+  std::string ends;
+  if (axis.travel_begin && first <= axis.travel_begin->in_native())
+    ends = fmt::format("the first target at {}", position_text(c, first));
+  if (axis.travel_end && last >= axis.travel_end->in_native())
+    ends += fmt::format("{}the last target at {}", ends.empty() ? "" : " and ", position_text(c, last));
+  if (ends.empty()) return std::nullopt;
+  return note("3.2",
+              fmt::format("found {} at the end of the axis travel, expected room to approach it from beyond", ends));
+}
+
+std::optional<Finding> part_of_axis_travel(const Case& c) {
+  const Axis& axis = c.metadata.axis;
+  if (!axis.travel_begin || !axis.travel_end || c.programme == Programme::many_turns) return std::nullopt;
+  const double whole = axis.travel_end->in_native() - axis.travel_begin->in_native();
+  const double stretch = c.linear() ? std::min(whole, 2000.0) : std::min(whole, 360.0);
+  if (whole <= 0.0 || c.travel() >= 0.8 * stretch) return std::nullopt;
+  return note("3.2", fmt::format("found {} measured of an axis travel of {}; the results hold for that part only",
+                                 position_text(c, c.travel()), position_text(c, whole)));
+}
+
+std::optional<Finding> readings_repeat_exactly(const Case& c) {
+  if (!c.evaluation.parameters.R_up && !c.evaluation.parameters.R_down) return std::nullopt;
+  for (std::size_t i = 0; i < c.series.target_count(); ++i)
+    for (Direction direction : {Direction::up, Direction::down})
+      if (!all_equal(c.series.cell(i, direction))) return std::nullopt;
+  return note("3.18",
+              "found the same reading in every run at every target, expected some scatter; copied or coarsely "
+              "rounded readings make every repeatability zero");
+}
+
+std::optional<Finding> straight_slope(const Case& c) {
+  const AxisParameters& p = c.evaluation.parameters;
+  const double E = (p.E ? p.E : p.E_up ? p.E_up : p.E_down)->in_native();
+  if (!c.linear() || c.series.target_count() < 4 || E <= 0.0) return std::nullopt;
+  const auto slope = slope_of_means(c.evaluation.positions);
+  if (!slope || slope->remainder.in_native() > 0.3 * E) return std::nullopt;
+  return note(
+      "3.24",
+      fmt::format("found a straight slope of {} µm/m, without which E would be {} instead of {}; such a slope "
+                  "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
+                  size_text(1000.0 * slope->per_position_native), deviation_text(c, slope->remainder.in_native()),
+                  deviation_text(c, E), is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
+}
+
+std::optional<Finding> same_reversal_everywhere(const Case& c) {
+  const auto with_both = std::ranges::count_if(
+      c.evaluation.positions, [](const PositionResult& position) { return position.reversal.has_value(); });
+  if (with_both < 4) return std::nullopt;
+  const auto common = common_reversal(c.evaluation.positions);
+  const AxisParameters& p = c.evaluation.parameters;
+  if (common->remainder.in_native() > 0.3 * p.B->in_native()) return std::nullopt;
+  const bool repeated = p.R.has_value();
+  const double measured = (repeated ? p.R : p.E)->in_native();
+  const double without = (repeated ? common->without.R : common->without.E)->in_native();
+  if (!(measured > 0.0) || without > 0.75 * measured) return std::nullopt;
+  return note("3.17", fmt::format("found nearly the same reversal error at every target, {} on average, without which "
+                                  "{} would be {} instead of {}; such a reversal error comes from play or from its "
+                                  "compensation, and nothing of it is removed",
+                                  deviation_text(c, p.B_mean->in_native()), repeated ? "R" : "E",
+                                  deviation_text(c, without), deviation_text(c, measured)));
+}
+
+std::optional<Finding> temperature_without_correction(const Case& c) {
+  if (!c.linear() || c.metadata.nde.applied == true) return std::nullopt;
+  auto thermometers = material(c.metadata.environment);
+  // An artefact's calibrated positions are brought to its temperature; what remains is that of the machine.
+  const auto machine = sensors_of(c.metadata.environment, "machine");
+  if (!c.metadata.artefact.calibrated_positions.empty() && !machine.empty()) thermometers = machine;
+  if (thermometers.empty()) return std::nullopt;
+  const auto distance = [](const Thermometer& t) { return std::abs(t.worst() - 20.0); };
+  const Thermometer& worst = *std::ranges::max_element(thermometers, {}, distance);
+  if (distance(worst) <= same_temperature || corrects_itself(c.metadata)) return std::nullopt;
+  const double per_m_K = machine_expansion(c.metadata);
+  const std::string found = fmt::format("found {} °C at {}", figure(worst.worst()), worst.name);
+  if (!c.metadata.nde.applied)
+    return missing("4.1", found + " and no word whether differential expansion was corrected, expected nde.applied");
+  return departure(
+      "4.1",
+      fmt::format("{} and no correction for differential expansion, expected one off 20 °C: the machine expands by "
+                  "about {} over {} at {} µm/(m·°C)",
+                  found, deviation_text(c, std::round(per_m_K * distance(worst) * c.travel() / 100.0) / 10.0),
+                  position_text(c, c.travel()), figure(per_m_K)));
+}
+
+std::optional<Finding> temperature_change(const Case& c) {
+  const auto thermometers = material(c.metadata.environment);
+  if (thermometers.empty()) return std::nullopt;
+  const auto change = [](const Thermometer& t) { return std::abs(t.end - t.start); };
+  const Thermometer& worst = *std::ranges::max_element(thermometers, {}, change);
+  if (change(worst) <= change_worth_a_word) return std::nullopt;
+  return note(
+      "4.1", fmt::format("found {} going from {} °C to {} °C during the test; the permissible gradient is to be agreed",
+                         worst.name, figure(worst.start), figure(worst.end)));
+}
+
+std::optional<Finding> ordered_progression(const Case& c) {
+  constexpr std::size_t runs_needed = 4;  // three readings rise or fall by chance in every third cell
+  constexpr double share = 0.3;           // by chance: 8 % of the cells for n = 4, 2 % for n = 5
+  std::size_t cells = 0, rising = 0, falling = 0;
+  double rise = 0.0, fall = 0.0;
+  for (std::size_t i = 0; i < c.series.target_count(); ++i) {
+    for (Direction direction : {Direction::up, Direction::down}) {
+      const auto cell = c.series.cell(i, direction);
+      if (cell.size() < runs_needed || c.series.count(i, direction) < cell.size()) continue;
+      ++cells;
+      const int sense = progression(cell);
+      if (sense > 0) ++rising, rise += cell.back() - cell.front();
+      if (sense < 0) ++falling, fall += cell.back() - cell.front();
+    }
+  }
+  const bool up = rising >= falling;
+  const std::size_t ordered = std::max(rising, falling);
+  if (ordered < 2 || static_cast<double>(ordered) <= share * static_cast<double>(cells)) return std::nullopt;
+  return note(
+      progression_clause,
+      fmt::format("found {} of {} targets and directions {} from run to run, by {} on average from the first run to "
+                  "the last, expected no ordered progression: a sign that the machine was not thermally stable",
+                  ordered, cells, up ? "rising" : "falling",
+                  deviation_text(c, std::abs(up ? rise : fall) / static_cast<double>(ordered))));
+}
+
+}  // namespace axiometry::iso230_2::rules

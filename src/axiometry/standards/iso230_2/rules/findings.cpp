@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include "axiometry/base/contract.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/standards/iso230_2/rules/rules.h"
+
+namespace axiometry::iso230_2 {
+namespace rules {
+namespace {
+
+std::size_t runs_in(const Series& series, Direction direction) {
+  if (series.complete()) return series.run_count();
+  std::vector<bool> made(series.run_count(), false);
+  for (std::size_t i = 0; i < series.target_count(); ++i) {
+    const auto cell = series.cell(i, direction);
+    for (std::size_t j = 0; j < cell.size(); ++j)
+      if (!std::isnan(cell[j])) made[j] = true;
+  }
+  return static_cast<std::size_t>(std::ranges::count(made, true));
+}
+
+struct Row {
+  Rule* rule;
+  bool departs = false;  ///< whether it can find a departure; the others cost a table of many tests nothing
+};
+constexpr bool may_depart = true;
+
+// In the order of the clauses.
+constexpr Row every_rule[] = {
+    {both_ends_from_both_sides, may_depart},
+    {targets_within_axis_travel},
+    {part_of_axis_travel},
+    {same_reversal_everywhere},
+    {readings_repeat_exactly},
+    {straight_slope},
+    {temperature_without_correction, may_depart},
+    {temperature_change},
+    {ordered_progression},
+    {equally_spaced_targets},
+    {gap_between_targets},
+    {targets_on_compensation, may_depart},
+    {number_of_targets, may_depart},
+    {principal_positions},
+    {directions_of_approach, may_depart},
+    {number_of_approaches, may_depart},
+    {missing_readings, may_depart},
+    {more_than_five_turns},
+    {cycle_declared_otherwise, may_depart},
+    {additional_test},
+    {parameters_not_applicable},
+    {items_of_identification},
+    {equipment_identified},
+    {sensors_complete},
+    {equipment_calibrated},
+    {line_in_space},
+    {uncertainty_stated},
+    {station_stated},
+    {repeatability_below_variation},
+    {step_cycle, may_depart},
+    {diagonal_line},
+};
+
+}  // namespace
+
+Case make_case(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
+               const std::optional<AnnexA>& uncertainty) {
+  return {metadata,
+          series,
+          evaluation,
+          uncertainty,
+          programme_of(metadata.axis.kind, Position::native(series.travel_native())),
+          {runs_in(series, Direction::up), runs_in(series, Direction::down)}};
+}
+
+std::string figure(double x) { return format_exact(std::round(x * 1000.0) / 1000.0); }
+
+std::string size_text(double x) {
+  const double power = std::pow(10.0, std::max(0, decimals_for(std::abs(x), 3)));
+  return (x < 0.0 ? "−" : "") + format_exact(std::round(std::abs(x) * power) / power);
+}
+
+namespace {
+
+// Of a deviation within a message: its text, and its value for who shows it otherwise. No text has such bytes.
+constexpr char text_mark = '\x01';
+constexpr char value_mark = '\x02';
+constexpr char end_mark = '\x03';
+
+}  // namespace
+
+std::string deviation_text(AxisKind kind, double x) {
+  return fmt::format("{}{} {}{}{}{}", text_mark, size_text(x), deviation_unit(kind), value_mark, format_exact(x),
+                     end_mark);
+}
+
+std::string deviation_text(const Case& c, double x) { return deviation_text(c.kind(), x); }
+
+Finding finding(std::string clause, Severity severity, std::string_view marked) {
+  Finding result{std::move(clause), severity, {}};
+  while (!marked.empty()) {
+    const std::size_t start = marked.find(text_mark);
+    result.message += marked.substr(0, start);
+    if (start == std::string_view::npos) break;
+    const std::size_t value = marked.find(value_mark, start), end = marked.find(end_mark, start);
+    AXIOMETRY_CONTRACT(value != std::string_view::npos && end != std::string_view::npos && value < end);
+    const auto x = parse_number(marked.substr(value + 1, end - value - 1));
+    AXIOMETRY_CONTRACT(x.has_value());
+    result.deviations.push_back({result.message.size(), value - start - 1, Deviation::native(*x)});
+    result.message += marked.substr(start + 1, value - start - 1);
+    marked.remove_prefix(end + 1);
+  }
+  return result;
+}
+
+std::string position_text(AxisKind kind, double position) {
+  return figure(position) + (kind == AxisKind::linear ? " mm" : "°");
+}
+
+std::string position_text(const Case& c, double position) { return position_text(c.kind(), position); }
+
+std::string target_text(const Case& c, std::size_t target) {
+  return fmt::format("target {} ({})", target + 1, position_text(c, c.target(target)));
+}
+
+}  // namespace rules
+
+std::vector<Finding> find_departures(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
+                                     const std::optional<AnnexA>& uncertainty, Depth depth) {
+  const rules::Case c = rules::make_case(metadata, series, evaluation, uncertainty);
+  std::vector<Finding> in_clause_order;
+  bool drift_told = false;
+  for (const auto& [rule, departs] : rules::every_rule) {
+    if (!departs && depth == Depth::departures_only) continue;
+    if (rule == rules::straight_slope)
+      for (Finding& finding : rules::scatter_findings(c)) {  // several of one rule
+        drift_told = drift_told || finding.clause == rules::progression_clause;
+        in_clause_order.push_back(std::move(finding));
+      }
+    if (rule == rules::ordered_progression && drift_told) continue;  // the same, with its size
+    auto finding = rule(c);
+    if (!finding) continue;
+    AXIOMETRY_CONTRACT(departs || finding->severity != Severity::departure);
+    in_clause_order.push_back(std::move(*finding));
+  }
+  std::vector<Finding> findings;
+  for (Severity severity : {Severity::departure, Severity::missing, Severity::note}) {
+    if (severity != Severity::departure && depth == Depth::departures_only) break;
+    std::ranges::copy_if(in_clause_order, std::back_inserter(findings),
+                         [&](const Finding& finding) { return finding.severity == severity; });
+  }
+  return findings;
+}
+
+}  // namespace axiometry::iso230_2

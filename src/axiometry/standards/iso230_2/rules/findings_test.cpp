@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every rule once where it speaks and once where it must not. tests/conformance/iso230_2 has more.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "axiometry/standards/iso230_2/assessment/assessment.h"
+#include "tests/support/series.h"
+
+namespace axiometry::iso230_2 {
+namespace {
+
+using testing::HasSubstr;
+using testing_support::make_series;
+using testing_support::RunDeviations;
+namespace table2 = testing_support::table2;
+
+using testing_support::none;
+
+Assessment assessed(const Series& series, const Metadata& metadata = {}) { return assess({metadata, series, {}}); }
+
+Metadata with_kind(AxisKind kind) {
+  Metadata metadata;
+  metadata.axis.kind = kind;
+  return metadata;
+}
+
+/// "departure: found …" of the first finding of a clause that contains the text; "" when there is none.
+std::string finding(const Assessment& a, std::string_view clause, std::string_view part = "") {
+  for (const Finding& f : a.findings)
+    if (f.clause == clause && f.message.find(part) != std::string::npos)
+      return std::string(severity_name(f.severity)) + ": " + f.message;
+  return "";
+}
+
+/// n equal-looking but not monotonic runs over the targets.
+std::vector<RunDeviations> runs(std::size_t n, std::size_t targets) {
+  constexpr double pattern[] = {0.2, -0.1, 0.3, 0.0, 0.1};
+  std::vector<RunDeviations> result;
+  for (std::size_t j = 0; j < n; ++j) {
+    RunDeviations run;
+    for (std::size_t i = 0; i < targets; ++i)
+      run.push_back(pattern[(i + j) % 5] + static_cast<double>(i * i % 7) * 0.4);
+    result.push_back(run);
+  }
+  return result;
+}
+
+Series proper(const std::vector<double>& targets, std::size_t n = 5) {
+  return make_series(targets, runs(n, targets.size()), runs(n, targets.size()));
+}
+
+const std::vector<double> half_metre = {0, 110, 240, 390, 500};
+
+TEST(Findings, AreNotesOnlyForAProperAndCompleteTest) {
+  for (const Finding& f : assess(table2::complete_test()).findings) EXPECT_EQ(f.severity, Severity::note) << f.message;
+}
+
+TEST(Findings, StandWithDeparturesFirstThenWhatIsMissing) {
+  Metadata m;
+  m.conditions.cycle = TestCycle::step;
+  const Assessment a = assessed(make_series({0, 100, 200}, {{0, 1, 0}}, {{0, 1, 0}}), m);
+  for (std::size_t k = 1; k < a.findings.size(); ++k) EXPECT_LE(a.findings[k - 1].severity, a.findings[k].severity);
+  EXPECT_EQ(a.findings.front().clause, "5.3.2");
+  EXPECT_FALSE(a.conforming());
+}
+
+TEST(Findings, CountTargetsAsTheLengthDemands) {
+  EXPECT_EQ(finding(assessed(proper({0, 110, 240, 390})), "5.3.2", "targets"),
+            "departure: found 4 targets over 390 mm, expected at least 5 (at any length)");
+  EXPECT_EQ(finding(assessed(proper(half_metre)), "5.3.2"), "");
+  EXPECT_THAT(finding(assessed(proper({0, 300, 700, 1200, 1500})), "5.3.2"),
+              HasSubstr("expected at least 8 (5 per metre)"));
+  EXPECT_EQ(finding(assessed(proper({0, 210, 390, 610, 1000})), "5.3.2"), "")
+      << "five per metre are five over one metre";
+}
+
+TEST(Findings, WantFiveApproachesUpToTwoMetresAndOneAbove) {
+  EXPECT_THAT(finding(assessed(proper(half_metre, 3)), "5.3.2"),
+              HasSubstr("found 3 approaches in each direction over 500 mm"));
+  EXPECT_THAT(finding(assessed(proper(half_metre, 10)), "5.3.2"), HasSubstr("found 10 approaches"));
+  const std::vector<double> long_axis = {0, 260, 490, 760, 1010, 1240, 1500, 1770, 1990, 2260, 2500};
+  EXPECT_TRUE(assessed(proper(long_axis, 1)).conforming());
+  EXPECT_THAT(finding(assessed(proper(long_axis, 5)), "5.3.3", "approaches"),
+              HasSubstr("expected 1 in each direction; R and A"));
+  EXPECT_THAT(finding(assessed(proper(long_axis, 1)), "6.2"), HasSubstr("not applicable"));
+  EXPECT_THAT(finding(assessed(proper(long_axis, 1)), "5.3.3"),
+              HasSubstr("note: the test with five approaches over 2 000 mm"));
+}
+
+TEST(Findings, NameTheRunsThatAreUneven) {
+  const Series series = make_series(half_metre, runs(5, 5), runs(4, 5));
+  EXPECT_THAT(finding(assessed(series), "5.3.2"), HasSubstr("found 5 approaches ↑ and 4 ↓"));
+  EXPECT_EQ(finding(assessed(series), "5.3.2", "no reading"), "") << "a run that was not made is not a missing reading";
+}
+
+TEST(Findings, NameTheReadingsThatAreMissing) {
+  auto up = runs(5, 5);
+  up[1][2] = none;
+  EXPECT_EQ(finding(assessed(make_series(half_metre, up, runs(5, 5))), "5.3.2"),
+            "departure: found no reading at target 3 (240 mm) ↑ run 2, expected one from every approach");
+  for (std::size_t i = 0; i < 4; ++i) up[4][i] = none;
+  for (std::size_t i = 1; i < 5; ++i) up[3][i] = none;
+  EXPECT_THAT(finding(assessed(make_series(half_metre, up, runs(5, 5))), "5.3.2"), HasSubstr("and 4 more"));
+}
+
+TEST(Findings, WantBothEndsFromBothSides) {
+  auto down = runs(5, 5);
+  for (auto& run : down) run[4] = none;
+  const Assessment a = assessed(make_series(half_metre, runs(5, 5), down));
+  EXPECT_THAT(finding(a, "3.2"),
+              HasSubstr("departure: found an end of the measurement travel approached from one side, "
+                        "target 5 (500 mm) from ↑ only"));
+}
+
+TEST(Findings, WantRoomBeyondTheEndTargets) {
+  Metadata m;
+  m.axis.travel_begin = Position::native(0);
+  m.axis.travel_end = Position::native(520);
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "3.2"), HasSubstr("the first target at 0 mm at the end"));
+  m.axis.travel_begin = Position::native(-10);
+  EXPECT_EQ(finding(assessed(proper(half_metre), m), "3.2"), "");
+  m.axis.travel_end = Position::native(1800);
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "3.2"),
+              HasSubstr("500 mm measured of an axis travel of 1810 mm"));
+}
+
+TEST(Findings, RememberTheTestOverTheWholeTravel) {
+  Metadata m;
+  m.axis.travel_begin = Position::native(-10);
+  m.axis.travel_end = Position::native(3000);
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "5.3.3"), HasSubstr("the axis travels 3010 mm"));
+}
+
+TEST(Findings, WantUnequalIntervals) {
+  EXPECT_THAT(finding(assessed(proper({0, 100, 200, 300, 400})), "5.2"),
+              HasSubstr("note: found 5 equally spaced targets (every 100 mm)"));
+  EXPECT_EQ(finding(assessed(proper(half_metre)), "5.2"), "");
+  EXPECT_THAT(finding(assessed(proper({0, 90, 210, 300, 410, 1000})), "5.2"),
+              HasSubstr("found 590 mm between target 5"));
+}
+
+TEST(Findings, WantTargetsOffTheCompensation) {
+  Metadata m;
+  m.axis.compensation_points = {110.0004, 240.01, 700};
+  EXPECT_EQ(finding(assessed(proper(half_metre), m), "5.2"),
+            "departure: found 1 of 5 targets on sampling points of the compensation: target 2 (110 mm), expected other "
+            "positions for acceptance or reverification");
+  m.conditions.purpose = "Acceptance test";
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "5.2"), HasSubstr("departure"));
+  m.conditions.purpose = "compensation";
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "5.2"), HasSubstr("note"));
+}
+
+TEST(Findings, FollowTableOneOnRotaryAxes) {
+  const Metadata rotary = with_kind(AxisKind::rotary);
+  EXPECT_THAT(finding(assessed(proper({0, 85}), rotary), "5.3.4"),
+              HasSubstr("expected at least 3 (Table 1, up to 90°)"));
+  EXPECT_THAT(finding(assessed(proper({0, 50, 90, 170}), rotary), "5.3.4"), HasSubstr("expected at least 5"));
+  EXPECT_EQ(finding(assessed(proper({0, 43, 90, 137, 180, 222, 270, 316}), rotary), "5.3.4"), "");
+  EXPECT_EQ(finding(assessed(proper({-90, -50, 0, 43, 90, 137, 180, 222}), rotary), "5.3.4"), "") << "−90° is 270°";
+  EXPECT_THAT(finding(assessed(proper({0, 43, 91, 137, 180, 222, 271, 316}), rotary), "5.3.4"),
+              HasSubstr("note: found no target at 90°, 270°"));
+}
+
+TEST(Findings, WantEightTargetsARevolutionOverManyTurns) {
+  const Metadata rotary = with_kind(AxisKind::rotary);
+  std::vector<double> two_turns, six_turns;
+  for (int k = 0; k <= 16; ++k) two_turns.push_back(45 * k + (k % 3));
+  for (int k = 0; k <= 48; ++k) six_turns.push_back(45 * k + (k % 3));
+  EXPECT_TRUE(assessed(proper(two_turns, 1), rotary).conforming());
+  EXPECT_THAT(finding(assessed(proper(two_turns, 1), rotary), "5.3.5"), HasSubstr("360°"));
+  EXPECT_THAT(finding(assessed(proper(six_turns, 1), rotary), "5.3.5", "five revolutions"), HasSubstr("note"));
+  EXPECT_THAT(finding(assessed(proper({0, 100, 200, 300, 400}, 1), rotary), "5.3.5"), HasSubstr("expected at least 9"));
+}
+
+TEST(Findings, TellTemperaturesThatWereNotCorrected) {
+  Metadata m;
+  m.environment.sensors = {{"machine", "bed", Temperature::celsius(20.05), Temperature::celsius(20.1)}};
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "4.1"), HasSubstr("note: thermal expansion, about 0.6 µm"))
+      << "20 °C within what a display resolves, which a verdict must know all the same";
+  m.environment.sensors[0].end = Temperature::celsius(18.5);
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "4.1"),
+              HasSubstr("missing: found 18.5 °C at the machine sensor (bed)"));
+  m.nde.applied = false;
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "4.1"), HasSubstr("departure: found 18.5 °C"));
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "4.1"), HasSubstr("about 9 µm over 500 mm at 12 µm/(m·°C)"));
+  m.nde.applied = true;
+  EXPECT_EQ(finding(assessed(proper(half_metre), m), "4.1", "correction"), "");
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "4.1"),
+              HasSubstr("note: found the machine sensor (bed) going from"));
+}
+
+TEST(Findings, TakeTheAirForTheMachineOnlyWithoutSensors) {
+  Metadata m;
+  m.nde.applied = false;
+  m.environment.air_temperature_start = Temperature::celsius(23);
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "4.1"), HasSubstr("found 23 °C at the air"));
+  m.environment.sensors = {{"machine", "", Temperature::celsius(20), Temperature::celsius(20)}};
+  EXPECT_EQ(finding(assessed(proper(half_metre), m), "4.1"), "");
+}
+
+TEST(Findings, SeeAnOrderedProgressionFromRunToRun) {
+  std::vector<RunDeviations> drifting = runs(5, 5);
+  for (std::size_t j = 0; j < 5; ++j)
+    for (double& x : drifting[j]) x -= 1.0 * static_cast<double>(j);
+  EXPECT_THAT(
+      finding(assessed(make_series(half_metre, drifting, drifting)), "4.3"),
+      HasSubstr("note: found the readings falling from run to run, by 4 µm from the first run to the last, where "
+                "they scatter by 0.177 µm about target and run (p < 0.0001): a sign that the machine was not "
+                "thermally stable; without this drift R would be 0.632 µm instead of 6.72 µm"));
+  EXPECT_EQ(finding(assessed(proper(half_metre)), "4.3"), "");
+  EXPECT_EQ(finding(assessed(table2::series()), "4.3"), "");
+}
+
+TEST(Findings, MentionAReversalErrorThatIsTheSameEverywhere) {
+  EXPECT_THAT(finding(assessed(table2::series()), "3.17"),
+              HasSubstr("note: found nearly the same reversal error at every target, −3.71 µm on average, without "
+                        "which R would be 2.99 µm instead of 6.55 µm;"));
+  std::vector<RunDeviations> up = runs(1, 5);
+  std::vector<RunDeviations> down = up;
+  for (double& x : down[0]) x += 40.0;
+  EXPECT_THAT(finding(assessed(make_series(half_metre, up, down)), "3.17"), HasSubstr("without which E would be"));
+  down[0][2] -= 20.0;  // at one target only half of it
+  EXPECT_EQ(finding(assessed(make_series(half_metre, up, down)), "3.17"), "");
+  EXPECT_EQ(finding(assessed(proper(half_metre)), "3.17"), "");
+  const std::vector<RunDeviations> exact(5, RunDeviations{1, 1, 1, 1, 1});  // no reversal error and no scatter
+  EXPECT_EQ(finding(assessed(make_series(half_metre, exact, exact)), "3.17"), "");
+}
+
+TEST(Findings, MentionAStraightSlopeAndAStrangeLackOfScatter) {
+  std::vector<RunDeviations> sloping = runs(5, 5);
+  for (auto& run : sloping)
+    for (std::size_t i = 0; i < 5; ++i) run[i] += 0.05 * half_metre[i];
+  EXPECT_THAT(finding(assessed(make_series(half_metre, sloping, sloping)), "3.24"),
+              HasSubstr("note: found a straight slope of"));
+  EXPECT_EQ(finding(assessed(table2::series()), "3.24"), "");
+  EXPECT_EQ(finding(assessed(table2::series()), "3.18", "same reading"), "");
+  for (std::size_t n : {3, 5, 10}) {  // 0.1 + 0.1 + 0.1 is not 0.3, but the readings are the same
+    const std::vector<RunDeviations> copied(n, RunDeviations{0, 0.1, 2, 0.7, none});
+    EXPECT_THAT(finding(assessed(make_series(half_metre, copied, runs(1, 5))), "3.18"),
+                HasSubstr("same reading in every run"));
+  }
+}
+
+TEST(Findings, ListWhatAReportWouldHaveToTell) {
+  const Assessment bare = assessed(proper(half_metre));
+  EXPECT_THAT(finding(bare, "8.1"),
+              HasSubstr("missing: not given, but expected in the report – test: date of test, name of inspector,"));
+  EXPECT_THAT(finding(bare, "8.1"), Not(HasSubstr("compensation routine"))) << "asked for with an NDE correction only";
+  EXPECT_THAT(finding(bare, "8.2.1"), HasSubstr("missing: no uncertainty is stated"));
+  axiometry::Test test = table2::complete_test();
+  test.metadata.conditions.warm_up.clear();
+  test.metadata.nde.routine.clear();
+  test.metadata.uncertainty.misalignment.reset();
+  const Assessment a = assess(test);
+  EXPECT_EQ(finding(a, "8.1"),
+            "missing: not given, but expected in the report – test: warm-up operation; NDE correction: compensation "
+            "routine");
+  EXPECT_THAT(finding(a, "8.2.1"), HasSubstr("incomplete and too small: nothing was given of misalignment (A.4)"));
+  EXPECT_TRUE(a.conforming()) << "what is missing is no departure";
+}
+
+TEST(Findings, WantEquipmentAndSensorsIdentified) {
+  axiometry::Test test = table2::complete_test();
+  test.metadata.equipment.push_back({"", "Maker", "", ""});
+  test.metadata.environment.sensors = {{"equipment", "", Temperature::celsius(20), {}},
+                                       {"equipment", "laser head", Temperature::celsius(20), {}}};
+  const Assessment a = assess(test);
+  EXPECT_THAT(finding(a, "8.1", "test equipment"), HasSubstr("component 2 without type and serial number"));
+  EXPECT_THAT(
+      finding(a, "8.1", "NDE correction with"),
+      HasSubstr("no sensor with the role machine, the sensor of the equipment without location, the sensor of the "
+                "equipment without temperature at the end, the sensor of the equipment (laser head) without "
+                "temperature at the end"));
+}
+
+TEST(Findings, TellEquipmentWhoseCalibrationDidNotHoldOnTheDayOfTheTest) {
+  axiometry::Test test = table2::complete_test();
+  test.metadata.conditions.date = "2026-03-05";
+  test.metadata.equipment = {{"laser", "Maker", "L", "1", "C-1", "2025-03-05", "2026-03-05"}};
+  EXPECT_EQ(finding(assess(test), "8.2.1", "out of calibration"), "") << "the last day counts";
+  test.metadata.equipment.front().calibration_due = "04.03.2026";
+  EXPECT_THAT(finding(assess(test), "8.2.1", "out of calibration"), HasSubstr("laser (2025-03-05 – 2026-03-04)"));
+  test.metadata.equipment.front() = {"laser", "Maker", "L", "1", "C-2", "2026-03-06", "2027-03-06"};
+  EXPECT_THAT(finding(assess(test), "8.2.1", "out of calibration"), HasSubstr("laser (2026-03-06 – 2027-03-06)"));
+  test.metadata.conditions.date = "spring";
+  EXPECT_EQ(finding(assess(test), "8.2.1", "out of calibration"), "") << "a day that nobody knows";
+}
+
+TEST(Findings, TellCyclesThatAreNotTheStandardOne) {
+  Metadata m;
+  m.conditions.cycle = TestCycle::step;
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "Annex B"), HasSubstr("departure: found the step cycle"));
+  EXPECT_EQ(assessed(proper(half_metre), m).label, "step cycle (Annex B), not for acceptance");
+  m.conditions.cycle = TestCycle::pilgrim;
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "5.3.2"), HasSubstr("departure: found the pilgrim cycle"));
+  EXPECT_EQ(assessed(proper(half_metre), m).label, "pilgrim cycle, not for acceptance");
+  m.conditions.cycle = TestCycle::unidirectional;
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "5.3.2"), HasSubstr("declared unidirectional"));
+  const Series one_way = make_series(half_metre, {}, runs(5, 5));
+  EXPECT_THAT(finding(assessed(one_way), "5.3.2"),
+              HasSubstr("departure: found approaches from one direction only (↓)"));
+  EXPECT_EQ(assessed(one_way).label, "one direction of approach only, not for acceptance");
+}
+
+TEST(Findings, OfDeparturesOnlyAreTheDeparturesOfAll) {
+  std::vector<axiometry::Test> tests = {table2::complete_test()};
+  Metadata warm;
+  warm.nde.applied = false;
+  warm.environment.sensors.push_back({"machine", "table", Temperature::celsius(24), Temperature::celsius(25)});
+  Metadata stepped;
+  stepped.conditions.cycle = TestCycle::step;
+  stepped.axis.compensation_points = {0, 110};
+  auto gap = runs(5, 5);
+  gap[2][3] = none;
+  for (const Metadata& m : {Metadata{}, warm, stepped, with_kind(AxisKind::rotary)}) {
+    tests.push_back({m, proper(half_metre), {}});
+    tests.push_back({m, proper({0, 10, 20}, 3), {}});
+    tests.push_back({m, proper({0, 1500, 4100}), {}});
+    tests.push_back({m, make_series(half_metre, gap, runs(5, 5)), {}});
+    tests.push_back({m, make_series(half_metre, {}, runs(5, 5)), {}});
+  }
+  for (const axiometry::Test& test : tests) {
+    std::vector<std::string> expected, found;
+    for (const Finding& f : assess(test).findings)
+      if (f.severity == Severity::departure) expected.push_back(f.clause + f.message);
+    for (const Finding& f : assess(test, Depth::departures_only).findings) found.push_back(f.clause + f.message);
+    EXPECT_EQ(found, expected);
+  }
+}
+
+}  // namespace
+}  // namespace axiometry::iso230_2

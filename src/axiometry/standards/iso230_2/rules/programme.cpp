@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Clause 5: the test programme, and Annex B.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "axiometry/base/text.h"
+#include "axiometry/standards/iso230_2/rules/rules.h"
+
+namespace axiometry::iso230_2::rules {
+namespace {
+
+constexpr std::size_t named_at_most = 5;  // of a list in a message
+
+bool many_approaches(Programme p) { return required_approaches(p) > 1; }
+
+double mean_interval(const Case& c) { return c.travel() / static_cast<double>(c.series.target_count() - 1); }
+
+std::string listed(const std::vector<std::string>& items) {
+  const std::size_t shown = items.size() <= named_at_most + 1 ? items.size() : named_at_most;
+  std::string list =
+      fmt::format("{}", fmt::join(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+  if (shown < items.size()) list += fmt::format(" and {} more", items.size() - shown);
+  return list;
+}
+
+}  // namespace
+
+bool may_serve_acceptance(std::string_view purpose) {
+  const std::string word = text::to_lower(purpose);
+  return word.empty() || word.find("accept") != word.npos || word.find("verif") != word.npos;
+}
+
+std::optional<Finding> equally_spaced_targets(const Case& c) {
+  const std::size_t m = c.series.target_count();
+  const double p = mean_interval(c);
+  for (std::size_t i = 1; i < m; ++i)
+    if (std::abs(c.target(i) - c.target(i - 1) - p) > equal_interval * p) return std::nullopt;
+  if (m < 3 || !c.metadata.artefact.calibrated_positions.empty()) return std::nullopt;  // a gauge has the steps it has
+  return note(
+      "5.2",
+      fmt::format(
+          "found {} equally spaced targets (every {}), expected a random shift of each where the positions can be "
+          "chosen: equal steps can hide a periodic error",
+          m, position_text(c, p)));
+}
+
+std::optional<Finding> gap_between_targets(const Case& c) {
+  const double p = mean_interval(c);
+  std::size_t widest = 1;
+  for (std::size_t i = 1; i < c.series.target_count(); ++i)
+    if (c.target(i) - c.target(i - 1) > c.target(widest) - c.target(widest - 1)) widest = i;
+  const double gap = c.target(widest) - c.target(widest - 1);
+  if (gap <= 2.0 * p) return std::nullopt;
+  return note(
+      "5.2",
+      fmt::format("found {} between {} and {}, more than twice the mean interval of {}, expected targets spread evenly "
+                  "but for the random shift",
+                  position_text(c, gap), target_text(c, widest - 1), target_text(c, widest), position_text(c, p)));
+}
+
+std::optional<Finding> targets_on_compensation(const Case& c) {
+  const auto& points = c.metadata.axis.compensation_points;
+  std::vector<std::string> same;
+  for (std::size_t i = 0; i < c.series.target_count(); ++i)
+    if (std::ranges::any_of(points, [&](double x) { return std::abs(x - c.target(i)) <= same_position.in_native(); }))
+      same.push_back(target_text(c, i));
+  if (same.empty()) return std::nullopt;
+  const std::string message = fmt::format("found {} of {} targets on sampling points of the compensation: {}",
+                                          same.size(), c.series.target_count(), listed(same));
+  if (!may_serve_acceptance(c.metadata.conditions.purpose))
+    return note("5.2", message + "; not for acceptance or reverification");
+  return departure("5.2", message + ", expected other positions for acceptance or reverification");
+}
+
+std::optional<Finding> number_of_targets(const Case& c) {
+  const std::size_t m = c.series.target_count();
+  const RequiredTargets required = required_targets(c.programme, Position::native(c.travel()));
+  if (m >= required.count) return std::nullopt;
+  return departure(programme_clause(c.programme),
+                   fmt::format("found {} targets over {}, expected at least {} ({})", m, position_text(c, c.travel()),
+                               required.count, required.reason));
+}
+
+std::optional<Finding> principal_positions(const Case& c) {
+  if (c.programme != Programme::one_turn) return std::nullopt;
+  std::vector<std::string> absent;
+  for (double principal : {0.0, 90.0, 180.0, 270.0}) {
+    // The same orientation has several names: −90° is 270°.
+    bool inside = false, measured = false;
+    for (double turn : {-360.0, 0.0, 360.0}) {
+      const double x = principal + turn;
+      inside = inside || (x >= c.target(0) && x <= c.target(c.series.target_count() - 1));
+      measured = measured || std::ranges::any_of(c.series.targets(), [&](Position p) {
+                   return std::abs(p.in_native() - x) <= at_principal.in_native();
+                 });
+    }
+    if (inside && !measured) absent.push_back(figure(principal) + "°");
+  }
+  if (absent.empty()) return std::nullopt;
+  return note("5.3.4",
+              fmt::format("found no target at {}, expected these principal positions where practical", listed(absent)));
+}
+
+std::optional<Finding> directions_of_approach(const Case& c) {
+  if (c.runs.up > 0 && c.runs.down > 0) return std::nullopt;
+  const char* only = c.runs.up > 0 ? "↑" : "↓";
+  return departure(
+      programme_clause(c.programme),
+      fmt::format(
+          "found approaches from one direction only ({}), expected {} from each; bidirectional parameters do not "
+          "exist",
+          only, many_approaches(c.programme) ? "five" : "one"));
+}
+
+std::optional<Finding> number_of_approaches(const Case& c) {
+  const std::size_t expected = required_approaches(c.programme);
+  const auto [up, down] = c.runs;
+  const bool both = up > 0 && down > 0;
+  const std::size_t either = std::max(up, down);
+  if (up == expected && down == expected) return std::nullopt;
+  if (!both && either == expected) return std::nullopt;  // directions_of_approach speaks
+  const std::string found = both && up != down ? fmt::format("{} approaches ↑ and {} ↓", up, down)
+                                               : fmt::format("{} approach{} {}", either, either == 1 ? "" : "es",
+                                                             both     ? "in each direction"
+                                                             : up > 0 ? "↑"
+                                                                      : "↓");
+  const std::string_view consequence =
+      expected == 1 && either > 1 ? "; R and A over such a travel are no parameters of the standard" : "";
+  return departure(programme_clause(c.programme),
+                   fmt::format("found {} over {}, expected {} in each direction{}", found, position_text(c, c.travel()),
+                               expected, consequence));
+}
+
+std::optional<Finding> missing_readings(const Case& c) {
+  if (c.series.complete()) return std::nullopt;
+  std::vector<std::string> absent;
+  for (Direction direction : {Direction::up, Direction::down}) {
+    if ((direction == Direction::up ? c.runs.up : c.runs.down) == 0) continue;
+    std::vector<bool> made(c.series.run_count(), false);
+    for (std::size_t i = 0; i < c.series.target_count(); ++i)
+      for (std::size_t j = 0; j < made.size(); ++j)
+        if (!std::isnan(c.series.cell(i, direction)[j])) made[j] = true;
+    for (std::size_t i = 0; i < c.series.target_count(); ++i) {
+      if (c.series.count(i, direction) == 0) {
+        absent.push_back(fmt::format("{} {} every run", target_text(c, i), arrow(direction)));
+        continue;
+      }
+      for (std::size_t j = 0; j < made.size(); ++j)
+        if (made[j] && std::isnan(c.series.cell(i, direction)[j]))
+          absent.push_back(fmt::format("{} {} run {}", target_text(c, i), arrow(direction), j + 1));
+    }
+  }
+  if (absent.empty()) return std::nullopt;
+  return departure(programme_clause(c.programme),
+                   fmt::format("found no reading at {}, expected one from every approach", listed(absent)));
+}
+
+std::optional<Finding> more_than_five_turns(const Case& c) {
+  if (c.programme != Programme::many_turns || c.travel() <= 1800.0 + 1e-6) return std::nullopt;
+  return note("5.3.5", fmt::format("found {} measured, more than the five revolutions that the test covers",
+                                   position_text(c, c.travel())));
+}
+
+std::optional<Finding> cycle_declared_otherwise(const Case& c) {
+  const bool both = c.runs.up > 0 && c.runs.down > 0;
+  switch (c.metadata.conditions.cycle) {
+    case TestCycle::pilgrim:
+      return departure(programme_clause(c.programme),
+                       "found the pilgrim cycle, expected the standard test cycle (Figure 1)");
+    case TestCycle::user_defined:
+      return departure(programme_clause(c.programme),
+                       "found a user-defined cycle, expected the standard test cycle (Figure 1)");
+    case TestCycle::unidirectional:
+      if (!both) return std::nullopt;  // directions_of_approach speaks
+      return departure(programme_clause(c.programme),
+                       "found the cycle declared unidirectional and readings from both directions, expected "
+                       "the standard test cycle (Figure 1)");
+    case TestCycle::standard:
+    case TestCycle::step: break;
+  }
+  return std::nullopt;
+}
+
+std::optional<Finding> additional_test(const Case& c) {
+  if (c.programme == Programme::long_linear)
+    return note(
+        "5.3.3",
+        c.travel() > 4000.0
+            ? "the test with five approaches over one stretch of 2 000 mm, or several as agreed, is also needed (6.2)"
+            : "the test with five approaches over 2 000 mm of the normal working area is also needed (6.2)");
+  if (c.programme == Programme::many_turns)
+    return note("5.3.5", "the test with five approaches over 360° of the normal working area is also needed (6.2)");
+  const Axis& axis = c.metadata.axis;
+  if (!axis.travel_begin || !axis.travel_end) return std::nullopt;
+  const double whole = axis.travel_end->in_native() - axis.travel_begin->in_native();
+  if (c.linear() ? whole <= 2000.0 : whole <= 360.0) return std::nullopt;
+  return note(
+      c.linear() ? "5.3.3" : "5.3.5",
+      fmt::format(
+          "the axis travels {}: the test over its whole travel with one approach from each direction is also needed",
+          position_text(c, whole)));
+}
+
+std::optional<Finding> step_cycle(const Case& c) {
+  if (c.metadata.conditions.cycle != TestCycle::step) return std::nullopt;
+  return departure(
+      "Annex B",
+      "found the step cycle, expected the standard test cycle (Figure 1): not for acceptance without special "
+      "written agreement");
+}
+
+}  // namespace axiometry::iso230_2::rules

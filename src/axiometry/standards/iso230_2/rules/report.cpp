@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Clauses 6 and 8 and Annex A: what a report must be able to state.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "axiometry/base/iso_date.h"
+#include "axiometry/base/text.h"
+#include "axiometry/model/fields.h"
+#include "axiometry/standards/iso230_2/rules/rules.h"
+
+namespace axiometry::iso230_2::rules {
+namespace {
+
+/// "1 to 8", "10": neighbours of target numbers drawn together.
+std::vector<std::string> stretches(const std::vector<std::size_t>& indices) {
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < indices.size();) {
+    std::size_t last = k;
+    while (last + 1 < indices.size() && indices[last + 1] == indices[last] + 1) ++last;
+    if (last == k + 1) last = k;  // a pair reads better as two
+    all.push_back(last == k ? fmt::format("{}", indices[k] + 1)
+                            : fmt::format("{} to {}", indices[k] + 1, indices[last] + 1));
+    k = last + 1;
+  }
+  return all;
+}
+
+/// "air temperature at the start" and "… at the end" become one item.
+void add_item(std::vector<std::string>& items, std::string_view title) {
+  constexpr std::string_view start = " at the start", end = " at the end";
+  const std::string item = within_sentence(title);
+  const std::string stem = item.substr(0, item.size() - std::min(end.size(), item.size()));
+  if (item.ends_with(end) && !items.empty() && items.back() == stem + std::string(start)) {
+    items.back() += " and the end";
+    return;
+  }
+  items.push_back(item);
+}
+
+std::string_view group_of(std::string_view key) { return key.substr(0, key.find('.')); }
+
+std::string_view group_title(std::string_view group) {
+  if (group == "nde") return "NDE correction";
+  if (group == "environment") return "air";
+  if (group == "sensors") return "temperature";
+  if (group == "tracking") return "tracking interferometer";
+  return group;
+}
+
+bool U_known(const AnnexA& annex, std::string_view key) {
+  return std::ranges::any_of(annex.budget, [&](const Contributor& row) { return row.key == key && row.U; });
+}
+
+/// The contributors that 8.2.1 asks for at least, as far as Annex A has a formula for this kind of axis.
+std::vector<std::string> contributors_left_out(const Case& c) {
+  std::vector<std::string> absent;
+  const auto known = [&](std::string_view key) { return c.uncertainty && U_known(*c.uncertainty, key); };
+  if (!known("device")) absent.push_back("measuring device (A.1 to A.3)");
+  // The beam of a tracking interferometer follows: what counts is where it starts.
+  if (c.linear() && !known("misalignment") && !known("station")) absent.push_back("misalignment (A.4)");
+  if (c.linear() && !known("m_machine")) absent.push_back("temperature measurement of the machine tool (A.5)");
+  if (c.linear() && !known("e_machine")) absent.push_back("expansion coefficient of the machine tool (A.7)");
+  if (!known("eve")) absent.push_back("environmental variation (A.9)");
+  return absent;
+}
+
+}  // namespace
+
+std::string within_sentence(std::string_view title) {
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  std::string text(title);
+  if (text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' && is_small(text[1])) text[0] += 'a' - 'A';
+  return text;
+}
+
+std::optional<Finding> parameters_not_applicable(const Case& c) {
+  if (std::max(c.runs.up, c.runs.down) != 1) return std::nullopt;
+  return note("6.2", "with one approach from each direction s, R and A (3.18 to 3.22, 3.26, 3.27) are not applicable");
+}
+
+bool is_stated(const Field& field, const Metadata& metadata) {
+  if (!is_given(field, metadata)) return false;
+  const FieldValue value = field.get(metadata);
+  const auto* stated = std::get_if<std::string>(&value);
+  if (stated == nullptr) return true;
+  const std::string word = text::to_lower(*stated);
+  const bool dashes = std::ranges::none_of(
+      word, [](unsigned char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || c >= 0x80; });
+  return !dashes &&
+         std::ranges::none_of(std::initializer_list<std::string_view>{"n/a", "na", "unknown", "tbd", "unbekannt"},
+                              [&](std::string_view nothing) { return word == nothing; });
+}
+
+std::optional<Finding> items_of_identification(const Case& c) {
+  struct Group {
+    std::string_view key;
+    std::vector<std::string> items;
+  };
+  std::vector<Group> absent;
+  for (const Field& field : metadata_fields()) {
+    if (!is_wanted(field, c.metadata) || is_stated(field, c.metadata)) continue;
+    auto group = std::ranges::find(absent, group_of(field.key), &Group::key);
+    if (group == absent.end()) group = absent.insert(group, {group_of(field.key), {}});
+    add_item(group->items, field.title);
+  }
+  if (absent.empty()) return std::nullopt;
+  std::vector<std::string> groups;
+  for (const Group& group : absent)
+    groups.push_back(fmt::format("{}: {}", group_title(group.key), fmt::join(group.items, ", ")));
+  return missing("8.1", fmt::format("not given, but expected in the report – {}", fmt::join(groups, "; ")));
+}
+
+std::optional<Finding> equipment_identified(const Case& c) {
+  std::vector<std::string> incomplete;
+  for (std::size_t k = 0; k < c.metadata.equipment.size(); ++k) {
+    const Equipment& e = c.metadata.equipment[k];
+    std::vector<std::string_view> lacks;
+    if (e.manufacturer.empty()) lacks.push_back("manufacturer");
+    if (e.type.empty()) lacks.push_back("type");
+    if (e.serial_number.empty()) lacks.push_back("serial number");
+    if (lacks.empty()) continue;
+    incomplete.push_back(fmt::format("{} without {}", e.role.empty() ? fmt::format("component {}", k + 1) : e.role,
+                                     fmt::join(lacks, " and ")));
+  }
+  if (incomplete.empty()) return std::nullopt;
+  return missing("8.1", fmt::format("found test equipment not fully identified: {}", fmt::join(incomplete, "; ")));
+}
+
+std::optional<Finding> equipment_calibrated(const Case& c) {
+  const std::string day = iso_date(c.metadata.conditions.date);
+  if (day.empty()) return std::nullopt;
+  std::vector<std::string> outside;
+  for (const Equipment& e : c.metadata.equipment) {
+    const std::string from = iso_date(e.calibrated_on);
+    const std::string due = iso_date(e.calibration_due);
+    if (from <= day && (due.empty() || due >= day)) continue;
+    std::string name = e.role;
+    for (const std::string* other : {&e.type, &e.manufacturer, &e.serial_number})
+      if (name.empty()) name = *other;
+    outside.push_back(fmt::format("{} ({} – {})", name, from.empty() ? "…" : from, due.empty() ? "…" : due));
+  }
+  if (outside.empty()) return std::nullopt;
+  return note("8.2.1", fmt::format("found a test on {}, when its equipment was out of calibration: {}", day,
+                                   fmt::join(outside, "; ")));
+}
+
+std::optional<Finding> sensors_complete(const Case& c) {
+  if (c.metadata.nde.applied != true || c.metadata.environment.sensors.empty()) return std::nullopt;
+  std::vector<std::string> lacks;
+  const auto has_role = [&](std::string_view role) {
+    return std::ranges::any_of(c.metadata.environment.sensors,
+                               [&](const TemperatureSensor& s) { return text::equal_ignoring_case(s.role, role); });
+  };
+  if (!has_role("machine")) lacks.push_back("no sensor with the role machine");
+  for (const TemperatureSensor& s : c.metadata.environment.sensors) {
+    std::string name = s.role.empty() ? "a sensor" : "the sensor of the " + s.role;
+    if (!s.location.empty()) name += fmt::format(" ({})", s.location);
+    if (s.location.empty()) lacks.push_back(name + " without location");
+    if (!s.start || !s.end)
+      lacks.push_back(fmt::format("{} without temperature at the {}", name,
+                                  s.start ? "end"
+                                  : s.end ? "start"
+                                          : "start and the end"));
+  }
+  if (lacks.empty()) return std::nullopt;
+  return missing("8.1", fmt::format("found an NDE correction with {}", fmt::join(lacks, ", ")));
+}
+
+std::optional<Finding> uncertainty_stated(const Case& c) {
+  const std::vector<std::string> absent = contributors_left_out(c);
+  if (absent.empty()) return std::nullopt;
+  if (!c.uncertainty)
+    return missing("8.2.1", fmt::format("no uncertainty is stated: nothing was given of {}", fmt::join(absent, ", ")));
+  return missing("8.2.1", fmt::format("the uncertainty is incomplete and too small: nothing was given of {}",
+                                      fmt::join(absent, ", ")));
+}
+
+std::optional<Finding> repeatability_below_variation(const Case& c) {
+  if (!c.uncertainty || !c.uncertainty->corrected || c.uncertainty->corrected->floored.empty()) return std::nullopt;
+  const auto& floored = c.uncertainty->corrected->floored;
+  return note("A.2.6",
+              fmt::format("found s_i smaller than U_EVE/2 at target{} {}; the corrected repeatability takes 0 there",
+                          floored.size() == 1 ? "" : "s", fmt::join(stretches(floored), ", ")));
+}
+
+}  // namespace axiometry::iso230_2::rules

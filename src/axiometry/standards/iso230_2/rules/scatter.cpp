@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Clauses 3.18 and 4.3: readings that do not scatter as the others do. They are told with what they do to a parameter,
+// and all parameters keep them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "axiometry/standards/iso230_2/rules/rules.h"
+#include "axiometry/standards/iso230_2/scatter/scatter.h"
+
+namespace axiometry::iso230_2::rules {
+namespace {
+
+constexpr double least_change = 0.01;  // of a parameter, relative, that is worth a word
+
+/// "p = 0.003", "p < 0.0001".
+std::string chance_text(double p) { return p < 1e-4 ? std::string("p < 0.0001") : fmt::format("p = {:.4f}", p); }
+
+/// "R↑ would be 2.1 µm instead of 9.7 µm", of the parameter that changes most; "" where none does.
+std::string without_text(const Case& c, const AxisParameters& without) {
+  const ParameterInfo* most = nullptr;
+  double largest = least_change;
+  for (const ParameterInfo& parameter : parameters) {
+    const auto& before = c.evaluation.parameters.*parameter.member;
+    const auto& after = without.*parameter.member;
+    if (!before || !after || !(std::abs(before->in_native()) > 0.0)) continue;
+    const double change = std::abs(after->in_native() / before->in_native() - 1.0);
+    if (change > largest && parameter.member != &AxisParameters::B_mean) largest = change, most = &parameter;
+  }
+  if (most == nullptr) return "";
+  return fmt::format("{} would be {} instead of {}", most->symbol,
+                     deviation_text(c, (without.*most->member)->in_native()),
+                     deviation_text(c, (c.evaluation.parameters.*most->member)->in_native()));
+}
+
+std::string consequence(const Case& c, const AxisParameters& without, std::string_view of) {
+  const std::string text = without_text(c, without);
+  if (text.empty()) return fmt::format("no parameter depends on {} by more than 1 %", of);
+  return fmt::format("without {} {}", of, text);
+}
+
+Finding outlier_finding(const Case& c, const OutlyingReading& outlier) {
+  const double distance = outlier.distance.in_native();
+  return note(
+      "3.18",
+      fmt::format("found an outlier at {} {} run {}: a reading of {}, which lies {} {} what the other readings of "
+                  "target and run let expect ({}); {}, and nothing is removed",
+                  target_text(c, outlier.target), arrow(outlier.direction), outlier.run + 1,
+                  deviation_text(c, outlier.deviation.in_native()), deviation_text(c, std::abs(distance)),
+                  distance > 0.0 ? "above" : "below", chance_text(outlier.p),
+                  consequence(c, evaluate(without_reading(c.series, outlier)).parameters, "it")));
+}
+
+/// The positions without those of the part that scatters more, for R of the rest.
+AxisParameters rest_of(const Case& c, const UnevenScatter& uneven) {
+  std::vector<PositionResult> rest;
+  for (std::size_t i = 0; i < c.evaluation.positions.size(); ++i)
+    if (i < uneven.first || i > uneven.last) rest.push_back(c.evaluation.positions[i]);
+  AxisParameters parameters;
+  for (const PositionResult& p : rest) {
+    const auto larger = [](std::optional<Deviation>& of, const std::optional<Deviation>& than) {
+      if (than && (!of || than->in_native() > of->in_native())) of = than;
+    };
+    if (uneven.direction != Direction::down) larger(parameters.R_up, p.R_up);
+    if (uneven.direction != Direction::up) larger(parameters.R_down, p.R_down);
+  }
+  return parameters;
+}
+
+std::string place_text(const Case& c, const UnevenScatter& uneven) {
+  const std::string where = uneven.first == uneven.last
+                                ? target_text(c, uneven.first)
+                                : fmt::format("targets {} to {}", uneven.first + 1, uneven.last + 1);
+  return uneven.direction ? fmt::format("{} {}", where, arrow(*uneven.direction)) : where;
+}
+
+/// "s_i go from 1.0 µm to 51 µm".
+std::string range_text(const Case& c) {
+  double least = std::numeric_limits<double>::infinity(), largest = 0.0;
+  for (const PositionResult& p : c.evaluation.positions)
+    for (const auto& s : {p.s_up, p.s_down})
+      if (s) least = std::min(least, s->in_native()), largest = std::max(largest, s->in_native());
+  return fmt::format("s_i go from {} to {}", deviation_text(c, least), deviation_text(c, largest));
+}
+
+Finding uneven_finding(const Case& c, const UnevenScatter& uneven) {
+  const double within = uneven.within.in_native(), elsewhere = uneven.elsewhere.in_native();
+  const std::string chance = chance_text(uneven.p);
+  const bool whole = uneven.first == 0 && uneven.last + 1 == c.evaluation.positions.size();
+  if (whole && uneven.direction) {
+    const AxisParameters& p = c.evaluation.parameters;
+    return note("3.18", fmt::format("found readings that scatter by {} {} and by {} {} ({}): R↑ is {} and R↓ {}; {}",
+                                    deviation_text(c, within), arrow(*uneven.direction), deviation_text(c, elsewhere),
+                                    uneven.direction == Direction::up ? "↓" : "↑", chance,
+                                    deviation_text(c, p.R_up->in_native()), deviation_text(c, p.R_down->in_native()),
+                                    range_text(c)));
+  }
+  const std::string times = elsewhere > 0.0 ? fmt::format("{} times as much as the {} elsewhere",
+                                                          size_text(within / elsewhere), deviation_text(c, elsewhere))
+                                            : std::string("where they do not scatter elsewhere");
+  const std::string_view of = uneven.first == uneven.last ? "this target" : "these targets";
+  return note("3.18",
+              fmt::format("found readings that scatter by {} at {}, {} ({}); {}; {}", deviation_text(c, within),
+                          place_text(c, uneven), times, chance, range_text(c), consequence(c, rest_of(c, uneven), of)));
+}
+
+Finding shifts_finding(const Case& c, const RunShifts& shifts) {
+  const std::string effect =
+      consequence(c, evaluate(without_shifts(c.series)).parameters, shifts.ordered ? "this drift" : "these shifts");
+  const std::string within = deviation_text(c, shifts.within.in_native());
+  if (shifts.ordered) {
+    const double drift = shifts.drift.in_native();
+    return note(
+        progression_clause,
+        fmt::format("found the readings {} from run to run, by {} from the first run to the last, where they "
+                    "scatter by {} about target and run ({}): a sign that the machine was not thermally stable; "
+                    "{}, and nothing is removed",
+                    drift > 0.0 ? "rising" : "falling", deviation_text(c, std::abs(drift)), within,
+                    chance_text(shifts.p), effect));
+  }
+  const double shift = shifts.shift.in_native();
+  return note("3.18",
+              fmt::format("found the readings of a run shifted as a whole, by {} from run to run (standard deviation), "
+                          "where they scatter by {} about target and run ({}); run {} lies {} {} the mean; {}, and "
+                          "nothing is removed",
+                          deviation_text(c, shifts.between.in_native()), within, chance_text(shifts.p), shifts.run + 1,
+                          deviation_text(c, std::abs(shift)), shift > 0.0 ? "above" : "below", effect));
+}
+
+}  // namespace
+
+std::vector<Finding> scatter_findings(const Case& c) {
+  const ScatterStudy study = scatter_study(c.series);
+  std::vector<Finding> findings;
+  for (const OutlyingReading& outlier : study.outliers) findings.push_back(outlier_finding(c, outlier));
+  if (study.uneven) findings.push_back(uneven_finding(c, *study.uneven));
+  if (study.shifts) findings.push_back(shifts_finding(c, *study.shifts));
+  return findings;
+}
+
+}  // namespace axiometry::iso230_2::rules

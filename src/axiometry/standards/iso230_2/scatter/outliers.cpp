@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/standards/iso230_2/scatter/outliers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "axiometry/numeric/special_functions.h"
+
+namespace axiometry::iso230_2::scatter {
+namespace {
+
+using numeric::AdditiveFit;
+using numeric::fit_additive;
+
+constexpr std::size_t least_readings = 3;    // of a cell, of which one can be told from the others
+constexpr std::size_t outliers_at_most = 5;  // of a direction: more are a matter of the scatter
+constexpr double worth_a_look = 3.0;         // robust standard deviations, before anything is computed
+
+/// Both tails of Student's t for a residual among others: `square` of it, freed of how much of the scatter its level
+/// and shift have taken, beside the sum of all such squares. `degrees` are those of the sum.
+double two_tails(double square, double rest, double degrees) {
+  if (degrees < 2.0 || square <= 0.0) return 1.0;
+  if (rest <= 0.0) return 0.0;
+  return 2.0 * numeric::student_t_probability(-std::sqrt(square * (degrees - 1.0) / rest), degrees - 1.0);
+}
+
+/// |e| less what rounding may have done to the reading, by how much of its own scatter a residual keeps.
+double beyond_rounding(double residual, double share, const Rounding& rounding) {
+  const double size = std::max(0.0, std::abs(residual) - rounding.step * share);
+  return size * size / share;
+}
+
+/// Whether a look with a robust measure finds any residual worth the effort.
+bool worth_looking(const AdditiveFit& fit) {
+  std::vector<double> sizes;
+  for (double e : fit.residuals)
+    if (!std::isnan(e)) sizes.push_back(std::abs(e));
+  if (sizes.empty()) return false;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  const double robust = 1.4826 * *middle;
+  return *std::max_element(sizes.begin(), sizes.end()) > worth_a_look * robust;
+}
+
+std::optional<Candidate> most_outlying(const AdditiveFit& fit, const Rounding& rounding) {
+  std::optional<Candidate> worst;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < fit.levels.size(); ++i) {
+    if (fit.row_counts[i] < least_readings) continue;
+    for (std::size_t j = 0; j < fit.columns; ++j) {
+      const double e = fit.row(i)[j];
+      if (std::isnan(e) || fit.column_counts[j] < least_readings) continue;
+      const double size = e * e / fit.share(i, j);
+      if (worst && size <= largest) continue;
+      largest = size;
+      worst = {{i, j}};
+    }
+  }
+  if (!worst) return std::nullopt;
+  const double e = fit.row(worst->at.row)[worst->at.column];
+  const double share = fit.share(worst->at.row, worst->at.column);
+  const double rest = std::max(fit.squares - e * e / share, (fit.degrees - 1.0) * rounding.variance());
+  const double p = two_tails(beyond_rounding(e, share, rounding), rest, fit.degrees);
+  worst->p = std::min(1.0, p * static_cast<double>(fit.count));
+  return worst;
+}
+
+}  // namespace
+
+std::vector<Candidate> pooled_outliers(std::vector<double> table, std::size_t columns, const Rounding& rounding,
+                                       double level) {
+  std::vector<Candidate> all;
+  std::size_t significant = 0;
+  AdditiveFit fit = fit_additive(table, columns);
+  if (!worth_looking(fit)) return {};
+  const std::size_t at_most = std::clamp<std::size_t>(fit.count / 8, 1, outliers_at_most);
+  while (all.size() < at_most) {
+    const auto next = most_outlying(fit, rounding);
+    if (!next) break;
+    all.push_back(*next);
+    if (next->p <= level) significant = all.size();
+    table[next->at.row * columns + next->at.column] = std::numeric_limits<double>::quiet_NaN();
+    fit = fit_additive(table, columns);
+  }
+  all.resize(significant);
+  // Several of one cell are no outliers: that cell scatters.
+  std::erase_if(all, [&](const Candidate& c) {
+    return std::ranges::count_if(all, [&](const Candidate& o) { return o.at.row == c.at.row; }) > 1;
+  });
+  return all;
+}
+
+double row_squares(const AdditiveFit& fit, std::size_t i, double rows) {
+  double sum = 0.0;
+  for (double e : fit.row(i))
+    if (!std::isnan(e)) sum += e * e;
+  return sum * rows / (rows - 1.0);
+}
+
+double rows_of(const AdditiveFit& fit) {
+  return static_cast<double>(std::ranges::count_if(fit.row_counts, [](std::size_t n) { return n > 0; }));
+}
+
+std::vector<Candidate> cell_outliers(const AdditiveFit& fit, const Rounding& rounding, double cells, double level) {
+  std::vector<Candidate> all;
+  const double rows = rows_of(fit);
+  if (rows < 3.0) return all;
+  for (std::size_t i = 0; i < fit.levels.size(); ++i) {
+    if (fit.row_counts[i] < least_readings) continue;
+    const auto n = static_cast<double>(fit.row_counts[i]);
+    const double squares = row_squares(fit, i, rows);
+    std::size_t worst = 0;
+    double largest = -1.0;
+    for (std::size_t j = 0; j < fit.columns; ++j)
+      if (const double e = fit.row(i)[j]; std::abs(e) > largest) largest = std::abs(e), worst = j;
+    const double share = (1.0 - 1.0 / n) * (1.0 - 1.0 / rows);
+    const double rest = std::max(squares - largest * largest / share, (n - 2.0) * rounding.variance());
+    const double p = cells * n * two_tails(beyond_rounding(largest, share, rounding), rest, n - 1.0);
+    if (p <= level) all.push_back({{i, worst}, p});
+  }
+  return all;
+}
+
+}  // namespace axiometry::iso230_2::scatter

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Outliers: the largest studentised residual, one after the other (generalised ESD: Rosner, Technometrics 25 (1983)
+// 165), and in each cell alone (Grubbs). Variances: Cochran's C in the form of F, in which its critical values are
+// exact for equal n and conservative for unequal n. Shifts: analysis of variance.
+#include "axiometry/standards/iso230_2/scatter/scatter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "axiometry/base/contract.h"
+#include "axiometry/numeric/additive_table.h"
+#include "axiometry/numeric/f_distribution.h"
+#include "axiometry/numeric/moments.h"
+#include "axiometry/standards/iso230_2/scatter/outliers.h"
+
+namespace axiometry::iso230_2 {
+namespace {
+
+using numeric::AdditiveFit;
+using numeric::fit_additive;
+using scatter::Candidate;
+using scatter::cell_outliers;
+using scatter::pooled_outliers;
+using scatter::Rounding;
+using scatter::row_squares;
+using scatter::rows_of;
+
+constexpr std::array<Direction, 2> each_direction = {Direction::up, Direction::down};
+constexpr double gone = std::numeric_limits<double>::quiet_NaN();
+constexpr double pooled_share = 3.0 / 4;     // of the level for outliers; the rest is for cells alone
+constexpr double much_wider = 1.5;           // s of a part of the test by that of the rest
+constexpr double shifts_worth_a_word = 0.5;  // variance between runs by that within
+constexpr double ordered_by_chance = 0.02;   // of runs that only rise or only fall
+
+std::size_t index(Direction d) { return static_cast<std::size_t>(d); }
+
+/// Both directions as tables, targets by runs.
+using Tables = std::array<std::vector<double>, 2>;
+
+Tables tables_of(const Series& series) {
+  Tables tables;
+  for (Direction d : each_direction)
+    for (std::size_t i = 0; i < series.target_count(); ++i) {
+      const auto cell = series.cell(i, d);
+      tables[index(d)].insert(tables[index(d)].end(), cell.begin(), cell.end());
+    }
+  return tables;
+}
+
+Series series_of(const Series& like, const Tables& tables) {
+  std::vector<double> all = tables[0];
+  all.insert(all.end(), tables[1].begin(), tables[1].end());
+  auto series = Series::make_dense({like.targets().begin(), like.targets().end()}, like.run_count(), std::move(all));
+  AXIOMETRY_CONTRACT(series.has_value());
+  return *std::move(series);
+}
+
+}  // namespace
+
+double step_of(const Series& series) {
+  for (double unit = 1.0; unit > 0.5e-4; unit /= 10.0) {
+    std::int64_t common = 0;
+    bool whole = true;
+    for (Direction d : each_direction)
+      for (std::size_t i = 0; whole && i < series.target_count(); ++i)
+        for (double x : series.cell(i, d)) {
+          if (std::isnan(x)) continue;
+          const double steps = std::round(x / unit);
+          // A decimal is off by half a unit in its last place, and what computed it by some more.
+          whole =
+              whole && std::abs(steps) < 1e13 &&
+              std::abs(x - steps * unit) <= 8.0 * std::numeric_limits<double>::epsilon() * std::abs(x) + 1e-9 * unit;
+          if (whole) common = std::gcd(common, static_cast<std::int64_t>(steps));
+        }
+    if (whole) return static_cast<double>(common) * unit;
+  }
+  return 0.0;
+}
+
+namespace {
+
+/// s_i² of a cell and its degrees of freedom.
+struct CellVariance {
+  double variance = 0.0;
+  double degrees = 0.0;  ///< 0 where there is none
+};
+
+using CellVariances = std::array<std::vector<CellVariance>, 2>;
+
+CellVariances cell_variances(const Tables& tables, std::size_t targets, std::size_t runs) {
+  CellVariances all;
+  for (std::size_t d = 0; d < 2; ++d)
+    for (std::size_t i = 0; i < targets; ++i) {
+      const numeric::Moments m = numeric::moments(std::span(tables[d]).subspan(i * runs, runs));
+      const double s = m.standard_deviation;
+      all[d].push_back({s * s, m.count > 1 ? static_cast<double>(m.count - 1) : 0.0});
+    }
+  return all;
+}
+
+struct Sum {
+  double squares = 0.0;
+  double degrees = 0.0;
+  void add(const CellVariance& c) { squares += c.variance * c.degrees, degrees += c.degrees; }
+  double variance() const { return degrees > 0.0 ? squares / degrees : 0.0; }
+};
+
+Sum operator-(const Sum& a, const Sum& b) { return {std::max(0.0, a.squares - b.squares), a.degrees - b.degrees}; }
+
+/// Tail of the ratio of a part's variance by that of the rest; 1 where one of them has no degrees of freedom.
+double ratio_tail(const Sum& part, const Sum& rest, const Rounding& rounding) {
+  if (part.degrees <= 0.5 || rest.degrees <= 0.5) return 1.0;
+  const double below = std::max(rest.variance(), rounding.variance());
+  if (below <= 0.0) return part.variance() > 0.0 ? 0.0 : 1.0;
+  return numeric::f_tail(part.variance() / below, {part.degrees, rest.degrees});
+}
+
+/// Looks for the part of a test that stands out most.
+class UnevenSearch {
+ public:
+  UnevenSearch(const CellVariances& cells, const Rounding& rounding) : cells_(cells), rounding_(rounding) {
+    for (std::size_t d = 0; d < 2; ++d)
+      for (const CellVariance& c : cells[d]) of_direction_[d].add(c);
+    all_ = of_direction_[0];
+    all_.squares += of_direction_[1].squares;
+    all_.degrees += of_direction_[1].degrees;
+  }
+
+  void look_at_directions() {
+    for (Direction d : each_direction) see({0, targets() - 1, d, {}, {}, 1.0}, of_direction_[index(d)]);
+  }
+
+  /// The targets up to one, and those from one on, of both directions and of each.
+  void look_at_stretches() {
+    for (std::optional<Direction> d :
+         {std::optional<Direction>(), std::optional(Direction::up), std::optional(Direction::down)}) {
+      const Sum whole = d ? of_direction_[index(*d)] : all_;
+      Sum before;
+      for (std::size_t k = 1; k < targets(); ++k) {
+        for (Direction each : each_direction)
+          if (!d || *d == each) before.add(cells_[index(each)][k - 1]);
+        see({0, k - 1, d, {}, {}, 1.0}, before);
+        see({k, targets() - 1, d, {}, {}, 1.0}, whole - before);
+      }
+    }
+  }
+
+  /// Cochran: each cell. Where runs shift, also what is left of it without.
+  void look_at_cells(const std::array<AdditiveFit, 2>& fits) {
+    const Sum left_of_all{fits[0].squares + fits[1].squares, fits[0].degrees + fits[1].degrees};
+    for (Direction d : each_direction) {
+      const AdditiveFit& fit = fits[index(d)];
+      const double rows = rows_of(fit);
+      for (std::size_t i = 0; i < targets(); ++i) {
+        Sum own;
+        own.add(cells_[index(d)][i]);
+        see({i, i, d, {}, {}, 1.0}, own);
+        if (rows < 3.0 || own.degrees <= 0.0) continue;
+        const Sum left{row_squares(fit, i, rows), own.degrees};
+        see({i, i, d, {}, {}, ratio_tail(left, left_of_all - left, rounding_)}, own);
+      }
+    }
+  }
+
+  std::optional<UnevenScatter> found() const {
+    if (!best_) return std::nullopt;
+    UnevenScatter result = *best_;
+    result.p = std::min(1.0, result.p * static_cast<double>(looks_));
+    return result.p <= uneven_level ? std::optional(result) : std::nullopt;
+  }
+
+ private:
+  std::size_t targets() const { return cells_[0].size(); }
+
+  /// A part beside all that is not in it, so that the parts can be compared.
+  void see(UnevenScatter part, const Sum& own) {
+    const Sum rest = all_ - own;
+    if (own.degrees <= 0.0 || rest.degrees <= 0.0) return;
+    ++looks_;
+    part.within = Deviation::native(std::sqrt(own.variance()));
+    part.elsewhere = Deviation::native(std::sqrt(rest.variance()));
+    if (part.within.in_native() < much_wider * part.elsewhere.in_native()) return;
+    part.p = std::min(part.p, ratio_tail(own, rest, rounding_));
+    if (!best_ || part.p < best_->p) best_ = part;
+  }
+
+  const CellVariances& cells_;
+  Rounding rounding_;
+  std::array<Sum, 2> of_direction_;
+  Sum all_;
+  std::size_t looks_ = 0;
+  std::optional<UnevenScatter> best_;
+};
+
+/// The shift of each run, of both directions' mean where both have it; NaN where neither has.
+std::vector<double> shifts_of(const std::array<AdditiveFit, 2>& fits) {
+  std::vector<double> shifts;
+  for (std::size_t j = 0; j < fits[0].columns; ++j) {
+    double sum = 0.0, count = 0.0;
+    for (const AdditiveFit& fit : fits)
+      if (fit.column_counts[j] > 0) sum += fit.shifts[j], count += 1.0;
+    shifts.push_back(count > 0.0 ? sum / count : gone);
+  }
+  return shifts;
+}
+
+/// Whether the shifts go one way: by the regression on the number of the run, or because every run goes on.
+void describe_order(RunShifts& result, const std::vector<double>& shifts) {
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t j = 0; j < shifts.size(); ++j) {
+    if (std::isnan(shifts[j])) continue;
+    points.emplace_back(static_cast<double>(j), shifts[j]);
+    if (std::abs(shifts[j]) > std::abs(result.shift.in_native()))
+      result.run = j, result.shift = Deviation::native(shifts[j]);
+  }
+  const auto n = static_cast<double>(points.size());
+  double mean_j = 0.0, mean_x = 0.0;
+  for (const auto& [j, x] : points) mean_j += j / n, mean_x += x / n;
+  double jj = 0.0, jx = 0.0, xx = 0.0;
+  for (const auto& [j, x] : points)
+    jj += (j - mean_j) * (j - mean_j), jx += (j - mean_j) * (x - mean_x), xx += (x - mean_x) * (x - mean_x);
+  if (!(jj > 0.0) || points.size() < 3) return;
+  result.drift = Deviation::native(jx / jj * (points.back().first - points.front().first));
+  const double explained = jx * jx / jj;
+  const double p = numeric::f_tail(explained * (n - 2.0) / std::max(xx - explained, 1e-300), {1.0, n - 2.0});
+  const auto second = [](const auto& point) { return point.second; };
+  const bool goes_on = std::ranges::is_sorted(points, std::ranges::less_equal{}, second) ||
+                       std::ranges::is_sorted(points, std::ranges::greater_equal{}, second);
+  result.ordered = p <= 0.01 || (goes_on && 2.0 / std::tgamma(n + 1.0) <= ordered_by_chance);
+}
+
+std::optional<RunShifts> shifts_between(const std::array<AdditiveFit, 2>& fits, const Rounding& rounding) {
+  Sum between, within;
+  double readings = 0.0;
+  for (const AdditiveFit& fit : fits) {
+    double runs = 0.0;
+    for (std::size_t j = 0; j < fit.columns; ++j) {
+      const auto m = static_cast<double>(fit.column_counts[j]);
+      if (m == 0.0) continue;
+      between.squares += m * fit.shifts[j] * fit.shifts[j];
+      runs += 1.0;
+    }
+    if (runs < 2.0) continue;
+    between.degrees += runs - 1.0;
+    readings += static_cast<double>(fit.count) * (runs - 1.0) / runs;
+    within.squares += fit.squares;
+    within.degrees += fit.degrees;
+  }
+  if (between.degrees < 2.0 || within.degrees < 4.0) return std::nullopt;
+  const double noise = std::max(within.variance(), rounding.variance());
+  const double m = readings / between.degrees;
+  const double variance = std::max(0.0, between.variance() - noise) / m;
+  RunShifts result;
+  result.p = ratio_tail(between, within, rounding);
+  if (result.p > shift_level || variance < shifts_worth_a_word * noise || !(variance > 0.0)) return std::nullopt;
+  result.between = Deviation::native(std::sqrt(variance));
+  result.within = Deviation::native(std::sqrt(within.variance()));
+  describe_order(result, shifts_of(fits));
+  return result;
+}
+
+OutlyingReading reading_of(const Series& series, Direction d, const Candidate& c, const AdditiveFit& fit) {
+  const double x = series.cell(c.at.row, d)[c.at.column];
+  return {c.at.row,
+          d,
+          c.at.column,
+          Deviation::native(x),
+          Deviation::native(fit.row(c.at.row)[c.at.column] / fit.share(c.at.row, c.at.column)),
+          std::min(1.0, c.p)};
+}
+
+bool same_place(const OutlyingReading& a, const OutlyingReading& b) {
+  return a.direction == b.direction && a.target == b.target && a.run == b.run;
+}
+
+/// NaN in place of the outliers.
+Tables cleaned(Tables tables, const std::vector<OutlyingReading>& outliers, std::size_t runs) {
+  for (const OutlyingReading& o : outliers) tables[index(o.direction)][o.target * runs + o.run] = gone;
+  return tables;
+}
+
+std::array<AdditiveFit, 2> fits_of(const Tables& tables, std::size_t runs) {
+  return {fit_additive(tables[0], runs), fit_additive(tables[1], runs)};
+}
+
+}  // namespace
+
+ScatterStudy scatter_study(const Series& series, double step) {
+  const std::size_t runs = series.run_count();
+  ScatterStudy study;
+  if (runs < 2) return study;
+  const Rounding rounding{step};
+  const Tables tables = tables_of(series);
+  const std::array<AdditiveFit, 2> fits = fits_of(tables, runs);
+  const double cells = rows_of(fits[0]) + rows_of(fits[1]);
+  const auto by_cells = [&](const std::array<AdditiveFit, 2>& own, double level) {
+    std::vector<OutlyingReading> all;
+    for (Direction d : each_direction)
+      for (const Candidate& c : cell_outliers(own[index(d)], rounding, cells, level))
+        all.push_back(reading_of(series, d, c, own[index(d)]));
+    return all;
+  };
+  for (Direction d : each_direction)
+    for (const Candidate& c : pooled_outliers(tables[index(d)], runs, rounding, 0.5 * pooled_share * outlier_level))
+      study.outliers.push_back(reading_of(series, d, {c.at, 2.0 * c.p}, fits[index(d)]));
+
+  const Tables without = cleaned(tables, study.outliers, runs);
+  const CellVariances variances = cell_variances(without, series.target_count(), runs);
+  UnevenSearch search(variances, rounding);
+  search.look_at_directions();
+  search.look_at_stretches();
+  // One gross error shifts what its run lets expect everywhere: cells are looked at without it.
+  const std::array<AdditiveFit, 2> fits_without = fits_of(without, runs);
+  search.look_at_cells(fits_without);
+  study.uneven = search.found();
+
+  if (study.uneven) {
+    // One measure for all readings would be none: what it found must stand out of its own cell too.
+    const std::vector<OutlyingReading> of_cells = by_cells(fits, outlier_level);
+    std::erase_if(study.outliers, [&](const OutlyingReading& o) {
+      return std::ranges::none_of(of_cells, [&](const OutlyingReading& own) { return same_place(o, own); });
+    });
+    for (const OutlyingReading& o : by_cells(fits_without, outlier_level)) study.outliers.push_back(o);
+  } else {
+    for (const OutlyingReading& o : by_cells(fits_without, (1.0 - pooled_share) * outlier_level))
+      if (std::ranges::none_of(study.outliers, [&](const OutlyingReading& known) {
+            return known.direction == o.direction && known.target == o.target;
+          }))
+        study.outliers.push_back(o);
+  }
+  std::ranges::sort(study.outliers, {}, [](const OutlyingReading& o) {
+    return std::array{index(o.direction), o.target, o.run};
+  });
+  study.shifts = shifts_between(fits_of(cleaned(tables, study.outliers, runs), runs), rounding);
+  return study;
+}
+
+Series without_shifts(const Series& series) {
+  Tables tables = tables_of(series);
+  const std::size_t runs = series.run_count();
+  const std::array<AdditiveFit, 2> fits = fits_of(tables, runs);
+  for (std::size_t d = 0; d < 2; ++d)
+    for (std::size_t k = 0; k < tables[d].size(); ++k)
+      if (!std::isnan(tables[d][k])) tables[d][k] -= fits[d].shifts[k % runs];
+  return series_of(series, tables);
+}
+
+Series without_reading(const Series& series, const OutlyingReading& reading) {
+  Tables tables = cleaned(tables_of(series), {reading}, series.run_count());
+  return series_of(series, tables);
+}
+
+}  // namespace axiometry::iso230_2

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Figures of Table 2 computed by another program; error rates by simulation from a seed.
+#include "axiometry/standards/iso230_2/scatter/scatter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "axiometry/standards/iso230_2/assessment/assessment.h"
+#include "tests/support/series.h"
+
+namespace axiometry::iso230_2 {
+namespace {
+
+using testing_support::make_series;
+using testing_support::none;
+using testing_support::RunDeviations;
+namespace table2 = testing_support::table2;
+
+/// Reproducible on every standard library.
+class Normal {
+ public:
+  explicit Normal(unsigned seed) : bits_(seed) {}
+  double operator()() {
+    const double u = (static_cast<double>(bits_()) + 1.0) / 4294967297.0;
+    const double v = static_cast<double>(bits_()) / 4294967296.0;
+    return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * v);
+  }
+
+ private:
+  std::mt19937 bits_;
+};
+
+std::vector<double> targets(std::size_t m) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < m; ++i) all.push_back(static_cast<double>(100 * i + 7 * (i % 3)));
+  return all;
+}
+
+struct Runs {
+  std::vector<RunDeviations> up, down;
+};
+
+/// s = 1, a curve, a reversal error of 3; rounded to `step` where there is one.
+Runs clean(std::size_t m, std::size_t n, Normal& normal, double step = 0.0) {
+  Runs runs{std::vector<RunDeviations>(n, RunDeviations(m)), std::vector<RunDeviations>(n, RunDeviations(m))};
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < m; ++i)
+      for (bool is_up : {true, false}) {
+        double x = 4.0 * std::sin(static_cast<double>(i)) + (is_up ? 3.0 : 0.0) + normal();
+        if (step > 0.0) x = std::round(x / step) * step;
+        (is_up ? runs.up : runs.down)[j][i] = x;
+      }
+  return runs;
+}
+
+Series made(const Runs& runs) { return make_series(targets(runs.up.front().size()), runs.up, runs.down); }
+
+bool speaks(const ScatterStudy& study) { return !study.outliers.empty() || study.uneven || study.shifts; }
+
+double rate(std::size_t m, std::size_t n, double step, int tests) {
+  Normal normal(static_cast<unsigned>(m * 100 + n));
+  int found = 0;
+  for (int k = 0; k < tests; ++k) found += speaks(scatter_study(made(clean(m, n, normal, step)))) ? 1 : 0;
+  return static_cast<double>(found) / tests;
+}
+
+TEST(Scatter, IsSilentInNinetyNineOfAHundredCleanTests) {
+  struct Shape {
+    std::size_t m, n;
+  };
+  for (const auto& [m, n] : {Shape{5, 5}, {11, 5}, {9, 3}, {8, 10}, {3, 5}, {30, 5}, {5, 2}})
+    EXPECT_LE(rate(m, n, 0.0, 2000), 0.01 + 3 * std::sqrt(0.01 * 0.99 / 2000)) << m << " targets, " << n << " runs";
+}
+
+TEST(Scatter, IsSilentWhereReadingsAreRounded) {
+  for (double step : {0.1, 1.0, 3.0, 10.0}) EXPECT_LE(rate(11, 5, step, 1000), 0.019) << "step " << step;
+}
+
+TEST(Scatter, FindsAnOutlierAndWhereItIs) {
+  Normal normal(7);
+  int found = 0, else_found = 0, uneven = 0;
+  for (int k = 0; k < 100; ++k) {
+    Runs runs = clean(9, 5, normal);
+    runs.down[3][4] += 8.0;
+    const ScatterStudy study = scatter_study(made(runs));
+    for (const OutlyingReading& o : study.outliers) {
+      const bool it = o.target == 4 && o.direction == Direction::down && o.run == 3;
+      (it ? found : else_found) += 1;
+      if (it) EXPECT_NEAR(o.distance.in_native(), 8.0, 5.0);
+    }
+    uneven += study.uneven ? 1 : 0;
+  }
+  EXPECT_LE(uneven, 2) << "one cause, one finding";
+  EXPECT_GE(found, 95);
+  EXPECT_LE(else_found, 2);
+}
+
+TEST(Scatter, FindsTwoOutliersThatHideEachOther) {
+  Normal normal(8);
+  int found = 0;
+  for (int k = 0; k < 100; ++k) {
+    Runs runs = clean(9, 5, normal);
+    runs.up[1][2] -= 12.0;
+    runs.up[4][7] += 11.0;
+    found += scatter_study(made(runs)).outliers.size() == 2 ? 1 : 0;
+  }
+  EXPECT_GE(found, 95);
+}
+
+TEST(Scatter, FindsATargetThatScattersAndCallsNoReadingOfItAnOutlier) {
+  Normal normal(9);
+  int found = 0;
+  for (int k = 0; k < 100; ++k) {
+    Runs runs = clean(9, 5, normal);
+    for (std::size_t j = 0; j < 5; ++j) runs.up[j][6] += 12.0 * normal();
+    const ScatterStudy study = scatter_study(made(runs));
+    EXPECT_LE(study.outliers.size(), 1u);
+    if (study.uneven && study.uneven->first == 6 && study.uneven->last == 6) ++found;
+  }
+  EXPECT_GE(found, 85);
+}
+
+TEST(Scatter, FindsAStretchAndADirection) {
+  Normal normal(10);
+  Runs runs = clean(10, 5, normal);
+  for (auto& run : runs.up)
+    for (std::size_t i = 0; i < 4; ++i) run[i] += 8.0 * normal();
+  for (auto& run : runs.down)
+    for (std::size_t i = 0; i < 4; ++i) run[i] += 8.0 * normal();
+  const ScatterStudy stretch = scatter_study(made(runs));
+  ASSERT_TRUE(stretch.uneven);
+  EXPECT_EQ(stretch.uneven->first, 0u);
+  EXPECT_EQ(stretch.uneven->last, 3u);
+  EXPECT_FALSE(stretch.uneven->direction);
+
+  runs = clean(10, 5, normal);
+  for (auto& run : runs.up)
+    for (double& x : run) x += 10.0 * normal();
+  const ScatterStudy direction = scatter_study(made(runs));
+  ASSERT_TRUE(direction.uneven);
+  EXPECT_EQ(direction.uneven->direction, Direction::up);
+  EXPECT_EQ(direction.uneven->first, 0u);
+  EXPECT_EQ(direction.uneven->last, 9u);
+  EXPECT_TRUE(direction.outliers.empty());
+}
+
+TEST(Scatter, TellsADriftFromShiftsWithoutOrder) {
+  Normal normal(11);
+  Runs runs = clean(9, 5, normal);
+  for (std::size_t j = 0; j < 5; ++j)
+    for (auto* of : {&runs.up, &runs.down})
+      for (double& x : (*of)[j]) x -= 3.0 * static_cast<double>(j);
+  const ScatterStudy drift = scatter_study(made(runs));
+  ASSERT_TRUE(drift.shifts);
+  EXPECT_TRUE(drift.shifts->ordered);
+  EXPECT_NEAR(drift.shifts->drift.in_native(), -12.0, 1.5);
+  EXPECT_TRUE(drift.outliers.empty());
+  EXPECT_FALSE(drift.uneven);
+
+  runs = clean(9, 5, normal);
+  for (auto* of : {&runs.up, &runs.down})
+    for (double& x : (*of)[2]) x += 9.0;
+  const ScatterStudy shifted = scatter_study(made(runs));
+  ASSERT_TRUE(shifted.shifts);
+  EXPECT_FALSE(shifted.shifts->ordered);
+  EXPECT_EQ(shifted.shifts->run, 2u);
+  EXPECT_TRUE(shifted.outliers.empty()) << "a run that lies elsewhere is one thing, not nine";
+}
+
+// Table 2: s is 0.18 µm about target and run, and 0.36 µm between runs, which rise and fall again.
+TEST(Scatter, OfTableTwoIsThatOfItsRuns) {
+  const ScatterStudy study = scatter_study(table2::series());
+  EXPECT_TRUE(study.outliers.empty());
+  EXPECT_FALSE(study.uneven);
+  ASSERT_TRUE(study.shifts);
+  EXPECT_FALSE(study.shifts->ordered);
+  EXPECT_NEAR(study.shifts->within.in_native(), 0.18, 0.01);
+  EXPECT_EQ(study.shifts->run, 3u);
+  EXPECT_LT(study.shifts->p, 1e-6);
+}
+
+TEST(Scatter, OfReadingsThatAreAllAlikeIsNone) {
+  const std::vector<RunDeviations> same(5, RunDeviations{0.1, 0.2, 0.3, 0.4, 0.5});
+  EXPECT_FALSE(speaks(scatter_study(make_series(targets(5), same, same))));
+  std::vector<RunDeviations> one = same;
+  one[2][1] += 0.1;  // one step of the readings: rounding explains it
+  EXPECT_FALSE(speaks(scatter_study(make_series(targets(5), one, same))));
+  one[2][1] += 5.0;
+  EXPECT_EQ(scatter_study(make_series(targets(5), one, same)).outliers.size(), 1u);
+}
+
+TEST(Scatter, StandsReadingsThatAreMissing) {
+  Normal normal(12);
+  Runs runs = clean(7, 5, normal);
+  for (std::size_t j = 0; j < 5; ++j) runs.up[j][3] = none;
+  runs.up[0][0] = runs.down[4][6] = none;
+  runs.down[1][1] += 40.0;
+  const ScatterStudy study = scatter_study(made(runs));
+  ASSERT_EQ(study.outliers.size(), 1u);
+  EXPECT_EQ(study.outliers.front().target, 1u);
+  EXPECT_FALSE(speaks(scatter_study(make_series({0, 100}, {{1, none}}, {{none, 2}}))));
+}
+
+TEST(Scatter, IsToldWithPlaceAndEffect) {
+  Normal normal(13);
+  Runs runs = clean(9, 5, normal);
+  runs.down[3][4] += 30.0;
+  std::string message;
+  for (const Finding& finding : assess({{}, made(runs), {}}).findings)
+    if (finding.message.starts_with("found an outlier")) {
+      message = finding.message;
+      ASSERT_EQ(finding.deviations.size(), 4u);
+      EXPECT_TRUE(finding.message.substr(finding.deviations[0].at, finding.deviations[0].length).ends_with(" µm"));
+    }
+  EXPECT_TRUE(message.starts_with("found an outlier at target 5 (407 mm) ↓ run 4: a reading of ")) << message;
+  EXPECT_NE(message.find("p < 0.0001"), std::string::npos) << message;
+  EXPECT_NE(message.find("without it "), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace axiometry::iso230_2

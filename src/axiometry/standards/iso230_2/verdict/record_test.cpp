@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/standards/iso230_2/verdict/record.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/series.h"
+
+namespace axiometry::iso230_2 {
+namespace {
+
+/// Table 2 by all three methods.
+Assessment by_all_methods() {
+  const axiometry::Test test = testing_support::table2::complete_test();
+  Assessment assessment = assess(test);
+  assessment.gum = gum(test, assessment.evaluation).value();
+  MonteCarloOptions few;
+  few.propagation.trials = 10'000;
+  few.contribution_trials = 0;
+  assessment.monte_carlo = monte_carlo(test, assessment.evaluation, few).value();
+  return assessment;
+}
+
+TEST(MethodOfRecord, IsTheChosenOne) {
+  Assessment assessment = by_all_methods();
+  for (const auto method : {UncertaintyMethod::annex_a, UncertaintyMethod::gum, UncertaintyMethod::monte_carlo}) {
+    assessment.method_of_record = method;
+    EXPECT_EQ(method_of_record(assessment), method);
+    for (const auto& known : uncertainties_of_record(assessment)) EXPECT_EQ(known->stated.method, method);
+  }
+}
+
+TEST(MethodOfRecord, IsMonteCarloThenAnnexAThenTheGumWhereNobodyChose) {
+  Assessment assessment = by_all_methods();
+  EXPECT_EQ(method_of_record(assessment), UncertaintyMethod::monte_carlo);
+  assessment.monte_carlo.reset();
+  EXPECT_EQ(method_of_record(assessment), UncertaintyMethod::annex_a);
+  assessment.annex_a.reset();
+  EXPECT_EQ(method_of_record(assessment), UncertaintyMethod::gum);
+  assessment.gum.reset();
+  EXPECT_EQ(method_of_record(assessment), std::nullopt);
+}
+
+TEST(UncertaintyOfRecord, IsNeverFilledUpFromAnotherMethod) {
+  Assessment assessment = by_all_methods();
+  assessment.monte_carlo->distributions[1].reset();  // as for a parameter that the method knows nothing about
+  const auto all = uncertainties_of_record(assessment);
+  EXPECT_TRUE(all[0]);
+  EXPECT_FALSE(all[1]);
+  assessment.method_of_record = UncertaintyMethod::gum;
+  assessment.gum.reset();
+  for (const auto& known : uncertainties_of_record(assessment)) EXPECT_FALSE(known);
+}
+
+TEST(UncertaintyOfRecord, OfAnnexAIsTheValueAndItsExpandedUncertainty) {
+  const Assessment assessment = assess(testing_support::table2::complete_test());
+  for (const ParameterInfo& parameter : parameters) {
+    const auto known = uncertainty_of_record(assessment, parameter);
+    ASSERT_TRUE(known) << parameter.key;
+    const double U = (assessment.annex_a->U.*parameter.member)->in_native();
+    const double value = (assessment.evaluation.parameters.*parameter.member)->in_native();
+    EXPECT_DOUBLE_EQ(known->u.in_native(), U / 2);
+    EXPECT_DOUBLE_EQ(known->U->in_native(), U);
+    EXPECT_DOUBLE_EQ(known->interval.lower, value - U);
+    EXPECT_DOUBLE_EQ(known->interval.upper, value + U);
+  }
+}
+
+TEST(UncertaintyOfRecord, OfMonteCarloIsAnIntervalThatHoldsTheMeasuredValue) {
+  const Assessment assessment = by_all_methods();
+  for (const ParameterInfo& parameter : parameters) {
+    const auto known = uncertainty_of_record(assessment, parameter);
+    const double value = (assessment.evaluation.parameters.*parameter.member)->in_native();
+    EXPECT_FALSE(known->U);
+    EXPECT_LE(known->interval.lower, value) << parameter.key;
+    EXPECT_GE(known->interval.upper, value) << parameter.key;
+  }
+}
+
+TEST(UncertaintyOfRecord, IsAbsentWhereNoneWasEstimated) {
+  for (const auto& known : uncertainties_of_record(assess({{}, testing_support::table2::series(), {}})))
+    EXPECT_FALSE(known);
+}
+
+}  // namespace
+}  // namespace axiometry::iso230_2

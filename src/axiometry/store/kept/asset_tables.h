@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/store/database/connection.h"
+#include "axiometry/store/records.h"
+
+/// How machines, axes, instruments and plans lie in their tables: the one place that knows their columns.
+namespace axiometry::store {
+
+template <typename Asset>
+struct ThingTable;
+
+/// Cells in the order of `columns`; thing() reads them from `first` on and fails with `damaged` where JSON is none;
+/// check() says what a thing lacks to be kept; called() is what lists are ordered by.
+#define AXIOMETRY_THING_TABLE(Asset, table, names)                         \
+  template <>                                                              \
+  struct ThingTable<Asset> {                                               \
+    static constexpr std::string_view name = table;                        \
+    static constexpr std::string_view columns = names;                     \
+    static std::vector<Cell> cells(const Asset& thing);                    \
+    static Result<Asset> thing(const Row& row, std::size_t first);         \
+    static Result<void> check(Connection& connection, const Asset& thing); \
+    static std::string called(const Asset& thing);                         \
+  }
+
+AXIOMETRY_THING_TABLE(Machine, "machine", "name, manufacturer, type, serial_number, controller, location, notes");
+AXIOMETRY_THING_TABLE(Axis, "axis", "machine, name, kind, limits, notes");
+AXIOMETRY_THING_TABLE(Instrument, "instrument",
+                      "role, manufacturer, type, serial_number, certificate, calibrated_on, calibration_due, inputs, "
+                      "notes");
+AXIOMETRY_THING_TABLE(PlanRecord, "plan", "title, axis, content");
+
+#undef AXIOMETRY_THING_TABLE
+
+}  // namespace axiometry::store

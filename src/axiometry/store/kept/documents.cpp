@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/store/kept/documents.h"
+
+#include <fmt/format.h>
+
+#include "axiometry/base/text.h"
+#include "axiometry/digest/sha256.h"
+#include "axiometry/store/database/clock.h"
+#include "axiometry/store/kept/assets.h"
+#include "axiometry/store/kept/test_versions.h"
+#include "axiometry/store/proof/audit_trail.h"
+#include "axiometry/store/proof/fingerprint.h"
+
+namespace axiometry::store {
+namespace {
+
+constexpr std::string_view document_columns =
+    "id, test, version, kind, name, media_type, language, content, size, at, actor, reason";
+
+std::string_view kind_name(Document::Kind kind) { return kind == Document::Kind::report ? "report" : "attachment"; }
+
+Document::Kind document_kind(std::string_view name) {
+  for (const Document::Kind kind : {Document::Kind::report, Document::Kind::attachment})
+    if (kind_name(kind) == name) return kind;
+  throw DamagedCell();
+}
+
+Document document_of(const Row& row) {
+  return {.id = row.integer(0),
+          .test = row.integer(1),
+          .version = row.number(2),
+          .kind = document_kind(row.text(3)),
+          .name = row.text(4),
+          .media_type = row.text(5),
+          .language = row.text(6),
+          .sha256 = row.text(7),
+          .size = row.integer(8),
+          .change = {row.text(9), row.text(10), row.text(11)}};
+}
+
+}  // namespace
+
+std::string fingerprint(const Document& d) {
+  return Fingerprint()
+      .add_cell(d.id)
+      .add_cell(d.test)
+      .add_cell(std::int64_t{d.version})
+      .add(kind_name(d.kind))
+      .add(d.name)
+      .add(d.media_type)
+      .add(d.language)
+      .add(d.sha256)
+      .add_cell(d.size)
+      .add(d.change.at)
+      .add(d.change.actor)
+      .add(d.change.reason)
+      .finish();
+}
+
+Result<Document> write_document(Connection& connection, const Document& document, std::string_view bytes,
+                                const By& by) {
+  AXIOMETRY_TRY(const TestVersion version, read_version(connection, document.test, document.version));
+  Document written = document;
+  written.change = change_now(by);
+  written.sha256 = sha256(bytes);
+  written.size = static_cast<std::int64_t>(bytes.size());
+  const Content content{written.sha256, written.name, written.media_type, std::string(bytes)};
+  AXIOMETRY_TRY_VOID(keep_content(connection, content, written.change));
+  AXIOMETRY_TRY(written.id, next_id(connection, "document"));
+  const std::string_view kind = kind_name(written.kind);
+  AXIOMETRY_TRY_VOID(connection.run(
+      fmt::format("INSERT INTO document ({}) VALUES ({})", document_columns, places(1, 12)),
+      {written.id, version.test, version.version, kind, written.name, written.media_type, written.language,
+       written.sha256, written.size, written.change.at, written.change.actor, written.change.reason}));
+  json::Value detail = json::Value::object();
+  detail.add("test", static_cast<double>(version.test));
+  detail.add("test_version", version.version);
+  detail.add("name", written.name);
+  detail.add("content", written.sha256);
+  detail.add("sha256", fingerprint(written));
+  AXIOMETRY_TRY_VOID(record(connection, written.change,
+                            {fmt::format("{}.added", kind), fmt::format("document {}", written.id), detail}));
+  return written;
+}
+
+Result<std::vector<Document>> documents_of(Connection& connection, Id test) {
+  AXIOMETRY_TRY(const TestHead head, read_head(connection, test));
+  AXIOMETRY_TRY(const Rows rows,
+                connection.query(fmt::format("SELECT {} FROM document WHERE test = $1 ORDER BY id", document_columns),
+                                 {head.id}));
+  std::vector<Document> documents;
+  for (const Row& row : rows) documents.push_back(document_of(row));
+  return documents;
+}
+
+Result<Document> read_document(Connection& connection, Id id) {
+  AXIOMETRY_TRY(const Rows rows,
+                connection.query(fmt::format("SELECT {} FROM document WHERE id = $1", document_columns), {id}));
+  if (rows.empty()) return fail(ErrorKind::not_found, fmt::format("found no document {}, expected one", id));
+  return document_of(rows[0]);
+}
+
+Result<Content> read_content(Connection& connection, const std::string& hash) {
+  AXIOMETRY_TRY(const Rows rows,
+                connection.query("SELECT file_name, format, bytes FROM content WHERE sha256 = $1", {hash}));
+  if (rows.empty())
+    return fail(ErrorKind::not_found,
+                fmt::format("found no bytes with the SHA-256 {}, expected some", text::quoted(hash)));
+  Content content{hash, rows[0].text(0), rows[0].text(1), rows[0].text(2)};
+  if (const std::string found = sha256(content.bytes); found != hash)
+    return fail(ErrorKind::damaged, fmt::format("found bytes with the SHA-256 {}, expected {}: they were changed after "
+                                                "they were kept",
+                                                found, hash));
+  return content;
+}
+
+}  // namespace axiometry::store

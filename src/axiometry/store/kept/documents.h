@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "axiometry/store/database/connection.h"
+#include "axiometry/store/kept/test_records.h"
+
+/// Reports as issued, and attachments, within a transaction. As in store.h.
+namespace axiometry::store {
+
+Result<Document> write_document(Connection& connection, const Document& document, std::string_view bytes, const By& by);
+Result<std::vector<Document>> documents_of(Connection& connection, Id test);
+Result<Document> read_document(Connection& connection, Id id);
+
+/// The hash of all its fields.
+std::string fingerprint(const Document& document);
+
+/// The bytes of this hash, whatever they are of. Fails with `damaged` when they no longer have it.
+Result<Content> read_content(Connection& connection, const std::string& sha256);
+
+}  // namespace axiometry::store

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/store/kept/stated_assets.h"
+
+#include "axiometry/base/text.h"
+#include "axiometry/store/kept/assets.h"
+#include "axiometry/store/kept/folded_text.h"
+
+namespace axiometry::store {
+namespace {
+
+std::string key(std::string_view text) { return folded(text::trim(text), text.size()); }
+bool same(std::string_view a, std::string_view b) { return key(a) == key(b); }
+bool given(std::string_view text) { return !text::trim(text).empty(); }
+
+/// A number or a maker that an earlier version did not say was not another one: it is the one said since.
+template <typename Asset>
+Asset completed(Asset earlier, const Asset& latest) {
+  if constexpr (requires { earlier.serial_number; }) {
+    if (!given(earlier.serial_number)) earlier.serial_number = latest.serial_number;
+    if (!given(earlier.manufacturer)) earlier.manufacturer = latest.manufacturer;
+  }
+  return earlier;
+}
+
+/// The first thing whose latest version fits, else the first with any version that does.
+template <typename Asset, typename Fits>
+Result<std::optional<Versioned<Asset>>> find(Connection& connection, const std::vector<Versioned<Asset>>& things,
+                                             Fits fits) {
+  for (const Versioned<Asset>& thing : things)
+    if (fits(thing.value)) return thing;
+  for (const Versioned<Asset>& thing : things) {
+    if (thing.version == 1) continue;
+    AXIOMETRY_TRY(const std::vector<Versioned<Asset>> versions, thing_versions<Asset>(connection, thing.id));
+    for (const Versioned<Asset>& version : versions)
+      if (fits(completed(version.value, thing.value))) return thing;
+  }
+  return std::nullopt;
+}
+
+/// Where only one of them says who made it, they may be the same.
+bool same_maker(std::string_view a, std::string_view b) { return !given(a) || !given(b) || same(a, b); }
+
+/// Without a serial number only kind and maker tell: the one that has no number either, or the only one.
+KnownInstrument unnumbered(const std::vector<Versioned<Instrument>>& instruments, const Instrument& stated) {
+  std::vector<const Versioned<Instrument>*> alike;
+  for (const Versioned<Instrument>& instrument : instruments)
+    if (same(instrument.value.manufacturer, stated.manufacturer) && same(instrument.value.type, stated.type))
+      alike.push_back(&instrument);
+  for (const auto* instrument : alike)
+    if (alike.size() == 1 || !given(instrument->value.serial_number)) return *instrument;
+  return std::nullopt;
+}
+
+Result<KnownInstrument> known_among(Connection& connection, const std::vector<Versioned<Instrument>>& instruments,
+                                    const Instrument& stated) {
+  const bool numbered = given(stated.serial_number);
+  if (!numbered && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
+  if (!numbered) return unnumbered(instruments, stated);
+  return find(connection, instruments, [&](const Instrument& instrument) {
+    return same(instrument.serial_number, stated.serial_number) &&
+           same_maker(instrument.manufacturer, stated.manufacturer);
+  });
+}
+
+}  // namespace
+
+Result<KnownMachine> known_machine(Connection& connection, const Machine& stated) {
+  const bool numbered = given(stated.serial_number);
+  if (!numbered && !given(stated.name)) return std::nullopt;
+  AXIOMETRY_TRY(const auto machines, all_assets<Machine>(connection));
+  if (numbered) {
+    AXIOMETRY_TRY(auto found, find(connection, machines, [&](const Machine& machine) {
+                    return same(machine.serial_number, stated.serial_number) &&
+                           same_maker(machine.manufacturer, stated.manufacturer);
+                  }));
+    if (found) return found;
+  }
+  if (!given(stated.name)) return std::nullopt;
+  return find(connection, machines, [&](const Machine& machine) {
+    return same(machine.name, stated.name) && (!numbered || !given(machine.serial_number));
+  });
+}
+
+Result<KnownAxis> known_axis(Connection& connection, Id machine, const Axis& stated) {
+  if (!given(stated.name)) return std::nullopt;
+  AXIOMETRY_TRY(const auto axes, axes_of(connection, machine));
+  return find(connection, axes,
+              [&](const Axis& axis) { return axis.kind == stated.kind && same(axis.name, stated.name); });
+}
+
+Result<KnownInstrument> known_instrument(Connection& connection, const Instrument& stated) {
+  AXIOMETRY_TRY(const auto instruments, all_assets<Instrument>(connection));
+  return known_among(connection, instruments, stated);
+}
+
+Result<std::optional<Id>> StatedAssets::machine(const Machine& stated) {
+  if (!given(stated.serial_number) && !given(stated.name)) return std::nullopt;
+  const Names names{stated.serial_number, stated.manufacturer, stated.name};
+  if (const auto looked_for = machines_.find(names); looked_for != machines_.end()) return looked_for->second;
+  AXIOMETRY_TRY(const KnownMachine known, known_machine(connection_, stated));
+  if (known) return machines_[names] = known->id;
+  Machine added = stated;
+  if (!given(added.name)) added.name = given(added.type) ? added.type : added.serial_number;
+  AXIOMETRY_TRY(const Versioned<Machine> machine, add_thing(connection_, added, change_));
+  return machines_[names] = machine.id;
+}
+
+Result<std::optional<Id>> StatedAssets::axis(Id machine, const Axis& stated) {
+  if (!given(stated.name)) return std::nullopt;
+  const std::pair<Id, Names> names{machine, {stated.kind, stated.name}};
+  if (const auto looked_for = axes_.find(names); looked_for != axes_.end()) return looked_for->second;
+  AXIOMETRY_TRY(const KnownAxis known, known_axis(connection_, machine, stated));
+  if (known) return axes_[names] = known->id;
+  Axis added = stated;
+  added.machine = machine;
+  AXIOMETRY_TRY(const Versioned<Axis> axis, add_thing(connection_, added, change_));
+  return axes_[names] = axis.id;
+}
+
+Result<InstrumentUse> StatedAssets::found_or_added(const Instrument& stated) {
+  if (!instruments_) {
+    AXIOMETRY_TRY(instruments_, all_assets<Instrument>(connection_));
+  }
+  AXIOMETRY_TRY(const KnownInstrument known, known_among(connection_, *instruments_, stated));
+  if (known) return InstrumentUse{known->id, known->version};
+  AXIOMETRY_TRY(const Versioned<Instrument> added, add_thing(connection_, stated, change_));
+  instruments_->push_back(added);
+  return InstrumentUse{added.id, added.version};
+}
+
+Result<std::optional<InstrumentUse>> StatedAssets::instrument(const Instrument& stated) {
+  if (!given(stated.serial_number) && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
+  const Names names{stated.serial_number, stated.manufacturer, stated.type};
+  if (const auto looked_for = uses_.find(names); looked_for != uses_.end()) return looked_for->second;
+  AXIOMETRY_TRY(const InstrumentUse use, found_or_added(stated));
+  uses_[names] = use;
+  return use;
+}
+
+}  // namespace axiometry::store

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/tracking/lengths/line_slope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace axiometry::tracking {
+namespace {
+
+struct Mean {
+  double position_mm = 0.0;
+  double deviation_um = 0.0;
+  double weight = 0.0;
+  double variance_um2 = 0.0;  // of the mean, from repetition
+};
+
+double mean_variance(const std::optional<Deviation>& s, std::size_t count) {
+  return s && count > 0 ? s->in_native() * s->in_native() / static_cast<double>(count) : 0.0;
+}
+
+std::vector<Mean> means_of(std::span<const iso230_2::PositionResult> positions) {
+  const bool both = std::ranges::any_of(positions, [](const auto& p) { return p.mean.has_value(); });
+  std::vector<Mean> means;
+  for (const auto& p : positions) {
+    const double up = mean_variance(p.s_up, p.count_up), down = mean_variance(p.s_down, p.count_down);
+    const auto count = static_cast<double>(p.count_up + p.count_down);
+    const double at = p.target.in_native();
+    if (both && p.mean) means.push_back({at, p.mean->in_native(), count, 0.25 * (up + down)});
+    if (both) continue;
+    if (p.mean_up) means.push_back({at, p.mean_up->in_native(), count, up});
+    if (p.mean_down) means.push_back({at, p.mean_down->in_native(), count, down});
+  }
+  return means;
+}
+
+}  // namespace
+
+SlopeFit fit_slope(std::span<const iso230_2::PositionResult> positions) {
+  const std::vector<Mean> means = means_of(positions);
+  double weight = 0.0, position = 0.0, deviation = 0.0;
+  for (const Mean& m : means) {
+    weight += m.weight;
+    position += m.weight * m.position_mm;
+    deviation += m.weight * m.deviation_um;
+  }
+  position /= weight;
+  deviation /= weight;
+  double squares = 0.0, products = 0.0, repetition = 0.0;
+  for (const Mean& m : means) {
+    const double p = m.position_mm - position;
+    squares += m.weight * p * p;
+    products += m.weight * p * (m.deviation_um - deviation);
+    repetition += m.weight * m.weight * p * p * m.variance_um2;
+  }
+  if (!(squares > 0.0)) return {};
+  const double slope = products / squares;
+  double residuals = 0.0;
+  for (const Mean& m : means) {
+    const double r = m.deviation_um - deviation - slope * (m.position_mm - position);
+    residuals += m.weight * r * r;
+  }
+  double variance = repetition / (squares * squares);
+  if (means.size() > 2) variance = std::max(variance, residuals / static_cast<double>(means.size() - 2) / squares);
+  return {1000.0 * slope, 1000.0 * std::sqrt(variance)};
+}
+
+}  // namespace axiometry::tracking

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/tracking/lengths/squareness.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "axiometry/base/contract.h"
+
+namespace axiometry::tracking {
+namespace {
+
+constexpr Eigen::Index unknowns = 6;
+constexpr std::size_t scales = 3;  // the first of them
+constexpr std::array<std::string_view, 6> parameter_ids = {"e_x", "e_y", "e_z", "C0Y", "B0Z", "A0Z"};
+
+// 0.1 µm/m in the slopes would be 1 mm/m in a combination that is weaker: no axis is so bad, nothing is told.
+constexpr double weakest = 1e-4;
+// Of 1 000 µm/m in what cannot be told at most 0.01 µm/m gets into what can.
+constexpr double purest = 1e-5;
+constexpr double short_line_mm = 300.0;
+
+using Row = Eigen::Matrix<double, 1, unknowns>;
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, unknowns>;
+
+/// uᵀ D u by the six terms.
+Row row_of(Vector3 direction) {
+  const Vector3 u = unit(direction);
+  return Row{u.x * u.x, u.y * u.y, u.z * u.z, -u.x * u.y, u.x * u.z, -u.y * u.z};
+}
+
+bool known(double uncertainty) { return std::isfinite(uncertainty) && uncertainty > 0.0; }
+
+/// What the lines tell about the terms, whatever their uncertainties: an orthonormal basis of the combinations that
+/// they tell, and of those that they do not.
+struct Subspaces {
+  Eigen::MatrixXd told;
+  Eigen::MatrixXd untold;
+
+  explicit Subspaces(const Matrix& lines) {
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(lines, Eigen::ComputeFullV);
+    const auto rank = (svd.singularValues().array() > weakest).count();
+    told = svd.matrixV().leftCols(rank);
+    untold = svd.matrixV().rightCols(unknowns - rank);
+  }
+  bool tells(Eigen::Index term) const { return untold.cols() == 0 || untold.row(term).norm() < purest; }
+};
+
+std::string quantity(double um_per_m) { return fmt::format("{:.3g} µm/m", um_per_m); }
+
+void note_untold(Squareness& result) {
+  std::vector<std::string_view> absent;
+  for (const SquarenessTerm& term : result.terms)
+    if (!term.value_um_per_m) absent.push_back(term.id);
+  if (!absent.empty())
+    result.notes.push_back(
+        fmt::format("These {} lines tell {} combination{} of the six terms; {} cannot be told from "
+                    "them and {} left out, not set to zero",
+                    result.residuals_um_per_m.size(), result.rank, result.rank == 1 ? "" : "s", fmt::join(absent, ", "),
+                    absent.size() == 1 ? "is" : "are"));
+}
+
+void note_redundancy(Squareness& result, double inflation) {
+  const auto nu = static_cast<double>(result.degrees_of_freedom);
+  if (result.degrees_of_freedom == 0) {
+    result.notes.push_back("There are no more lines than combinations of terms: nothing checks whether they agree");
+    return;
+  }
+  if (!result.weighted) return;
+  // The 95 % quantile of χ² is ν + 2√(2ν) within 2 % for ν up to 10.
+  if (result.chi_squared > nu + 2.0 * std::sqrt(2.0 * nu))
+    result.notes.push_back(
+        fmt::format("The lines contradict each other by more than their uncertainties: χ² = {:.3g} for ν = {}; the "
+                    "model of straight axes without rotations does not describe this machine, uncertainties are "
+                    "multiplied by {:.2g}",
+                    result.chi_squared, result.degrees_of_freedom, inflation));
+}
+
+void note_limits(Squareness& result, std::span<const LineSlope> slopes) {
+  const bool any_square = std::any_of(result.terms.begin() + scales, result.terms.end(),
+                                      [](const SquarenessTerm& term) { return term.value_um_per_m.has_value(); });
+  if (any_square)
+    result.notes.push_back(
+        "Axes count as straight and without rotations: what straightness and angular errors (with the tool's offset as "
+        "lever) add along these lines is taken for scale or squareness. The result holds for the place of the lines");
+  const auto shortest = std::ranges::min_element(slopes, {}, [](const LineSlope& line) {
+    return line.length_mm > 0.0 ? line.length_mm : std::numeric_limits<double>::infinity();
+  });
+  if (shortest->length_mm > 0.0 && shortest->length_mm < short_line_mm)
+    result.notes.push_back(
+        fmt::format("Line {} is {:.0f} mm long: 1 µm of straightness at one of its ends is {} of slope", shortest->id,
+                    shortest->length_mm, quantity(1000.0 / shortest->length_mm)));
+}
+
+}  // namespace
+
+Squareness estimate_squareness(std::span<const LineSlope> slopes, double common_scale_um_per_m) {
+  Squareness result;
+  for (std::size_t k = 0; k < parameter_ids.size(); ++k) result.terms[k].id = parameter_ids[k];
+  if (slopes.empty()) return result;
+
+  const auto count = static_cast<Eigen::Index>(slopes.size());
+  result.weighted = std::ranges::all_of(slopes, known, &LineSlope::uncertainty_um_per_m);
+  Matrix lines(count, unknowns);
+  Eigen::VectorXd measured(count);
+  Eigen::VectorXd weights(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const LineSlope& line = slopes[static_cast<std::size_t>(i)];
+    AXIOMETRY_CONTRACT(is_finite(line.direction) && norm(line.direction) > 0.0 && std::isfinite(line.slope_um_per_m));
+    lines.row(i) = row_of(line.direction);
+    measured[i] = line.slope_um_per_m;
+    weights[i] = result.weighted ? 1.0 / line.uncertainty_um_per_m : 1.0;
+  }
+
+  const Subspaces subspaces(lines);
+  const Eigen::MatrixXd weighted = weights.asDiagonal() * lines * subspaces.told;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weighted);
+  const Eigen::VectorXd terms = subspaces.told * qr.solve(weights.cwiseProduct(measured));
+  const Eigen::VectorXd residuals = measured - lines * terms;
+  result.rank = static_cast<std::size_t>(subspaces.told.cols());
+  result.degrees_of_freedom = slopes.size() - result.rank;
+  result.residuals_um_per_m.assign(residuals.begin(), residuals.end());
+  if (result.weighted) result.chi_squared = weights.cwiseProduct(residuals).squaredNorm();
+
+  const auto nu = static_cast<double>(result.degrees_of_freedom);
+  const double inflation = result.degrees_of_freedom > 0 ? std::sqrt(std::max(1.0, result.chi_squared / nu)) : 1.0;
+  // (WᵀW)⁻¹ = R⁻¹R⁻ᵀ on the combinations that the lines tell.
+  const Eigen::MatrixXd inverse = qr.solve(Eigen::MatrixXd::Identity(count, count));
+  Eigen::MatrixXd covariance =
+      inflation * inflation * subspaces.told * inverse * inverse.transpose() * subspaces.told.transpose();
+  // A scale that all slopes share is e_x = e_y = e_z: u·u = 1.
+  covariance.topLeftCorner(scales, scales).array() += common_scale_um_per_m * common_scale_um_per_m;
+
+  for (Eigen::Index k = 0; k < unknowns; ++k) {
+    if (!subspaces.tells(k)) continue;
+    SquarenessTerm& term = result.terms[static_cast<std::size_t>(k)];
+    term.value_um_per_m = terms[k];
+    if (!result.weighted) continue;
+    term.uncertainty_um_per_m = std::sqrt(covariance(k, k));
+    for (Eigen::Index m = 0; m < unknowns; ++m)
+      if (subspaces.tells(m))
+        result.covariance_um2_per_m2[static_cast<std::size_t>(k)][static_cast<std::size_t>(m)] = covariance(k, m);
+  }
+
+  note_untold(result);
+  note_redundancy(result, inflation);
+  if (!result.weighted)
+    result.notes.push_back("The uncertainty of at least one slope is not known: all lines count alike, none is stated");
+  note_limits(result, slopes);
+  return result;
+}
+
+}  // namespace axiometry::tracking

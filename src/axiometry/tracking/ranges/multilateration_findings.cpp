@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/tracking/ranges/multilateration_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "axiometry/numeric/special_functions.h"
+
+namespace axiometry::tracking::detail {
+namespace {
+
+constexpr std::size_t most_listed = 5;
+
+void tell_breaks(const FindingInput& in, std::vector<Finding>& findings) {
+  for (const RangeBreak& b : in.fit.breaks)
+    findings.push_back(
+        {false, fmt::format("the lengths of station {} jump by {:.4f} mm before reading {} (point {}): taken as a beam "
+                            "that was broken, with a dead path of its own from there on",
+                            station_name(in.options, b.station), b.jump_mm, b.reading + 1,
+                            point_name(in.options, in.readings[b.reading].point))});
+}
+
+/// Two-sided limit that one of n normal values exceeds with 5 %, as seen against the scatter of all of them.
+void tell_outliers(const FindingInput& in, std::vector<Finding>& findings) {
+  const auto& values = in.fit.normalised_residuals;
+  if (values.empty()) return;
+  std::vector<double> sizes;
+  for (double x : values)
+    if (x != 0.0) sizes.push_back(std::abs(x));
+  if (sizes.size() < 3) return;
+  const auto n = static_cast<double>(sizes.size());
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  const double scale = std::max(1.0, *middle / 0.6745);  // the median of |x| of a normal x is 0.6745 σ
+  const double limit = -numeric::normal_quantile(0.025 / n) * scale;
+  std::vector<std::size_t> far;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (std::abs(values[k]) > limit) far.push_back(k);
+  if (far.empty()) return;
+  std::ranges::sort(far, [&](std::size_t a, std::size_t b) { return std::abs(values[a]) > std::abs(values[b]); });
+  std::string which;
+  for (std::size_t k = 0; k < std::min(far.size(), most_listed); ++k) {
+    const RangeReading& r = in.readings[far[k]];
+    which += fmt::format("{}reading {} (station {}, point {}) by {:.5f} mm, {:.1f} times its standard uncertainty",
+                         k == 0 ? "" : "; ", far[k] + 1, station_name(in.options, r.station),
+                         point_name(in.options, r.point), in.fit.residuals_mm[far[k]], std::abs(values[far[k]]));
+  }
+  findings.push_back(
+      {true, fmt::format("{} reading{} not fit the others: {}{}", far.size(), far.size() == 1 ? " does" : "s do", which,
+                         far.size() > most_listed ? "; …" : "")});
+}
+
+/// Bounds of χ²/ν that hold 99.8 % (Wilson and Hilferty).
+void tell_chi_squared(const FindingInput& in, std::vector<Finding>& findings) {
+  const auto nu = static_cast<double>(in.fit.degrees_of_freedom);
+  if (in.fit.degrees_of_freedom == 0) {
+    findings.push_back({true, "there are no more readings than unknowns: nothing checks the result"});
+    return;
+  }
+  const double ratio = in.fit.chi_squared / nu;
+  const double part = 2.0 / (9.0 * nu);
+  const auto bound = [&](double z) { return std::pow(std::max(1.0 - part + z * std::sqrt(part), 0.0), 3.0); };
+  if (ratio > bound(3.09))
+    findings.push_back({ratio > 25.0, fmt::format("the residuals are {:.2f} times as large as stated (χ²/ν = {:.2f}, "
+                                                  "ν = {}); all covariances were multiplied by {:.2f}",
+                                                  std::sqrt(ratio), ratio, in.fit.degrees_of_freedom, ratio)});
+  else if (ratio < bound(-3.09) && nu >= 3.0)
+    findings.push_back({false, fmt::format("the residuals are {:.2g} times as large as stated (χ²/ν = {:.2g}, ν = {}): "
+                                           "the uncertainty of lengths is stated too large",
+                                           std::sqrt(ratio), ratio, in.fit.degrees_of_freedom)});
+}
+
+void tell_geometry(const FindingInput& in, std::vector<Finding>& findings) {
+  if (!in.mirrored_stations.empty()) {
+    std::vector<std::string> names;
+    for (std::size_t j : in.mirrored_stations) names.push_back(station_name(in.options, j));
+    findings.push_back(
+        {true,
+         fmt::format("the nominal points lie on a plane, and no length tells on which side of it the station{} {} "
+                     "stand{}: all were taken on its upper side",
+                     names.size() == 1 ? "" : "s", listed(names), names.size() == 1 ? "s" : "")});
+  }
+  if (in.mirrored)
+    findings.push_back({true,
+                        "the lengths fit the mirror image of the nominal points: one of their axes points the "
+                        "wrong way, or two are exchanged"});
+  if (in.points_seen_by_three > 0)
+    findings.push_back({false, fmt::format("{} point{} seen by three stations only: nothing checks the readings there",
+                                           in.points_seen_by_three, in.points_seen_by_three == 1 ? " is" : "s are")});
+  const double bend = std::sqrt(in.sigma_mm * in.distance_mm);
+  if (in.fit.rank.weakest_mm > bend)
+    findings.push_back(
+        {true, fmt::format("station {} has a standard uncertainty of {:.2g} mm along the direction known worst; beyond "
+                           "{:.2g} mm distances bend by more than lengths are known, and no covariance can be trusted",
+                           station_name(in.options, in.weakest_station), in.fit.rank.weakest_mm, bend)});
+}
+
+}  // namespace
+
+std::string station_name(const MultilaterationOptions& options, std::size_t j) {
+  return j < options.station_names.size() ? options.station_names[j] : fmt::format("{}", j + 1);
+}
+std::string point_name(const MultilaterationOptions& options, std::size_t i) {
+  return i < options.point_names.size() ? options.point_names[i] : fmt::format("{}", i + 1);
+}
+
+std::string listed(std::span<const std::string> names) {
+  const std::size_t shown = std::min(names.size(), most_listed);
+  std::string text = fmt::format("{}", fmt::join(names.first(shown), ", "));
+  if (names.size() > shown) text += fmt::format(" and {} more", names.size() - shown);
+  return text;
+}
+
+std::vector<Finding> multilateration_findings(const FindingInput& in) {
+  std::vector<Finding> findings;
+  tell_geometry(in, findings);
+  tell_breaks(in, findings);
+  tell_outliers(in, findings);
+  tell_chi_squared(in, findings);
+  return findings;
+}
+
+}  // namespace axiometry::tracking::detail
