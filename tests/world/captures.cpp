@@ -81,12 +81,19 @@ bool same(const capture::CapturedReading& a, const capture::CapturedReading& b) 
   return a.approach == b.approach && a.deviation == b.deviation && a.standstill.count == b.standstill.count;
 }
 
+std::string text_of(const capture::CapturedReading& reading) {
+  return fmt::format("run {} target {} deviation {} of {} samples{}", reading.approach.run + 1,
+                     reading.approach.target + 1, reading.deviation.in_native(), reading.standstill.count,
+                     reading.standstill.cut_off ? ", cut off" : "");
+}
+
 /// What people saw first is what is there first.
 template <typename Readings>
 void expect_begins_with(const Readings& found, const Readings& told, std::string_view where) {
   for (std::size_t k = 0; k < told.size(); ++k)
     if (k >= found.size() || !same(found[k], told[k]))
-      broken(fmt::format("{}: reading {} of {} is not as it was told", where, k + 1, told.size()));
+      broken(fmt::format("{}: reading {} of {} is not as it was told: {}, told {}", where, k + 1, told.size(),
+                         k < found.size() ? text_of(found[k]) : "none", text_of(told[k])));
 }
 
 /// What may end a capture on a disk in good order.

@@ -147,8 +147,10 @@ int __wrap_open(const char* path, int flags, ...) {
     if (folder >= 0) files->opened_folder(folder);
     return folder;
   }
-  const bool is_ours = files != nullptr && (flags & O_ACCMODE) != O_RDONLY && files->has(name);
-  const bool changes = is_ours && ((flags & O_TRUNC) != 0 || !std::filesystem::exists(name));
+  // Also of who only reads: a descriptor for reading brings a file onto the plate as any other does.
+  const bool is_ours = files != nullptr && files->has(name);
+  const bool changes =
+      is_ours && (flags & O_ACCMODE) != O_RDONLY && ((flags & O_TRUNC) != 0 || !std::filesystem::exists(name));
   if (changes && is_refused()) return -1;
   const int descriptor = __real_open(path, flags, mode);
   if (is_ours && descriptor >= 0) files->opened(descriptor, name, (flags & O_TRUNC) != 0);
