@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/median.h"
 
 namespace axiometry::capture {
 namespace {
@@ -29,13 +30,6 @@ constexpr double suspicion = 5.0;
 constexpr std::size_t always_searched = 40;  // below, one outlier cannot stand 5 standard deviations out
 constexpr std::size_t always_trusted = 16;
 constexpr std::size_t one_of = 10;
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
 
 }  // namespace
 
@@ -90,10 +84,10 @@ Cell CellMaker::make(std::span<const Sample> samples, const CellSums& sums, doub
   if (samples.size() >= always_searched && farthest <= suspicion * sums.standard_deviation) return cell;
   positions_.clear();
   for (const Sample& s : samples) positions_.push_back(s.position);
-  const double middle = median(positions_);
+  const double middle = numeric::median_of(positions_);
   distances_.clear();
   for (double x : positions_) distances_.push_back(std::abs(x - middle));
-  cell.scale = mad_to_deviation * median(distances_);
+  cell.scale = mad_to_deviation * numeric::median_of(distances_);
   const double limit = rejection * std::max({cell.scale, floor, samples.size() < always_trusted ? noise : 0.0});
   if (std::max(sums.highest - middle, middle - sums.lowest) <= limit) return cell;
   std::erase_if(positions_, [&](double x) { return std::abs(x - middle) > limit; });

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "axiometry/numeric/median.h"
+
 namespace axiometry::capture {
 namespace {
 
@@ -19,12 +21,6 @@ constexpr double gap_steps = 10.0;
 constexpr double feed_share = 0.02;
 constexpr double unlimited = std::numeric_limits<double>::max();
 constexpr double rotary_smallest = 1.0 / 3600.0, linear_smallest = 0.001;
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 
 }  // namespace
 
@@ -125,7 +121,7 @@ void StandstillDetector::take(std::span<const Sample> samples, std::vector<Stand
 
 void StandstillDetector::take_cell(std::span<const Sample> samples, const CellSums& sums,
                                    std::vector<Standstill>& found) {
-  const double noise = noises_.size() < noise_memory ? 0.0 : median({noises_.begin(), noises_.end()});
+  const double noise = noises_.size() < noise_memory ? 0.0 : numeric::median({noises_.begin(), noises_.end()});
   const double floor = std::max(quantum_, 0.5 * options_.smallest.in_native());
   const Cell cell = maker_.make(samples, sums, noise, floor);
   learn(samples, cell);
@@ -168,8 +164,8 @@ double StandstillDetector::threshold() const {
   if (options_.threshold) return options_.threshold->in_native();
   std::vector<double> noises;
   for (const Cell& c : window_) noises.push_back(c.standard_deviation);
-  const double adaptive =
-      std::max({options_.smallest.in_native(), quantum_factor * quantum_, noise_factor * median(std::move(noises))});
+  const double adaptive = std::max(
+      {options_.smallest.in_native(), quantum_factor * quantum_, noise_factor * numeric::median(std::move(noises))});
   return std::min(options_.greatest.in_native(), adaptive);
 }
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "axiometry/tracking/geometry/median.h"
+#include "axiometry/numeric/median.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -55,7 +55,7 @@ class Steps {
     const bool many = votes.size() >= 2;
     for (const double v : derived_votes(k)) votes.push_back(v);
     if (votes.empty()) return {size(k), Left::By::nothing};
-    if (many) return {size(k) - median(std::move(votes)), Left::By::other_runs};
+    if (many) return {size(k) - numeric::median(std::move(votes)), Left::By::other_runs};
     double least = size(k) - votes.front();
     for (const double v : votes)
       if (std::abs(size(k) - v) < std::abs(least)) least = size(k) - v;
@@ -99,7 +99,7 @@ class Steps {
       collect({i, d, i + 1, d}, 1.0, samples_.size(), steps);
       collect({i + 1, d, i, d}, -1.0, samples_.size(), steps);
       if (steps.empty()) return std::nullopt;
-      sum += median(std::move(steps));
+      sum += numeric::median(std::move(steps));
     }
     return a < b ? sum : -sum;
   }
@@ -109,7 +109,7 @@ class Steps {
     std::vector<double> sizes;
     collect({target, Direction::up, target, Direction::down}, 1.0, but, sizes);
     collect({target, Direction::down, target, Direction::up}, -1.0, but, sizes);
-    return sizes.empty() ? reversal_ : std::optional(median(std::move(sizes)));
+    return sizes.empty() ? reversal_ : std::optional(numeric::median(std::move(sizes)));
   }
 
   /// The machine's mean slope and reversal error; over several targets the sum of their steps.
@@ -137,7 +137,7 @@ class Steps {
       if (exists(k) && !jumped_[k] && to(k).target == from(k).target && to(k).direction != from(k).direction)
         turned.push_back(to(k).direction == Direction::down ? size(k) : -size(k));
     reversals_ = turned.size();
-    reversal_ = turned.empty() ? std::nullopt : std::optional(median(std::move(turned)));
+    reversal_ = turned.empty() ? std::nullopt : std::optional(numeric::median(std::move(turned)));
     for (std::size_t k = 0; k < count(); ++k) {
       if (!exists(k) || jumped_[k] || way(k) == 0.0) continue;
       const bool alike = to(k).direction == from(k).direction;
@@ -145,7 +145,7 @@ class Steps {
       const double sign = alike ? 0.0 : to(k).direction == Direction::down ? 1.0 : -1.0;
       slopes.push_back((size(k) - sign * reversal_.value_or(0.0)) / way(k));
     }
-    slope_ = slopes.empty() ? std::nullopt : std::optional(median(std::move(slopes)));
+    slope_ = slopes.empty() ? std::nullopt : std::optional(numeric::median(std::move(slopes)));
   }
 
   std::span<const LineSample> samples_;
@@ -168,7 +168,7 @@ struct Thresholds {
 };
 
 double limit_from(std::vector<double> left, double least) {
-  return left.empty() ? least : std::max(least, scatters * sd_per_mad * median(std::move(left)));
+  return left.empty() ? least : std::max(least, scatters * sd_per_mad * numeric::median(std::move(left)));
 }
 
 Thresholds thresholds(const Steps& steps, std::optional<double> given_mm) {

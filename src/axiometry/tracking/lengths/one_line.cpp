@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/numeric/median.h"
 #include "axiometry/standards/iso230_2/parameters.h"
 #include "axiometry/tracking/geometry/line_geometry.h"
-#include "axiometry/tracking/geometry/median.h"
 #include "axiometry/tracking/lengths/beam_breaks.h"
 #include "axiometry/tracking/lengths/dead_paths.h"
 #include "axiometry/tracking/lengths/line_slope.h"
@@ -132,10 +132,10 @@ class Course {
       if (const double way = position(used[i]) - position(used[i - 1]); way != 0.0)
         slopes.push_back((mm(used[i]) - mm(used[i - 1])) / way);
     if (slopes.empty()) return {};
-    const double slope = upper_median(std::move(slopes));
+    const double slope = numeric::upper_median(std::move(slopes));
     std::vector<double> left;
     for (const std::size_t k : used) left.push_back(mm(k) - slope * position(k));
-    const double level = upper_median(left);
+    const double level = numeric::upper_median(left);
     const auto off = [&](double x) { return std::abs(x - level); };
     const auto worst = std::ranges::max_element(left, {}, off) - left.begin();
     const double limit = std::max(beyond_machines_mm, in_.options.break_threshold_mm.value_or(0.0));

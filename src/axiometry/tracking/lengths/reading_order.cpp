@@ -12,8 +12,8 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/numeric/median.h"
 #include "axiometry/tracking/geometry/line_geometry.h"
-#include "axiometry/tracking/geometry/median.h"
 #include "axiometry/tracking/lengths/reading_name.h"
 
 namespace axiometry::tracking {
@@ -227,7 +227,7 @@ std::string_view reason_for(double factor) {
 
 Result<void> check_scale(const std::string& line, std::vector<double> ratios) {
   if (ratios.empty()) return {};
-  const double factor = upper_median(std::move(ratios));
+  const double factor = numeric::upper_median(std::move(ratios));
   if (std::abs(factor - 1.0) <= scale_most) return {};
   if (std::abs(factor + 1.0) <= scale_most)
     return fail(fmt::format(

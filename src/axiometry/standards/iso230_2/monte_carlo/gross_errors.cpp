@@ -9,6 +9,7 @@
 
 #include "axiometry/numeric/chi_square.h"
 #include "axiometry/numeric/leave_one_out.h"
+#include "axiometry/numeric/median.h"
 #include "axiometry/numeric/special_functions.h"
 
 namespace axiometry::iso230_2 {
@@ -25,13 +26,8 @@ constexpr int polishes = 2;
 constexpr std::size_t least_cells = 3;  // of a run, for a shift of it to be told from scatter
 constexpr std::size_t neighbours = 4;   // readings before and after, whose median follows a drift
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const std::size_t half = values.size() / 2;
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(half));
-  if (values.size() % 2 == 1) return values[half];
-  return 0.5 * (values[half] + *std::max_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half)));
-}
+/// 0 of none.
+double middle_of(std::vector<double> values) { return values.empty() ? 0.0 : numeric::median_of(values); }
 
 /// Variance of the median of k standard normal numbers; exact to two digits up to 9, then its limit π/2k.
 double median_variance(std::size_t k) {
@@ -82,13 +78,13 @@ void take_out_drift(std::vector<CellReadings>& cells, std::size_t run, std::span
     std::vector<double> others;  // without its own: a reading must not hide itself
     for (std::size_t l = begin; l < begin + window; ++l)
       if (l != k) others.push_back(departures[l]);
-    cells[moments[k].cell].readings[run] -= median(std::move(others));
+    cells[moments[k].cell].readings[run] -= middle_of(std::move(others));
   }
 }
 
 void take_out_drift(std::vector<CellReadings>& cells, const Series& series, const TestCourse& course) {
   for (int polish = 0; polish < polishes; ++polish) {
-    for (CellReadings& cell : cells) cell.centre = median(present(cell.readings));
+    for (CellReadings& cell : cells) cell.centre = middle_of(present(cell.readings));
     for (std::size_t j = 0; j < series.run_count(); ++j) take_out_drift(cells, j, moments_of(j, cells, series, course));
   }
 }
@@ -144,13 +140,13 @@ double scatter_of_cells(const std::vector<CellReadings>& cells) {
     const auto freedom = double(values.size() - 1);
     scatters.push_back(standard_deviation(values) / std::sqrt(numeric::chi_square_quantile(0.5, freedom) / freedom));
   }
-  return median(std::move(scatters));
+  return middle_of(std::move(scatters));
 }
 
 /// A median tells which departures are those of normal scatter, that of the cells or that of all departures, whichever
 /// the gross errors have moved less; all of these then tell its size.
 double scatter_of(const std::vector<double>& sizes, const std::vector<CellReadings>& cells) {
-  const double first = std::min(median(sizes) / median_of_normal, scatter_of_cells(cells));
+  const double first = std::min(middle_of(sizes) / median_of_normal, scatter_of_cells(cells));
   double squares = 0.0;
   double count = 0.0;
   for (double size : sizes) {
