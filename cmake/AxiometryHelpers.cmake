@@ -20,6 +20,9 @@ function(axiometry_settings)
     # std::expected and std::optional hold.
     add_compile_options(-Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict -Wno-array-bounds
                         -Wno-maybe-uninitialized)
+  elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    # Of the standard library of g++ 12: what its stable_sort() takes for its buffer. And inner braces of arrays.
+    add_compile_options(-Wno-deprecated-declarations -Wno-missing-braces)
   endif()
   if(AXIOMETRY_SANITIZE)
     add_compile_options(-fsanitize=${AXIOMETRY_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
