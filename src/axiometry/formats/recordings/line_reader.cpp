@@ -16,6 +16,11 @@ constexpr std::size_t longest_line = 4096;
 constexpr std::size_t batch = 4096;
 constexpr std::size_t most_damaged_in_a_row = 100;
 
+/// In the same words whether its end has come or not: what a recording gives must not depend on how it was cut.
+std::unexpected<Error> fail_long_line(TextPosition at) {
+  return fail(fmt::format("found a line of more than {} bytes, expected one sample a line", longest_line), at);
+}
+
 }  // namespace
 
 Result<void> LineReader::feed(std::string_view bytes, const SampleSink& sink) {
@@ -41,10 +46,8 @@ Result<void> LineReader::take_lines(std::string_view bytes, const SampleSink& si
   }
   without_break_ += bytes.size();
   if (!skip_to_break_) begun_ += bytes;
-  if (begun_.size() <= longest_line) return {};
-  if (!options_.skip_damaged)
-    return fail(fmt::format("found a line of more than {} bytes, expected one sample a line", longest_line),
-                {line_ + 1, 1});
+  if (begun_.size() <= longest_line + 1) return {};  // the last may be half of a line break
+  if (!options_.skip_damaged) return fail_long_line({line_ + 1, 1});
   forget_line();
   ++damaged_;
   return {};
@@ -112,9 +115,7 @@ Result<void> LineReader::put(Sample sample) {
 Result<void> LineReader::take_whole(std::string_view line) {
   ++line_;
   if (line.ends_with('\r')) line.remove_suffix(1);
-  auto taken = line.size() > longest_line
-                   ? fail(fmt::format("found a line of {} bytes, expected one sample a line", line.size()))
-                   : take(line);
+  auto taken = line.size() > longest_line ? fail_long_line({}) : take(line);
   if (taken) {
     damaged_in_a_row_ = 0;
     return taken;

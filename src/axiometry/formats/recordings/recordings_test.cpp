@@ -90,6 +90,14 @@ TEST(TimePosition, RefusesWhatIsNoSampleAndSaysWhere) {
             "line 2:1: found \"2026-13-21T12:00:00Z\", expected a time such as 2026-11-21T12:34:56.789 0:1");
 }
 
+TEST(TimePosition, RefusesALineThatIsTooLongInTheSameWordsHoweverItCame) {
+  const std::string longest = "0 " + std::string(4090, ' ') + "0.10";
+  EXPECT_EQ(longest.size(), 4096u);
+  EXPECT_EQ(from_text(longest + "\r\n1 0.20\n"), "0:0.1 1:0.2");
+  EXPECT_THAT(from_text("0 0.1\n1 " + longest + "\n"),
+              HasSubstr("2:1: found a line of more than 4096 bytes, expected one sample a line"));
+}
+
 TEST(TimePosition, PassesOverDamagedLinesWhereThatIsAskedForAndCountsThem) {
   RecordingOptions options;
   options.skip_damaged = true;
