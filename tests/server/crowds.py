@@ -209,7 +209,7 @@ def what_leavers_asked_to_keep(server, checks):
 
 def names_are_no_askers(program, folder, checks):
     """Who fills the line under many names is one all the same, and another finds a place."""
-    with Served(program, folder / "names.db", token=TOKEN) as server:
+    with Served(program, folder / "names.db", token=TOKEN, measured=True) as server:
         signed = {"Authorization": "Bearer " + TOKEN}
         server.request("POST", "/api/tests", EXAMPLE, {**signed, "X-File-Name": "first.json"})
         clients = [send_heavy(server, 5000 + k, f"Authorization: Bearer {TOKEN}\r\n") for k in range(400)]
@@ -234,7 +234,7 @@ def handshakes(program, folder, checks):
     """Clients that all begin to speak TLS at once, and say no more, beside one who goes on; also after all have said a
     part of it."""
     hello = greeting()
-    with Served(program, folder / "tls.db", tls=made_certificate(folder, "crowd")) as server:
+    with Served(program, folder / "tls.db", tls=made_certificate(folder, "crowd"), measured=True) as server:
         for before in (0, 1, 5, len(hello) - 1):
             slowest = min(lists_beside_handshakes(server, hello, before) for _ in range(ROUNDS))
             print(f"lists beside 300 handshakes, {before} bytes of each sent before: max {slowest:.1f} ms")
@@ -263,7 +263,7 @@ def lists_beside_handshakes(server, hello, before):
 def main():
     program = str(pathlib.Path(sys.argv[1]).resolve())
     checks = Checks()
-    with tempfile.TemporaryDirectory() as name, Served(program, pathlib.Path(name) / "crowd.db") as server:
+    with tempfile.TemporaryDirectory() as name, Served(program, pathlib.Path(name) / "crowd.db", measured=True) as server:
         _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
         resource.setrlimit(resource.RLIMIT_NOFILE, (min(hard, 4096), hard))
         server.upload("/api/tests", "first.json", EXAMPLE)

@@ -79,7 +79,7 @@ def main():
     seconds = float(sys.argv[2]) if len(sys.argv) > 2 else 18.0
     checks = Checks()
     tally = Tally()
-    with tempfile.TemporaryDirectory() as folder, Served(program, pathlib.Path(folder) / "load.db") as server:
+    with tempfile.TemporaryDirectory() as folder, Served(program, pathlib.Path(folder) / "load.db", measured=True) as server:
         answer = server.upload("/api/tests", "first.json", EXAMPLE)
         checks.that("the first file is taken", answer.status == 201, answer.body[:200])
         begin = time.monotonic()
@@ -111,7 +111,7 @@ def main():
             if times:
                 print(f"  {kind:7} {len(times):6}  p50 {percentile(times, 0.5) * 1000:6.1f} ms  "
                       f"p99 {percentile(times, 0.99) * 1000:6.1f} ms")
-    with tempfile.TemporaryDirectory() as folder, Served(program, pathlib.Path(folder) / "heavy.db") as server:
+    with tempfile.TemporaryDirectory() as folder, Served(program, pathlib.Path(folder) / "heavy.db", measured=True) as server:
         server.upload("/api/tests", "first.json", EXAMPLE)
         light_beside_heavy(server, checks, EXAMPLE)
         reports_beside_monte_carlo(server, checks)

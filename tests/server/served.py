@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A running `axiometry serve`, for the tests beside this file."""
+"""A running `axiometry serve`, for the tests beside this file. Whatever it answers must be as apps/server/openapi.json
+describes it, or the test fails at its end."""
+import atexit
 import dataclasses
 import http.client
 import json
@@ -12,6 +14,10 @@ import subprocess
 import sys
 import urllib.parse
 
+from described import Description
+
+DESCRIPTION = Description()
+
 
 @dataclasses.dataclass
 class Answer:
@@ -23,11 +29,19 @@ class Answer:
         return json.loads(self.body)
 
 
-class Served:
-    """The server on a free port of 127.0.0.1; `with` ends it by SIGTERM."""
+def end_as_failed():
+    sys.stdout.flush()
+    os._exit(1)
 
-    def __init__(self, program, store, *more, token=None, tls=None, errors=None):
+
+class Served:
+    """The server on a free port of 127.0.0.1; `with` ends it by SIGTERM. Where `measured` its answers are read no
+    further than those of their kind before, which takes time of those that are measured."""
+
+    def __init__(self, program, store, *more, token=None, tls=None, errors=None, measured=False):
         self.tls = tls
+        self.measured = measured
+        self.undescribed = []
         command = [program, "serve", "--store", str(store), "--port", "0", "--quiet", *more]
         if tls:
             command += ["--certificate", str(tls[0]), "--key", str(tls[1])]
@@ -76,7 +90,16 @@ class Served:
         answer = Answer(response.status, {k.lower(): v for k, v in response.getheaders()}, response.read())
         if connection is None:
             own.close()
+        self.hold(method, path, body, answer)
         return answer
+
+    def hold(self, method, path, body, answer):
+        """Against the description."""
+        for fault in DESCRIPTION.faults(method, path, body, answer, not self.measured):
+            if not self.undescribed:
+                atexit.register(end_as_failed)
+            self.undescribed.append(fault)
+            print(f"FAILED: openapi.json, {method} {path} with the status {answer.status}: {fault}", flush=True)
 
     def upload(self, path, name, content, connection=None):
         return self.request("POST", path, content, {"X-File-Name": urllib.parse.quote(name)}, connection)
@@ -85,7 +108,20 @@ class Served:
         """All that the server answers to these bytes until it closes or is silent for the time."""
         with socket.create_connection(("127.0.0.1", self.port), timeout=timeout) as client:
             client.sendall(data)
-            return read_all(client)
+            answered = read_all(client)
+        self.hold_first(data, answered)
+        return answered
+
+    def hold_first(self, data, answered):
+        """The answer to the first request, where both are whole."""
+        asked = re.match(rb"([A-Z]+) (/\S*) HTTP/1\.1\r\n", data)
+        told = re.match(rb"HTTP/1\.1 (\d+) [^\r]*\r\n(.*?\r\n)\r\n", answered, re.DOTALL)
+        if not asked or not told:
+            return
+        headers = {name.lower(): value for name, value in re.findall(r"([^:\r\n]+): ([^\r\n]*)", told[2].decode("latin-1"))}
+        body = answered[told.end():told.end() + int(headers.get("content-length", 0))]
+        if int(told[1]) >= 400:
+            self.hold(asked[1].decode(), asked[2].decode("latin-1"), None, Answer(int(told[1]), headers, body))
 
     def descriptors(self):
         return len(os.listdir(f"/proc/{self.process.pid}/fd"))

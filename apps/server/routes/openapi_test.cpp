@@ -11,21 +11,17 @@
 #include "axiometry/app/live/capture_service.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/text.h"
+#include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
 
 namespace axiometry::server {
 namespace {
 
-const json::Value& description() {
-  static const auto parsed = json::parse(openapi_files().front().bytes);
-  return *parsed;
-}
-
 /// Of all, or of those that are described with this status.
 std::set<std::string> described(std::string_view status = {}) {
   std::set<std::string> operations;
-  for (const auto& [path, methods] : description().find("paths")->members())
+  for (const auto& [path, methods] : api_description().find("paths")->members())
     for (const auto& [method, operation] : methods.members())
       if (status.empty() || operation.find("responses")->find(status)) operations.insert(method + " " + path);
   return operations;
@@ -78,10 +74,10 @@ void collect_references(const json::Value& value, std::set<std::string>& found) 
 
 TEST(OpenApi, refers_to_nothing_that_is_missing) {
   std::set<std::string> references;
-  collect_references(description(), references);
+  collect_references(api_description(), references);
   ASSERT_FALSE(references.empty());
   for (const std::string& reference : references) {
-    const json::Value* at = &description();
+    const json::Value* at = &api_description();
     for (const std::string_view part : text::split(std::string_view(reference).substr(2), '/')) {
       at = at->find(part);
       ASSERT_NE(at, nullptr) << reference;

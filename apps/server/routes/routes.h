@@ -14,8 +14,7 @@ class Workbench;
 class CaptureService;
 }  // namespace axiometry::app
 
-/// The API, one source for each kind of thing; apps/server/openapi.json describes it and web/src/api/types.ts is its
-/// shape for the page.
+/// The API, one source for each kind of thing, as apps/server/openapi.json describes it.
 namespace axiometry::server {
 
 /// What routes work with. All of it may be used from many threads.

@@ -9,6 +9,7 @@
 
 #include "axiometry/app/live/capture_keeping.h"
 #include "axiometry/app/workbench/workbench.h"
+#include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
 
@@ -45,7 +46,7 @@ class CaptureRoutes : public testing::Test {
     request.body = std::move(body);
     request.actor = "A. Tester";
     request.language = language;
-    return router.answer(std::move(request));
+    return router.answer(request);
   }
 
   static Value value_of(const Response& response, int status) {
@@ -78,7 +79,7 @@ class CaptureRoutes : public testing::Test {
   testing_support::Archive archive;
   app::Workbench workbench{archive.store()};
   std::unique_ptr<app::CaptureService> captures;
-  Router router;
+  DescribedRouter router;
 };
 
 TEST_F(CaptureRoutes, DraftAPlanWithoutKeepingIt) {

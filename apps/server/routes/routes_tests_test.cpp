@@ -7,6 +7,7 @@
 
 #include "axiometry/app/workbench/example_table2.h"
 #include "axiometry/app/workbench/workbench.h"
+#include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
 
@@ -34,7 +35,7 @@ class Routes : public testing::Test {
     request.headers = std::move(headers);
     request.body = std::move(body);
     request.actor = "A. Tester";
-    return router.answer(std::move(request));
+    return router.answer(request);
   }
 
   Value answer(const Response& response, int status) {
@@ -56,7 +57,7 @@ class Routes : public testing::Test {
 
   testing_support::Archive archive;
   app::Workbench workbench{archive.store()};
-  Router router;
+  DescribedRouter router;
 };
 
 TEST_F(Routes, TakeAllProcessorsByTheValueAndNotByTheBytes) {

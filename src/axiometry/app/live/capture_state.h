@@ -61,7 +61,7 @@ struct CaptureState {
 std::string_view stage_name(CaptureState::Stage stage);
 bool has_ended(CaptureState::Stage stage);
 
-/// Capture and Source of web/src/api/types.ts.
+/// Capture and Source of apps/server/openapi.json.
 json::Value to_json(const CaptureState& state, const Reader& reader);
 json::Value to_json(const CaptureSource& source, const Reader& reader);
 

@@ -68,8 +68,8 @@ struct RequestedPlan {
   json::Value request;
 };
 
-/// From {"request": {…}} (PlanRequest in web/src/api/types.ts) or {"plan": …} of the plan itself, as an object or as
-/// the text of its file. Fails, with line and column, on members that are unknown, missing or of another kind, on
+/// From {"request": {…}} or {"plan": …} of the plan itself, as an object or as the text of its file (PlanSubject in
+/// apps/server/openapi.json). Fails, with line and column, on members that are unknown, missing or of another kind, on
 /// flags that are unknown or contradict each other, and as make_plan(), read_plan() and check_presentable() do.
 Result<RequestedPlan> requested_plan(const json::Value& body);
 
@@ -83,7 +83,7 @@ std::string write_requested(const RequestedPlan& plan);
 /// Fails as read_plan() does.
 Result<RequestedPlan> read_requested(std::string_view bytes);
 
-/// PlanDraft of web/src/api/types.ts: the plan, what is said about it in the reader's language, and its figures as
+/// PlanDraft of apps/server/openapi.json: the plan, what is said about it in the reader's language, and its figures as
 /// SVG, for a dark page where that is asked for.
 json::Value draft_value(const RequestedPlan& plan, const Reader& reader, bool dark = false);
 

@@ -9,7 +9,7 @@
 #include "axiometry/base/json.h"
 #include "axiometry/store/store.h"
 
-/// Machines, axes, instruments, trends and the audit trail as the API spells them (web/src/api/types.ts).
+/// Machines, axes, instruments, trends and the audit trail as the API spells them (apps/server/openapi.json).
 namespace axiometry::app {
 
 /// A machine in a list: with its axes, how many tests it has and the latest of them.
