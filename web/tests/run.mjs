@@ -7,6 +7,7 @@ import { answers } from './answers.mjs';
 import { audit } from './audit.mjs';
 import { calibration } from './calibration.mjs';
 import { capture } from './capture.mjs';
+import { claims } from './claims.mjs';
 import { conflict } from './conflict.mjs';
 import { editor } from './editor.mjs';
 import { figures } from './figures.mjs';
@@ -29,7 +30,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...claims, ...offline, ...timing };
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));

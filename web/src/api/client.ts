@@ -2,10 +2,7 @@
 // The one place that talks to the server.
 import { actor, language } from '../settings';
 import { reachable, signed_in } from './session';
-import type { ErrorKind, Failure, ImportProfile } from './types';
-
-/** What was kept though it cannot be shown, so far as it is known. */
-export interface Receipt { id: number | null; version: number | null }
+import type { ErrorKind, Failure, ImportProfile, Receipt } from './types';
 
 export class ApiError extends Error {
   constructor(readonly kind: ErrorKind | 'offline' | 'unauthorised' | 'kept', message: string, readonly status: number,
@@ -44,11 +41,13 @@ export async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
   return (await response.json()) as T;
 }
 
+const is_receipt = (content: unknown): content is Receipt => (content as Partial<Receipt> | null)?.kept === true;
+
 /** What was kept and cannot be shown is answered by a receipt in its place, which says so. */
 async function content_of<T>(response: Response): Promise<T> {
-  const content = (await response.json()) as { kept?: unknown; message?: unknown } | null;
-  if (content?.kept === true && typeof content.message === 'string') throw new ApiError('kept', content.message, response.status, '', content as unknown as Receipt);
-  return content as T;
+  const content = (await response.json()) as T | Receipt;
+  if (is_receipt(content)) throw new ApiError('kept', content.message, response.status, '', content);
+  return content;
 }
 
 /** An answer without content is null. */

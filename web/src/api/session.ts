@@ -2,7 +2,7 @@
 // Whether the server answers and knows this browser; what it says of its store.
 import { effect, signal } from '@preact/signals';
 import { language } from '../settings';
-import type { Health } from './types';
+import type { Health, HealthStatus } from './types';
 
 /** False while the last request got no answer. */
 export const reachable = signal(true);
@@ -28,9 +28,9 @@ export async function ask_health(): Promise<void> {
     const response = await fetch('/api/health', { headers: { 'Accept-Language': language.value } });
     if (response.ok) {
       // Who has not shown the token is told the status alone.
-      const told = (await response.json()) as Pick<Health, 'status'> & Partial<Health>;
-      signed_in.value = told.program !== undefined;
-      health.value = signed_in.value ? (told as Health) : null;
+      const told = (await response.json()) as Health | HealthStatus;
+      health.value = 'program' in told ? told : null;
+      signed_in.value = health.value !== null;
     }
     const back = !reachable.value;
     reachable.value = true;

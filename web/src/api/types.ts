@@ -1,343 +1,1877 @@
 // SPDX-License-Identifier: Apache-2.0
-// The API's shapes, described for others in apps/server/openapi.json. Values of parameters and deviations are in the
-// axis' native unit ("um" or "arcsec"), positions in mm or °. Times are RFC 3339 in UTC. What does not exist is null.
+// Made of apps/server/openapi.json by api_types.mjs, which "npm run build" runs. What is to change changes there.
 
-export type Parameter =
-  | 'A' | 'A_up' | 'A_down' | 'E' | 'E_up' | 'E_down' | 'M' | 'R' | 'R_up' | 'R_down' | 'B' | 'B_mean';
-export type Verdict = 'conforms' | 'does not conform' | 'undecided';
-/** How an uncertainty was found; "annex-a", … where it is chosen by `uncertainty.method`. */
-export type Method = 'annex_a' | 'gum' | 'monte_carlo';
-/** Who stated a limit, the one that gives way to all others first: the test's own file, entered for this test, … */
-export type LimitSource = 'axis' | 'table' | 'test' | 'entered' | 'user';
-export type ErrorKind =
-  | 'bad_input' | 'not_found' | 'conflict' | 'read_only' | 'full' | 'unavailable' | 'damaged' | 'refused';
-
-/** Every answer with a status of 400 or more. */
-export interface Failure {
-  error: { kind: ErrorKind; message: string; file: string | null; line: number | null; column: number | null };
+export interface components {
+    schemas: {
+        AnnexABudget: {
+            contributors: {
+                key: string;
+                symbol: string;
+                title: string;
+                formula: string;
+                inputs: {
+                    symbol: string;
+                    value: number;
+                    unit: string;
+                    note?: string;
+                }[];
+                /** @description null where it is not known. */
+                U: number | null;
+            }[];
+            notes: string[];
+            runs: number;
+            /** @description The environment is stated as drift or random walk. */
+            slow_environment: boolean;
+            coverage_factor: number;
+            corrected_repeatability?: {
+                R: number | null;
+                R_up: number | null;
+                R_down: number | null;
+                floored_targets: number[];
+            };
+        };
+        AppliedCorrection: {
+            id: string;
+            title: string;
+            smallest: number;
+            largest: number;
+            details: {
+                name: string;
+                value: string;
+            }[];
+        };
+        Approach: {
+            /** @description i, counted from 1. */
+            target: number;
+            /** @description j, counted from 1. */
+            run: number;
+            direction: components["schemas"]["Direction"];
+            /** @description P_i, where the plan has it. */
+            position?: number;
+        };
+        /** @description The first rows of a table of unknown make, and what is known and asked of its columns. */
+        AskedTable: {
+            profile: components["schemas"]["ImportProfile"];
+            questions: {
+                /** @description Member of the profile that answers it. */
+                key: string;
+                text: string;
+            }[];
+            /** @description Of the columns; empty without a header. */
+            names: string[];
+            rows: string[][];
+        };
+        AuditEntry: {
+            id: components["schemas"]["Id"];
+            change: components["schemas"]["Change"];
+            action: string;
+            subject: string;
+            /** @description What the line records beside these; its members follow the action. */
+            detail: {
+                [key: string]: unknown;
+            };
+            /** @description Of this line and the one before: none can be changed or taken away unseen. */
+            sha256: components["schemas"]["Sha256"];
+        };
+        AuditTrail: {
+            entries: components["schemas"]["AuditEntry"][];
+        };
+        Axis: {
+            machine: components["schemas"]["Id"];
+            name: string;
+            kind: components["schemas"]["AxisKind"];
+            limits: components["schemas"]["Limit"][];
+            notes: string;
+        } & components["schemas"]["Entity"];
+        AxisEdit: {
+            machine: components["schemas"]["Id"];
+            name: string;
+            kind: components["schemas"]["AxisKind"];
+            limits?: components["schemas"]["Limit"][];
+            notes?: string;
+        } & (components["schemas"]["EditNote"] & components["schemas"]["SentBack"]);
+        /** @enum {string} */
+        AxisKind: "linear" | "rotary";
+        AxisList: {
+            axes: components["schemas"]["Axis"][];
+        };
+        AxisVersions: {
+            versions: components["schemas"]["Axis"][];
+        };
+        Calibration: {
+            /** @description Of the test equipment, by its place in the list from 1. */
+            component: number;
+            instrument: components["schemas"]["Id"];
+            version: number;
+            certificate: string;
+            calibrated_on: string;
+            calibration_due: string;
+        };
+        Capture: {
+            id: components["schemas"]["Id"];
+            plan: components["schemas"]["Id"];
+            part: number;
+            source: components["schemas"]["Source"];
+            started: string;
+            /** @description Grows with every change. */
+            revision: number;
+            /**
+             * @description An interrupted one may be resumed.
+             * @enum {string}
+             */
+            state: "waiting" | "running" | "complete" | "stopped" | "failed" | "interrupted";
+            kind: components["schemas"]["AxisKind"];
+            unit: components["schemas"]["Unit"];
+            /** @description P_i of the plan, or of its part, that is captured. */
+            targets: number[];
+            /** @description Of the plan. */
+            approaches: number;
+            due: components["schemas"]["Approach"] | null;
+            now: {
+                position: number;
+                at_rest: boolean;
+            } | null;
+            /** @description How many readings there are. */
+            taken: number;
+            /** @description The readings are all there are: forget those of before. */
+            anew: boolean;
+            readings: components["schemas"]["CapturedReading"][];
+            events: {
+                /** @enum {string} */
+                kind: "zero" | "missed" | "repeated" | "wrong direction" | "too short" | "unexpected" | "not seen" | "restarted" | "incomplete";
+                message: string;
+                time_s: number;
+            }[];
+            notices: string[];
+            /** @description As soon as a test can be made of it. */
+            so_far: components["schemas"]["Evaluated"] | null;
+            /** @description Kept as this test when it has ended with readings. */
+            test: components["schemas"]["Id"] | null;
+            error: string | null;
+        };
+        CaptureList: {
+            captures: components["schemas"]["Capture"][];
+        };
+        CaptureRequest: {
+            plan: components["schemas"]["Id"];
+            /** @description Its id. */
+            source: string;
+            /** @description Of the stream; recognised by itself when empty or left out. */
+            layout?: string;
+            /** @description By the names of the flags of `axiometry capture`; of the simulator `speed`, `preset` and `seed`. */
+            options?: {
+                [key: string]: string | number | boolean;
+            };
+        } | {
+            /** @description Number of an interrupted capture that is gone on with. */
+            resume: components["schemas"]["Id"];
+        };
+        CapturedReading: {
+            deviation: number;
+            /** @description In the unit of the deviation. */
+            spread: number;
+            samples: number;
+            remarks: string[];
+        } & components["schemas"]["Approach"];
+        /** @description Who changed something, when and why. */
+        Change: {
+            /** Format: date-time */
+            at: string;
+            actor: string;
+            reason: string;
+        };
+        /**
+         * @description Metadata over what the file says: key and text as `--set` takes them; an empty text takes the value away.
+         * @example {
+         *       "machine.name": "VMC 850",
+         *       "tolerance.A": "10"
+         *     }
+         */
+        Changes: {
+            [key: string]: string;
+        };
+        /** @description What may be said of a result with the name of the standard. */
+        Claim: {
+            /** @enum {string} */
+            key: "computed" | "tested" | "reported";
+            title: string;
+            holds: boolean;
+            /** @description Of tested: what it rests on that no item of a test states. */
+            remark?: string;
+            /** @description What speaks against it: a departure contradicts it, what is missing was not stated. */
+            missing: components["schemas"]["Finding"][];
+        };
+        Counts: {
+            machines: number;
+            axes: number;
+            instruments: number;
+            plans: number;
+            tests: number;
+            documents: number;
+            content_bytes: number;
+        };
+        /** @enum {string} */
+        Cycle: "standard" | "step" | "pilgrim" | "unidirectional" | "user-defined";
+        /**
+         * @description Of approach: towards larger positions, or smaller ones.
+         * @enum {string}
+         */
+        Direction: "up" | "down";
+        /** @description A report as it was issued, or an attachment; its bytes never change. */
+        Document: {
+            id: components["schemas"]["Id"];
+            test: components["schemas"]["Id"];
+            /** @description Of the test. */
+            version: number;
+            /** @enum {string} */
+            kind: "report" | "attachment";
+            name: string;
+            media_type: string;
+            /** @description Of a report; else empty. */
+            language: string;
+            sha256: components["schemas"]["Sha256"];
+            size: number;
+            change: components["schemas"]["Change"];
+        };
+        Draft: {
+            changes?: components["schemas"]["Changes"];
+            options?: components["schemas"]["GivenOptions"];
+        };
+        /** @description Per hour where the course of the test is known in time, else per reading. */
+        Drift: {
+            per_hour?: number;
+            per_reading?: number;
+            standard_uncertainty: number | null;
+            over_test: number;
+            degrees_of_freedom: number;
+            basis: string;
+        };
+        /** @description What goes with a change. */
+        EditNote: {
+            /** @description Of a change: the version that was looked at. */
+            base_version?: number;
+            reason?: string;
+        };
+        /** @description What is kept by versions. */
+        Entity: {
+            id: components["schemas"]["Id"];
+            version: number;
+            change: components["schemas"]["Change"];
+        };
+        /**
+         * @description What a program can do about it; `refused` is said of the request itself.
+         * @enum {string}
+         */
+        ErrorKind: "bad_input" | "not_found" | "conflict" | "read_only" | "full" | "unavailable" | "damaged" | "refused";
+        Evaluated: {
+            result: components["schemas"]["Result"];
+            readings: components["schemas"]["Readings"];
+            /** @description Of all limits together; null without any. */
+            verdict: components["schemas"]["Verdict"] | null;
+            shown: components["schemas"]["Shown"][];
+            from_archive: components["schemas"]["FromArchive"];
+            /** @description The evaluation took. */
+            milliseconds: number;
+        };
+        ExamplesLoaded: {
+            /** @description How many. */
+            tests: number;
+        };
+        Expanded: {
+            /** @description Standard uncertainty. */
+            u: number;
+            /** @description Expanded uncertainty. */
+            U: number;
+            k: number;
+            /** @description Effective degrees of freedom; null when infinite. */
+            nu_eff: number | null;
+            /**
+             * @description From what k was found.
+             * @enum {string}
+             */
+            coverage: "normal" | "degrees-of-freedom" | "correlated";
+        };
+        ExpansionCorrection: {
+            machine: components["schemas"]["ExpansionPart"];
+            equipment: components["schemas"]["ExpansionPart"] | null;
+            datum_mm: number;
+            smallest_um: number;
+            largest_um: number;
+        };
+        ExpansionPart: {
+            expansion_um_per_m_C: number;
+            start_C: number;
+            end_C: number;
+            sensors: number;
+        };
+        FactorUncertainty: {
+            departure: number;
+            u: number;
+            u_linear: number;
+            u_exact: number;
+        };
+        /** @description Every answer with a status of 400 or more. */
+        Failure: {
+            error: components["schemas"]["Problem"];
+        };
+        Field: {
+            /** @description Group and member, as `--set` takes it: `machine.serial_number`. */
+            key: string;
+            group: string;
+            title: string;
+            /** @enum {string} */
+            type: "text" | "number" | "boolean" | "choice" | "numbers" | "records";
+            /** @description Of numbers, on a linear axis. */
+            unit_linear: string;
+            /** @description The same on a rotary axis. */
+            unit_rotary: string;
+            /** @description Of ISO 230-2; empty where the standard does not ask for it. */
+            clause: string;
+            minimum: number | null;
+            maximum: number | null;
+            choices: string[];
+            /** @description Of records. */
+            columns: {
+                key: string;
+                title: string;
+                /** @enum {string} */
+                type: "text" | "number";
+                unit: string;
+            }[];
+            description: string;
+            /** @description Whether clause 8.1 wants it in a report. */
+            wanted: boolean;
+        };
+        FigureList: {
+            figures: {
+                id: number;
+                title: string;
+            }[];
+        };
+        FigureOfTest: {
+            parameter: components["schemas"]["Parameter"];
+            value: number;
+            /** @description Of record; null where its method states the interval alone. */
+            U: number | null;
+            /** @description Ends of the stated interval. */
+            low: number | null;
+            high: number | null;
+            /** @description Of record; null also of a version from before it was kept. */
+            method: components["schemas"]["Method"] | null;
+            limit: number | null;
+            verdict: components["schemas"]["Verdict"] | null;
+        };
+        FileForm: {
+            /** Format: binary */
+            file?: string;
+            /** @description An import profile as JSON text, at most 64 KiB, without a file name: how the only file of the form is to be read. It is kept with the tests. */
+            profile?: string;
+        };
+        Finding: {
+            clause: string;
+            /** @enum {string} */
+            severity: "departure" | "missing" | "note";
+            message: string;
+        };
+        /** @description What an evaluation took from the archive beside the test itself: inputs of instruments that neither the file nor the changes state, calibrations that held on the day of the test, and the limits of the axis. They are kept with a version as they were on its day. */
+        FromArchive: {
+            instruments: {
+                instrument: components["schemas"]["Id"];
+                version: number;
+                name: string;
+                inputs: components["schemas"]["Changes"];
+                /** @description Inputs that do not go with what the test itself states. */
+                left_out?: components["schemas"]["Changes"];
+            }[];
+            calibrations: components["schemas"]["Calibration"][];
+            /** @description Its limits, each of which holds where nothing else limits its parameter. */
+            axis: {
+                axis: components["schemas"]["Id"];
+                version: number;
+                limits: components["schemas"]["Limit"][];
+            } | null;
+        };
+        /** @description What is left out is as usual. */
+        GivenOptions: {
+            /** @description Beside Annex A, which is always there. */
+            methods?: ("gum" | "monte-carlo")[];
+            /** @description Of the Monte Carlo method; null: until two digits are stable. */
+            trials?: number | null;
+            seed?: components["schemas"]["Seed"];
+            /** @description Of intervals: 0.95. */
+            coverage?: number;
+            /** @description As `--correct` takes them: `nde`, `air=ciddor`. */
+            corrections?: string[];
+        };
+        /** @description What is null or left out is chosen by the planner. */
+        GivenPlanRequest: {
+            axis: string;
+            kind: components["schemas"]["AxisKind"];
+            from: number;
+            to: number;
+            /** @description null: chosen by the planner. */
+            positions?: number[] | null;
+            /** @description How many; null: what the standard asks for. */
+            targets?: number | null;
+            cycle?: components["schemas"]["Cycle"];
+            runs?: number | null;
+            /** @description mm/min or °/min. */
+            feed?: number | null;
+            dwell_s?: number | null;
+            overrun?: number | null;
+            seed?: number | null;
+            /** @description More of `axiometry plan`, by the names of its flags. */
+            further?: {
+                [key: string]: string;
+            };
+        };
+        GumBudget: {
+            measurand: components["schemas"]["Measurand"];
+            up_down_correlation: number;
+            factors_um_per_m: {
+                machine_thermal: components["schemas"]["FactorUncertainty"] | null;
+                device_thermal: components["schemas"]["FactorUncertainty"] | null;
+                alignment: components["schemas"]["FactorUncertainty"] | null;
+            };
+            sources: {
+                key: string;
+                symbol: string;
+                title: string;
+                source: string;
+                distribution: string | null;
+                u: number | null;
+                unit: string;
+                note?: string;
+            }[];
+            /** @description |c| u of every source. */
+            contributions: {
+                key: string;
+                u: components["schemas"]["ParameterNumbers"];
+            }[];
+            positions: {
+                target: number;
+                up: components["schemas"]["PositionComponents"] | null;
+                down: components["schemas"]["PositionComponents"] | null;
+                mean: components["schemas"]["Expanded"] | null;
+            }[];
+            notes: string[];
+        };
+        GumOutput: {
+            value: number;
+        } & components["schemas"]["Expanded"];
+        GumOutputs: {
+            A: components["schemas"]["GumOutput"] | null;
+            A_up: components["schemas"]["GumOutput"] | null;
+            A_down: components["schemas"]["GumOutput"] | null;
+            E: components["schemas"]["GumOutput"] | null;
+            E_up: components["schemas"]["GumOutput"] | null;
+            E_down: components["schemas"]["GumOutput"] | null;
+            M: components["schemas"]["GumOutput"] | null;
+            R: components["schemas"]["GumOutput"] | null;
+            R_up: components["schemas"]["GumOutput"] | null;
+            R_down: components["schemas"]["GumOutput"] | null;
+            B: components["schemas"]["GumOutput"] | null;
+            B_mean: components["schemas"]["GumOutput"] | null;
+        };
+        Health: {
+            /** @constant */
+            status: "ok";
+            program: components["schemas"]["Program"];
+            store: {
+                /** @enum {string} */
+                kind: "sqlite" | "postgresql";
+                /** @description File or address, never with a password. */
+                location: string;
+                /** @description Number of the store's last migration. */
+                schema: number;
+                writable: boolean;
+                /** @description Of a store that cannot be written. */
+                why_not: string | null;
+                counts: components["schemas"]["Counts"];
+            };
+            limits: {
+                /** @description Size of the largest body that is taken. */
+                upload_bytes: number;
+            };
+            /** @description Whether one is asked for. */
+            token: boolean;
+        };
+        /** @description What is told who has not shown the token. */
+        HealthStatus: {
+            /** @constant */
+            status: "ok";
+        };
+        /** @description Number of a thing in the archive, counted from 1 without gaps. */
+        Id: number;
+        /** @description How a table of numbers in a file of an unknown layout is to be read. */
+        ImportProfile: {
+            /** @constant */
+            format: "axiometry-import-profile/1";
+            /**
+             * @description Encoding of the text; auto finds it out.
+             * @enum {unknown}
+             */
+            encoding: "auto" | "utf-8" | "utf-16" | "gbk" | "windows-1252" | "latin-1";
+            /**
+             * @description What stands between the columns.
+             * @enum {unknown}
+             */
+            delimiter: "comma" | "semicolon" | "tab" | "blanks";
+            /**
+             * @description Decimal mark of the numbers. With comma as delimiter too, every number has a comma of its own.
+             * @enum {unknown}
+             */
+            decimal_mark: "point" | "comma";
+            /** @description Lines that begin with it are passed over; empty: none are. */
+            comment: string;
+            /** @description Lines to pass over before anything is looked at. */
+            skip_lines: number;
+            /** @description Lines of the header: 0 without one, 2 when a line of units follows the names. Where columns have names here, the header is the first line that holds them; else the first line that is no comment. */
+            header_lines: number;
+            /** @description A line that begins with it ends the table; empty: the file does. */
+            end: string;
+            /**
+             * @description long: one reading per row; wide: one column per run, one row per target; transposed: one row per run, the targets across in the header.
+             * @enum {unknown}
+             */
+            layout: "long" | "wide" | "transposed";
+            /** @description From left to right. In a transposed table the last one stands for all that follow. */
+            columns: {
+                /**
+                 * @description What stands in the column.
+                 * @enum {unknown}
+                 */
+                role: "ignore" | "target" | "deviation" | "position" | "direction" | "run" | "time" | "label";
+                /** @description Its name in the header, which is then looked for in the file; left out: not compared. */
+                name?: string;
+                /**
+                 * @description Unit of its readings, where it is not reading_unit.
+                 * @enum {unknown}
+                 */
+                unit?: "um" | "mm" | "nm" | "m" | "in" | "uin" | "arcsec" | "deg" | "mdeg" | "rad" | "mrad" | "urad" | null;
+                /**
+                 * @description Direction of approach of all its readings.
+                 * @enum {unknown}
+                 */
+                direction?: "up" | "down" | null;
+                /** @description Run of all its readings, counted from 1. */
+                run?: number;
+            }[];
+            /**
+             * @description Unit of the targets.
+             * @enum {unknown}
+             */
+            target_unit: "um" | "mm" | "nm" | "m" | "in" | "uin" | "arcsec" | "deg" | "mdeg" | "rad" | "mrad" | "urad" | null;
+            /**
+             * @description Unit of the readings.
+             * @enum {unknown}
+             */
+            reading_unit: "um" | "mm" | "nm" | "m" | "in" | "uin" | "arcsec" | "deg" | "mdeg" | "rad" | "mrad" | "urad" | null;
+            /**
+             * @description Where the direction of approach comes from: a column; names of columns or labels of rows; motion, the step from the target before; visits to a target (transposed: rows) in turn; run-parity, runs counted one way each; or all approaches are up, or down.
+             * @enum {unknown}
+             */
+            direction: "column" | "names" | "motion" | "visits" | "run-parity" | "up" | "down" | null;
+            /**
+             * @description Direction of the first run or visit, for run-parity and visits.
+             * @enum {unknown}
+             */
+            first_direction: "up" | "down";
+            /** @description Words for up in the column of directions, beside the usual ones. */
+            up_words: string[];
+            /** @description Words for down in the column of directions, beside the usual ones. */
+            down_words: string[];
+            /**
+             * @description Where the number of the run comes from: a column or label, names of columns, or the repetition of targets.
+             * @enum {unknown}
+             */
+            runs: "column" | "names" | "repetition";
+            /** @description Number of the first run in its column. */
+            first_run: number;
+            /**
+             * @description 1: readings are as they stand; -1: their sign is the other one (target minus actual).
+             * @enum {unknown}
+             */
+            sign: 1 | -1;
+        };
+        Instrument: {
+            role: string;
+            manufacturer: string;
+            type: string;
+            serial_number: string;
+            certificate: string;
+            calibrated_on: string;
+            calibration_due: string;
+            /** @description Metadata that a test with this instrument takes from it. */
+            inputs: components["schemas"]["Changes"];
+            notes: string;
+        } & components["schemas"]["Entity"];
+        InstrumentEdit: {
+            role?: string;
+            manufacturer?: string;
+            type?: string;
+            serial_number?: string;
+            certificate?: string;
+            calibrated_on?: string;
+            calibration_due?: string;
+            /** @description Metadata that a test with this instrument takes from it. */
+            inputs?: components["schemas"]["Changes"];
+            notes?: string;
+        } & (components["schemas"]["EditNote"] & components["schemas"]["SentBack"]);
+        InstrumentList: {
+            instruments: components["schemas"]["Instrument"][];
+        };
+        InstrumentVersions: {
+            versions: components["schemas"]["Instrument"][];
+        };
+        /** @description Its ends, the smaller first. */
+        Interval: [
+            number,
+            number
+        ];
+        IssueRequest: {
+            /** @description A writer of the vocabulary, or `json`. */
+            extension: string;
+            /** @enum {string} */
+            language?: "en" | "de";
+            /** @enum {string} */
+            decimal?: "point" | "comma";
+            unit?: components["schemas"]["ShownUnit"] | null;
+            /** @description The latest when left out. */
+            version?: number | null;
+            reason?: string;
+        };
+        /**
+         * @description A verdict, or that there is no value to decide about.
+         * @enum {string}
+         */
+        Judged: "conforms" | "does not conform" | "undecided" | "not applicable";
+        /** @description docs/results.md, `tolerances`, explains every member. */
+        Judgement: {
+            parameter: components["schemas"]["Parameter"];
+            limit: number;
+            source: components["schemas"]["LimitSource"];
+            verdict: components["schemas"]["Judged"];
+            /** @enum {string} */
+            rule: "simple" | "iso14253-1" | "guard-band";
+            replaced: components["schemas"]["ReplacedLimit"][];
+            /** @description Why nothing is decided although there is a value. */
+            withheld: string | null;
+            u: number | null;
+            u_degrees_of_freedom: number | null;
+            u_method: components["schemas"]["Method"] | null;
+            u_measurand: components["schemas"]["Measurand"] | null;
+            guard_band: number | null;
+            rejection_band: number | null;
+            acceptance_limit: number | null;
+            rejection_limit: number | null;
+            probability_conforming: number | null;
+            probability_least: number | null;
+            probability_most: number | null;
+            consumer_risk: number | null;
+            producer_risk: number | null;
+        };
+        Limit: {
+            parameter: components["schemas"]["Parameter"];
+            value: number;
+        };
+        /**
+         * @description Each gives way, parameter by parameter, to those after it: the axis of the archive, a tolerance table, the test's file, entered for this test, the command line.
+         * @enum {string}
+         */
+        LimitSource: "axis" | "table" | "test" | "entered" | "user";
+        Login: {
+            token: string;
+        };
+        Machine: {
+            axes: components["schemas"]["Axis"][];
+            /** @description How many, without withdrawn ones. */
+            tests: number;
+            latest_test: {
+                id: components["schemas"]["Id"];
+                measured_on: string;
+                verdict: components["schemas"]["Verdict"] | null;
+            } | null;
+        } & components["schemas"]["MachineVersion"];
+        MachineEdit: {
+            name: string;
+            manufacturer?: string;
+            type?: string;
+            serial_number?: string;
+            controller?: string;
+            location?: string;
+            notes?: string;
+        } & (components["schemas"]["EditNote"] & components["schemas"]["SentBack"]);
+        MachineList: {
+            machines: components["schemas"]["Machine"][];
+        };
+        MachineVersion: {
+            name: string;
+            manufacturer: string;
+            type: string;
+            serial_number: string;
+            controller: string;
+            location: string;
+            notes: string;
+        } & components["schemas"]["Entity"];
+        MachineVersions: {
+            versions: components["schemas"]["MachineVersion"][];
+        };
+        /**
+         * @description Of which the uncertainty is: what these approaches would have given with perfect instruments, or what the axis does in the long run.
+         * @enum {string}
+         */
+        Measurand: "this-test" | "this-machine";
+        /** @description A positioning test of one machine tool axis: what was tested, how, and the readings. */
+        Metadata: {
+            test?: {
+                /** @description Report number. Number of the report or certificate. */
+                report_number?: string | null;
+                /** @description Date of test. Date of the test, ISO 8601 preferred. ISO 230-2:2014, 8.1. */
+                date?: string | null;
+                /** @description Name of inspector. Who made the test. ISO 230-2:2014, 8.1. */
+                inspector?: string | null;
+                /** @description Laboratory. Laboratory or company that vouches for the report. */
+                laboratory?: string | null;
+                /** @description Customer. For whom the test was made. */
+                customer?: string | null;
+                /** @description Purpose. Acceptance, reverification, compensation, … */
+                purpose?: string | null;
+                /**
+                 * @description Test cycle. Standard test cycle (Figure 1), step cycle (Annex B), pilgrim, unidirectional or user-defined. ISO 230-2:2014, 5.3.2.
+                 * @enum {unknown}
+                 */
+                cycle?: "standard" | "step" | "pilgrim" | "unidirectional" | "user-defined" | null;
+                /** @description Feed speed. Feed speed between targets. Unit mm/min; °/min on a rotary axis. ISO 230-2:2014, 8.1. */
+                feed?: number | null;
+                /** @description Dwell time at each target. Dwell time at each target position. Unit s. ISO 230-2:2014, 8.1. */
+                dwell_s?: number | null;
+                /** @description Warm-up operation. How long or how often the axis was moved beforehand, and how fast. ISO 230-2:2014, 8.1. */
+                warm_up?: string | null;
+                /** @description Position of axes not under test. Such as 'Y = 300 mm; Z = 350 mm; C = 0°'. ISO 230-2:2014, 8.1. */
+                axes_not_under_test?: string | null;
+                /** @description Offset to tool reference X/Y/Z. Three numbers. Unit mm. ISO 230-2:2014, 8.1. */
+                tool_offset_mm?: number[] | null;
+                /** @description Offset to workpiece reference X/Y/Z. Three numbers. Unit mm. ISO 230-2:2014, 8.1. */
+                workpiece_offset_mm?: number[] | null;
+                /** @description Air or oil shower. When applied. ISO 230-2:2014, 8.1. */
+                air_or_oil_shower?: string | null;
+                /** @description Tell the smaller of R↑ and R↓. Whether min(R↑, R↓), as lists of export controls use it, is told for information; not a parameter of the standard. */
+                smaller_repeatability?: boolean | null;
+                /** @description Comment. Anything else. */
+                comment?: string | null;
+            } | null;
+            machine?: {
+                /** @description Machine name. Maker and model of the machine. ISO 230-2:2014, 8.1. */
+                name?: string | null;
+                /** @description Machine type. Horizontal or vertical spindle and kind of machine. ISO 230-2:2014, 8.1. */
+                type?: string | null;
+                /** @description Machine serial number. Serial number of the machine. */
+                serial_number?: string | null;
+                /** @description Travels of the coordinate axes. Travels of all coordinate axes, as text. ISO 230-2:2014, 8.1. */
+                axes_travel?: string | null;
+                /** @description Location. Where the machine stands. */
+                location?: string | null;
+            } | null;
+            axis?: {
+                /** @description Axis under test. Letter or name of the axis. ISO 230-2:2014, 8.1. */
+                name?: string | null;
+                /**
+                 * @description Kind of axis. Linear (mm, µm) or rotary (degrees, seconds of arc). ISO 230-2:2014, 1.
+                 * @enum {unknown}
+                 */
+                kind?: "linear" | "rotary" | null;
+                /** @description Axis travel, from. Lower end of the axis travel. Unit mm; ° on a rotary axis. ISO 230-2:2014, 3.1. */
+                travel_begin?: number | null;
+                /** @description Axis travel, to. Upper end of the axis travel. Unit mm; ° on a rotary axis. ISO 230-2:2014, 3.1. */
+                travel_end?: number | null;
+                /** @description Measurement line or orientation. Linear: where the line lies relative to the other axes. Rotary: where the axis lies and how it points. ISO 230-2:2014, 8.1. */
+                measurement_line?: string | null;
+                /** @description Type of scale. Ball screw and rotary encoder, linear scale, … ISO 230-2:2014, 8.1. */
+                scale_type?: string | null;
+                /** @description Expansion coefficient of the scale. Coefficient of thermal expansion of the machine scale. Unit µm/(m·°C). ISO 230-2:2014, 8.1. */
+                scale_expansion_um_per_m_C?: number | null;
+                /** @description Compensation used. Built-in compensation during the test, such as 'reversal and leadscrew'; 'none' is an answer. ISO 230-2:2014, 8.1. */
+                compensation?: string | null;
+                /** @description Sampling points of the compensation. Positions of the compensation table, which the targets must not repeat. Unit mm; ° on a rotary axis. ISO 230-2:2014, 5.2. */
+                compensation_points?: number[] | null;
+                /** @description Expected period of a periodic error. Pitch of the screw or of the scale, when known. Unit mm; ° on a rotary axis. ISO 230-2:2014, 5.2. */
+                expected_period?: number | null;
+                /** @description Line in space, origin X/Y/Z. Where X, Y and Z stand at position 0 of a line that is driven in space, such as a diagonal. Unit mm. */
+                line_origin_mm?: number[] | null;
+                /** @description Line in space, direction X/Y/Z. Where position grows along the line, of any length: 1 1 0 is the diagonal of X and Y. Several axes that move at once make a test after ISO 230-6. */
+                line_direction?: number[] | null;
+            } | null;
+            /** @description Test equipment. Every component of the measuring instrument: laser head, optics, sensors. ISO 230-2:2014, 8.1. */
+            equipment?: {
+                /** @description Component. */
+                role?: string | null;
+                /** @description Manufacturer. */
+                manufacturer?: string | null;
+                /** @description Type. */
+                type?: string | null;
+                /** @description Serial number. */
+                serial_number?: string | null;
+                /** @description Certificate. */
+                certificate?: string | null;
+                /** @description Calibrated on. */
+                calibrated_on?: string | null;
+                /** @description Calibration due. */
+                calibration_due?: string | null;
+            }[] | null;
+            nde?: {
+                /** @description NDE correction applied. Whether nominal differential expansion was corrected mathematically. ISO 230-2:2014, 8.1. */
+                applied?: boolean | null;
+                /** @description Expansion coefficient used, machine. Coefficient used for the machine's expansion. Unit µm/(m·°C). ISO 230-2:2014, 8.1. */
+                machine_expansion_um_per_m_C?: number | null;
+                /** @description Expansion coefficient used, equipment. Coefficient used for the measuring equipment's expansion. Unit µm/(m·°C). ISO 230-2:2014, 8.1. */
+                equipment_expansion_um_per_m_C?: number | null;
+                /** @description Compensation routine. How often the correction is updated. ISO 230-2:2014, 8.1. */
+                routine?: string | null;
+                /** @description Datum of the instrument. Position at which the instrument was set to zero, where a correction by this program is none; the first target when not given. Unit mm; ° on a rotary axis. */
+                datum?: number | null;
+            } | null;
+            /** @description Temperature sensors. Sensors with their readings at the start and the end; role is machine, equipment or air. ISO 230-2:2014, 8.1. */
+            sensors?: {
+                /** @description Sensor. */
+                role?: string | null;
+                /** @description Location. */
+                location?: string | null;
+                /** @description Start. Unit °C. */
+                start_C?: number | null;
+                /** @description End. Unit °C. */
+                end_C?: number | null;
+            }[] | null;
+            environment?: {
+                /** @description Air temperature at the start. Near the laser beam. Unit °C. ISO 230-2:2014, 8.1. */
+                air_temperature_start_C?: number | null;
+                /** @description Air temperature at the end. Near the laser beam. Unit °C. ISO 230-2:2014, 8.1. */
+                air_temperature_end_C?: number | null;
+                /** @description Air pressure at the start. Near the laser beam. Unit kPa. ISO 230-2:2014, 8.1. */
+                air_pressure_start_kPa?: number | null;
+                /** @description Air pressure at the end. Near the laser beam. Unit kPa. ISO 230-2:2014, 8.1. */
+                air_pressure_end_kPa?: number | null;
+                /** @description Air humidity at the start. Near the laser beam. Unit %. ISO 230-2:2014, 8.1. */
+                air_humidity_start_percent?: number | null;
+                /** @description Air humidity at the end. Near the laser beam. Unit %. ISO 230-2:2014, 8.1. */
+                air_humidity_end_percent?: number | null;
+            } | null;
+            instrument?: {
+                /** @description Vacuum wavelength. Of the laser, for the correction of readings for the refractive index of air; 632.9909 when not given. Unit nm. */
+                vacuum_wavelength_nm?: number | null;
+                /** @description Refractive index assumed by the instrument. 1 when the instrument shows lengths in vacuum wavelengths; wanted for the correction for the air. */
+                refractive_index?: number | null;
+                /** @description Dead path. Distance between the fixed and the moving optics at the datum that the instrument does not compensate. Unit mm. */
+                dead_path_mm?: number | null;
+                /** @description Carbon dioxide in the air. By volume; 450 when not given. Unit ppm. */
+                air_co2_ppm?: number | null;
+                /** @description Gain of the sensor. True change of position per change shown; applied to the readings only on request. */
+                gain?: number | null;
+                /** @description Sign reversed. Whether the instrument counts up when the axis moves in the negative direction. */
+                sign_reversed?: boolean | null;
+            } | null;
+            artefact?: {
+                /** @description Artefact. Ball array or step gauge. ISO 230-2:2014, Annex D. */
+                type?: string | null;
+                /** @description Serial number of the artefact. Serial number of the artefact. ISO 230-2:2014, Annex D. */
+                serial_number?: string | null;
+                /** @description Calibration certificate. Number and date of the certificate. ISO 230-2:2014, Annex D. */
+                certificate?: string | null;
+                /** @description Calibrated positions. Of the balls or faces at 20 °C, one per target and in their order; the readings are then positions that the machine indicated at them. Unit mm. ISO 230-2:2014, Annex D. */
+                calibrated_positions?: number[] | null;
+                /** @description Calibration uncertainty of the artefact. U, k = 2, of every calibrated position. Unit µm; ″ on a rotary axis. ISO 230-2:2014, Annex D. */
+                calibration_uncertainty?: number | null;
+                /** @description Calibration uncertainty of the artefact, by length. U, k = 2, in proportion to the length. Unit µm/m. ISO 230-2:2014, Annex D. */
+                calibration_uncertainty_um_per_m?: number | null;
+                /**
+                 * @description Sum of both parts of the artefact's calibration uncertainty. How a constant part and one per metre make U: a + b·L (when not given), or the root of their squares. ISO 230-2:2014, Annex D.
+                 * @enum {unknown}
+                 */
+                calibration_sum?: "linear" | "quadratic" | null;
+                /** @description Probing uncertainty. U, k = 2, of one probing. Unit µm; ″ on a rotary axis. ISO 230-2:2014, Annex D. */
+                probing_uncertainty?: number | null;
+            } | null;
+            tolerance?: {
+                /** @description Tolerance of A. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                A?: number | null;
+                /** @description Tolerance of A↑. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                A_up?: number | null;
+                /** @description Tolerance of A↓. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                A_down?: number | null;
+                /** @description Tolerance of E. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                E?: number | null;
+                /** @description Tolerance of E↑. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                E_up?: number | null;
+                /** @description Tolerance of E↓. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                E_down?: number | null;
+                /** @description Tolerance of M. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                M?: number | null;
+                /** @description Tolerance of R. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                R?: number | null;
+                /** @description Tolerance of R↑. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                R_up?: number | null;
+                /** @description Tolerance of R↓. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                R_down?: number | null;
+                /** @description Tolerance of B. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                B?: number | null;
+                /** @description Tolerance of |B̄|. Upper limit. Unit µm; ″ on a rotary axis. ISO 230-2:2014, 8.2. */
+                B_mean?: number | null;
+                /** @description Tolerance table. Which of the names in a file of tolerance tables. */
+                table?: string | null;
+                /**
+                 * @description Decision rule. How the uncertainty counts in a verdict: simple acceptance, ISO 14253-1, or a guard band of a given width.
+                 * @enum {unknown}
+                 */
+                rule?: "simple" | "iso14253-1" | "guard-band" | null;
+                /** @description Guard band. Its width, for the rule guard-band. Unit µm; ″ on a rotary axis. */
+                guard_band?: number | null;
+            } | null;
+            uncertainty?: {
+                /** @description Measurement length L. The measured travel when not given. Unit mm. Linear axes only. ISO 230-2:2014, A.2.2. */
+                length_mm?: number | null;
+                /** @description Calibration uncertainty of the device (k = 2). U of the calibration certificate. Unit µm; ″ on a rotary axis. ISO 230-2:2014, A.1. */
+                device_calibration?: number | null;
+                /** @description Calibration uncertainty of the device (k = 2). U of the calibration certificate per metre. Unit µm/m. Linear axes only. ISO 230-2:2014, A.2. */
+                device_calibration_um_per_m?: number | null;
+                /**
+                 * @description Sum of both parts of the calibration uncertainty. How a constant part and one per metre make U: a + b·L (when not given), or the root of their squares.
+                 * @enum {unknown}
+                 */
+                device_calibration_sum?: "linear" | "quadratic" | null;
+                /** @description Error range of the device. Full range stated by the manufacturer. Unit µm/m. Linear axes only. ISO 230-2:2014, A.3. */
+                device_error_range_um_per_m?: number | null;
+                /** @description Misalignment. Of the measuring device to the axis. Unit mm. Linear axes only. ISO 230-2:2014, A.4. */
+                misalignment_mm?: number | null;
+                /** @description Expansion coefficient of the machine. That of the scale when not given, else 12. Unit µm/(m·°C). Linear axes only. ISO 230-2:2014, A.5. */
+                machine_expansion_um_per_m_C?: number | null;
+                /** @description Range of the temperature measurement, machine. Full range R(θ): 1 °C is ±0.5 °C. Unit °C. Linear axes only. ISO 230-2:2014, A.5. */
+                machine_temperature_range_C?: number | null;
+                /** @description Largest difference to 20 °C, machine. From the machine's temperature sensors when not given. Unit °C. Linear axes only. ISO 230-2:2014, A.7. */
+                machine_temperature_difference_C?: number | null;
+                /** @description Range of the expansion coefficient, machine. Full range R(α); 2 when not given. Unit µm/(m·°C). Linear axes only. ISO 230-2:2014, A.7. */
+                machine_expansion_range_um_per_m_C?: number | null;
+                /** @description Expansion coefficient of the device. Only when the device's statement does not include temperature. Unit µm/(m·°C). Linear axes only. ISO 230-2:2014, A.6. */
+                device_expansion_um_per_m_C?: number | null;
+                /** @description Range of the temperature measurement, device. Full range R(θ). Unit °C. Linear axes only. ISO 230-2:2014, A.6. */
+                device_temperature_range_C?: number | null;
+                /** @description Largest difference to 20 °C, device. Only when the device's statement does not include temperature. Unit °C. Linear axes only. ISO 230-2:2014, A.8. */
+                device_temperature_difference_C?: number | null;
+                /** @description Range of the expansion coefficient, device. Full range R(α). Unit µm/(m·°C). Linear axes only. ISO 230-2:2014, A.8. */
+                device_expansion_range_um_per_m_C?: number | null;
+                /** @description Environmental variation error. Range E_VE of the drift test. Unit µm; ″ on a rotary axis. ISO 230-2:2014, A.9. */
+                environmental_variation?: number | null;
+                /** @description Resolution of the axis. Smallest step of the axis scale. Unit µm; ″ on a rotary axis. */
+                axis_resolution?: number | null;
+                /** @description Resolution of the measuring instrument. Smallest step of the readings. Unit µm; ″ on a rotary axis. */
+                instrument_resolution?: number | null;
+                /** @description Sensitivity of the instrument to its environment. Standard uncertainty K of the instrument's own compensation, per metre and per °C away from 20 °C. Unit µm/(m·°C). Linear axes only. */
+                environment_sensitivity_um_per_m_C?: number | null;
+                /** @description Difference of the air to 20 °C. From the air temperatures when not given. Unit °C. Linear axes only. */
+                environment_temperature_difference_C?: number | null;
+                /** @description Largest angle of misalignment. Between measuring instrument and axis. From the misalignment over L when not given. Unit °. Linear axes only. */
+                alignment_angle_deg?: number | null;
+                /** @description Correlation between ↑ and ↓. Between the errors of both directions at one target; 1 when not given. */
+                up_down_correlation?: number | null;
+                /** @description Drift from run to run. Standard uncertainty of a shift that all readings of one run have in common. Unit µm; ″ on a rotary axis. */
+                run_drift?: number | null;
+                /**
+                 * @description Measurand. What is uncertain: what perfect instruments would have found in this test (when not given), or what this machine does in the long run, of which the approaches are a sample.
+                 * @enum {unknown}
+                 */
+                measurand?: "this-test" | "this-machine" | null;
+                /**
+                 * @description Method of record. Whose uncertainty stands with every result and decides. When not given: Monte Carlo where it was asked for, else Annex A, else the GUM.
+                 * @enum {unknown}
+                 */
+                method?: "annex-a" | "gum" | "monte-carlo" | null;
+                /**
+                 * @description Kind of environmental variation. How E_VE moves the readings: from each to the next (white), slowly (drift), in steps that add up (random-walk). When not given it is unknown: what any of these would do counts, as far as the readings allow it.
+                 * @enum {unknown}
+                 */
+                environment_kind?: "unknown" | "white" | "drift" | "random-walk" | null;
+                /** @description Recording of the environmental variation. Readings at standstill, equally far apart in time; they take the place of E_VE. Unit µm; ″ on a rotary axis. ISO 230-2:2014, A.2.5. */
+                drift_recording?: number[] | null;
+                /** @description Time between two of its readings. Of the recording of the environmental variation. Unit s. ISO 230-2:2014, A.2.5. */
+                drift_interval_s?: number | null;
+                /** @description Distributions of inputs. Each replaces that of a named input, as in 'machine_temperature | triangular 1.5 2.5', or adds an own input to scale, target, run or reading, as in 'scale:optics | normal 0 0.2'. */
+                distributions?: {
+                    /** @description Input. */
+                    input?: string | null;
+                    /** @description Distribution. */
+                    distribution?: string | null;
+                }[] | null;
+            } | null;
+            tracking?: {
+                /** @description Tracking interferometer, position along the line. Position of the point of the line that is next to the station. Unit mm. Linear axes only. */
+                station_position?: number | null;
+                /** @description Tracking interferometer, uncertainty across the line. Standard uncertainties of the station in the two principal directions across the line. Unit mm. Linear axes only. */
+                station_uncertainty_mm?: number[] | null;
+            } | null;
+        };
+        /**
+         * @description How an uncertainty was found; chosen by the field uncertainty.method.
+         * @enum {string}
+         */
+        Method: "annex_a" | "gum" | "monte_carlo";
+        /** @description JCGM 101: mean, standard uncertainty and coverage intervals. */
+        MonteCarloOutput: {
+            value: number;
+            mean: number;
+            u: number;
+            bias: number;
+            /** @description The interval that is stated holds for every hypothesis about the noise. */
+            low: number;
+            high: number;
+            /** @description Key of the hypothesis that gives this end. */
+            low_from?: string;
+            high_from?: string;
+            /** @description Why no interval is stated; absent where one is. */
+            refusal?: string;
+            /** @description By the keys of the hypotheses. */
+            by_hypothesis: {
+                [key: string]: {
+                    mean: number;
+                    u: number;
+                    symmetric: components["schemas"]["Interval"];
+                };
+            };
+            symmetric: components["schemas"]["Interval"];
+            shortest: components["schemas"]["Interval"];
+            /** @description Numerical tolerance that was asked for. */
+            delta: number;
+            stable: boolean;
+            mean_error: number;
+            u_error: number;
+            symmetric_error: components["schemas"]["Interval"];
+            histogram: {
+                lower: number;
+                width: number;
+                counts: number[];
+            };
+        };
+        MonteCarloOutputs: {
+            A: components["schemas"]["MonteCarloOutput"] | null;
+            A_up: components["schemas"]["MonteCarloOutput"] | null;
+            A_down: components["schemas"]["MonteCarloOutput"] | null;
+            E: components["schemas"]["MonteCarloOutput"] | null;
+            E_up: components["schemas"]["MonteCarloOutput"] | null;
+            E_down: components["schemas"]["MonteCarloOutput"] | null;
+            M: components["schemas"]["MonteCarloOutput"] | null;
+            R: components["schemas"]["MonteCarloOutput"] | null;
+            R_up: components["schemas"]["MonteCarloOutput"] | null;
+            R_down: components["schemas"]["MonteCarloOutput"] | null;
+            B: components["schemas"]["MonteCarloOutput"] | null;
+            B_mean: components["schemas"]["MonteCarloOutput"] | null;
+        };
+        MonteCarloRun: {
+            measurand: components["schemas"]["Measurand"];
+            type_a: ("pooled" | "t-scaled" | "resampled") | null;
+            trials: number;
+            adaptive: boolean;
+            stable: boolean;
+            seed: components["schemas"]["Seed"];
+            coverage: number;
+            /** @description About the noise. */
+            hypotheses: {
+                key: string;
+                title: string;
+                refuted: boolean;
+                p: number | null;
+                reason: string;
+            }[];
+            inputs: {
+                key: string;
+                symbol: string;
+                title: string;
+                source: string;
+                /** @enum {string} */
+                effect: "machine_expansion" | "machine_temperature" | "device_expansion" | "device_temperature" | "alignment" | "station" | "scale" | "displacement" | "target" | "target_direction" | "run" | "reading";
+                distribution: string;
+                u: number | null;
+                unit: string;
+                note?: string;
+            }[];
+            contributions: {
+                key: string;
+                title: string;
+                u: components["schemas"]["ParameterNumbers"];
+            }[];
+            notes: string[];
+        };
+        Named: {
+            id: string;
+            title: string;
+        };
+        /** @description An object of which nothing is read. */
+        Nothing: {
+            [key: string]: unknown;
+        };
+        /** @description How a test is evaluated, beside its metadata. */
+        Options: {
+            /** @description Beside Annex A, which is always there. */
+            methods: ("gum" | "monte-carlo")[];
+            /** @description Of the Monte Carlo method; null: until two digits are stable. */
+            trials: number | null;
+            seed: components["schemas"]["Seed"];
+            /** @description Of intervals: 0.95. */
+            coverage: number;
+            /** @description As `--correct` takes them: `nde`, `air=ciddor`. */
+            corrections: string[];
+        };
+        /**
+         * @description Parameter of ISO 230-2:2014, clause 3; `up` and `down` are the directions of approach.
+         * @enum {string}
+         */
+        Parameter: "A" | "A_up" | "A_down" | "E" | "E_up" | "E_down" | "M" | "R" | "R_up" | "R_down" | "B" | "B_mean";
+        /** @description Null where the parameter does not exist. */
+        ParameterNumbers: {
+            A: number | null;
+            A_up: number | null;
+            A_down: number | null;
+            E: number | null;
+            E_up: number | null;
+            E_down: number | null;
+            M: number | null;
+            R: number | null;
+            R_up: number | null;
+            R_down: number | null;
+            B: number | null;
+            B_mean: number | null;
+        };
+        Plan: components["schemas"]["PlanRow"] & components["schemas"]["PlanDraft"];
+        PlanDraft: {
+            plan: components["schemas"]["PlanFile"];
+            targets: number[];
+            duration_s: number;
+            findings: components["schemas"]["Finding"][];
+            conforming: boolean;
+            /** @description The way of the axis. */
+            figure_svg: string;
+            /** @description Null of a plan that came as a file. */
+            request: components["schemas"]["PlanRequest"] | null;
+            /** @description The plan itself and its further ones. */
+            parts: components["schemas"]["PlanPart"][];
+        };
+        PlanEdit: {
+            title?: string;
+            axis?: components["schemas"]["Id"] | null;
+        } & (components["schemas"]["PlanSubject"] & components["schemas"]["EditNote"]);
+        /** @description A test programme of one machine tool axis: what shall be measured, and in which order. */
+        PlanFile: {
+            /** @enum {unknown} */
+            format?: "axiometry-plan/1" | null;
+            /** @description Standard whose terms the plan uses. */
+            standard?: string | null;
+            /** @description Clause that describes the test; absent when none does. */
+            clause?: string | null;
+            /** @description Which test of several this is. */
+            title?: string | null;
+            /** @description Name of the machine, for the printed sheet and for comments in part programs. */
+            machine?: string | null;
+            /** @description Date on which the plan was made, ISO 8601 preferred. */
+            date?: string | null;
+            axis: {
+                /** @description Axis under test. Letter or name of the axis. ISO 230-2:2014, 8.1. */
+                name?: string | null;
+                /**
+                 * @description Kind of axis. Linear (mm, µm) or rotary (degrees, seconds of arc). ISO 230-2:2014, 1.
+                 * @enum {unknown}
+                 */
+                kind: "linear" | "rotary" | null;
+                /** @description Axis travel, from. Lower end of the axis travel. Unit mm; ° on a rotary axis. ISO 230-2:2014, 3.1. */
+                travel_begin?: number | null;
+                /** @description Axis travel, to. Upper end of the axis travel. Unit mm; ° on a rotary axis. ISO 230-2:2014, 3.1. */
+                travel_end?: number | null;
+                /** @description Measurement line or orientation. Linear: where the line lies relative to the other axes. Rotary: where the axis lies and how it points. ISO 230-2:2014, 8.1. */
+                measurement_line?: string | null;
+                /** @description Type of scale. Ball screw and rotary encoder, linear scale, … ISO 230-2:2014, 8.1. */
+                scale_type?: string | null;
+                /** @description Expansion coefficient of the scale. Coefficient of thermal expansion of the machine scale. Unit µm/(m·°C). ISO 230-2:2014, 8.1. */
+                scale_expansion_um_per_m_C?: number | null;
+                /** @description Compensation used. Built-in compensation during the test, such as 'reversal and leadscrew'; 'none' is an answer. ISO 230-2:2014, 8.1. */
+                compensation?: string | null;
+                /** @description Sampling points of the compensation. Positions of the compensation table, which the targets must not repeat. Unit mm; ° on a rotary axis. ISO 230-2:2014, 5.2. */
+                compensation_points?: number[] | null;
+                /** @description Expected period of a periodic error. Pitch of the screw or of the scale, when known. Unit mm; ° on a rotary axis. ISO 230-2:2014, 5.2. */
+                expected_period?: number | null;
+                /** @description Line in space, origin X/Y/Z. Where X, Y and Z stand at position 0 of a line that is driven in space, such as a diagonal. Unit mm. */
+                line_origin_mm?: number[] | null;
+                /** @description Line in space, direction X/Y/Z. Where position grows along the line, of any length: 1 1 0 is the diagonal of X and Y. Several axes that move at once make a test after ISO 230-6. */
+                line_direction?: number[] | null;
+            };
+            /**
+             * @description Order of the approaches (5.3.2, Annex B).
+             * @enum {unknown}
+             */
+            cycle: "standard" | "step" | "pilgrim" | "unidirectional" | "user-defined";
+            /** @description Target positions (3.4), mm or degrees; in any order, they are sorted. */
+            targets: number[];
+            /** @description Approaches to each target from each direction of the cycle (n). */
+            runs: number;
+            /** @description Distance beyond a target before the direction changes, mm or degrees. */
+            overrun: number;
+            /** @description Feed speed between targets, mm/min or degrees/min. */
+            feed: number;
+            /** @description Time at rest on every target, seconds. */
+            dwell_s: number;
+            /** @description Movements there and back before the first reading. */
+            warm_up_runs?: number;
+            /** @description Of the random part of the targets; from 2^53 on as a string. */
+            seed?: number | string | null;
+            /** @description Where X, Y and Z are driven before the first move on a line in space, points in order. */
+            way_in_mm?: number[][] | null;
+            /** @description Where X, Y and Z are driven after the last move on a line in space. */
+            way_out_mm?: number[][] | null;
+            /** @description The approaches of the user-defined cycle, in their order. */
+            sequence?: [
+                number,
+                "up" | "down",
+                number
+            ][] | null;
+            /** @description Tests that belong to this one (5.3.3, 5.3.5); one level only. */
+            further?: components["schemas"]["PlanFile"][] | null;
+            /** @description What the program says about the plan; ignored when it is read. */
+            findings?: {
+                clause: string;
+                /** @enum {unknown} */
+                severity: "departure" | "missing" | "note";
+                message: string;
+            }[] | null;
+            /** @description Estimated duration, seconds; ignored when it is read. */
+            duration_s?: number | null;
+            /** @description What was asked for; ignored when it is read. */
+            request?: Record<string, never> | null;
+        };
+        PlanList: {
+            plans: components["schemas"]["PlanRow"][];
+        };
+        PlanPart: {
+            part: number;
+            title: string;
+            cycle: components["schemas"]["Cycle"];
+            runs: number;
+            readings: number;
+            targets: number[];
+            duration_s: number;
+            figure_svg: string;
+        };
+        /** @description What a plan was made from, with the seed that was drawn: it gives the same plan again. */
+        PlanRequest: {
+            axis: string;
+            kind: components["schemas"]["AxisKind"];
+            from: number;
+            to: number;
+            /** @description null: chosen by the planner. */
+            positions: number[] | null;
+            /** @description How many; null: what the standard asks for. */
+            targets: number | null;
+            cycle: components["schemas"]["Cycle"];
+            runs: number | null;
+            /** @description mm/min or °/min. */
+            feed: number | null;
+            dwell_s: number | null;
+            overrun: number | null;
+            seed: number | null;
+            /** @description More of `axiometry plan`, by the names of its flags. */
+            further: {
+                [key: string]: string;
+            };
+        };
+        PlanRow: {
+            title: string;
+            axis: components["schemas"]["Id"] | null;
+        } & components["schemas"]["Entity"];
+        /** @description Either a request or a plan. */
+        PlanSubject: {
+            request?: components["schemas"]["GivenPlanRequest"];
+            /** @description A plan's file, or its text, in place of a request. */
+            plan?: components["schemas"]["PlanFile"] | string;
+        };
+        PlanVersions: {
+            versions: components["schemas"]["PlanRow"][];
+        };
+        PositionComponents: {
+            approaches: number;
+            thermal: number;
+            alignment: number;
+            axis_resolution: number;
+            instrument: number;
+            other: number;
+        } & components["schemas"]["Expanded"];
+        /** @description What clause 3 defines at one target. */
+        PositionResult: {
+            target: number;
+            n_up: number;
+            n_down: number;
+            mean_up: number | null;
+            mean_down: number | null;
+            mean: number | null;
+            reversal: number | null;
+            s_up: number | null;
+            s_down: number | null;
+            R_up: number | null;
+            R_down: number | null;
+            R: number | null;
+        };
+        Preview: {
+            file: {
+                name: string;
+                size: number;
+                sha256: components["schemas"]["Sha256"];
+            };
+            format: components["schemas"]["Named"] | null;
+            /** @description Why the file is not taken; then there are no tests. */
+            refused: components["schemas"]["Problem"] | null;
+            tests: components["schemas"]["PreviewedTest"][];
+            /** @description Tests with these very bytes. */
+            same_content: components["schemas"]["Id"][];
+            /** @description Of a file that is refused but holds a table of numbers, and of one read after a guess or a profile. */
+            table: components["schemas"]["AskedTable"] | null;
+        };
+        PreviewedTest: {
+            /** @description In a file of many; else empty. */
+            name: string;
+            axis: string;
+            kind: components["schemas"]["AxisKind"];
+            machine: string;
+            measured_on: string;
+            targets: number;
+            runs: number;
+            readings: number;
+            first: number;
+            last: number;
+            unit: components["schemas"]["Unit"];
+            /** @description Of the first eight. */
+            evaluated: components["schemas"]["Evaluated"] | null;
+        };
+        Problem: {
+            kind: components["schemas"]["ErrorKind"];
+            /** @description What was found and what was expected, in the language of the request. */
+            message: string;
+            /** @description The file that is wrong. */
+            file: string | null;
+            /** @description Counted from 1. */
+            line: number | null;
+            /** @description Counted from 1, in bytes. */
+            column: number | null;
+        };
+        Program: {
+            name: string;
+            version: string;
+        };
+        ProgramRequest: {
+            /** @description Of the vocabulary. */
+            dialect: string;
+            /** @description By the names of the query of `/api/plans/{id}/program`. */
+            options?: {
+                [key: string]: string | number | boolean;
+            };
+        } & components["schemas"]["PlanSubject"];
+        /** @description Deviations as they were read: a row for each target, a column for each run, null where there is none. */
+        Readings: {
+            /** @description mm or °. */
+            targets: number[];
+            up: (number | null)[][];
+            down: (number | null)[][];
+            /** @description Before corrections, where there were any. */
+            as_measured: {
+                up: (number | null)[][];
+                down: (number | null)[][];
+            } | null;
+        };
+        Reason: {
+            reason?: string;
+        };
+        /** @description In place of what was kept, where the server has no memory left to show it; id and version are null where they are not known. */
+        Receipt: {
+            /** @constant */
+            kept: true;
+            id: components["schemas"]["Id"] | null;
+            version: number | null;
+            message: string;
+        };
+        Received: {
+            /** @description Of the first test in the file. */
+            id: components["schemas"]["Id"];
+            version: number;
+            tests: {
+                id: components["schemas"]["Id"];
+                version: number;
+                title: string;
+                /** @description Tests of other files with the very bytes of this test's file, of before or of this upload. */
+                same_content: components["schemas"]["Id"][];
+            }[];
+            /** @description Tests of before with the very bytes of any of the files. */
+            same_content: components["schemas"]["Id"][];
+        } & components["schemas"]["Evaluated"];
+        /** @description A thing of the archive by its number, with its name. */
+        Reference: {
+            id: components["schemas"]["Id"];
+            name: string;
+        };
+        /** @description A limit of the same parameter that another one has taken the place of. */
+        ReplacedLimit: {
+            limit: number;
+            source: components["schemas"]["LimitSource"];
+        };
+        /** @description A statement about the uncertainty, used or not, or what follows where none was made. */
+        ResolvedInput: {
+            key: string;
+            symbol: string;
+            title: string;
+            value: number | string;
+            unit: string;
+            /** @enum {string} */
+            origin: "instrument" | "file" | "entered" | "flag" | "sensors" | "air" | "nde-correction" | "scale" | "measured-travel" | "misalignment" | "alignment-angle" | "assumed";
+            /** @description The origin in the language of the request. */
+            origin_title: string;
+            instrument?: string;
+            /** @enum {string} */
+            use: "none" | "all" | "annex-a" | "gum-and-monte-carlo";
+            /** @description Use and reason in the language of the request. */
+            use_title: string;
+            reason?: string;
+        };
+        /** @description As `axiometry evaluate --json` writes it; docs/results.md explains every key. A version that an older program has kept is as that one wrote it. */
+        Result: {
+            standard: string;
+            axis: {
+                name: string;
+                kind: components["schemas"]["AxisKind"];
+            };
+            unit: components["schemas"]["Unit"];
+            /** @description Whether no finding is a departure; what may be claimed stands in claims. */
+            conforming: boolean;
+            claims: components["schemas"]["Claim"][];
+            /** @description Words that must stand wherever the results do. */
+            label?: string;
+            parameters: components["schemas"]["ParameterNumbers"];
+            uncertainty: components["schemas"]["Uncertainty"];
+            /** @description Of all limits together. */
+            verdict?: components["schemas"]["Judged"];
+            tolerances?: components["schemas"]["Judgement"][];
+            /** @description Which row of a table the limits are of. */
+            tolerance_table?: {
+                file: string;
+                sha256: components["schemas"]["Sha256"];
+                name: string;
+                travel_up_to: number | null;
+            };
+            /** @description What was asked for beside the parameters of the standard. */
+            information?: {
+                smaller_repeatability: {
+                    value: number;
+                    /** @enum {string} */
+                    of: "R_up" | "R_down";
+                    remark: string;
+                };
+            };
+            positions: components["schemas"]["PositionResult"][];
+            drift: components["schemas"]["Drift"] | null;
+            findings: components["schemas"]["Finding"][];
+            metadata: components["schemas"]["Metadata"];
+            source: {
+                file: string;
+                /** @description Of a file of many. */
+                test?: string;
+                sha256: components["schemas"]["Sha256"] | null;
+                format: string;
+            };
+            corrections?: components["schemas"]["AppliedCorrection"][];
+            expansion_correction?: components["schemas"]["ExpansionCorrection"];
+            /** @description After corrections, where there were any. */
+            readings?: {
+                target: number;
+                direction: components["schemas"]["Direction"];
+                run: number;
+                deviation: number;
+                as_measured: number | null;
+            }[];
+            program: components["schemas"]["Program"];
+            /** @description Of `axiometry evaluate --verify`. */
+            verification?: {
+                figures: number;
+                verdicts: number;
+                compared: number;
+                differences: number;
+            };
+            /** @description Of an issued result: where the audit trail ended before. */
+            issue?: {
+                trail_head: string;
+            };
+        };
+        Revision: {
+            /** @description The version that was looked at; 409 when it is no longer the latest. */
+            base_version: number;
+            /** @description Empty: as it is. */
+            title?: string;
+            reason?: string;
+            changes?: components["schemas"]["Changes"];
+            options?: components["schemas"]["GivenOptions"];
+            /** @description None: as it is. */
+            plan?: components["schemas"]["Id"] | null;
+        };
+        /** @description Text above 2^53, which a number of JSON cannot hold. */
+        Seed: number | string;
+        /** @description Members of an answer that are no part of the thing itself. */
+        SentBack: {
+            /** @description Passed over. */
+            id?: unknown;
+            /** @description Passed over. */
+            version?: unknown;
+            /** @description Passed over. */
+            change?: unknown;
+            /** @description Passed over. */
+            axes?: unknown;
+            /** @description Passed over. */
+            tests?: unknown;
+            /** @description Passed over. */
+            latest_test?: unknown;
+        };
+        Sha256: string;
+        /** @description A parameter as people read it, with the uncertainty of record, and what it was held against. */
+        Shown: {
+            parameter: components["schemas"]["Parameter"];
+            /** @description Rounded to what its uncertainty allows. */
+            value: string;
+            /** @description Of record; empty where its method states the interval alone. */
+            U: string;
+            /** @description Of record, where it has no U. */
+            interval: string;
+            unit: string;
+            limit: number | null;
+            verdict: components["schemas"]["Verdict"] | null;
+            /** @description Ends of the stated interval of record, in the native unit. */
+            low: number | null;
+            high: number | null;
+            method: components["schemas"]["Method"] | null;
+            /** @description Who stated the limit. */
+            source: components["schemas"]["LimitSource"] | null;
+            /** @description Limits of the same parameter that this one has taken the place of. */
+            replaced: components["schemas"]["ReplacedLimit"][] | null;
+            /** @description Why nothing is decided although there is a value; the verdict is then undecided. */
+            withheld: string | null;
+        };
+        /**
+         * @description In which deviations are written.
+         * @enum {string}
+         */
+        ShownUnit: "um" | "mm" | "nm" | "deg" | "arcsec";
+        /** @description What a capture may listen to; named when the server is started, never by a request. */
+        Source: {
+            id: string;
+            title: string;
+            /** @enum {string} */
+            kind: "simulator" | "tcp" | "serial";
+            /** @description Of the simulator. */
+            speeds?: number[];
+            /** @description Of the simulator. */
+            presets?: {
+                id: string;
+                title: string;
+                sign: string;
+            }[];
+        };
+        SourceList: {
+            sources: components["schemas"]["Source"][];
+        };
+        StatedUncertainty: {
+            u: number;
+            /** @description Null where the method states the interval alone. */
+            U: number | null;
+            low: number;
+            high: number;
+        };
+        Test: {
+            id: components["schemas"]["Id"];
+            version: number;
+            latest: number;
+            title: string;
+            file: {
+                name: string;
+                sha256: components["schemas"]["Sha256"];
+                size: number;
+                format: string;
+                /** @description Of a file of many; else empty. */
+                name_in_file: string;
+                /** @description By which the file is read, where it was sent with one; the same for all versions. */
+                profile: components["schemas"]["ImportProfile"] | null;
+            };
+            received: components["schemas"]["Change"];
+            /** @description Oldest first. */
+            versions: components["schemas"]["TestVersion"][];
+            withdrawn: boolean;
+            machine: components["schemas"]["Reference"] | null;
+            axis: {
+                id: components["schemas"]["Id"];
+                name: string;
+                kind: components["schemas"]["AxisKind"];
+                limits: components["schemas"]["Limit"][];
+            } | null;
+            instruments: {
+                id: components["schemas"]["Id"];
+                name: string;
+                calibration_due: string;
+            }[];
+            plan: components["schemas"]["Id"] | null;
+            changes: components["schemas"]["Changes"];
+            options: components["schemas"]["Options"];
+            documents: components["schemas"]["Document"][];
+        } & components["schemas"]["Evaluated"];
+        TestPage: {
+            tests: components["schemas"]["TestRow"][];
+            /** @description Without limit and offset. */
+            total: number;
+        };
+        TestRow: {
+            id: components["schemas"]["Id"];
+            version: number;
+            title: string;
+            file_name: string;
+            machine: components["schemas"]["Reference"] | null;
+            axis: {
+                id: components["schemas"]["Id"];
+                name: string;
+                kind: components["schemas"]["AxisKind"];
+            } | null;
+            unit: components["schemas"]["Unit"];
+            measured_on: string;
+            received_at: string;
+            conforming: boolean;
+            withdrawn: boolean;
+            verdict: components["schemas"]["Verdict"] | null;
+            label: string;
+            /** @description A, E, R and B, as far as there are. */
+            figures: components["schemas"]["FigureOfTest"][];
+        };
+        TestVersion: {
+            /** Format: date-time */
+            at: string;
+            actor: string;
+            reason: string;
+            version: number;
+        };
+        Trend: {
+            axis: components["schemas"]["Axis"];
+            machine: components["schemas"]["Reference"];
+            unit: components["schemas"]["Unit"];
+            /** @description Oldest first. */
+            points: {
+                test: components["schemas"]["Id"];
+                version: number;
+                title: string;
+                measured_on: string;
+                received_at: string;
+                conforming: boolean;
+                label: string;
+                /** @description Of all limits together, also of parameters that the test does not have. */
+                verdict: components["schemas"]["Verdict"] | null;
+                figures: components["schemas"]["FigureOfTest"][];
+            }[];
+        };
+        Uncertainty: {
+            record: components["schemas"]["UncertaintyOfRecord"];
+            inputs: components["schemas"]["ResolvedInput"][];
+            annex_a: components["schemas"]["ParameterNumbers"] | null;
+            gum: components["schemas"]["GumOutputs"] | null;
+            monte_carlo: components["schemas"]["MonteCarloOutputs"] | null;
+            annex_a_budget?: components["schemas"]["AnnexABudget"];
+            gum_budget?: components["schemas"]["GumBudget"];
+            monte_carlo_run?: components["schemas"]["MonteCarloRun"];
+        };
+        /** @description The uncertainty that stands with every result and decides; all others are for comparison. */
+        UncertaintyOfRecord: {
+            method: components["schemas"]["Method"] | null;
+            /** @description By uncertainty.method; else Monte Carlo where it was asked for, else Annex A, else the GUM. */
+            chosen: boolean;
+            parameters: {
+                A: components["schemas"]["StatedUncertainty"] | null;
+                A_up: components["schemas"]["StatedUncertainty"] | null;
+                A_down: components["schemas"]["StatedUncertainty"] | null;
+                E: components["schemas"]["StatedUncertainty"] | null;
+                E_up: components["schemas"]["StatedUncertainty"] | null;
+                E_down: components["schemas"]["StatedUncertainty"] | null;
+                M: components["schemas"]["StatedUncertainty"] | null;
+                R: components["schemas"]["StatedUncertainty"] | null;
+                R_up: components["schemas"]["StatedUncertainty"] | null;
+                R_down: components["schemas"]["StatedUncertainty"] | null;
+                B: components["schemas"]["StatedUncertainty"] | null;
+                B_mean: components["schemas"]["StatedUncertainty"] | null;
+            };
+        };
+        /**
+         * @description Of deviations and parameters: µm on linear axes, seconds of arc on rotary ones.
+         * @enum {string}
+         */
+        Unit: "um" | "arcsec";
+        /**
+         * @description Decision about a limit, or the worst of several.
+         * @enum {string}
+         */
+        Verdict: "conforms" | "does not conform" | "undecided";
+        /** @description What there is to choose from; titles and descriptions in the language of the request. */
+        Vocabulary: {
+            parameters: {
+                key: components["schemas"]["Parameter"];
+                symbol: string;
+                title: string;
+                clause: string;
+            }[];
+            /** @description Of the metadata. */
+            fields: components["schemas"]["Field"][];
+            /** @description Of files of measured deviations. */
+            formats: {
+                id: string;
+                title: string;
+                extensions: string;
+                /** @description Markdown. */
+                manual: string;
+                writes: boolean;
+            }[];
+            /** @description Of reports. */
+            writers: {
+                extension: string;
+                title: string;
+            }[];
+            /** @description Of part programs. */
+            dialects: {
+                id: string;
+                title: string;
+                extension: string;
+                axes: string;
+                has_loops: boolean;
+                manual: string;
+            }[];
+            corrections: components["schemas"]["Named"][];
+            cycles: components["schemas"]["Named"][];
+            /** @description Of decisions about limits. */
+            rules: components["schemas"]["Named"][];
+        };
+    };
+    responses: never;
+    parameters: never;
+    requestBodies: never;
+    headers: never;
+    pathItems: never;
 }
-
-// GET /api/health
-export interface Health {
-  status: 'ok';
-  program: { name: string; version: string };
-  store: { kind: 'sqlite' | 'postgresql'; location: string; schema: number; writable: boolean; why_not: string | null;
-           counts: { machines: number; axes: number; instruments: number; plans: number; tests: number; documents: number; content_bytes: number } };
-  limits: { upload_bytes: number };
-  token: boolean;                          // whether one is asked for; who has not shown it is told the status alone
-}
-// POST /api/login {token} → 204 and a cookie, or 401; POST /api/logout → 204. Without the token all else answers 401.
-
-// GET /api/vocabulary: what there is to choose from. Titles and descriptions in the language of the request.
-export interface Vocabulary {
-  parameters: { key: Parameter; symbol: string; title: string; clause: string }[];
-  fields: Field[];
-  formats: { id: string; title: string; extensions: string; manual: string; writes: boolean }[];
-  writers: { extension: string; title: string }[];
-  dialects: { id: string; title: string; extension: string; axes: string; has_loops: boolean; manual: string }[];
-  corrections: { id: string; title: string }[];
-  cycles: { id: string; title: string }[];
-  rules: { id: string; title: string }[];
-}
-export interface Field {
-  key: string; group: string; title: string;
-  type: 'text' | 'number' | 'boolean' | 'choice' | 'numbers' | 'records';
-  unit_linear: string; unit_rotary: string; clause: string;
-  minimum: number | null; maximum: number | null; choices: string[];
-  columns: { key: string; title: string; type: 'text' | 'number'; unit: string }[];
-  description: string; wanted: boolean;
-}
-
-// A result as `axiometry evaluate --json` writes it (docs/results.md), with the members a page needs most.
-export interface Result {
-  standard: string;
-  axis: { name: string; kind: 'linear' | 'rotary' };
-  unit: 'um' | 'arcsec';
-  conforming: boolean;
-  label?: string;
-  parameters: Record<Parameter, number | null>;
-  uncertainty: {
-    record?: UncertaintyOfRecord;                      // what stands with the results and decides; all else is for comparison
-    inputs?: ResolvedInput[];                          // what was stated, and what counts of it
-    annex_a?: Record<Parameter, number | null> | null;
-    gum?: Record<Parameter, { value: number; u: number; U: number; k: number; nu_eff: number | null } | null> | null;
-    monte_carlo?: Record<Parameter, MonteCarloOutput | null> | null;
-    annex_a_budget?: AnnexABudget | null;
-    gum_budget?: GumBudget | null;
-    monte_carlo_run?: MonteCarloRun | null;
-  };
-  positions: PositionResult[];
-  tolerances?: Judgement[];
-  findings: Finding[];
-  claims?: Claim[];                        // absent: `conforming` alone
-  information?: { smaller_repeatability?: { value: number; unit: string; text: string } | null };
-  metadata: Record<string, unknown>;
-  source: { file: string; sha256: string | null; format: string; [key: string]: unknown };
-  program: { name: string; version: string };
-  [key: string]: unknown;
-}
-/** Of the method of record, whose U is null where it states an interval alone; in µm or ″. */
-export interface UncertaintyOfRecord {
-  method: Method | null; chosen: boolean;
-  parameters: Record<Parameter, { u: number; U: number | null; low: number; high: number } | null>;
-}
-/** A statement about the uncertainty: which methods take it, and where it comes from; words in the reader's language. */
-export interface ResolvedInput {
-  key: string; symbol: string; title?: string; value: number | string; unit: string;
-  origin: string; origin_title?: string; use: 'all' | 'annex-a' | 'gum-and-monte-carlo' | 'none'; use_title?: string;
-}
-export interface MonteCarloOutput {
-  value: number; mean: number; u: number; bias: number; low?: number; high?: number; refusal?: string;
-  symmetric: [number, number]; shortest: [number, number];   // of one hypothesis about the noise; low to high holds for all
-  stable: boolean; histogram: { lower: number; width: number; counts: number[] };
-}
-export interface MonteCarloRun {
-  trials: number; seed: number | string; stable: boolean; coverage: number; notes: string[];
-  hypotheses?: { key: string; title: string; refuted: boolean }[];
-  contributions: { key: string; title: string; u: Record<Parameter, number | null> }[];
-}
-export interface AnnexABudget {
-  contributors: { key: string; symbol: string; title: string; formula: string; U: number | null;
-                  inputs: { symbol: string; value: number; unit: string }[] }[];
-  notes: string[]; runs: number; coverage_factor: number;
-}
-export interface GumBudget {
-  sources: { key: string; symbol: string; title: string; source: string; distribution: string | null; u: number; unit: string; note: string }[];
-  contributions: { key: string; u: Record<Parameter, number | null> }[];
-  notes: string[]; [key: string]: unknown;
-}
-export interface PositionResult {
-  target: number; n_up: number; n_down: number;
-  mean_up: number | null; mean_down: number | null; mean: number | null; reversal: number | null;
-  s_up: number | null; s_down: number | null; R_up: number | null; R_down: number | null; R: number | null;
-}
-/** As app/wire.cpp spells them: see docs/results.md, "tolerances". */
-export interface Judgement { parameter: Parameter; limit: number; verdict: string; [key: string]: unknown }
-/** What a result may be called, and what it lacks where it may not. */
-export interface Claim { key: 'computed' | 'tested' | 'reported'; title: string; holds: boolean; missing: string[] }
-export interface Finding { clause: string; severity: 'departure' | 'missing' | 'note'; message: string }
-
-/** Deviations as they were read; rows are targets, columns runs; null where there is none. */
-export interface Readings {
-  targets: number[];
-  up: (number | null)[][];
-  down: (number | null)[][];
-  as_measured: { up: (number | null)[][]; down: (number | null)[][] } | null;  // before corrections, where there were any
-}
-
-export interface Evaluated {
-  result: Result;
-  readings: Readings;
-  verdict: Verdict | null;                 // of all tolerances together
-  shown: Shown[];
-  from_archive?: FromArchive;              // what it took from the archive beside the test itself
-  milliseconds: number;                    // the evaluation took
-}
-
-/** A parameter as people read it, with the uncertainty of record, and what it was held against. */
-export interface Shown {
-  parameter: Parameter; value: string; U: string; interval: string; unit: string;
-  low: number | null; high: number | null; method: Method | null;
-  limit: number | null; source: LimitSource | null; replaced: ReplacedLimit[] | null;
-  verdict: Verdict | null;
-  withheld: string | null;                 // why nothing is decided, although there is a value
-}
-/** A limit of the same parameter that another one has taken the place of. */
-export interface ReplacedLimit { limit: number; source: LimitSource }
-
-/** Inputs of instruments that neither the file nor the changes state, calibrations that held on the day of the test, and
- *  the limits of the axis, each of which holds where nothing else limits its parameter (the source "axis"). They are
- *  kept with a version as they were on its day. */
-export interface FromArchive {
-  instruments: { instrument: number; version: number; name: string; inputs: Changes }[];
-  calibrations: Calibration[];
-  axis: { axis: number; version: number; limits: Limit[] } | null;
-}
-
-/** Of a component of the test equipment, by its place in the list from 1. */
-export interface Calibration {
-  component: number; instrument: number; version: number;
-  certificate: string; calibrated_on: string; calibration_due: string;
-}
-
-/** How a test is evaluated, beside its metadata. */
-export interface Options {
-  methods: ('gum' | 'monte-carlo')[];      // Annex A is always there
-  trials: number | null;                   // null: until two digits are stable
-  seed: number;
-  coverage: number;                        // 0.95
-  corrections: string[];                   // "nde", "air=ciddor", …: as --correct
-}
-
-/** Over what the file says: key and text as `--set` takes them; "" takes the value away. A list of records (equipment,
- *  sensors) has a record per line, "cell | cell", and takes the place of the file's. */
-export type Changes = Record<string, string>;
-
-/** How a table of any layout is read: docs/howto/import-any-file.md. What is not decided is null. */
-export interface ImportProfile {
-  format: string; delimiter: 'comma' | 'semicolon' | 'tab' | 'blanks'; decimal_mark: 'point' | 'comma';
-  layout: 'long' | 'wide' | 'transposed'; columns: ImportColumn[];
-  target_unit: string | null; reading_unit: string | null;
-  direction: 'column' | 'names' | 'motion' | 'visits' | 'run-parity' | 'up' | 'down' | null;
-  first_direction: 'up' | 'down'; up_words: string[]; down_words: string[];
-  runs: 'column' | 'names' | 'repetition'; first_run: number; sign: 1 | -1;
-  [key: string]: unknown;
-}
-export interface ImportColumn {
-  role: 'ignore' | 'target' | 'deviation' | 'position' | 'direction' | 'run' | 'time' | 'label';
-  name?: string; unit?: string; direction?: 'up' | 'down'; run?: number;
-}
-/** The first rows of a table, what is known of its columns (guessed, or as it was said), and what only a person knows. */
-export interface AskedTable {
-  profile: ImportProfile; questions: { key: string; text: string }[]; names: string[]; rows: string[][];
-}
-
-// POST /api/preview (the file's bytes; X-File-Name: percent-encoded name; or multipart/form-data with the file and a
-// part "profile", the JSON of an ImportProfile): nothing is kept.
-export interface Preview {
-  file: { name: string; size: number; sha256: string };
-  format: { id: string; title: string } | null;
-  refused: Failure['error'] | null;        // then tests is empty
-  tests: { name: string; axis: string; kind: 'linear' | 'rotary'; machine: string; measured_on: string;
-           targets: number; runs: number; readings: number; first: number; last: number; unit: string;
-           evaluated: Evaluated | null }[];   // evaluated: of the first eight
-  same_content: number[];                  // ids of tests with these very bytes
-  table: AskedTable | null;                // of a refused table, and of one read after a guess or a profile
-}
-
-// POST /api/tests[?plan=ID] (bytes with X-File-Name, or multipart/form-data with one or more files: all are kept, or
-// when one is refused none; with a part "profile" beside a single file it is read by that ever after) → 201
-export interface Received extends Evaluated {
-  id: number; version: number;             // of the first test in the file
-  tests: { id: number; version: number; title: string; same_content: number[] }[];  // whose file had these very bytes
-  same_content?: number[];                 // tests that had these very bytes before
-}
-// POST /api/evaluations?draft={"changes":…,"options":…}&test=NAME (bytes as above) → Evaluated: nothing is kept
-// Requests with ?decimal=comma|point: numbers in `shown` and in reports; else as the language of the request has them.
-
-// GET /api/tests?text=&machine=&axis=&instrument=&from=&to=&verdict=&withdrawn=&order=&descending=&offset=&limit=
-export interface TestPage { tests: TestRow[]; total: number }
-export interface TestRow {
-  id: number; version: number; title: string; file_name: string;
-  machine: { id: number; name: string } | null; axis: { id: number; name: string; kind: string } | null;
-  unit: 'um' | 'arcsec'; measured_on: string; received_at: string;
-  conforming: boolean; withdrawn: boolean; verdict: Verdict | null; label: string;
-  figures: FigureOfTest[];
-}
-/** With the uncertainty of record: U is null where its method states the interval alone. */
-export interface FigureOfTest {
-  parameter: Parameter; value: number; U: number | null; low: number | null; high: number | null; method: Method | null;
-  limit: number | null; verdict: Verdict | null;
-}
-
-export interface Change { at: string; actor: string; reason: string }
-
-// GET /api/tests/{id}[?version=]
-export interface Test extends Evaluated {
-  id: number; version: number; latest: number; title: string;
-  file: { name: string; sha256: string; size: number; format: string; name_in_file: string; profile: ImportProfile | null };
-  received: Change; versions: (Change & { version: number })[]; withdrawn: boolean;
-  machine: { id: number; name: string } | null; axis: { id: number; name: string; kind: string; limits: Limit[] } | null;
-  instruments: { id: number; name: string; calibration_due: string }[];
-  plan: number | null;
-  changes: Changes; options: Options;
-  documents: Document[];
-}
-export interface Limit { parameter: Parameter; value: number }
-export interface Document {
-  id: number; test: number; version: number; kind: 'report' | 'attachment'; name: string; media_type: string;
-  language: string; sha256: string; size: number; change: Change;
-}
-
-// POST /api/tests/{id}/evaluate {changes, options} → Evaluated: a draft, nothing is kept
-export interface Draft { changes: Changes; options: Options }
-// POST /api/tests/{id}/versions → 201 Test; 409 when base_version is no longer the latest
-export interface Revision extends Draft { base_version: number; title: string; reason: string; plan?: number | null }
-// POST /api/tests/{id}/withdraw {reason}, /api/tests/{id}/reinstate {reason} → Test
-// GET  /api/tests/{id}/raw → the bytes as they came
-// GET  /api/tests/{id}/report.{html|pdf|svg|png|csv|json|…}?version=&language=de&decimal=comma&unit=mm&download=1
-// GET  /api/tests/{id}/figures?version= → {figures: {id, title}[]};  /api/tests/{id}/figures/{id}.svg?version=&theme=dark
-// POST /api/tests/{id}/reports {extension, language, decimal, unit} → 201 Document (issued: kept as it is for good)
-// POST /api/tests/{id}/attachments (bytes, X-File-Name, Content-Type) → 201 Document
-// GET  /api/documents/{id} → its bytes
-
-// GET /api/machines → {machines: Machine[]}; POST; GET /api/machines/{id}; PUT with base_version and reason;
-// GET /api/machines/{id}/versions. The same for /api/axes, /api/instruments.
-export interface Entity { id: number; version: number; change: Change }
-export interface Machine extends Entity {
-  name: string; manufacturer: string; type: string; serial_number: string; controller: string; location: string; notes: string;
-  axes: Axis[];                            // in answers only
-  tests: number; latest_test: { id: number; measured_on: string; verdict: Verdict | null } | null;  // in answers only
-}
-export interface Axis extends Entity { machine: number; name: string; kind: 'linear' | 'rotary'; limits: Limit[]; notes: string }
-export interface Instrument extends Entity {
-  role: string; manufacturer: string; type: string; serial_number: string; certificate: string;
-  calibrated_on: string; calibration_due: string; inputs: Changes; notes: string;
-}
-export type Edit<T extends Entity> = Omit<T, 'id' | 'version' | 'change' | 'axes' | 'tests' | 'latest_test'> & { base_version?: number; reason?: string };
-
-// GET /api/axes/{id}/trend?parameters=A,E,R,B&limit=500
-export interface Trend {
-  axis: Axis; machine: { id: number; name: string }; unit: 'um' | 'arcsec';
-  points: { test: number; version: number; title: string; measured_on: string; received_at: string; conforming: boolean;
-            verdict?: Verdict | null;      // of all limits together, also of parameters that the test does not have
-            label: string; figures: FigureOfTest[] }[];
-}
-
-// A plan's file may stand in place of a request: {plan: {…} or the text of the file}.
-// POST /api/plans/draft → PlanDraft, nothing is kept; POST /api/plans {title, axis, request} → 201 Plan
-export interface PlanRequest {
-  axis: string; kind: 'linear' | 'rotary'; from: number; to: number;
-  positions: number[] | null;              // null: chosen by the planner
-  targets: number | null;                  // how many, null: what the standard asks for
-  cycle: 'standard' | 'step' | 'pilgrim' | 'unidirectional' | 'user-defined'; runs: number | null;
-  feed: number | null; dwell_s: number | null; overrun: number | null; seed: number | null;  // null: as the planner chooses
-  further: Record<string, string>;         // more of `axiometry plan`, by the names of its flags
-}
-export interface PlanDraft {
-  plan: unknown;                           // plan JSON as `axiometry plan --json` writes it
-  targets: number[]; duration_s: number; findings: Finding[]; conforming: boolean; figure_svg: string;
-  request?: PlanRequest | null;            // with the seed that was drawn: keep or draft this one to get the same plan
-  parts?: PlanPart[];                      // the plan itself and its further ones, as ?part=1, 2, … counts them
-}
-export interface PlanPart {
-  part: number; title: string; cycle: string; runs: number; readings: number; targets: number[]; duration_s: number;
-  figure_svg: string;
-}
-export interface Plan extends PlanDraft, Entity { title: string; axis: number | null; request: PlanRequest | null }
-// GET /api/plans → {plans: {id, version, title, axis, change}[]}; GET /api/plans/{id} → Plan
-// GET /api/plans/{id}/sheet.{html|pdf}?language=; GET /api/plans/{id}/program?dialect=linuxcnc&unrolled=1&…(ProgramOptions)
-// POST /api/plans/draft/program {request, dialect, options} and /api/plans/draft/sheet.{extension} {request}: of a draft
-// Of programs: dialect, part (1), download=1 for a file, and options by their names in nc/dialect.h: unit=inch,
-// unrolled, trigger_m_code, number, decimals, block_numbers=0, stop_at_start. GET /api/plans/{id}/plan.json; GET /api/plans/{id}/versions
-// PUT /api/plans/{id} {base_version, title, axis, request, reason}
-
-// GET /api/sources → {sources: Source[]}: what a capture may listen to; named when the server is started
-export interface Source { id: string; title: string; kind: 'simulator' | 'tcp' | 'serial';
-  presets?: { id: string; title: string; sign: string }[]; speeds?: number[] }  // of the simulator
-// POST /api/captures {plan, source, layout, options} → 201 Capture; POST /api/captures/{id}/stop → Capture
-// GET /api/captures → {captures: Capture[]}; GET /api/captures/{id}?after=REVISION: at once; readings after that revision
-export interface Capture {
-  id: number; plan: number; source: Source; started: string; revision: number;
-  state: 'waiting' | 'running' | 'complete' | 'stopped' | 'failed' | 'interrupted';  // interrupted: may be resumed
-  approaches: number;                      // of the plan
-  due: { target: number; run: number; direction: 'up' | 'down'; position?: number } | null;  // i and j from 1; P_i
-  now: { position: number; at_rest: boolean } | null;
-  anew?: boolean;                          // readings are all there are: forget those of before
-  readings: { target: number; run: number; direction: 'up' | 'down'; deviation: number; spread: number; samples: number; remarks: string[];
-              position?: number }[];       // i and j from 1; P_i; spread in the unit of the deviation
-  events: { kind: string; message: string; time_s: number }[];
-  notices: string[];
-  so_far: Evaluated | null;                // as soon as a test can be made of it
-  test: number | null;                     // kept as this test when it has ended with readings
-  error: string | null;
-  part?: number; unit?: 'um' | 'arcsec'; kind?: 'linear' | 'rotary';
-  targets?: number[];                      // P_i of the plan (or its part) that is captured
-}
-// POST /api/captures {plan, source, layout, options}: layout '' recognises it. Options are texts by the names of the
-// flags of `axiometry capture`: part, wavelength, counts-per-wavelength, rate, datum, zero, reverse, give-up, …; of the
-// source "simulator": speed (1, 10 or 60), preset (simulation faults), seed.
-// POST /api/captures {resume: ID}: goes on with one that is "interrupted"; POST /api/captures/{ID}/stop keeps what it has.
-
-// GET /api/audit?subject=&before=&limit= → {entries: AuditEntry[]}
-export interface AuditEntry { id: number; change: Change; action: string; subject: string; detail: Record<string, unknown>; sha256: string }
+export type AnnexABudget = components['schemas']['AnnexABudget'];
+export type AppliedCorrection = components['schemas']['AppliedCorrection'];
+export type Approach = components['schemas']['Approach'];
+export type AskedTable = components['schemas']['AskedTable'];
+export type AuditEntry = components['schemas']['AuditEntry'];
+export type AuditTrail = components['schemas']['AuditTrail'];
+export type Axis = components['schemas']['Axis'];
+export type AxisEdit = components['schemas']['AxisEdit'];
+export type AxisKind = components['schemas']['AxisKind'];
+export type AxisList = components['schemas']['AxisList'];
+export type AxisVersions = components['schemas']['AxisVersions'];
+export type Calibration = components['schemas']['Calibration'];
+export type Capture = components['schemas']['Capture'];
+export type CaptureList = components['schemas']['CaptureList'];
+export type CaptureRequest = components['schemas']['CaptureRequest'];
+export type CapturedReading = components['schemas']['CapturedReading'];
+export type Change = components['schemas']['Change'];
+export type Changes = components['schemas']['Changes'];
+export type Claim = components['schemas']['Claim'];
+export type Counts = components['schemas']['Counts'];
+export type Cycle = components['schemas']['Cycle'];
+export type Direction = components['schemas']['Direction'];
+export type Document = components['schemas']['Document'];
+export type Draft = components['schemas']['Draft'];
+export type Drift = components['schemas']['Drift'];
+export type EditNote = components['schemas']['EditNote'];
+export type Entity = components['schemas']['Entity'];
+export type ErrorKind = components['schemas']['ErrorKind'];
+export type Evaluated = components['schemas']['Evaluated'];
+export type ExamplesLoaded = components['schemas']['ExamplesLoaded'];
+export type Expanded = components['schemas']['Expanded'];
+export type ExpansionCorrection = components['schemas']['ExpansionCorrection'];
+export type ExpansionPart = components['schemas']['ExpansionPart'];
+export type FactorUncertainty = components['schemas']['FactorUncertainty'];
+export type Failure = components['schemas']['Failure'];
+export type Field = components['schemas']['Field'];
+export type FigureList = components['schemas']['FigureList'];
+export type FigureOfTest = components['schemas']['FigureOfTest'];
+export type FileForm = components['schemas']['FileForm'];
+export type Finding = components['schemas']['Finding'];
+export type FromArchive = components['schemas']['FromArchive'];
+export type GivenOptions = components['schemas']['GivenOptions'];
+export type GivenPlanRequest = components['schemas']['GivenPlanRequest'];
+export type GumBudget = components['schemas']['GumBudget'];
+export type GumOutput = components['schemas']['GumOutput'];
+export type GumOutputs = components['schemas']['GumOutputs'];
+export type Health = components['schemas']['Health'];
+export type HealthStatus = components['schemas']['HealthStatus'];
+export type Id = components['schemas']['Id'];
+export type ImportProfile = components['schemas']['ImportProfile'];
+export type Instrument = components['schemas']['Instrument'];
+export type InstrumentEdit = components['schemas']['InstrumentEdit'];
+export type InstrumentList = components['schemas']['InstrumentList'];
+export type InstrumentVersions = components['schemas']['InstrumentVersions'];
+export type Interval = components['schemas']['Interval'];
+export type IssueRequest = components['schemas']['IssueRequest'];
+export type Judged = components['schemas']['Judged'];
+export type Judgement = components['schemas']['Judgement'];
+export type Limit = components['schemas']['Limit'];
+export type LimitSource = components['schemas']['LimitSource'];
+export type Login = components['schemas']['Login'];
+export type Machine = components['schemas']['Machine'];
+export type MachineEdit = components['schemas']['MachineEdit'];
+export type MachineList = components['schemas']['MachineList'];
+export type MachineVersion = components['schemas']['MachineVersion'];
+export type MachineVersions = components['schemas']['MachineVersions'];
+export type Measurand = components['schemas']['Measurand'];
+export type Metadata = components['schemas']['Metadata'];
+export type Method = components['schemas']['Method'];
+export type MonteCarloOutput = components['schemas']['MonteCarloOutput'];
+export type MonteCarloOutputs = components['schemas']['MonteCarloOutputs'];
+export type MonteCarloRun = components['schemas']['MonteCarloRun'];
+export type Named = components['schemas']['Named'];
+export type Nothing = components['schemas']['Nothing'];
+export type Options = components['schemas']['Options'];
+export type Parameter = components['schemas']['Parameter'];
+export type ParameterNumbers = components['schemas']['ParameterNumbers'];
+export type Plan = components['schemas']['Plan'];
+export type PlanDraft = components['schemas']['PlanDraft'];
+export type PlanEdit = components['schemas']['PlanEdit'];
+export type PlanFile = components['schemas']['PlanFile'];
+export type PlanList = components['schemas']['PlanList'];
+export type PlanPart = components['schemas']['PlanPart'];
+export type PlanRequest = components['schemas']['PlanRequest'];
+export type PlanRow = components['schemas']['PlanRow'];
+export type PlanSubject = components['schemas']['PlanSubject'];
+export type PlanVersions = components['schemas']['PlanVersions'];
+export type PositionComponents = components['schemas']['PositionComponents'];
+export type PositionResult = components['schemas']['PositionResult'];
+export type Preview = components['schemas']['Preview'];
+export type PreviewedTest = components['schemas']['PreviewedTest'];
+export type Problem = components['schemas']['Problem'];
+export type Program = components['schemas']['Program'];
+export type ProgramRequest = components['schemas']['ProgramRequest'];
+export type Readings = components['schemas']['Readings'];
+export type Reason = components['schemas']['Reason'];
+export type Receipt = components['schemas']['Receipt'];
+export type Received = components['schemas']['Received'];
+export type Reference = components['schemas']['Reference'];
+export type ReplacedLimit = components['schemas']['ReplacedLimit'];
+export type ResolvedInput = components['schemas']['ResolvedInput'];
+export type Result = components['schemas']['Result'];
+export type Revision = components['schemas']['Revision'];
+export type Seed = components['schemas']['Seed'];
+export type SentBack = components['schemas']['SentBack'];
+export type Sha256 = components['schemas']['Sha256'];
+export type Shown = components['schemas']['Shown'];
+export type ShownUnit = components['schemas']['ShownUnit'];
+export type Source = components['schemas']['Source'];
+export type SourceList = components['schemas']['SourceList'];
+export type StatedUncertainty = components['schemas']['StatedUncertainty'];
+export type Test = components['schemas']['Test'];
+export type TestPage = components['schemas']['TestPage'];
+export type TestRow = components['schemas']['TestRow'];
+export type TestVersion = components['schemas']['TestVersion'];
+export type Trend = components['schemas']['Trend'];
+export type Uncertainty = components['schemas']['Uncertainty'];
+export type UncertaintyOfRecord = components['schemas']['UncertaintyOfRecord'];
+export type Unit = components['schemas']['Unit'];
+export type Verdict = components['schemas']['Verdict'];
+export type Vocabulary = components['schemas']['Vocabulary'];

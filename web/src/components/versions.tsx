@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
-import type { Change } from '../api/types';
+import type { TestVersion } from '../api/types';
 import { texts } from '../i18n/texts';
 import { when } from '../numbers';
 import { DataTable } from './table';
@@ -14,12 +14,10 @@ const t = texts({
   none: ['no reason given', 'kein Grund genannt'],
 });
 
-type Version = Change & { version: number };
-
 /** Who changed it, when and why; the newest first. `cell` makes of a version's number what leads to it. */
-export function VersionList({ versions, cell }: { versions: readonly Version[]; cell?: (version: number) => ComponentChildren }) {
+export function VersionList({ versions, cell }: { versions: readonly TestVersion[]; cell?: (version: number) => ComponentChildren }) {
   return (
-    <DataTable<Version>
+    <DataTable<TestVersion>
       caption={t('title')}
       rows={[...versions].sort((a, b) => b.version - a.version)}
       row_key={(row) => row.version}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useState } from 'preact/hooks';
 import { ApiError, get, query } from '../api/client';
-import type { AuditEntry } from '../api/types';
+import type { AuditEntry, AuditTrail } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
 import { Hash } from '../components/hash';
@@ -17,7 +17,7 @@ const page_size = 100;
 /** Who did what, when and why: of everything, or of one thing ("?subject=test 12"). */
 export function AuditPage() {
   const subject = place.value.query.get('subject') ?? '';
-  const first = use_get<{ entries: AuditEntry[] }>(`/api/audit${query({ subject, limit: page_size })}`);
+  const first = use_get<AuditTrail>(`/api/audit${query({ subject, limit: page_size })}`);
   const [older, set_older] = useState<AuditEntry[]>([]);
   const [error, set_error] = useState<ApiError | null>(null);
   const [ended, set_ended] = useState(false);
@@ -26,7 +26,7 @@ export function AuditPage() {
   const more = async () => {
     set_error(null);
     try {
-      const answer = await get<{ entries: AuditEntry[] }>(`/api/audit${query({ subject, before: entries[entries.length - 1]?.id, limit: page_size })}`);
+      const answer = await get<AuditTrail>(`/api/audit${query({ subject, before: entries[entries.length - 1]?.id, limit: page_size })}`);
       set_older([...older, ...answer.entries]);
       set_ended(answer.entries.length < page_size);
     } catch (failure) {

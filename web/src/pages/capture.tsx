@@ -6,7 +6,6 @@ import type { Capture, Plan } from '../api/types';
 import { Dialog } from '../components/dialog';
 import { FailureNotice } from '../components/failure';
 import { fixed, position_unit, unit_sign, when } from '../numbers';
-import { settled } from './plan/form';
 import { LiveChart, LiveTable } from './capture/filling';
 import { directions_of, is_over, use_live, use_screen_on, type Reading } from './capture/live';
 import { Readout } from './capture/readout';
@@ -90,9 +89,9 @@ function StopButton({ capture, done, stopped }: { capture: Capture; done: number
 
 /** Of the plan, or of the part of it that is captured. */
 function runs_of(plan: Plan | null, capture: Capture | null): number {
-  const chosen = settled(plan?.plan);
+  const chosen = plan?.plan;
   const part = capture?.part ?? 1;
-  return (part === 1 ? chosen?.runs : chosen?.further[part - 2]?.runs) ?? 1;
+  return (part === 1 ? chosen?.runs : chosen?.further?.[part - 2]?.runs) ?? 1;
 }
 
 function Ending({ capture, again }: { capture: Capture; again: () => void }) {

@@ -2,13 +2,12 @@
 import { useState } from 'preact/hooks';
 import { ApiError, send } from '../api/client';
 import { use_get } from '../api/use';
-import type { Capture, Plan, Source } from '../api/types';
+import type { Capture, Plan, PlanList, Source, SourceList } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { Field } from '../components/field';
 import { parsed, position_unit, shortest } from '../numbers';
 import { go, place } from '../router';
 import { layouts, of_option, option_keys, t } from './capture/texts';
-import { settled } from './plan/form';
 import { lasting } from './plan/outcome';
 import './capture.css';
 
@@ -17,8 +16,8 @@ interface Form { plan: string; source: string; layout: string; options: Texts }
 
 /** Everything a capture needs to begin: a plan to wait for, a stream to listen to. */
 export function NewCapturePage() {
-  const plans = use_get<{ plans: { id: number; title: string }[] }>('/api/plans');
-  const sources = use_get<{ sources: Source[] }>('/api/sources');
+  const plans = use_get<PlanList>('/api/plans');
+  const sources = use_get<SourceList>('/api/sources');
   const [form, set_form] = useState<Form>({
     plan: place.value.query.get('plan') ?? '', source: '', layout: '', options: { speed: '10', preset: 'good', seed: '1' },
   });
@@ -93,17 +92,15 @@ function sent(options: Texts, source: Source): Texts {
   return Object.fromEntries(entries.map(([key, text]) => [key, parsed(text) === null ? text.trim() : String(parsed(text))]));
 }
 
-const unit_of = (plan: Plan | null) =>
-  position_unit((plan?.plan as { axis?: { kind?: 'linear' | 'rotary' } } | undefined)?.axis?.kind ?? 'linear');
+const unit_of = (plan: Plan | null) => position_unit(plan?.plan.axis.kind ?? 'linear');
 
 function summary(plan: Plan): string {
-  const chosen = settled(plan.plan);
   const [first, last] = [plan.targets[0], plan.targets[plan.targets.length - 1]];
-  return `${plan.targets.length} × ${chosen?.runs ?? ''} · ${shortest(first)} … ${shortest(last)} ${unit_of(plan)} · ${lasting(plan.duration_s)}`;
+  return `${plan.targets.length} × ${plan.plan.runs} · ${shortest(first)} … ${shortest(last)} ${unit_of(plan)} · ${lasting(plan.duration_s)}`;
 }
 
 function Parts({ plan, option, value }: { plan: Plan | null; option: (key: string, text: string) => void; value: string }) {
-  const further = settled(plan?.plan)?.further ?? [];
+  const further = plan?.plan.further ?? [];
   if (further.length === 0) return null;
   return (
     <Field label={t('part')}>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { use_get } from '../api/use';
-import type { Capture } from '../api/types';
+import type { Capture, CaptureList, PlanList } from '../api/types';
 import { ListPage } from '../components/list_page';
 import { absent, when } from '../numbers';
 import { is_over } from './capture/live';
@@ -8,8 +8,8 @@ import { t } from './capture/texts';
 import './capture.css';
 
 export function CapturesPage() {
-  const captures = use_get<{ captures: Capture[] }>('/api/captures');
-  const plans = use_get<{ plans: { id: number; title: string }[] }>('/api/plans');
+  const captures = use_get<CaptureList>('/api/captures');
+  const plans = use_get<PlanList>('/api/plans');
   const title = (id: number) => plans.data?.plans.find((plan) => plan.id === id)?.title ?? `${t('plan')} ${id}`;
   return (
     <ListPage<Capture>

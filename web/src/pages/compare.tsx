@@ -105,8 +105,7 @@ function Chosen({ test, n, shown, toggle, remove, refer }: {
   test: Test; n: number; shown: boolean; toggle: () => void; remove: () => void; refer: () => void;
 }) {
   const { title } = test;
-  const conditions = test.result.metadata['test'] as Record<string, unknown> | undefined;
-  const facts = [test.machine?.name, test.axis?.name, conditions?.['date']].filter((part): part is string => typeof part === 'string' && part !== '');
+  const facts = [test.machine?.name, test.axis?.name, test.result.metadata.test?.date].filter((part): part is string => typeof part === 'string' && part !== '');
   return (
     <li>
       <label class="show" title={t('show', { title })}>

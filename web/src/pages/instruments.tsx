@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import type { Instrument } from '../api/types';
+import type { Instrument, InstrumentList } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
 import { DataTable, type Order } from '../components/table';
@@ -22,7 +22,7 @@ const sorts: Record<string, (a: Instrument, b: Instrument) => number> = {
 
 /** All instruments, the one whose calibration is due first at the top. */
 export function InstrumentsPage() {
-  const instruments = use_get<{ instruments: Instrument[] }>('/api/instruments');
+  const instruments = use_get<InstrumentList>('/api/instruments');
   const [order, set_order] = useState<Order>({ by: 'due', descending: false });
   const [adding, set_adding] = useState(false);
   const all = instruments.data?.instruments ?? [];

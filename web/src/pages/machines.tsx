@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useState } from 'preact/hooks';
-import type { Machine } from '../api/types';
+import type { Machine, MachineList } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
 import { DataTable, type Order } from '../components/table';
@@ -28,7 +28,7 @@ function fits(machine: Machine, text: string): boolean {
 
 /** All machines, those first that need to be looked at. */
 export function MachinesPage() {
-  const machines = use_get<{ machines: Machine[] }>('/api/machines');
+  const machines = use_get<MachineList>('/api/machines');
   const [text, set_text] = useState('');
   const [order, set_order] = useState<Order>({ by: 'attention', descending: true });
   const [adding, set_adding] = useState(false);

@@ -4,13 +4,13 @@ import { useState } from 'preact/hooks';
 import { query } from '../api/client';
 import { as_json, use_posted } from '../api/posted';
 import { use_get } from '../api/use';
-import type { Machine, Plan, PlanDraft, PlanRequest, Vocabulary } from '../api/types';
+import type { Machine, MachineList, Plan, PlanDraft, PlanRequest, Vocabulary } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { position_unit } from '../numbers';
 import { place } from '../router';
 import { decimal, language, screen_theme } from '../settings';
 import { PlanFields } from './plan/fields';
-import { form_of, new_form, request_of, settled, type PlanForm } from './plan/form';
+import { form_of, new_form, request_of, type PlanForm } from './plan/form';
 import { Keep, PlanFile } from './plan/keep';
 import { Outcome, TargetTable } from './plan/outcome';
 import { ProgramPanel } from './plan/program';
@@ -27,7 +27,7 @@ const look_on_paper = () => (screen_theme.value === 'light' ? null : query({ dec
 export function PlanPage({ parts }: { parts: Record<string, string> }) {
   const id = parts['id'] ?? null;
   const plan = use_get<Plan>(id === null ? null : `/api/plans/${id}${look()}`);
-  const machines = use_get<{ machines: Machine[] }>('/api/machines');
+  const machines = use_get<MachineList>('/api/machines');
   const vocabulary = use_get<Vocabulary>('/api/vocabulary');
   const wanted_axis = id === null ? place.value.query.get('axis') : null;
   if (plan.error) return <><h1 tabIndex={-1}>{t('plan')}</h1><FailureNotice error={plan.error} retry={plan.reload} /></>;
@@ -81,7 +81,7 @@ function Editor({ kept, keep, machines, vocabulary, axis }: EditorProps) {
       <div class="planner">
         <section class="panel no-print" aria-label={t('plan')}>
           <PlanFields {...{ form, change, machines, vocabulary }} faults={faults ?? {}}
-            chosen={shown ? settled(shown.plan) : null} />
+            chosen={shown?.plan ?? null} />
         </section>
         <PlanView draft={shown} on_paper={paper === null ? null : on_paper.data} unit={unit} title={title} vocabulary={vocabulary} plan={null}
           request={draft.data && !draft.error ? (draft.of as { request: PlanRequest }).request : (kept?.request ?? null)}
@@ -111,7 +111,7 @@ const usual_title = (form: PlanForm, unit: string): string =>
 function WholePlan({ plan, vocabulary }: { plan: Plan; vocabulary: Vocabulary | null }) {
   const paper = look_on_paper();
   const on_paper = use_get<Plan>(paper === null ? null : `/api/plans/${plan.id}${paper}`);
-  const kind = (plan.plan as { axis?: { kind?: 'linear' | 'rotary' } } | null)?.axis?.kind ?? 'linear';
+  const kind = plan.plan.axis.kind ?? 'linear';
   return (
     <>
       <header class="page-head">

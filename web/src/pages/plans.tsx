@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useMemo, useState } from 'preact/hooks';
 import { use_get } from '../api/use';
-import type { Change, Machine } from '../api/types';
+import type { MachineList, PlanList, PlanRow } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { ListPage } from '../components/list_page';
 import { absent, when } from '../numbers';
@@ -9,11 +9,9 @@ import { ImportPlans, type Refused } from './plan/import';
 import { t } from './plan/texts';
 import './plan.css';
 
-interface PlanRow { id: number; version: number; title: string; axis: number | null; change: Change }
-
 export function PlansPage() {
-  const plans = use_get<{ plans: PlanRow[] }>('/api/plans');
-  const machines = use_get<{ machines: Machine[] }>('/api/machines');
+  const plans = use_get<PlanList>('/api/plans');
+  const machines = use_get<MachineList>('/api/machines');
   const [refused, set_refused] = useState<Refused[]>([]);
   const names = useMemo(() => {
     const all = (machines.data?.machines ?? []).flatMap((machine) => machine.axes.map((axis) => [axis.id, `${machine.name} · ${axis.name}`] as const));

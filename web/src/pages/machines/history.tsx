@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useRef } from 'preact/hooks';
-import type { Entity } from '../../api/types';
+import type { AxisVersions, InstrumentVersions, MachineVersions } from '../../api/types';
 import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
 import { VersionList } from '../../components/versions';
@@ -8,7 +8,7 @@ import { t } from './texts';
 
 /** The versions of a machine, an axis or an instrument, and the way to its lines in the audit trail. */
 export function EntityHistory({ path, subject, version }: { path: string; subject: string; version: number }) {
-  const versions = use_get<{ versions: Entity[] }>(`${path}/versions`);
+  const versions = use_get<MachineVersions | AxisVersions | InstrumentVersions>(`${path}/versions`);
   const seen = useRef(version);
   useEffect(() => { if (seen.current !== version) { seen.current = version; versions.reload(); } }, [version]);
   return (

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Machine, PlanRequest, Vocabulary } from '../../api/types';
+import type { Machine, PlanFile, PlanRequest, Vocabulary } from '../../api/types';
 import { Field } from '../../components/field';
 import { position_unit, shortest } from '../../numbers';
-import { drawn_seed, type Faults, type Key, type Kind, type PlanForm, type Settled } from './form';
+import { drawn_seed, type Faults, type Key, type Kind, type PlanForm } from './form';
 import { further_fields, of_further, t } from './texts';
 
 interface Props {
   form: PlanForm;
   change: (part: Partial<PlanForm>) => void;
   faults: Faults;
-  chosen: Settled | null; // by the planner, for what is left empty
+  chosen: PlanFile | null; // by the planner, for what is left empty
   machines: Machine[];
   vocabulary: Vocabulary | null;
 }

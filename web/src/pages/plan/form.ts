@@ -96,18 +96,3 @@ export function positions_of(text: string): number[] | string {
   }
   return values;
 }
-
-/** What the planner settled, of the plan as `axiometry plan` writes it. */
-export interface Settled {
-  runs: number; feed: number; dwell_s: number; overrun: number; warm_up_runs: number;
-  further: { title?: string; targets: number[]; runs: number }[];
-}
-
-export function settled(plan: unknown): Settled | null {
-  if (typeof plan !== 'object' || plan === null || !('runs' in plan)) return null;
-  const found = plan as Partial<Settled>;
-  return {
-    runs: found.runs ?? 0, feed: found.feed ?? 0, dwell_s: found.dwell_s ?? 0, overrun: found.overrun ?? 0,
-    warm_up_runs: found.warm_up_runs ?? 0, further: found.further ?? [],
-  };
-}

@@ -4,7 +4,6 @@ import type { PlanDraft, PlanPart } from '../../api/types';
 import { CopyButton } from '../../components/copy';
 import { FindingList } from '../../components/findings';
 import { fixed, shortest } from '../../numbers';
-import { settled } from './form';
 import { t } from './texts';
 
 /** What a plan comes to: the figures first, then what the standard says, then the way of the axis in the chosen test. */
@@ -12,9 +11,9 @@ export function Outcome({ draft, figure_on_paper, unit, part, choose, children }
   draft: PlanDraft; figure_on_paper: string | null; unit: string; part: PlanPart | null;
   choose: (part: number) => void; children?: ComponentChildren;
 }) {
-  const chosen = settled(draft.plan);
+  const chosen = draft.plan;
   const targets = part?.targets ?? draft.targets;
-  const runs = part?.runs ?? chosen?.runs ?? 0;
+  const runs = part?.runs ?? chosen.runs;
   const alt = t('figure_of', { n: targets.length, runs });
   return (
     <section class="panel outcome" aria-label={t('programme')}>
@@ -24,8 +23,8 @@ export function Outcome({ draft, figure_on_paper, unit, part, choose, children }
           <Figure name={t('runs')} value={String(runs)} />
           {part && <Figure name={t('readings')} value={String(part.readings)} />}
           <Figure name={t('duration')} value={lasting(draft.duration_s)} />
-          <Figure name={t('feed')} value={shortest(chosen?.feed)} unit={`${unit}/min`} />
-          <Figure name={t('overrun')} value={shortest(chosen?.overrun)} unit={unit} />
+          <Figure name={t('feed')} value={shortest(chosen.feed)} unit={`${unit}/min`} />
+          <Figure name={t('overrun')} value={shortest(chosen.overrun)} unit={unit} />
         </dl>
         <p class={`mark ${draft.conforming ? 'good' : 'bad'}`}>
           <svg width="14" height="14" viewBox="0 0 14 14" aria-hidden="true">

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The positioning chart of a test in terms of the drawing: runs, means, bands, limits.
 import type { ChartBand, ChartLine, ChartModel, ChartSeries, Values } from '../../components/chart';
-import type { Evaluated, Parameter, PositionResult, Verdict } from '../../api/types';
+import type { Evaluated, GumBudget, Parameter, PositionResult, Verdict } from '../../api/types';
 import { texts } from '../../i18n/texts';
 import { position_unit, shortest, unit_sign } from '../../numbers';
 import { plain_symbol } from './figures_text';
@@ -30,13 +30,10 @@ export interface ChartChoice {
   limit: Parameter | null;
 }
 
-type PositionU = { target: number; mean: { U: number } | null; up: { U: number } | null; down: { U: number } | null };
-
 /** U of the means at the targets, which the GUM method knows. */
-export function position_uncertainties(evaluated: Evaluated): PositionU[] | null {
-  const budget = evaluated.result.uncertainty?.gum_budget;
-  const positions = budget?.['positions'];
-  return Array.isArray(positions) && positions.length === evaluated.result.positions.length ? (positions as PositionU[]) : null;
+export function position_uncertainties(evaluated: Evaluated): GumBudget['positions'] | null {
+  const positions = evaluated.result.uncertainty?.gum_budget?.positions;
+  return positions?.length === evaluated.result.positions.length ? positions : null;
 }
 
 /** Of both directions together where both were measured, else of the one. */

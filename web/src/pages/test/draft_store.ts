@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Unsaved edits survive a reload, a closed lid and the back button: this tab keeps them until they are saved or discarded.
-import type { Draft } from '../../api/types';
+import type { Changes, Options } from '../../api/types';
 
-export interface KeptDraft extends Draft { base_version: number; title: string }
+export interface KeptDraft { base_version: number; title: string; changes: Changes; options: Options }
 
 const name_start = 'axiometry.draft.';
 const name = (test: number): string => `${name_start}${test}`;

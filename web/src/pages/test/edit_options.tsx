@@ -79,7 +79,7 @@ function Corrections({ state, vocabulary }: { state: TestState; vocabulary: Voca
 
 /** A whole number; what is none stays in the field with its fault and changes nothing. */
 function NumberField({ label, hint, value, empty = false, low, high, put }: {
-  label: string; hint?: string; value: number | null; empty?: boolean; low: number; high: number; put: (value: number | null) => void;
+  label: string; hint?: string; value: number | string | null; empty?: boolean; low: number; high: number; put: (value: number | null) => void;
 }) {
   const [typed, set_typed] = useState<string | null>(null);
   const fits = (text: string) => (text.trim() === '' ? empty : /^\d+$/.test(text.trim()) && Number(text) >= low && Number(text) <= high);

@@ -42,8 +42,8 @@ export const tone_of = (verdict: Verdict | null) =>
 
 /** Why nothing is decided about a parameter, as its judgement says it in the reader's language; null where something is. */
 export function withheld_of(evaluated: Evaluated, { parameter, withheld }: Shown): string | null {
-  const said = evaluated.result.tolerances?.find((one) => one.parameter === parameter)?.['withheld'];
-  return withheld !== null && typeof said === 'string' ? said : withheld;
+  const said = evaluated.result.tolerances?.find((one) => one.parameter === parameter)?.withheld;
+  return withheld === null ? null : (said ?? withheld);
 }
 
 /** The uncertainty of record as it stands behind a value: "± 4.3", "5.1 to 12.3". */

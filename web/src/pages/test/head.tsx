@@ -40,10 +40,7 @@ function Fact({ label, children }: { label: string; children: ComponentChildren 
   return <div><dt>{label}</dt><dd>{children}</dd></div>;
 }
 
-function measured_on(test: Test): string {
-  const conditions = test.result.metadata['test'] as Record<string, unknown> | undefined;
-  return typeof conditions?.['date'] === 'string' ? conditions['date'] : '–';
-}
+const measured_on = (test: Test): string => test.result.metadata.test?.date ?? '–';
 
 function Facts({ state }: { state: TestState }) {
   const test = state.test.value;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Evaluated } from '../../api/types';
-import { sentence } from '../../components/findings';
 import { texts } from '../../i18n/texts';
-import { marked, parsed } from '../../numbers';
+import { shown_of } from './figures_text';
 
 const t = texts({
   smaller: ['For information, not a parameter of the standard: the smaller of R↑ and R↓ is {value} {unit}.',
@@ -12,7 +11,7 @@ const t = texts({
 /** What somebody asked to be told beside the parameters of the standard. */
 export function Information({ evaluated }: { evaluated: Evaluated }) {
   const found = evaluated.result.information?.smaller_repeatability;
-  if (!found) return null;
-  const told = parsed(found.text) === null ? sentence(found.text) : t('smaller', { value: marked(found.text), unit: evaluated.shown[0]?.unit ?? found.unit });
-  return <p class="small quiet foot information">{told}</p>;
+  const shown = found && shown_of(evaluated, found.of);
+  if (!shown) return null;
+  return <p class="small quiet foot information">{t('smaller', { value: shown.value, unit: shown.unit })}</p>;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
 import { query } from '../../api/client';
+import type { FigureList } from '../../api/types';
 import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
 import { texts } from '../../i18n/texts';
@@ -13,8 +14,6 @@ const t = texts({
   save: ['Save as SVG', 'Als SVG speichern'],
   kept: ['Of version {version}, without the unsaved changes.', 'Von Version {version}, ohne die ungespeicherten Änderungen.'],
 });
-
-interface FigureList { figures: { id: number; title: string }[] }
 
 /** The figures as the library draws them, which reports hold and exports are. */
 export function LibraryFigures({ state }: { state: TestState }) {

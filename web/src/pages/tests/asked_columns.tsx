@@ -162,12 +162,14 @@ function Choice({ label, value, options, on_change }: { label: string; value: st
 }
 
 /** Units of the kind that `beside` has: a table is of an axis that moves straight, or of one that turns. */
-function UnitOf({ label, value, open, beside, on_change }: { label: string; value: string | null; open: boolean; beside: string | null; on_change: (unit: string | null) => void }) {
+type Unit = ImportProfile['target_unit'];
+
+function UnitOf({ label, value, open, beside, on_change }: { label: string; value: Unit; open: boolean; beside: Unit; on_change: (unit: Unit) => void }) {
   const kinds = (['linear', 'rotary'] as const).filter((kind) => beside === null || beside in units[kind]);
   return (
     <Field label={label}>
       {(ids) => (
-        <select {...ids} class={open ? 'open' : ''} value={value ?? ''} onChange={(event) => on_change(event.currentTarget.value || null)}>
+        <select {...ids} class={open ? 'open' : ''} value={value ?? ''} onChange={(event) => on_change((event.currentTarget.value || null) as Unit)}>
           <option value="">{t('choose_one')}</option>
           {kinds.map((kind) => <optgroup key={kind} label={t(kind)}>{Object.entries(units[kind]).map(([key, sign]) => <option key={key} value={key}>{sign}</option>)}</optgroup>)}
         </select>

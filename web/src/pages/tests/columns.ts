@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a person says about the columns of a table, as the import profile that the server reads it by.
-import type { ImportColumn, ImportProfile } from '../../api/types';
+import type { ImportProfile } from '../../api/types';
+
+type ImportColumn = ImportProfile['columns'][number];
 
 export type DirectionRule = NonNullable<ImportProfile['direction']>;
 /** A role, and of readings the direction that the whole column was approached from: "deviation/up". */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the list is narrowed to; all of it stands in the address, so that a view can be kept and sent.
 import { useEffect, useRef, useState } from 'preact/hooks';
-import type { Instrument, Machine } from '../../api/types';
+import type { InstrumentList, MachineList } from '../../api/types';
 import { use_get } from '../../api/use';
 import { Field } from '../../components/field';
 import { place, set_query } from '../../router';
@@ -18,7 +18,7 @@ const set = (parts: Record<string, string | null>) => set_query({ ...parts, offs
 export function Filters() {
   const query = place.value.query;
   const [open, set_open] = useState(false);  // on a phone only
-  const machines = use_get<{ machines: Machine[] }>('/api/machines');
+  const machines = use_get<MachineList>('/api/machines');
   const chosen = machines.data?.machines.find((machine) => String(machine.id) === query.get('machine'));
   return (
     <form class={`filters no-print ${open ? 'open' : ''}`} role="search" onSubmit={(event) => event.preventDefault()}>
@@ -68,7 +68,7 @@ export function Filters() {
 
 /** Only where a link from an instrument led here. */
 function InstrumentChoice({ chosen }: { chosen: string }) {
-  const all = use_get<{ instruments: Instrument[] }>('/api/instruments').data?.instruments ?? [];
+  const all = use_get<InstrumentList>('/api/instruments').data?.instruments ?? [];
   return (
     <Field label={t('instrument')}>
       {(ids) => (
