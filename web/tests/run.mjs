@@ -9,6 +9,7 @@ import { calibration } from './calibration.mjs';
 import { capture } from './capture.mjs';
 import { claims } from './claims.mjs';
 import { conflict } from './conflict.mjs';
+import { description } from './description.mjs';
 import { editor } from './editor.mjs';
 import { figures } from './figures.mjs';
 import { german } from './german.mjs';
@@ -22,7 +23,7 @@ import { sign_out } from './sign_out.mjs';
 import { story } from './story.mjs';
 import { timing } from './timing.mjs';
 import { trend } from './trend.mjs';
-import { World, strangers } from './world.mjs';
+import { World, not_as_described, strangers } from './world.mjs';
 import { wrong_files } from './wrong_files.mjs';
 
 const [program, ...words] = process.argv.slice(2);
@@ -30,7 +31,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...claims, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...claims, ...description, ...offline, ...timing };
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));
@@ -62,6 +63,8 @@ for (const [name, run] of wanted) {
     if (page && folder) await page.screenshot({ path: `${folder}/${name.replace(/\W+/g, '-')}.png`, fullPage: true }).catch(() => undefined);
   }
   await world?.end().catch((thrown) => { error ??= thrown; });
+  const faults = [...new Set(not_as_described.splice(0))];
+  if (faults.length > 0) error = new Error([...faults, ...(error ? [error.stack] : [])].join('\n'));
   report(name, began, error);
 }
 await browser.close();

@@ -5,6 +5,7 @@ import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { undescribed } from './described.mjs';
 import { start_server } from './server.mjs';
 
 export const example = fileURLToPath(new URL('../../examples/iso230-2-table2.json', import.meta.url));
@@ -17,9 +18,23 @@ const latest_ms = Number(process.env['AXIOMETRY_LATE'] ?? 0);
 /** Of all tests together: requests to anywhere else than this machine's loopback. */
 export const strangers = [];
 
+/** Since the last test: what the server answered otherwise than apps/server/openapi.json describes. */
+export const not_as_described = [];
+
+// What tests ask themselves.
+const plain_fetch = globalThis.fetch;
+globalThis.fetch = async (url, options = {}) => {
+  const response = await plain_fetch(url, options);
+  const { body: sent = null, method = 'GET' } = options;
+  const body = await response.clone().text();
+  const type = response.headers.get('content-type');
+  not_as_described.push(...undescribed({ method, url, sent: typeof sent === 'string' || sent === null ? sent : undefined, status: response.status, type, body }));
+  return response;
+};
+
 export class World {
   constructor(program, browser, folder) {
-    Object.assign(this, { program, browser, folder, contexts: [], faults: [], dialogs: [] });
+    Object.assign(this, { program, browser, folder, contexts: [], faults: [], dialogs: [], heard: [] });
     this.store = join(folder, 'store.db');
   }
 
@@ -30,6 +45,7 @@ export class World {
   }
 
   async end() {
+    await Promise.all(this.heard);
     for (const context of this.contexts) await context.close();
     await this.server.stop();
     await rm(this.folder, { recursive: true, force: true });
@@ -66,6 +82,7 @@ export class World {
       const url = new URL(request.url());
       if (!['data:', 'blob:', 'about:'].includes(url.protocol) && url.hostname !== '127.0.0.1') strangers.push(request.url());
     });
+    context.on('response', (response) => this.heard.push(this.hold(response)));
     if (latest_ms > 0) await context.route('**/api/**', async (route) => {
       await new Promise((later) => setTimeout(later, Math.random() * latest_ms));
       await route.continue().catch(() => undefined);
@@ -81,6 +98,17 @@ export class World {
       void dialog.accept();
     });
     return page;
+  }
+
+  /** What a page was answered, against the description. Bodies that the browser keeps for itself are not looked into. */
+  async hold(response) {
+    const request = response.request();
+    const is_json = (headers) => headers['content-type']?.startsWith('application/json');
+    const body = is_json(response.headers()) ? await response.text().catch(() => undefined) : undefined;
+    not_as_described.push(...undescribed({
+      method: request.method(), url: response.url(), sent: is_json(request.headers()) ? (request.postData() ?? undefined) : undefined,
+      status: response.status(), type: response.headers()['content-type'], body,
+    }));
   }
 
   /** Says something to the server as a script would. */
