@@ -13,7 +13,8 @@ SOURCES = ROOT / "src" / "axiometry"
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 OWNERS = {  # prefix of an include -> the only folder that may use it; linear algebra has two
     "nlohmann/": "src/axiometry/base/",
-    "Eigen/": ("src/axiometry/numeric/", "src/axiometry/uncertainty/", "src/axiometry/tracking/"),
+    "Eigen/": ("src/axiometry/numeric/", "src/axiometry/uncertainty/", "src/axiometry/tracking/",
+               "src/axiometry/volumetric/"),
     "muParser": "src/axiometry/app/",
     "openssl/": ("src/axiometry/digest/", "apps/server/"),
     "sqlite3": "src/axiometry/store/",

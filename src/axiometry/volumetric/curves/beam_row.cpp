@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/curves/beam_row.h"
+
+namespace axiometry::volumetric {
+
+BeamRow::BeamRow(const Coefficients& coefficients, const MachineModel& machine, Vector3 axes_mm, Vector3 tool_mm,
+                 Approaches approaches)
+    : axes_m_(1e-3 * axes_mm) {
+  const std::array<Vector3, 3> levers = machine.levers_mm(axes_mm, tool_mm);
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    Source& source = sources_[source_count_++];
+    source = {coefficients.basis(a).at(axes_mm[a]), 1e-3 * levers[a]};
+    add_piece(coefficients.curve(a) + source.active.first * motion_count, source.active.count * motion_count);
+  }
+  add_piece(coefficients.squareness(), 3);
+  if (coefficients.reversal() == Reversal::none) return;
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    if (approaches[a] == 0.0) continue;
+    Source& source = sources_[source_count_++];
+    source = sources_[a];
+    if (coefficients.reversal() == Reversal::constant) source.active = {0, 1, {1.0}};
+    for (std::size_t k = 0; k < source.active.count; ++k) source.active.values[k] *= approaches[a];
+    add_piece(coefficients.half(a) + source.active.first * motion_count, source.active.count * motion_count);
+  }
+}
+
+void BeamRow::add_piece(std::size_t first, std::size_t count) {
+  pieces_[piece_count_++] = {first, count, values_.data() + value_count_};
+  value_count_ += count;
+}
+
+void BeamRow::along(Vector3 u) {
+  double* value = values_.data();
+  for (std::size_t s = 0; s < source_count_; ++s) {
+    if (s == axis_count) value += 3;
+    const Vector3 turn = cross(sources_[s].lever_m, u);
+    const double plucker[motion_count] = {u.x, u.y, u.z, turn.x, turn.y, turn.z};
+    for (std::size_t k = 0; k < sources_[s].active.count; ++k)
+      for (const double p : plucker) *value++ = sources_[s].active.values[k] * p;
+    if (s + 1 != axis_count) continue;
+    value[0] = -u.x * axes_m_.y;
+    value[1] = u.x * axes_m_.z;
+    value[2] = -u.y * axes_m_.z;
+  }
+}
+
+double BeamRow::times(std::span<const double> raw) const {
+  double sum = 0.0;
+  for (const Piece& piece : pieces())
+    for (std::size_t k = 0; k < piece.count; ++k) sum += piece.values[k] * raw[piece.first + k];
+  return sum;
+}
+
+double quadratic(const BeamRow& a, std::span<const double> matrix, std::size_t width, const BeamRow& b) {
+  double sum = 0.0;
+  for (const BeamRow::Piece& rows : a.pieces())
+    for (std::size_t i = 0; i < rows.count; ++i) {
+      const double* row = matrix.data() + (rows.first + i) * width;
+      double inner = 0.0;
+      for (const BeamRow::Piece& columns : b.pieces())
+        for (std::size_t k = 0; k < columns.count; ++k) inner += row[columns.first + k] * columns.values[k];
+      sum += rows.values[i] * inner;
+    }
+  return sum;
+}
+
+}  // namespace axiometry::volumetric

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "axiometry/base/vector3.h"
+#include "axiometry/volumetric/curves/coefficients.h"
+#include "axiometry/volumetric/machine/machine_model.h"
+
+/// What the component of the tool point's displacement along a direction u is of the raw coefficients. Of axis a it is
+/// the six Plücker coordinates [u; r_a × u] of the beam times the values of the basis, of C0Y −u_x y, of B0Z u_x z, of
+/// A0Z −u_y z: µm from µm and µrad, with levers in m. So only what is active at q is not 0.
+namespace axiometry::volumetric {
+
+class BeamRow {
+ public:
+  /// Neighbouring places.
+  struct Piece {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    const double* values = nullptr;
+  };
+
+  BeamRow(const Coefficients& coefficients, const MachineModel& machine, Vector3 axes_mm, Vector3 tool_mm,
+          Approaches approaches = {});
+  BeamRow(const BeamRow&) = delete;
+  BeamRow& operator=(const BeamRow&) = delete;
+
+  /// Turns the row into that of another direction of length 1 (at first: of none).
+  void along(Vector3 direction);
+
+  std::span<const Piece> pieces() const { return {pieces_.data(), piece_count_}; }
+  double times(std::span<const double> raw_coefficients) const;
+
+ private:
+  struct Source {
+    ActiveFunctions active;
+    Vector3 lever_m;
+  };
+  void add_piece(std::size_t first, std::size_t count);
+
+  std::array<Source, 2 * axis_count> sources_;
+  std::size_t source_count_ = 0;
+  std::array<Piece, 2 * axis_count + 1> pieces_;
+  std::size_t piece_count_ = 0;
+  Vector3 axes_m_;
+  std::size_t value_count_ = 0;
+  std::array<double, 2 * axis_count * ActiveFunctions::most * motion_count + 3> values_;
+};
+
+/// aᵀ C b, of rows and a symmetric matrix of raw coefficients.
+double quadratic(const BeamRow& a, std::span<const double> matrix, std::size_t width, const BeamRow& b);
+
+}  // namespace axiometry::volumetric

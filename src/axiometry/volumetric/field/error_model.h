@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "axiometry/volumetric/curves/beam_row.h"
+#include "axiometry/volumetric/curves/coefficients.h"
+#include "axiometry/volumetric/machine/error_motion.h"
+#include "axiometry/volumetric/machine/machine_model.h"
+
+/// The 21 errors as curves, how well each is known, and what they make of the tool point.
+namespace axiometry::volumetric {
+
+/// A value with its standard uncertainty.
+struct Estimate {
+  double value = 0.0;
+  double u = 0.0;
+};
+
+/// Displacement of the tool point and its covariance. A component that the lengths do not tell has no number.
+struct FieldValue {
+  std::array<std::optional<double>, 3> error_um;
+  Matrix3 covariance_um2{};  ///< rows and columns of components without a number are 0
+
+  bool is_whole() const { return error_um[0] && error_um[1] && error_um[2]; }
+  Vector3 error() const { return {*error_um[0], *error_um[1], *error_um[2]}; }  ///< contract: is_whole()
+};
+
+class ErrorModel {
+ public:
+  struct Parts {
+    MachineModel machine;
+    Coefficients coefficients;
+    std::vector<double> values;      ///< raw coefficients, within the gauge
+    std::vector<double> covariance;  ///< of these, by rows, coefficients.raw() squared
+    /// Directions of raw coefficients, of length 1, of which the lengths say nothing: what has a share in them has no
+    /// number.
+    std::vector<std::vector<double>> unseen = {};
+    TravelBox observed = {};  ///< where readings were
+  };
+  /// Contract: sizes as said.
+  explicit ErrorModel(Parts parts);
+
+  const MachineModel& machine() const { return parts_.machine; }
+  const Coefficients& coefficients() const { return parts_.coefficients; }
+  const Parts& parts() const { return parts_; }
+  const TravelBox& observed() const { return parts_.observed; }
+
+  /// µm or µrad; absent where the lengths do not tell it. `approach` of the axis: +1, −1 or 0 for the mean.
+  std::optional<Estimate> motion(ErrorMotion error, double position_mm, double approach = 0.0) const;
+  std::optional<Estimate> squareness(Squareness which) const;
+
+  /// Errors of which at least one number is missing, 0 to 20 in the order of error_names().
+  std::vector<std::size_t> unseen_errors() const;
+
+  /// δ at q with a tool, to first order (kinematics.h).
+  FieldValue at(Vector3 axes_mm, Vector3 tool_mm, Approaches approaches = {}) const;
+
+  /// What the row makes of the coefficients; absent where the lengths do not tell it.
+  std::optional<Estimate> estimate(const BeamRow& row) const;
+  bool is_told(const BeamRow& row) const;
+
+ private:
+  std::optional<Estimate> estimate(const std::vector<std::pair<std::size_t, double>>& row) const;
+
+  Parts parts_;
+};
+
+}  // namespace axiometry::volumetric

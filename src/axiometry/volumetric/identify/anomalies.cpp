@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/identify/anomalies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/numeric/chi_square.h"
+#include "axiometry/numeric/special_functions.h"
+
+namespace axiometry::volumetric::detail {
+namespace {
+
+constexpr double clipped_at = 4.0;
+constexpr std::size_t least_on_a_side = 3;
+
+/// Readings that count, of each stretch in order.
+std::vector<std::vector<std::size_t>> by_stretch(const Problem& problem) {
+  std::vector<std::vector<std::size_t>> readings(problem.unknowns.stretches.size());
+  for (std::size_t i = 0; i < problem.readings.size(); ++i)
+    if (problem.weights[i] > 0.0) readings[problem.unknowns.stretch_of[i]].push_back(i);
+  return readings;
+}
+
+struct Normalised {
+  const Problem& problem;
+  std::span<const double> residuals;
+  double scale;
+
+  double operator()(std::size_t i) const {
+    return std::clamp(std::sqrt(problem.weights[i]) * residuals[i] / scale, -clipped_at, clipped_at);
+  }
+};
+
+/// What a straight line takes of the sum of squares.
+double line_statistic(std::span<const std::size_t> readings, const Normalised& z) {
+  const double n = static_cast<double>(readings.size());
+  if (readings.size() < 3) return 0.0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < readings.size(); ++k) sum += z(readings[k]) * (static_cast<double>(k) - 0.5 * (n - 1.0));
+  return sum * sum / (n * (n * n - 1.0) / 12.0);
+}
+
+double mean_residual(std::span<const std::size_t> readings, std::span<const double> residuals) {
+  double sum = 0.0;
+  for (const std::size_t i : readings) sum += residuals[i];
+  return sum / static_cast<double>(readings.size());
+}
+
+}  // namespace
+
+std::optional<BreakSuspected> clearest_break(const Problem& problem, std::span<const double> residuals) {
+  const Normalised z{problem, residuals, robust_scale(problem, residuals)};
+  std::optional<BreakSuspected> clearest;
+  for (const auto& readings : by_stretch(problem)) {
+    const std::size_t n = readings.size();
+    if (n < 2 * least_on_a_side) continue;
+    double total = 0.0;
+    for (const std::size_t i : readings) total += z(i);
+    double sum = 0.0, best = 0.0;
+    std::size_t at = 0;
+    for (std::size_t k = 1; k + least_on_a_side <= n; ++k) {
+      sum += z(readings[k - 1]);
+      if (k < least_on_a_side) continue;
+      const double share = static_cast<double>(k) / static_cast<double>(n);
+      const double off = sum - share * total;
+      const double statistic = off * off / (share * static_cast<double>(n - k));
+      if (statistic > best) {
+        best = statistic;
+        at = k;
+      }
+    }
+    if (best < 30.0 + 4.0 * std::log(static_cast<double>(n)) || best < 2.0 * line_statistic(readings, z)) continue;
+    if (clearest && best <= clearest->statistic) continue;
+    const std::span<const std::size_t> all = readings;
+    clearest = {all[at], mean_residual(all.subspan(at), residuals) - mean_residual(all.first(at), residuals), best};
+  }
+  return clearest;
+}
+
+double drift_chance(const Problem& problem, std::span<const double> residuals) {
+  const Normalised z{problem, residuals, robust_scale(problem, residuals)};
+  double sum = 0.0, degrees = 0.0;
+  for (const auto& readings : by_stretch(problem)) {
+    if (readings.size() < 3) continue;
+    sum += line_statistic(readings, z);
+    degrees += 1.0;
+  }
+  return degrees > 0.0 ? 1.0 - numeric::chi_square_probability(sum, degrees) : 1.0;
+}
+
+double outlier_limit(std::size_t readings) {
+  return -numeric::normal_quantile(0.0005 / static_cast<double>(std::max(readings, std::size_t{1})));
+}
+
+}  // namespace axiometry::volumetric::detail

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "axiometry/volumetric/identify/least_squares.h"
+
+/// What residuals show that no machine does. Internal to identify().
+namespace axiometry::volumetric::detail {
+
+/// A break of the beam within a stretch: its readings before and behind `before` differ.
+struct BreakSuspected {
+  std::size_t before = 0;  ///< reading
+  double jump_um = 0.0;    ///< of the residuals
+  double statistic = 0.0;
+};
+
+/// The clearest break of all stretches: the largest of
+///   (S_k − k S_n/n)² / (k (n − k)/n), S the sums of normalised residuals (clipped at 4 robust standard deviations),
+/// at least three readings on either side, above 30 + 4 ln n and twice what a drift from end to end explains. Noise
+/// alone exceeds it less than once in 10⁵ stretches.
+std::optional<BreakSuspected> clearest_break(const Problem& problem, std::span<const double> residuals_um);
+
+/// Whether the residuals drift along their stretches: χ² of the straight lines, over the robust variance, against as
+/// many degrees of freedom; the probability of as much or more.
+double drift_chance(const Problem& problem, std::span<const double> residuals_um);
+
+/// |v|/σ above which one of n readings is set aside: in one of 1000 calibrations one is that belongs.
+double outlier_limit(std::size_t readings);
+
+}  // namespace axiometry::volumetric::detail

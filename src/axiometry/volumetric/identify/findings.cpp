@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/identify/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/numeric/chi_square.h"
+#include "axiometry/volumetric/field/unseen_reasons.h"
+
+namespace axiometry::volumetric::detail {
+namespace {
+
+constexpr double aside_share_most = 0.02;
+constexpr double chance_least = 1e-3;
+constexpr double ratio_serious = 4.0;
+
+std::string plural(std::size_t n, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+std::string reading_text(const VolumetricLengths& lengths, std::size_t i) {
+  const VolumetricReading& r = lengths.readings[i];
+  return fmt::format("{} of station {} with tool {}",
+                     r.line > 0 ? fmt::format("line {}", r.line) : fmt::format("reading {}", i + 1),
+                     text::quoted(lengths.stations[r.station]), text::quoted(lengths.tools[r.tool]));
+}
+
+void add_unseen(const Identifier& done, const MachineModel& machine, const VolumetricLengths& lengths,
+                const Identification& result, std::vector<VolumetricFinding>& findings) {
+  const std::vector<std::size_t> unseen = result.model.unseen_errors();
+  if (unseen.empty()) return;
+  SetupShape setup;
+  for (const std::string& name : lengths.tools)
+    if (const auto tool = machine.tool_named(name)) setup.tools_mm.push_back(machine.tools[*tool].offset_mm);
+  std::vector<bool> seen(lengths.stations.size(), false);
+  for (const VirtualStation& station : done.unknowns().stations) {
+    if (!seen[station.station]) setup.stations_mm.push_back({});
+    seen[station.station] = true;
+  }
+  std::string reasons;
+  for (const std::string& reason : unseen_reasons(setup)) reasons += "; " + reason;
+  findings.push_back({"volumetric-unseen-errors", true,
+                      fmt::format("the lengths do not tell {}{}: no number is given for {}", error_list(unseen),
+                                  reasons, unseen.size() == 1 ? "it" : "them")});
+}
+
+void add_scatter(const Identification& result, std::vector<VolumetricFinding>& findings) {
+  if (result.degrees_of_freedom == 0) return;
+  const double nu = static_cast<double>(result.degrees_of_freedom), ratio = result.chi_squared_per_dof();
+  const double above = 1.0 - numeric::chi_square_probability(result.chi_squared, nu);
+  if (ratio > 1.0 && above < chance_least) {
+    findings.push_back(
+        {"volumetric-scatter", ratio > ratio_serious,
+         fmt::format("the residuals are {:.2f} times as large as the uncertainties of instrument and machine allow "
+                     "(χ²/ν = {:.2f}): either these are stated too small, or the machine does something that 21 errors "
+                     "of its axes do not describe, as drift, play or bending under load; all uncertainties were "
+                     "multiplied by {:.2f}",
+                     std::sqrt(ratio), ratio, std::sqrt(ratio))});
+    return;
+  }
+  if (ratio < 0.5)
+    findings.push_back({"volumetric-scatter-small", false,
+                        fmt::format("the residuals are {:.2f} times what the uncertainties of instrument and machine "
+                                    "let one expect: these are stated too large, and so are all uncertainties",
+                                    std::sqrt(ratio))});
+}
+
+void add_set_aside(const VolumetricLengths& lengths, const Identification& result,
+                   std::vector<VolumetricFinding>& findings) {
+  if (result.set_aside.empty()) return;
+  const SetAside worst =
+      *std::ranges::max_element(result.set_aside, {}, [](const SetAside& s) { return std::abs(s.residual_um); });
+  const double share = static_cast<double>(result.set_aside.size()) / static_cast<double>(lengths.readings.size());
+  findings.push_back(
+      {"volumetric-set-aside", share > aside_share_most,
+       fmt::format("{} of {} {} no errors of the machine explain, and {} set aside; the farthest is {}, by {:.1f} µm",
+                   result.set_aside.size(), plural(lengths.readings.size(), "length", "lengths"),
+                   result.set_aside.size() == 1 ? "is one that" : "are some that",
+                   result.set_aside.size() == 1 ? "was" : "were", reading_text(lengths, worst.reading),
+                   worst.residual_um)});
+}
+
+void add_breaks(const VolumetricLengths& lengths, const Identification& result,
+                std::vector<VolumetricFinding>& findings) {
+  for (const FoundBreak& found : result.breaks)
+    findings.push_back(
+        {"volumetric-beam-broken", false,
+         fmt::format("before {} all lengths jump by {:.1f} µm: the beam was broken, and the lengths from "
+                     "there on have a dead path of their own",
+                     reading_text(lengths, found.before_reading), found.jump_um)});
+}
+
+void add_drift(const Identification& result, std::vector<VolumetricFinding>& findings) {
+  if (!result.drift) return;
+  double most = 0.0;
+  for (const IdentifiedStretch& s : result.stretches) most = std::max(most, std::abs(s.drift_um.value_or(0.0)));
+  findings.push_back(
+      {"volumetric-drift", false,
+       fmt::format("dead paths drift with time, by up to {:.2f} µm between breaks of the beam; a straight "
+                   "drift of each was taken out",
+                   most)});
+}
+
+void add_domain(const Identifier& done, const MachineModel& machine, std::vector<VolumetricFinding>& findings) {
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    const CurveDomain& domain = done.domains()[a];
+    if (domain.is_travel) continue;
+    findings.push_back(
+        {"volumetric-travel-not-covered", false,
+         fmt::format("readings of {} reach from {} to {} mm of a travel from {} to {} mm: curves are stated where "
+                     "readings are, and nothing is said of the rest",
+                     "XYZ"[a], format_exact(done.observed().lowest_mm[a]), format_exact(done.observed().highest_mm[a]),
+                     format_exact(machine.travel.lowest_mm[a]), format_exact(machine.travel.highest_mm[a]))});
+  }
+}
+
+void add_scale(const MachineModel& machine, std::vector<VolumetricFinding>& findings) {
+  if (machine.scale_uncertainty) return;
+  findings.push_back(
+      {"volumetric-scale-uncertainty", false,
+       "nothing is said of an error that all lengths have in common, as of the wavelength in air or the temperature of "
+       "the machine: it would appear in the slopes of EXX, EYY and EZZ, whose uncertainties do not hold it "
+       "(scale_u_um_per_m in the machine's file)"});
+}
+
+}  // namespace
+
+std::vector<VolumetricFinding> findings_of(const Identifier& done, const MachineModel& machine,
+                                           const VolumetricLengths& lengths, const Identification& result) {
+  std::vector<VolumetricFinding> findings;
+  add_unseen(done, machine, lengths, result, findings);
+  add_setup_findings(done, machine, lengths, result, findings);
+  add_scatter(result, findings);
+  add_set_aside(lengths, result, findings);
+  add_breaks(lengths, result, findings);
+  add_drift(result, findings);
+  add_domain(done, machine, findings);
+  add_scale(machine, findings);
+  std::ranges::stable_partition(findings, [](const VolumetricFinding& f) { return f.serious; });
+  return findings;
+}
+
+void add_scale_uncertainty(const Identifier& done, const MachineModel& machine, std::vector<double>& covariance) {
+  const Problem problem = done.problem();
+  const State& state = done.fit().state;
+  std::vector<double> distances_m;
+  for (std::size_t i = 0; i < problem.readings.size(); ++i) {
+    const Vector3 s = state.stations_mm[problem.unknowns.stretches[problem.unknowns.stretch_of[i]].virtual_station];
+    distances_m.push_back(1e-3 * distance(problem.readings[i].axes_mm + problem.tool_mm(i), s));
+  }
+  std::vector<double> change = done.fit().solution.step(gradient(problem, state, distances_m));  // per µm/m
+  const std::size_t n = problem.coefficients.raw();
+  const double u = machine.scale_uncertainty->in_um_per_m();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k) covariance[i * n + k] += u * u * change[i] * change[k];
+}
+
+}  // namespace axiometry::volumetric::detail

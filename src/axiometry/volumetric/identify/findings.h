@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "axiometry/volumetric/identify/identifier.h"
+
+/// What is to be told about an identification. Internal to identify().
+namespace axiometry::volumetric::detail {
+
+/// Serious ones first.
+std::vector<VolumetricFinding> findings_of(const Identifier& done, const MachineModel& machine,
+                                           const VolumetricLengths& lengths, const Identification& result);
+
+/// Adds what a common error of all lengths, of the machine's scale_uncertainty, does to the raw coefficients.
+void add_scale_uncertainty(const Identifier& done, const MachineModel& machine, std::vector<double>& covariance);
+
+/// What looks wrong with tools and stations: offsets that several stations contradict alike, axes or signs that are
+/// mixed up, stations that stand elsewhere than was said or have moved. In setup_findings.cpp.
+void add_setup_findings(const Identifier& done, const MachineModel& machine, const VolumetricLengths& lengths,
+                        const Identification& result, std::vector<VolumetricFinding>& findings);
+
+}  // namespace axiometry::volumetric::detail

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/identify/identification.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/volumetric/identify/findings.h"
+#include "axiometry/volumetric/identify/identifier.h"
+
+namespace axiometry::volumetric {
+namespace {
+
+using detail::Fit;
+using detail::Identifier;
+using detail::Problem;
+using detail::Stretch;
+using detail::Unknowns;
+
+std::vector<double> times(std::vector<double> values, double factor) {
+  for (double& x : values) x *= factor;
+  return values;
+}
+
+std::vector<IdentifiedStation> stations_of(const Identifier& done, const VolumetricLengths& lengths, double factor) {
+  const Unknowns& unknowns = done.unknowns();
+  std::vector<IdentifiedStation> stations;
+  for (std::size_t v = 0; v < unknowns.stations.size(); ++v) {
+    const detail::VirtualStation& own = unknowns.stations[v];
+    IdentifiedStation station{own.station, own.tool, done.fit().state.stations_mm[v]};
+    station.covariance_um2 = done.fit().solution.block(own.column);
+    for (auto& row : station.covariance_um2)
+      for (double& c : row) c *= factor;
+    stations.push_back(station);
+  }
+  for (std::size_t i = 0; i < lengths.readings.size(); ++i) {
+    if (done.set_aside()[i]) continue;
+    IdentifiedStation& station = stations[unknowns.stretches[unknowns.stretch_of[i]].virtual_station];
+    const double v = done.fit().residuals_um[i], z = v / done.sigmas_um()[i];
+    ++station.readings;
+    station.rms_um += v * v;
+    station.normalised_rms += z * z;
+  }
+  for (IdentifiedStation& station : stations) {
+    const double n = std::max(1.0, static_cast<double>(station.readings));
+    station.rms_um = std::sqrt(station.rms_um / n);
+    station.normalised_rms = std::sqrt(station.normalised_rms / n);
+  }
+  return stations;
+}
+
+std::vector<IdentifiedStretch> stretches_of(const Identifier& done) {
+  std::vector<IdentifiedStretch> stretches;
+  const Unknowns& unknowns = done.unknowns();
+  for (std::size_t j = 0; j < unknowns.stretches.size(); ++j) {
+    const Stretch& own = unknowns.stretches[j];
+    IdentifiedStretch stretch{own.virtual_station, own.segment, own.readings, done.fit().state.dead_paths_mm[j], {}};
+    if (done.drift()) stretch.drift_um = done.fit().state.drifts_um[j];
+    stretches.push_back(stretch);
+  }
+  return stretches;
+}
+
+/// Dead paths are taken off the length: a length that jumps up has a smaller one behind the break.
+std::vector<FoundBreak> breaks_of(const Identifier& done) {
+  std::vector<FoundBreak> breaks;
+  const Unknowns& unknowns = done.unknowns();
+  for (const std::size_t before : done.breaks()) {
+    const std::size_t after = unknowns.stretch_of[before];
+    std::size_t last = before;
+    while (last-- > 0) {
+      const Stretch& candidate = unknowns.stretches[unknowns.stretch_of[last]];
+      if (candidate.virtual_station == unknowns.stretches[after].virtual_station &&
+          candidate.segment == unknowns.stretches[after].segment)
+        break;
+    }
+    const double jump_mm =
+        done.fit().state.dead_paths_mm[unknowns.stretch_of[last]] - done.fit().state.dead_paths_mm[after];
+    breaks.push_back({before, 1000.0 * jump_mm});
+  }
+  return breaks;
+}
+
+std::vector<SetAside> set_aside_of(const Identifier& done) {
+  std::vector<SetAside> aside;
+  for (std::size_t i = 0; i < done.set_aside().size(); ++i)
+    if (done.set_aside()[i])
+      aside.push_back({i, done.fit().residuals_um[i], done.fit().residuals_um[i] / done.sigmas_um()[i]});
+  return aside;
+}
+
+}  // namespace
+
+Result<Identification> identify(const MachineModel& machine, const VolumetricLengths& lengths,
+                                const IdentifyOptions& options) {
+  AXIOMETRY_TRY(Identifier done, Identifier::make(machine, lengths, options));
+  AXIOMETRY_TRY_VOID(done.run());
+  const Fit& fit = done.fit();
+  const std::size_t told = fit.solution.unknowns() - fit.solution.null_directions();
+  const std::size_t dof = done.count() > told ? done.count() - told : 0;
+  const double ratio = dof > 0 ? fit.chi_squared / static_cast<double>(dof) : 1.0;
+  const double factor = std::max(1.0, ratio);
+  std::vector<double> covariance = times(fit.solution.coefficient_covariance(), factor);
+  if (machine.scale_uncertainty) detail::add_scale_uncertainty(done, machine, covariance);
+  ErrorModel model({machine, done.coefficients(), fit.state.coefficients, std::move(covariance), fit.solution.unseen(),
+                    done.observed()});
+  Identification result{.model = std::move(model),
+                        .stations = stations_of(done, lengths, factor),
+                        .stretches = stretches_of(done),
+                        .residuals_um = fit.residuals_um,
+                        .sigmas_um = done.sigmas_um(),
+                        .set_aside = set_aside_of(done),
+                        .breaks = breaks_of(done),
+                        .chi_squared = fit.chi_squared,
+                        .degrees_of_freedom = dof,
+                        .rank = {fit.solution.unknowns(), done.coefficients().free(), fit.solution.null_directions(),
+                                 fit.solution.condition()},
+                        .iterations = fit.iterations,
+                        .drift = done.drift(),
+                        .findings = {}};
+  result.findings = detail::findings_of(done, machine, lengths, result);
+  return result;
+}
+
+}  // namespace axiometry::volumetric

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/volumetric/field/error_model.h"
+#include "axiometry/volumetric/machine/volumetric_data.h"
+
+/// Volumetric calibration: all 21 errors of a machine from the lengths that one tracking interferometer measures from
+/// several stations in turn, with several tools (Lee et al. 2016, eq. 2, with the machine's kinematics in place of free
+/// points). Derivation, gauge, identifiability: docs/theory/volumetric.md.
+namespace axiometry::volumetric {
+
+/// Whether the dead path of a stretch may change with the readings, from its first to its last.
+enum class DriftModel {
+  automatic,  ///< where the residuals demand it (F test, 1 in 1000)
+  none,
+  linear,
+};
+
+struct IdentifyOptions {
+  CurveKind curves = CurveKind::spline;
+  /// Spans, or degree, of X, Y, Z; 0: as many as the readings support (smallest corrected Akaike criterion).
+  std::array<std::size_t, axis_count> sizes{};
+  Reversal reversal = Reversal::none;
+  DriftModel drift = DriftModel::automatic;
+  bool find_breaks = true;    ///< look for breaks of the beam that the file does not tell
+  bool find_outliers = true;  ///< set readings aside that no model explains
+  std::size_t threads = 0;    ///< 0: as many as there are cores. The result does not depend on it
+};
+
+/// Where the instrument stood, as one tool sees it.
+struct IdentifiedStation {
+  std::size_t station = 0;
+  std::size_t tool = 0;
+  Vector3 at_mm;
+  Matrix3 covariance_um2{};
+  std::size_t readings = 0;
+  double rms_um = 0.0;          ///< of its residuals
+  double normalised_rms = 0.0;  ///< over σ
+};
+
+struct IdentifiedStretch {
+  std::size_t station = 0;  ///< index among `stations` of the identification
+  std::size_t segment = 0;
+  std::size_t readings = 0;
+  double dead_path_mm = 0.0;
+  std::optional<double> drift_um;  ///< over the stretch
+};
+
+/// A break that the file does not tell.
+struct FoundBreak {
+  std::size_t before_reading = 0;
+  double jump_um = 0.0;  ///< of the length
+};
+
+struct SetAside {
+  std::size_t reading = 0;
+  double residual_um = 0.0;  ///< measured less what the others predict
+  double normalised = 0.0;   ///< over its standard uncertainty
+};
+
+struct VolumetricRank {
+  std::size_t unknowns = 0;         ///< under the gauge, stations and dead paths included
+  std::size_t errors = 0;           ///< of these, coefficients of errors
+  std::size_t null_directions = 0;  ///< of which the lengths say nothing; 0 when all 21 errors are told
+  double condition = 0.0;           ///< of the scaled rows
+};
+
+/// What the user should know, with the numbers.
+struct VolumetricFinding {
+  std::string id;        ///< stable: "volumetric-unseen-errors"
+  bool serious = false;  ///< the result should not be used as it is
+  std::string message;   ///< a sentence without full stop
+};
+
+struct Identification {
+  ErrorModel model;
+  std::vector<IdentifiedStation> stations;
+  std::vector<IdentifiedStretch> stretches;
+  std::vector<double> residuals_um;  ///< per reading, measured less predicted; of those set aside too
+  std::vector<double> sigmas_um;     ///< per reading, as stated
+  std::vector<SetAside> set_aside;
+  std::vector<FoundBreak> breaks;
+  double chi_squared = 0.0;
+  std::size_t degrees_of_freedom = 0;
+  VolumetricRank rank;
+  std::size_t iterations = 0;
+  bool drift = false;                       ///< whether dead paths drift in the model
+  std::vector<VolumetricFinding> findings;  ///< serious ones first
+
+  double chi_squared_per_dof() const {
+    return degrees_of_freedom > 0 ? chi_squared / static_cast<double>(degrees_of_freedom) : 0.0;
+  }
+  /// By which covariances are multiplied: χ²/ν where that is above 1.
+  double variance_factor() const { return chi_squared_per_dof() > 1.0 ? chi_squared_per_dof() : 1.0; }
+};
+
+/// Readings are in the order of measurement. Fails, with the numbers, on tools that the machine does not have, places
+/// outside of the travel, lengths that are not finite, stations with too few readings or whose place cannot be found,
+/// no more readings than unknowns, and when it does not converge. Errors that the lengths do not tell are no failure:
+/// the model has no number for them, and a finding says why.
+Result<Identification> identify(const MachineModel& machine, const VolumetricLengths& lengths,
+                                const IdentifyOptions& options);
+
+}  // namespace axiometry::volumetric

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/identify/identifier.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/volumetric/identify/station_start.h"
+
+namespace axiometry::volumetric::detail {
+namespace {
+
+constexpr std::size_t breaks_most = 200;
+constexpr std::size_t outlier_rounds = 6;
+constexpr std::size_t huber_rounds = 8;
+constexpr double drift_chance_most = 1e-3;
+constexpr std::size_t choice_readings_most = 40'000;  // sizes of curves are chosen on so many
+constexpr double travel_slack_mm = 0.01;              // what programs are rounded to, and more
+
+/// For a first look, before breaks and outliers are known: what a machine's errors usually need.
+constexpr std::size_t first_size = 5;
+
+std::string axis_text(std::size_t axis) { return std::string(1, "XYZ"[axis]); }
+
+/// "line 12" or "reading 12".
+std::string place_of(const VolumetricReading& reading, std::size_t i) {
+  return reading.line > 0 ? fmt::format("line {}", reading.line) : fmt::format("reading {}", i + 1);
+}
+
+}  // namespace
+
+Result<Identifier> Identifier::make(const MachineModel& machine, const VolumetricLengths& lengths,
+                                    const IdentifyOptions& options) {
+  Identifier identifier(machine, lengths, options);
+  AXIOMETRY_TRY_VOID(identifier.check_readings());
+  if (options.reversal != Reversal::none) identifier.take_approaches();
+  identifier.aside_.assign(lengths.readings.size(), false);
+  identifier.domains_ = curve_domains(machine.travel, identifier.observed_);
+  AXIOMETRY_TRY_VOID(identifier.choose_first_sizes());
+  return identifier;
+}
+
+Result<void> Identifier::check_readings() {
+  if (lengths_.readings.empty()) return fail("found no lengths, expected some of each station and tool");
+  for (const std::string& name : lengths_.tools) {
+    const auto tool = machine_.tool_named(name);
+    if (!tool) {
+      std::string known;
+      for (const Tool& t : machine_.tools) known += (known.empty() ? "" : ", ") + t.name;
+      return fail(fmt::format("found lengths with tool {}, expected a tool of the machine: {}", text::quoted(name),
+                              known.empty() ? "none is given" : known));
+    }
+    tools_mm_.push_back(machine_.tools[*tool].offset_mm);
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  observed_ = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  for (std::size_t i = 0; i < lengths_.readings.size(); ++i) {
+    const VolumetricReading& reading = lengths_.readings[i];
+    if (!is_finite(reading.axes_mm) || !std::isfinite(reading.length_mm))
+      return fail(fmt::format("found a number that is not finite, expected positions and a length in mm"),
+                  {reading.line, 0});
+    for (std::size_t a = 0; a < axis_count; ++a) {
+      const double q = reading.axes_mm[a];
+      observed_.lowest_mm[a] = std::min(observed_.lowest_mm[a], q);
+      observed_.highest_mm[a] = std::max(observed_.highest_mm[a], q);
+      const double lowest = machine_.travel.lowest_mm[a], highest = machine_.travel.highest_mm[a];
+      if (q >= lowest - travel_slack_mm && q <= highest + travel_slack_mm) continue;
+      return fail(
+          fmt::format("found {} at {} mm ({}), expected it within its travel of {} to {} mm; are axes, signs or "
+                      "units mixed up?",
+                      axis_text(a), format_exact(q), place_of(reading, i), format_exact(lowest), format_exact(highest)),
+          {reading.line, 0});
+    }
+  }
+  for (std::size_t a = 0; a < axis_count; ++a)
+    if (observed_.highest_mm[a] - observed_.lowest_mm[a] < 1.0)
+      return fail(
+          fmt::format("found all readings at one place of {}, expected them spread over its travel", axis_text(a)));
+  return {};
+}
+
+/// An axis came to rest in the direction of its last move within the same station and tool; before its first move: 0.
+void Identifier::take_approaches() {
+  Approaches now{};
+  for (std::size_t i = 0; i < lengths_.readings.size(); ++i) {
+    const VolumetricReading& reading = lengths_.readings[i];
+    const VolumetricReading* before = i > 0 ? &lengths_.readings[i - 1] : nullptr;
+    if (before == nullptr || before->station != reading.station || before->tool != reading.tool)
+      now = {};
+    else
+      for (std::size_t a = 0; a < axis_count; ++a)
+        if (const double way = reading.axes_mm[a] - before->axes_mm[a]; way != 0.0) now[a] = way > 0.0 ? 1.0 : -1.0;
+    approaches_.push_back(now);
+  }
+}
+
+std::size_t Identifier::threads() const {
+  return options_.threads > 0 ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
+Problem Identifier::problem() const {
+  return {machine_, *coefficients_, *unknowns_, lengths_.readings, tools_mm_, approaches_, weights_, threads()};
+}
+
+std::size_t Identifier::count() const {
+  return lengths_.readings.size() - static_cast<std::size_t>(std::ranges::count(aside_, true));
+}
+
+Result<void> Identifier::choose_first_sizes() {
+  Sizes sizes;
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    std::vector<double> positions;
+    for (const VolumetricReading& reading : lengths_.readings) positions.push_back(reading.axes_mm[a]);
+    supported_[a] = supported_sizes(options_.curves, domains_[a], std::move(positions));
+    if (options_.sizes[a] > 0) supported_[a] = {options_.sizes[a]};
+    if (supported_[a].empty())
+      return fail(
+          fmt::format("found {} readings at too few places of {} for its curves, expected at least 10 in all, at "
+                      "4 or more places (--curves legendre needs fewer)",
+                      lengths_.readings.size(), axis_text(a)));
+    const auto above = std::ranges::upper_bound(supported_[a], first_size);
+    sizes[a] = above == supported_[a].begin() ? *above : *std::prev(above);
+  }
+  return take_sizes(sizes);
+}
+
+Result<Coefficients> Identifier::coefficients_of(const Sizes& sizes) const {
+  const auto basis = [&](std::size_t a) {
+    return CurveBasis::make(options_.curves, domains_[a].lower_mm, domains_[a].upper_mm, sizes[a]);
+  };
+  AXIOMETRY_TRY(const CurveBasis x, basis(0));
+  AXIOMETRY_TRY(const CurveBasis y, basis(1));
+  AXIOMETRY_TRY(const CurveBasis z, basis(2));
+  return Coefficients({x, y, z}, options_.reversal);
+}
+
+Result<void> Identifier::take_sizes(const Sizes& sizes) {
+  AXIOMETRY_TRY(coefficients_, coefficients_of(sizes));
+  sizes_ = sizes;
+  return {};
+}
+
+/// Unknowns, and a start from the stations alone.
+Result<void> Identifier::start() {
+  unknowns_ = unknowns_of(*coefficients_, lengths_.readings, breaks_, drift_);
+  constexpr std::size_t stretches_most = 2000;
+  if (unknowns_->stretches.size() > stretches_most)
+    return fail(fmt::format("found {} segments, expected at most {}: a segment ends where the beam was broken",
+                            unknowns_->stretches.size(), stretches_most));
+  AXIOMETRY_TRY(state_, start_state(problem(), lengths_));
+  if (!sigmas_.empty()) return {};
+  for (std::size_t i = 0; i < lengths_.readings.size(); ++i) {
+    const Vector3 station = state_->stations_mm[unknowns_->stretches[unknowns_->stretch_of[i]].virtual_station];
+    const VolumetricReading& reading = lengths_.readings[i];
+    sigmas_.push_back(machine_.sigma_um(distance(reading.axes_mm + tools_mm_[reading.tool], station)));
+    weights_.push_back(1.0 / (sigmas_.back() * sigmas_.back()));
+  }
+  return {};
+}
+
+Result<void> Identifier::refit() {
+  const std::size_t unknown = coefficients_->free() + unknowns_->columns - coefficients_->raw();
+  if (count() <= unknown)
+    return fail(
+        fmt::format("found {} lengths for {} unknowns, expected more lengths than unknowns: measure more points "
+                    "or ask for simpler curves",
+                    count(), unknown));
+  AXIOMETRY_TRY(fit_, least_squares(problem(), *state_));
+  state_ = fit_->state;
+  return {};
+}
+
+Result<void> Identifier::find_breaks() {
+  if (!options_.find_breaks) return {};
+  while (breaks_.size() < breaks_most) {
+    const auto found = clearest_break(problem(), fit_->residuals_um);
+    if (!found) return {};
+    breaks_.insert(std::ranges::upper_bound(breaks_, found->before), found->before);
+    AXIOMETRY_TRY_VOID(start());
+    AXIOMETRY_TRY_VOID(refit());
+  }
+  return {};
+}
+
+/// Whether anything changed. Readings come back when they fit again.
+bool Identifier::set_aside_beyond_limit() {
+  std::vector<double> stated(weights_.size());
+  for (std::size_t i = 0; i < stated.size(); ++i) stated[i] = 1.0 / (sigmas_[i] * sigmas_[i]);
+  Problem all = problem();
+  all.weights = stated;
+  const double limit = outlier_limit(stated.size()) * robust_scale(all, fit_->residuals_um);
+  bool changed = false;
+  for (std::size_t i = 0; i < aside_.size(); ++i) {
+    const bool is_beyond = std::abs(fit_->residuals_um[i]) > limit * sigmas_[i];
+    changed = changed || is_beyond != aside_[i];
+    aside_[i] = is_beyond;
+    weights_[i] = is_beyond ? 0.0 : stated[i];
+  }
+  return changed;
+}
+
+/// First by a loss that heeds large residuals less, so that what belongs is not pulled along; then without them.
+Result<void> Identifier::find_outliers() {
+  if (!options_.find_outliers) return {};
+  for (std::size_t round = 0; round < outlier_rounds; ++round) {
+    if (!set_aside_beyond_limit()) return {};
+    if (round == 0) {
+      const std::vector<double> without = weights_;
+      for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = 1.0 / (sigmas_[i] * sigmas_[i]);
+      const std::vector<double> stated = weights_;
+      for (std::size_t k = 0; k < huber_rounds; ++k) {
+        Problem whole = problem();
+        whole.weights = stated;
+        weights_ = huber_weights(whole, fit_->residuals_um);
+        AXIOMETRY_TRY_VOID(refit());
+      }
+      weights_ = without;
+      set_aside_beyond_limit();
+    }
+    AXIOMETRY_TRY_VOID(refit());
+  }
+  return {};
+}
+
+std::optional<double> Identifier::criterion(const Sizes& sizes) const {
+  const auto coefficients = coefficients_of(sizes);
+  if (!coefficients) return std::nullopt;
+  const Unknowns unknowns = unknowns_of(*coefficients, lengths_.readings, breaks_, drift_);
+  State state = fit_->state;
+  state.coefficients.assign(coefficients->raw(), 0.0);
+  const std::size_t step = lengths_.readings.size() / choice_readings_most + 1;
+  std::vector<double> weights = weights_;
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (i % step != 0) weights[i] = 0.0;
+    if (weights[i] > 0.0) ++used;
+  }
+  if (used < coefficients->free() + unknowns.columns - coefficients->raw() + 2) return std::nullopt;
+  const auto fit =
+      least_squares({machine_, *coefficients, unknowns, lengths_.readings, tools_mm_, approaches_, weights, threads()},
+                    std::move(state));
+  if (!fit) return std::nullopt;
+  return akaike(fit->chi_squared, used, fit->solution.unknowns() - fit->solution.null_directions());
+}
+
+Result<void> Identifier::choose_sizes() {
+  const bool all_given = std::ranges::none_of(options_.sizes, [](std::size_t size) { return size == 0; });
+  if (all_given) return {};
+  const Sizes chosen = chosen_sizes(supported_, [this](const Sizes& sizes) { return criterion(sizes); });
+  if (chosen == sizes_) return {};
+  AXIOMETRY_TRY_VOID(take_sizes(chosen));
+  AXIOMETRY_TRY_VOID(start());
+  return refit();
+}
+
+Result<void> Identifier::find_drift() {
+  if (options_.drift == DriftModel::none) return {};
+  if (options_.drift == DriftModel::automatic && drift_chance(problem(), fit_->residuals_um) > drift_chance_most)
+    return {};
+  drift_ = true;
+  AXIOMETRY_TRY_VOID(start());
+  return refit();
+}
+
+Result<void> Identifier::run() {
+  AXIOMETRY_TRY_VOID(start());
+  AXIOMETRY_TRY_VOID(refit());
+  AXIOMETRY_TRY_VOID(find_breaks());
+  AXIOMETRY_TRY_VOID(find_outliers());
+  AXIOMETRY_TRY_VOID(choose_sizes());
+  AXIOMETRY_TRY_VOID(find_drift());
+  AXIOMETRY_TRY_VOID(find_breaks());
+  return find_outliers();
+}
+
+}  // namespace axiometry::volumetric::detail

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "axiometry/volumetric/identify/anomalies.h"
+#include "axiometry/volumetric/identify/curve_choice.h"
+#include "axiometry/volumetric/identify/identification.h"
+#include "axiometry/volumetric/identify/least_squares.h"
+
+/// The order of things in identify(). Internal.
+namespace axiometry::volumetric::detail {
+
+/// What is being fitted: the parts that Problem looks at, in one place.
+class Identifier {
+ public:
+  static Result<Identifier> make(const MachineModel& machine, const VolumetricLengths& lengths,
+                                 const IdentifyOptions& options);
+
+  /// Breaks, readings set aside, sizes of the curves, drift; then the last fit.
+  Result<void> run();
+
+  const std::vector<std::size_t>& breaks() const { return breaks_; }
+  const std::vector<double>& sigmas_um() const { return sigmas_; }
+  const std::vector<bool>& set_aside() const { return aside_; }
+  const Coefficients& coefficients() const { return *coefficients_; }
+  const Unknowns& unknowns() const { return *unknowns_; }
+  const Fit& fit() const { return *fit_; }
+  const std::array<CurveDomain, axis_count>& domains() const { return domains_; }
+  const TravelBox& observed() const { return observed_; }
+  const std::vector<double>& weights() const { return weights_; }
+  bool drift() const { return drift_; }
+  std::size_t count() const;  ///< of readings that are used
+  Problem problem() const;
+
+ private:
+  Identifier(const MachineModel& machine, const VolumetricLengths& lengths, const IdentifyOptions& options)
+      : machine_(machine), lengths_(lengths), options_(options) {}
+  Result<void> check_readings();
+  void take_approaches();
+  Result<void> choose_first_sizes();
+  Result<void> choose_sizes();
+  Result<Coefficients> coefficients_of(const Sizes& sizes) const;
+  Result<void> take_sizes(const Sizes& sizes);
+  Result<void> start();
+  Result<void> refit();
+  Result<void> find_breaks();
+  Result<void> find_outliers();
+  Result<void> find_drift();
+  bool set_aside_beyond_limit();
+  std::optional<double> criterion(const Sizes& sizes) const;
+  std::size_t threads() const;
+
+  const MachineModel& machine_;
+  const VolumetricLengths& lengths_;
+  const IdentifyOptions& options_;
+  std::vector<Vector3> tools_mm_;
+  std::vector<Approaches> approaches_;
+  std::vector<double> sigmas_, weights_;
+  std::vector<bool> aside_;
+  std::vector<std::size_t> breaks_;  ///< readings, rising
+  bool drift_ = false;
+  TravelBox observed_;
+  std::array<CurveDomain, axis_count> domains_;
+  std::array<std::vector<std::size_t>, axis_count> supported_;
+  Sizes sizes_{};
+  std::optional<Coefficients> coefficients_;
+  std::optional<Unknowns> unknowns_;
+  std::optional<State> state_;  ///< start of the next fit
+  std::optional<Fit> fit_;
+};
+
+}  // namespace axiometry::volumetric::detail

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/identify/least_squares.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/numeric/median.h"
+
+namespace axiometry::volumetric::detail {
+namespace {
+
+constexpr double converged_step = 1e-6;
+constexpr std::size_t steps_most = 60;
+constexpr double moved_far_mm = 1.0;
+constexpr double slow = 0.2;  // of one step to the next; 1e-4 is usual
+constexpr double huber_limit = 2.0;
+
+void apply(const Unknowns& unknowns, std::span<const double> step, State& state) {
+  constexpr double mm_per_um = 1e-3;
+  for (std::size_t k = 0; k < unknowns.coefficients; ++k) state.coefficients[k] += step[k];
+  for (std::size_t v = 0; v < unknowns.stations.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k) state.stations_mm[v][k] += mm_per_um * step[unknowns.stations[v].column + k];
+  for (std::size_t j = 0; j < unknowns.stretches.size(); ++j) {
+    const std::size_t column = unknowns.stretches[j].column;
+    state.dead_paths_mm[j] += mm_per_um * step[column];
+    if (unknowns.drift) state.drifts_um[j] += step[column + 1];
+  }
+}
+
+double farthest(std::span<const Vector3> from, std::span<const Vector3> to) {
+  double most = 0.0;
+  for (std::size_t k = 0; k < from.size(); ++k) most = std::max(most, distance(from[k], to[k]));
+  return most;
+}
+
+}  // namespace
+
+Result<Fit> least_squares(const Problem& problem, State state) {
+  std::vector<double> residuals = residuals_um(problem, state);
+  std::vector<Vector3> linearised_at = state.stations_mm;
+  NormalEquations equations = normal_equations(problem, state, residuals);
+  std::vector<double> gradient_now = equations.gradient;
+  LinearSolution solution(problem.coefficients, std::move(equations));
+  double before = 0.0;
+  for (std::size_t step_number = 1; step_number <= steps_most; ++step_number) {
+    const std::vector<double> step = solution.step(gradient_now);
+    double decrease = 0.0;
+    for (std::size_t k = 0; k < step.size(); ++k) decrease += step[k] * gradient_now[k];
+    const double size = std::sqrt(std::max(0.0, decrease));
+    if (!std::isfinite(size)) break;
+    apply(problem.unknowns, step, state);
+    residuals = residuals_um(problem, state);
+    const bool is_far = farthest(linearised_at, state.stations_mm) > moved_far_mm;
+    if (size < converged_step && !is_far) {
+      const double chi = chi_squared(problem, residuals);
+      return Fit{std::move(state), std::move(residuals), std::move(solution), chi, step_number};
+    }
+    if (is_far || (before > 0.0 && size > slow * before)) {
+      linearised_at = state.stations_mm;
+      equations = normal_equations(problem, state, residuals);
+      gradient_now = equations.gradient;
+      solution = LinearSolution(problem.coefficients, std::move(equations));
+    } else {
+      gradient_now = gradient(problem, state, residuals);
+    }
+    before = size;
+  }
+  return fail(
+      fmt::format("found no errors and stations that fit the lengths in {} steps, expected lengths, tools and "
+                  "positions that belong together",
+                  steps_most));
+}
+
+double robust_scale(const Problem& problem, std::span<const double> residuals) {
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < residuals.size(); ++i)
+    if (problem.weights[i] > 0.0) sizes.push_back(std::sqrt(problem.weights[i]) * std::abs(residuals[i]));
+  return sizes.empty() ? 1.0 : std::max(1.0, 1.4826 * numeric::median(std::move(sizes)));
+}
+
+std::vector<double> huber_weights(const Problem& problem, std::span<const double> residuals) {
+  const double limit = huber_limit * robust_scale(problem, residuals);
+  std::vector<double> weights(problem.weights.begin(), problem.weights.end());
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double z = std::sqrt(weights[i]) * std::abs(residuals[i]);
+    if (z > limit) weights[i] *= limit / z;
+  }
+  return weights;
+}
+
+}  // namespace axiometry::volumetric::detail

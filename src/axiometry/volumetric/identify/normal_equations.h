@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "axiometry/volumetric/identify/unknowns.h"
+
+/// The lengths linearised (Lee et al., eq. 2, with the machine instead of free points):
+///   l_i = |q_i + t + δ(q_i, t) − s_v| − l0 + drift·x + ε,  ∂l = u·∂δ − u·∂s − ∂l0 + x ∂drift,
+/// with u from the station to where the reflector would stand on a perfect machine; the error of that, 1e-4, changes
+/// how fast the iteration converges and not where to. µm, µrad, levers in m. Internal to identify().
+namespace axiometry::volumetric::detail {
+
+struct Problem {
+  const MachineModel& machine;
+  const Coefficients& coefficients;
+  const Unknowns& unknowns;
+  std::span<const VolumetricReading> readings;
+  std::span<const Vector3> tools_mm;       ///< of the tools of the readings
+  std::span<const Approaches> approaches;  ///< per reading; empty without reversal
+  std::span<const double> weights;         ///< per reading: 1/σ², 1/µm²; 0 leaves it out
+  std::size_t threads = 1;                 ///< does not change the result
+
+  Vector3 tool_mm(std::size_t i) const { return tools_mm[readings[i].tool]; }
+};
+
+/// Symmetric, by rows, only its upper triangle filled.
+struct NormalEquations {
+  std::size_t columns = 0;
+  std::vector<double> matrix;    ///< Σ w a aᵀ
+  std::vector<double> gradient;  ///< Σ w a v
+};
+
+/// All that a state says of the readings: v_i = measured less predicted, µm.
+std::vector<double> residuals_um(const Problem& problem, const State& state);
+
+NormalEquations normal_equations(const Problem& problem, const State& state, std::span<const double> residuals);
+
+/// The gradient alone: a small part of the work.
+std::vector<double> gradient(const Problem& problem, const State& state, std::span<const double> residuals);
+
+/// Σ w v².
+double chi_squared(const Problem& problem, std::span<const double> residuals);
+
+}  // namespace axiometry::volumetric::detail

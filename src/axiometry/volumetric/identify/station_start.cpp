@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/identify/station_start.h"
+
+#include <fmt/format.h>
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "axiometry/base/text.h"
+#include "axiometry/numeric/median.h"
+#include "axiometry/tracking/station/station_fit.h"
+
+namespace axiometry::volumetric::detail {
+namespace {
+
+using tracking::Minimum;
+
+constexpr std::size_t readings_least = 5;
+constexpr std::size_t points_most = 200;  // enough to find a place; all readings refine it
+constexpr double usual_error_mm = 0.03;   // of a machine before it is known
+constexpr double huber = 1.5;             // standard deviations
+
+struct Sight {
+  Vector3 reflector_mm;
+  double length_mm = 0.0;
+  std::size_t stretch = 0;
+};
+
+std::vector<LocationPoint> points_of(std::span<const Sight> sights, std::size_t stretch) {
+  std::vector<LocationPoint> points;
+  for (const Sight& s : sights)
+    if (s.stretch == stretch) points.push_back({s.reflector_mm, s.length_mm});
+  if (points.size() <= points_most) return points;
+  std::vector<LocationPoint> some;
+  for (std::size_t k = 0; k < points_most; ++k) some.push_back(points[k * points.size() / points_most]);
+  return some;
+}
+
+/// The places that fit, the best first; those that fit as well are its mirror images.
+std::vector<Vector3> places(std::span<const LocationPoint> points) {
+  tracking::StationOptions options;
+  options.machine_sigma_mm = usual_error_mm;
+  const tracking::LinearSolution linear = tracking::solve_linear(points);
+  std::vector<Vector3> starts = linear.candidates;
+  if (linear.fit.numerical_rank == 5) starts.insert(starts.begin(), linear.fit.station_mm);
+  std::vector<Minimum> minima;
+  if (linear.fit.numerical_rank == 5 && linear.fit.condition < 1e5)
+    minima.push_back(tracking::refine(points, options, starts.front()));
+  if (minima.empty() || !minima.front().converged)
+    minima = tracking::refine_from_all(points, options, tracking::starts_around(points, starts));
+  std::vector<Vector3> found;
+  for (const Minimum& m : minima)
+    if (m.converged && m.chi_squared <= 4.0 * minima.front().chi_squared + 1e-6 * static_cast<double>(points.size()))
+      found.push_back(m.station_mm);
+  return found;
+}
+
+/// Of one virtual station: its place and the dead paths of its stretches, by least squares that heed outliers less.
+class Refinement {
+ public:
+  Refinement(std::span<const Sight> sights, std::size_t stretches) : sights_(sights), paths_(stretches, 0.0) {}
+
+  Vector3 from(Vector3 s) {
+    std::vector<double> weights(sights_.size(), 1.0);
+    for (int iteration = 0; iteration < 30; ++iteration) {
+      const std::vector<double> residuals = residuals_at(s, weights);
+      weights = weights_of(residuals);
+      const Vector3 move = step(s, weights);
+      s += move;
+      if (norm(move) < 1e-7) break;
+    }
+    residuals_at(s, weights);
+    return s;
+  }
+  double dead_path_mm(std::size_t stretch) const { return paths_[stretch]; }
+
+ private:
+  /// Sets the dead paths: weighted means.
+  std::vector<double> residuals_at(Vector3 s, std::span<const double> weights) {
+    std::vector<double> sums(paths_.size(), 0.0), counts(paths_.size(), 0.0), residuals;
+    for (std::size_t i = 0; i < sights_.size(); ++i) {
+      sums[sights_[i].stretch] += weights[i] * (distance(sights_[i].reflector_mm, s) - sights_[i].length_mm);
+      counts[sights_[i].stretch] += weights[i];
+    }
+    for (std::size_t k = 0; k < paths_.size(); ++k) paths_[k] = counts[k] > 0.0 ? sums[k] / counts[k] : 0.0;
+    for (const Sight& sight : sights_)
+      residuals.push_back(sight.length_mm - distance(sight.reflector_mm, s) + paths_[sight.stretch]);
+    return residuals;
+  }
+
+  static std::vector<double> weights_of(std::span<const double> residuals) {
+    std::vector<double> sizes, weights;
+    for (const double r : residuals) sizes.push_back(std::abs(r));
+    const double limit = huber * std::max(1.4826 * numeric::median(sizes), usual_error_mm);
+    for (const double r : residuals) weights.push_back(std::abs(r) <= limit ? 1.0 : limit / std::abs(r));
+    return weights;
+  }
+
+  /// Dead paths are eliminated: rows and residuals less the means of their stretch.
+  Vector3 step(Vector3 s, std::span<const double> weights) const {
+    std::vector<Eigen::Vector4d> means(paths_.size(), Eigen::Vector4d::Zero());
+    std::vector<double> counts(paths_.size(), 0.0);
+    const auto row_of = [&](const Sight& sight) {
+      const Vector3 u = unit(sight.reflector_mm - s);
+      return Eigen::Vector4d(-u.x, -u.y, -u.z,
+                             sight.length_mm - distance(sight.reflector_mm, s) + paths_[sight.stretch]);
+    };
+    for (std::size_t i = 0; i < sights_.size(); ++i) {
+      means[sights_[i].stretch] += weights[i] * row_of(sights_[i]);
+      counts[sights_[i].stretch] += weights[i];
+    }
+    for (std::size_t k = 0; k < means.size(); ++k)
+      if (counts[k] > 0.0) means[k] /= counts[k];
+    Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
+    for (std::size_t i = 0; i < sights_.size(); ++i) {
+      const Eigen::Vector4d a = row_of(sights_[i]) - means[sights_[i].stretch];
+      sum += weights[i] * a * a.transpose();
+    }
+    const Eigen::Vector3d move = sum.topLeftCorner<3, 3>().ldlt().solve(sum.topRightCorner<3, 1>());
+    return move.allFinite() ? Vector3{move[0], move[1], move[2]} : Vector3{};
+  }
+
+  std::span<const Sight> sights_;
+  std::vector<double> paths_;
+};
+
+std::optional<Vector3> stated_place(const MachineModel& machine, std::string_view station) {
+  for (const NamedStation& s : machine.stations)
+    if (s.name == station) return s.at_mm;
+  return std::nullopt;
+}
+
+/// The nearer one to where it is said to stand, else the lowest: an instrument stands on the table.
+Vector3 chosen(std::span<const Vector3> places, std::optional<Vector3> stated) {
+  const auto before = [&](Vector3 a, Vector3 b) {
+    return stated ? distance(a, *stated) < distance(b, *stated) : a.z < b.z;
+  };
+  return *std::ranges::min_element(places, before);
+}
+
+}  // namespace
+
+Result<State> start_state(const Problem& problem, const VolumetricLengths& names) {
+  const Unknowns& unknowns = problem.unknowns;
+  State state;
+  state.coefficients.assign(unknowns.coefficients, 0.0);
+  state.stations_mm.resize(unknowns.stations.size());
+  state.dead_paths_mm.resize(unknowns.stretches.size());
+  state.drifts_um.assign(unknowns.stretches.size(), 0.0);
+  std::vector<std::vector<std::size_t>> stretches(unknowns.stations.size());
+  std::vector<std::size_t> place_of(unknowns.stretches.size());
+  for (std::size_t k = 0; k < unknowns.stretches.size(); ++k) {
+    auto& own = stretches[unknowns.stretches[k].virtual_station];
+    place_of[k] = own.size();
+    own.push_back(k);
+  }
+  std::vector<std::vector<Sight>> sights(unknowns.stations.size());
+  for (std::size_t i = 0; i < problem.readings.size(); ++i) {
+    const std::size_t stretch = unknowns.stretch_of[i];
+    sights[unknowns.stretches[stretch].virtual_station].push_back(
+        {problem.readings[i].axes_mm + problem.tool_mm(i), problem.readings[i].length_mm, place_of[stretch]});
+  }
+  for (std::size_t v = 0; v < unknowns.stations.size(); ++v) {
+    const std::string& station = names.stations[unknowns.stations[v].station];
+    const std::string& tool = names.tools[unknowns.stations[v].tool];
+    const std::size_t longest =
+        *std::ranges::max_element(stretches[v], {}, [&](std::size_t k) { return unknowns.stretches[k].readings; });
+    const std::vector<LocationPoint> points = points_of(sights[v], place_of[longest]);
+    if (points.size() < readings_least)
+      return fail(
+          fmt::format("found at most {} lengths of station {} with tool {} between breaks of the beam, expected "
+                      "at least {}, to find where it stands",
+                      points.size(), text::quoted(station), text::quoted(tool), readings_least));
+    const std::vector<Vector3> found = places(points);
+    if (found.empty())
+      return fail(
+          fmt::format("found no place for station {} from its lengths with tool {}, expected points that spread "
+                      "in three directions and lengths in their unit",
+                      text::quoted(station), text::quoted(tool)));
+    Refinement refinement(sights[v], stretches[v].size());
+    state.stations_mm[v] = refinement.from(chosen(found, stated_place(problem.machine, station)));
+    for (std::size_t k : stretches[v]) state.dead_paths_mm[k] = refinement.dead_path_mm(place_of[k]);
+  }
+  return state;
+}
+
+}  // namespace axiometry::volumetric::detail
