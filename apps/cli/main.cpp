@@ -68,6 +68,7 @@ int run(int argc, char** argv) {
   add_simulate(verbs, exit_code);
   add_air(verbs, exit_code);
   add_tracking(verbs, exit_code);
+  add_volumetric(verbs, exit_code);
   add_formats(verbs, exit_code);
   add_licenses(verbs, exit_code);
   add_schema(verbs, exit_code);

@@ -158,16 +158,25 @@ Result<void> JsonMembers::take(std::string_view name, Vector3& target) {
 void JsonMembers::pass_over(std::string_view name) { known_.emplace_back(name); }
 
 Result<void> JsonMembers::finish() const {
+  AXIOMETRY_TRY(const std::vector<std::string> names, others());
+  if (names.empty()) return {};
+  return fail(fmt::format("found the unknown member {} in {}, expected one of {}", text::quoted(names.front()), what_,
+                          fmt::join(known_, ", ")),
+              value_->find(names.front())->at());
+}
+
+Result<std::vector<std::string>> JsonMembers::others() const {
+  std::vector<std::string> names;
+  const std::vector<std::string_view> known(known_.begin(), known_.end());
   for (const auto& [name, member] : value_->members()) {
     if (std::ranges::find(known_, name) != known_.end()) continue;
-    const std::vector<std::string_view> names(known_.begin(), known_.end());
-    const auto near = text::nearest(name, names);
-    return fail(fmt::format("found the unknown member {} in {}, expected {}", text::quoted(name), what_,
-                            near ? fmt::format("perhaps {}", text::quoted(*near))
-                                 : fmt::format("one of {}", fmt::join(names, ", "))),
-                member.at());
+    if (const auto near = text::nearest(name, known))
+      return fail(fmt::format("found the unknown member {} in {}, expected perhaps {}", text::quoted(name), what_,
+                              text::quoted(*near)),
+                  member.at());
+    names.push_back(name);
   }
-  return {};
+  return names;
 }
 
 }  // namespace axiometry::formats

@@ -35,6 +35,10 @@ class JsonMembers {
   /// Fails on the first member that was not asked for.
   Result<void> finish() const;
 
+  /// For files that other programs write, with members of their own: the names that were not asked for. Fails on one
+  /// that looks like a known name.
+  Result<std::vector<std::string>> others() const;
+
  private:
   JsonMembers(const json::Value& value, std::string what) : value_(&value), what_(std::move(what)) {}
 

@@ -27,16 +27,16 @@ struct NamedStation {
 };
 
 struct MachineModel {
-  std::string name;
+  std::string name = {};
   KinematicChain chain;
-  TravelBox travel;
-  std::vector<Tool> tools;
+  TravelBox travel = {};
+  std::vector<Tool> tools = {};
   std::vector<NamedStation> stations = {};  ///< where they are said to stand; may be empty
-  RangingUncertainty ranging;               ///< of a length, independent from one to the next
+  RangingUncertainty ranging = {};          ///< of a length, independent from one to the next
   /// Standard uncertainty of what all lengths have in common, as the wavelength of air: adds to the slopes of EXX, EYY
   /// and EZZ. Absent when nothing was said of it.
   std::optional<RelativeLength> scale_uncertainty = {};
-  Length repeatability;  ///< of the machine at a stop, standard deviation along the beam
+  Length repeatability = {};  ///< of the machine at a stop, standard deviation along the beam
   /// c_a: where the error motions of axis a are stated. Straightness depends on it; at the machine's zero by default.
   std::array<Vector3, 3> functional_point_mm{};
 

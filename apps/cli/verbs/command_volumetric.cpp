@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/command_volumetric.h"
+
+#include "cli/flags/verb.h"
+#include "cli/verbs/commands.h"
+
+namespace axiometry::cli {
+
+void add_volumetric(const Verb& program, int& exit_code) {
+  Verb verb = program.add_subcommand("volumetric",
+                                     "All 21 errors of a machine from the lengths of one tracking interferometer");
+  verb->require_subcommand(1, 1);
+  add_volumetric_identify(*verb, exit_code);
+  add_volumetric_field(*verb, exit_code);
+}
+
+}  // namespace axiometry::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace axiometry::cli {
+
+class Verb;
+
+/// The verbs of `axiometry volumetric`, a file for each.
+void add_volumetric_identify(const Verb& volumetric, int& exit_code);
+void add_volumetric_field(const Verb& volumetric, int& exit_code);
+
+}  // namespace axiometry::cli

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/volumetric/field_points.h"
+
+#include <fmt/format.h>
+
+#include "axiometry/app/files/source.h"
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
+#include "axiometry/formats/volumetric/volumetric_result_json.h"
+
+namespace axiometry::app {
+namespace {
+
+using json::Value;
+using volumetric::ErrorModel;
+using volumetric::FieldValue;
+
+/// Curves are stated over this range: how far readings reach, or to the ends of the travel that they nearly cover.
+Result<void> check_inside(const ErrorModel& model, const formats::VolumePoint& point) {
+  constexpr double slack_mm = 0.01;
+  for (std::size_t a = 0; a < volumetric::axis_count; ++a) {
+    const volumetric::CurveBasis& basis = model.coefficients().basis(a);
+    const double q = point.axes_mm[a];
+    if (q >= basis.lower_mm() - slack_mm && q <= basis.upper_mm() + slack_mm) continue;
+    return fail(fmt::format("found {} at {} mm, expected it from {} to {} mm, where the errors are known", "XYZ"[a],
+                            format_exact(q), format_exact(basis.lower_mm()), format_exact(basis.upper_mm())),
+                {point.line, 0});
+  }
+  return {};
+}
+
+Result<Vector3> tool_of(const ErrorModel& model, const formats::VolumePoint& point) {
+  const auto& tools = model.machine().tools;
+  if (point.tool.empty() && tools.size() == 1) return tools.front().offset_mm;
+  if (const auto tool = model.machine().tool_named(point.tool)) return tools[*tool].offset_mm;
+  std::string known;
+  for (const volumetric::Tool& t : tools) known += (known.empty() ? "" : ", ") + t.name;
+  return fail(fmt::format("found the tool {}, expected one of {}", text::quoted(point.tool), known), {point.line, 0});
+}
+
+}  // namespace
+
+Result<Value> field_at_points(const FieldRequest& request) {
+  AXIOMETRY_TRY(const std::string result_bytes, whole_file(request.result));
+  AXIOMETRY_TRY(const ErrorModel model, in_file(formats::read_error_model(result_bytes), request.result));
+  AXIOMETRY_TRY(const std::string bytes, whole_file(request.points));
+  AXIOMETRY_TRY(const formats::VolumePoints file, in_file(formats::read_volume_points(bytes), request.points));
+  Value root = Value::object();
+  Value& points = root.add("points", Value::array());
+  std::size_t incomplete = 0;
+  for (const formats::VolumePoint& point : file.points) {
+    if (auto inside = check_inside(model, point); !inside)
+      return in_file(Result<Value>(std::unexpected(inside.error())), request.points);
+    AXIOMETRY_TRY(const Vector3 tool, in_file(tool_of(model, point), request.points));
+    const FieldValue field = model.at(point.axes_mm, tool);
+    if (!field.is_whole()) ++incomplete;
+    Value& item = points.push(Value::object());
+    item.add("tool", point.tool);
+    item.add("x_mm", point.axes_mm.x);
+    item.add("y_mm", point.axes_mm.y);
+    item.add("z_mm", point.axes_mm.z);
+    Value& error = item.add("error_um", Value::array());
+    for (const auto& component : field.error_um) error.push(component ? Value(*component) : Value());
+    Value& covariance = item.add("covariance_um2", Value::array());
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        covariance.push(field.error_um[i] && field.error_um[k] ? Value(field.covariance_um2[i][k]) : Value());
+  }
+  Value& findings = root.add("findings", Value::array());
+  const auto tell = [&](const char* id, std::string message, bool serious) {
+    Value& item = findings.push(Value::object());
+    item.add("id", id);
+    item.add("severity", serious ? "serious" : "note");
+    item.add("message", std::move(message));
+  };
+  if (incomplete > 0)
+    tell("volumetric-unseen-errors",
+         fmt::format("at {} of {} points the lengths do not tell all components, which are left empty", incomplete,
+                     file.points.size()),
+         true);
+  for (const std::string& remark : file.remarks) tell("volumetric-passed-over", remark, false);
+  return root;
+}
+
+}  // namespace axiometry::app

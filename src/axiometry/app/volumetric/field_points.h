@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "axiometry/base/json.h"
+#include "axiometry/base/result.h"
+
+/// The use case "what the tool point errs at these places".
+namespace axiometry::app {
+
+struct FieldRequest {
+  std::string result;  ///< of `axiometry volumetric identify --out`
+  std::string points;  ///< CSV with tool,x_mm,y_mm,z_mm; "-" is the standard input
+};
+
+/// {"points": [{tool, x_mm, y_mm, z_mm, error_um, covariance_um2}], "findings"} in the order of the file. A component
+/// that the lengths do not tell is null, and its covariances are. Fails, with file and line, as the readers do, on
+/// tools that the machine does not have and points outside of where readings were (to a hundredth of the travel).
+Result<json::Value> field_at_points(const FieldRequest& request);
+
+}  // namespace axiometry::app

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+
+#include "axiometry/app/files/source.h"
+#include "axiometry/app/results/result_json.h"
+#include "axiometry/app/volumetric/identify_lengths.h"
+#include "axiometry/formats/text/json_members.h"
+#include "axiometry/formats/volumetric/machine_json.h"
+#include "axiometry/formats/volumetric/volumetric_result_json.h"
+#include "axiometry/volumetric/field/curve_nodes.h"
+
+namespace axiometry::app {
+namespace {
+
+using formats::matrix_value;
+using formats::vector_value;
+using json::Value;
+using namespace volumetric;
+
+Value estimate_value(const std::optional<Estimate>& estimate) {
+  Value value = Value::object();
+  value.add("value", estimate ? Value(estimate->value) : Value());
+  value.add("u", estimate ? Value(estimate->u) : Value());
+  return value;
+}
+
+/// Of an error that the lengths do not tell there is no node, of squareness no value.
+Value errors_value(const ErrorModel& model) {
+  Value errors = Value::object();
+  const bool has_directions = model.coefficients().reversal() != Reversal::none;
+  for (std::size_t a = 0; a < axis_count; ++a)
+    for (std::size_t m = 0; m < motion_count; ++m) {
+      Value& nodes = errors.add(error_name({a, m}), Value::array());
+      for (const CurveNode& node : curve_nodes(model, {a, m})) {
+        Value& item = nodes.push(Value::object());
+        item.add("position", node.position_mm);
+        item.add("value", node.mean.value);
+        item.add("u", node.mean.u);
+        if (!has_directions) continue;
+        item.add("up", estimate_value(node.up));
+        item.add("down", estimate_value(node.down));
+      }
+    }
+  for (std::size_t k = 0; k < squareness_names.size(); ++k)
+    errors.add(squareness_names[k], estimate_value(model.squareness(static_cast<Squareness>(k))));
+  return errors;
+}
+
+Value gauge_value(const ErrorModel& model) {
+  Value gauge = Value::object();
+  gauge.add("chain", model.machine().chain.text());
+  gauge.add("means",
+            "the mean of each of the 18 functions over its range is 0: constants are a place of the whole machine");
+  gauge.add(
+      "straightness",
+      "the best straight line of the six straightness functions is level: their slopes are squareness, or turn the "
+      "whole machine");
+  Value& range = gauge.add("range_mm", Value::object());
+  Value& points = gauge.add("functional_point_mm", Value::object());
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    const CurveBasis& basis = model.coefficients().basis(a);
+    const std::string axis(1, "XYZ"[a]);
+    range.add(axis, Value::array({basis.lower_mm(), basis.upper_mm()}));
+    points.add(axis, vector_value(model.machine().functional_point_mm[a]));
+  }
+  return gauge;
+}
+
+Value rank_value(const VolumetricRank& rank) {
+  Value value = Value::object();
+  value.add("unknowns", rank.unknowns);
+  value.add("errors", rank.errors);
+  value.add("rank", rank.unknowns - rank.null_directions);
+  value.add("null_directions", rank.null_directions);
+  value.add("condition", rank.condition);
+  return value;
+}
+
+Value stations_value(const IdentifiedMachine& identified) {
+  Value stations = Value::array();
+  const Identification& found = identified.identification;
+  for (std::size_t v = 0; v < found.stations.size(); ++v) {
+    const IdentifiedStation& own = found.stations[v];
+    Value& station = stations.push(Value::object());
+    station.add("station", identified.lengths.stations[own.station]);
+    station.add("tool", identified.lengths.tools[own.tool]);
+    station.add("position_mm", vector_value(own.at_mm));
+    station.add("covariance_um2", matrix_value(own.covariance_um2));
+    station.add("readings", own.readings);
+    station.add("rms_um", own.rms_um);
+    station.add("normalised_rms", own.normalised_rms);
+    Value& stretches = station.add("segments", Value::array());
+    for (const IdentifiedStretch& s : found.stretches) {
+      if (s.station != v) continue;
+      Value& stretch = stretches.push(Value::object());
+      stretch.add("segment", identified.lengths.segments[s.segment]);
+      stretch.add("readings", s.readings);
+      stretch.add("dead_path_mm", s.dead_path_mm);
+      if (s.drift_um) stretch.add("drift_um", *s.drift_um);
+    }
+  }
+  return stations;
+}
+
+/// Where a reading stands, for a person: its line, or which it is.
+void add_reading(Value& object, const IdentifiedMachine& identified, std::size_t i) {
+  const VolumetricReading& reading = identified.lengths.readings[i];
+  object.add("reading", i + 1);
+  if (reading.line > 0) object.add("line", reading.line);
+  object.add("station", identified.lengths.stations[reading.station]);
+  object.add("tool", identified.lengths.tools[reading.tool]);
+}
+
+Value source_value(const IdentifiedMachine& identified) {
+  Value source = Value::object();
+  source.add("lengths", base_name(identified.request.lengths));
+  source.add("lengths_sha256", identified.lengths_sha256);
+  source.add("machine", base_name(identified.request.machine));
+  source.add("machine_sha256", identified.machine_sha256);
+  return source;
+}
+
+}  // namespace
+
+Value to_json(const IdentifiedMachine& identified) {
+  const Identification& found = identified.identification;
+  const auto names = error_names();
+  Value root = Value::object();
+  root.add("source", source_value(identified));
+  root.add("errors", errors_value(found.model));
+  root.add("gauge", gauge_value(found.model));
+  root.add("rank", rank_value(found.rank));
+  Value& unseen = root.add("unseen", Value::array());
+  for (const std::size_t e : found.model.unseen_errors()) unseen.push(names[e]);
+  root.add("chi2_per_dof", found.degrees_of_freedom > 0 ? Value(found.chi_squared_per_dof()) : Value());
+  root.add("chi2", found.chi_squared);
+  root.add("degrees_of_freedom", found.degrees_of_freedom);
+  root.add("variance_factor", found.variance_factor());
+  root.add("readings", identified.lengths.readings.size());
+  root.add("stations", stations_value(identified));
+  Value& aside = root.add("set_aside", Value::array());
+  for (const SetAside& s : found.set_aside) {
+    Value& item = aside.push(Value::object());
+    add_reading(item, identified, s.reading);
+    item.add("residual_um", s.residual_um);
+    item.add("normalised", s.normalised);
+  }
+  Value& breaks = root.add("breaks", Value::array());
+  for (const FoundBreak& b : found.breaks) {
+    Value& item = breaks.push(Value::object());
+    add_reading(item, identified, b.before_reading);
+    item.add("jump_um", b.jump_um);
+  }
+  root.add("drift", found.drift);
+  Value& findings = root.add("findings", Value::array());
+  for (const VolumetricFinding& f : found.findings) {
+    Value& item = findings.push(Value::object());
+    item.add("id", f.id);
+    item.add("severity", f.serious ? "serious" : "note");
+    item.add("message", f.message);
+  }
+  root.add("model", formats::error_model_value(found.model));
+  return root;
+}
+
+}  // namespace axiometry::app
