@@ -15,7 +15,22 @@ namespace {
 using formats::matrix_value;
 using formats::vector_value;
 using json::Value;
-using namespace volumetric;
+using volumetric::axis_count;
+using volumetric::CurveBasis;
+using volumetric::CurveNode;
+using volumetric::ErrorModel;
+using volumetric::Estimate;
+using volumetric::FoundBreak;
+using volumetric::Identification;
+using volumetric::IdentifiedStation;
+using volumetric::IdentifiedStretch;
+using volumetric::motion_count;
+using volumetric::Reversal;
+using volumetric::SetAside;
+using volumetric::Squareness;
+using volumetric::VolumetricFinding;
+using volumetric::VolumetricRank;
+using volumetric::VolumetricReading;
 
 Value estimate_value(const std::optional<Estimate>& estimate) {
   Value value = Value::object();
@@ -30,8 +45,8 @@ Value errors_value(const ErrorModel& model) {
   const bool has_directions = model.coefficients().reversal() != Reversal::none;
   for (std::size_t a = 0; a < axis_count; ++a)
     for (std::size_t m = 0; m < motion_count; ++m) {
-      Value& nodes = errors.add(error_name({a, m}), Value::array());
-      for (const CurveNode& node : curve_nodes(model, {a, m})) {
+      Value& nodes = errors.add(volumetric::error_name({a, m}), Value::array());
+      for (const CurveNode& node : volumetric::curve_nodes(model, {a, m})) {
         Value& item = nodes.push(Value::object());
         item.add("position", node.position_mm);
         item.add("value", node.mean.value);
@@ -41,8 +56,8 @@ Value errors_value(const ErrorModel& model) {
         item.add("down", estimate_value(node.down));
       }
     }
-  for (std::size_t k = 0; k < squareness_names.size(); ++k)
-    errors.add(squareness_names[k], estimate_value(model.squareness(static_cast<Squareness>(k))));
+  for (std::size_t k = 0; k < volumetric::squareness_names.size(); ++k)
+    errors.add(volumetric::squareness_names[k], estimate_value(model.squareness(static_cast<Squareness>(k))));
   return errors;
 }
 
@@ -124,7 +139,7 @@ Value source_value(const IdentifiedMachine& identified) {
 
 Value to_json(const IdentifiedMachine& identified) {
   const Identification& found = identified.identification;
-  const auto names = error_names();
+  const auto names = volumetric::error_names();
   Value root = Value::object();
   root.add("source", source_value(identified));
   root.add("errors", errors_value(found.model));

@@ -15,7 +15,17 @@
 namespace axiometry::report {
 namespace {
 
-using namespace volumetric;
+using volumetric::axis_count;
+using volumetric::CurveBasis;
+using volumetric::CurveKind;
+using volumetric::CurveNode;
+using volumetric::ErrorMotion;
+using volumetric::Identification;
+using volumetric::IdentifiedStation;
+using volumetric::motion_count;
+using volumetric::Squareness;
+using volumetric::VolumetricFinding;
+using volumetric::VolumetricRank;
 
 /// How large one function is over its range, and how well it is known.
 struct CurveSummary {
@@ -39,9 +49,9 @@ CurveSummary summary_of(std::span<const CurveNode> nodes) {
   return s;
 }
 
-class Composition {
+class VolumetricComposition {
  public:
-  Composition(const VolumetricSubject& subject, const Options& options)
+  VolumetricComposition(const VolumetricSubject& subject, const Options& options)
       : s_(subject), found_(subject.found), options_(options) {}
 
   Document compose() const {
@@ -70,7 +80,7 @@ class Composition {
 
   Notice status() const {
     const bool serious = std::ranges::any_of(found_.findings, &VolumetricFinding::serious);
-    const std::size_t told = error_names().size() - found_.model.unseen_errors().size();
+    const std::size_t told = volumetric::error_names().size() - found_.model.unseen_errors().size();
     return {serious ? Tone::caution : Tone::good,
             plain(fmt::format("{} of 21 errors found from {} lengths", told, s_.lengths.readings.size())),
             serious ? std::vector<RichText>{plain("Read the findings before the result is used.")}
@@ -131,7 +141,7 @@ class Composition {
                      {joined({italic("u"), plain(" / µrad")}), Align::decimal}};
     for (std::size_t k = 0; k < 3; ++k) {
       const auto value = found_.model.squareness(static_cast<Squareness>(k));
-      table.rows.push_back({verbatim_cell(squareness_names[k]), text_cell(meaning[k]),
+      table.rows.push_back({verbatim_cell(volumetric::squareness_names[k]), text_cell(meaning[k]),
                             value ? cell(value->value, 2) : text_cell("not told"),
                             value ? cell(value->u, 2) : text_cell("–")});
     }
@@ -150,9 +160,9 @@ class Composition {
     for (std::size_t a = 0; a < axis_count; ++a)
       for (std::size_t m = 0; m < motion_count; ++m) {
         const ErrorMotion error{a, m};
-        const std::vector<CurveNode> nodes = curve_nodes(found_.model, error);
+        const std::vector<CurveNode> nodes = volumetric::curve_nodes(found_.model, error);
         auto& row = table.rows.emplace_back();
-        row = {verbatim_cell(error_name(error)), text_cell(error_kind(error)),
+        row = {verbatim_cell(volumetric::error_name(error)), text_cell(volumetric::error_kind(error)),
                text_cell(error.is_rotation() ? "µrad" : "µm")};
         if (nodes.empty()) {
           row.push_back(text_cell("not told"));
@@ -221,7 +231,7 @@ class Composition {
 }  // namespace
 
 Document compose(const VolumetricSubject& subject, const Options& options) {
-  return Composition(subject, options).compose();
+  return VolumetricComposition(subject, options).compose();
 }
 
 }  // namespace axiometry::report

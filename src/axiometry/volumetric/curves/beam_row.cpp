@@ -51,6 +51,13 @@ double BeamRow::times(std::span<const double> raw) const {
   return sum;
 }
 
+double BeamRow::squares() const {
+  double sum = 0.0;
+  for (const Piece& piece : pieces())
+    for (std::size_t k = 0; k < piece.count; ++k) sum += piece.values[k] * piece.values[k];
+  return sum;
+}
+
 double quadratic(const BeamRow& a, std::span<const double> matrix, std::size_t width, const BeamRow& b) {
   double sum = 0.0;
   for (const BeamRow::Piece& rows : a.pieces())

@@ -33,6 +33,7 @@ class BeamRow {
 
   std::span<const Piece> pieces() const { return {pieces_.data(), piece_count_}; }
   double times(std::span<const double> raw_coefficients) const;
+  double squares() const;  ///< Σ a²
 
  private:
   struct Source {

@@ -22,12 +22,9 @@ ErrorModel::ErrorModel(Parts parts) : parts_(std::move(parts)) {
 }
 
 bool ErrorModel::is_told(const BeamRow& row) const {
-  double squares = 0.0;
-  for (const BeamRow::Piece& piece : row.pieces())
-    for (std::size_t k = 0; k < piece.count; ++k) squares += piece.values[k] * piece.values[k];
-  return std::ranges::none_of(parts_.unseen, [&](const std::vector<double>& direction) {
-    return std::abs(row.times(direction)) > told_most * std::sqrt(squares);
-  });
+  const double limit = told_most * std::sqrt(row.squares());
+  return std::ranges::all_of(
+      parts_.unseen, [&](const std::vector<double>& direction) { return std::abs(row.times(direction)) <= limit; });
 }
 
 std::optional<Estimate> ErrorModel::estimate(const BeamRow& row) const {
@@ -83,6 +80,22 @@ std::vector<std::size_t> ErrorModel::unseen_errors() const {
   return errors;
 }
 
+/// A displacement that all places share with this tool, as squareness gives that is counted from the machine's zero, is
+/// the place of the whole machine.
+bool ErrorModel::is_told_but_for_a_constant(const BeamRow& row, Vector3 tool_mm, std::size_t component) const {
+  if (parts_.unseen.empty()) return true;
+  Vector3 middle, along{};
+  for (std::size_t a = 0; a < axis_count; ++a)
+    middle[a] = 0.5 * (parts_.coefficients.basis(a).lower_mm() + parts_.coefficients.basis(a).upper_mm());
+  along[component] = 1.0;
+  BeamRow there(parts_.coefficients, parts_.machine, middle, tool_mm);
+  there.along(along);
+  const double limit = told_most * std::sqrt(row.squares() + there.squares());
+  return std::ranges::all_of(parts_.unseen, [&](const std::vector<double>& direction) {
+    return std::abs(row.times(direction) - there.times(direction)) <= limit;
+  });
+}
+
 FieldValue ErrorModel::at(Vector3 axes_mm, Vector3 tool_mm, Approaches approaches) const {
   const std::size_t width = parts_.coefficients.raw();
   BeamRow x(parts_.coefficients, parts_.machine, axes_mm, tool_mm, approaches);
@@ -94,7 +107,7 @@ FieldValue ErrorModel::at(Vector3 axes_mm, Vector3 tool_mm, Approaches approache
   const std::array<const BeamRow*, 3> rows = {&x, &y, &z};
   FieldValue field;
   for (std::size_t i = 0; i < 3; ++i)
-    if (is_told(*rows[i])) field.error_um[i] = rows[i]->times(parts_.values);
+    if (is_told_but_for_a_constant(*rows[i], tool_mm, i)) field.error_um[i] = rows[i]->times(parts_.values);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = i; k < 3; ++k) {
       if (!field.error_um[i] || !field.error_um[k]) continue;

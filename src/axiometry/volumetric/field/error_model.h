@@ -21,7 +21,8 @@ struct Estimate {
   double u = 0.0;
 };
 
-/// Displacement of the tool point and its covariance. A component that the lengths do not tell has no number.
+/// Displacement of the tool point and its covariance. A component that the lengths do not tell, but for a constant of
+/// all places with this tool, has no number.
 struct FieldValue {
   std::array<std::optional<double>, 3> error_um;
   Matrix3 covariance_um2{};  ///< rows and columns of components without a number are 0
@@ -66,6 +67,7 @@ class ErrorModel {
 
  private:
   std::optional<Estimate> estimate(const std::vector<std::pair<std::size_t, double>>& row) const;
+  bool is_told_but_for_a_constant(const BeamRow& row, Vector3 tool_mm, std::size_t component) const;
 
   Parts parts_;
 };

@@ -69,7 +69,7 @@ std::optional<BreakSuspected> clearest_break(const Problem& problem, std::span<c
         at = k;
       }
     }
-    if (best < 30.0 + 4.0 * std::log(static_cast<double>(n)) || best < 2.0 * line_statistic(readings, z)) continue;
+    if (best < 30.0 + 4.0 * std::log(static_cast<double>(n)) || best < line_statistic(readings, z)) continue;
     if (clearest && best <= clearest->statistic) continue;
     const std::span<const std::size_t> all = readings;
     clearest = {all[at], mean_residual(all.subspan(at), residuals) - mean_residual(all.first(at), residuals), best};

@@ -19,8 +19,9 @@ struct BreakSuspected {
 
 /// The clearest break of all stretches: the largest of
 ///   (S_k − k S_n/n)² / (k (n − k)/n), S the sums of normalised residuals (clipped at 4 robust standard deviations),
-/// at least three readings on either side, above 30 + 4 ln n and twice what a drift from end to end explains. Noise
-/// alone exceeds it less than once in 10⁵ stretches.
+/// at least three readings on either side, above 30 + 4 ln n and above what a straight drift explains (of a true drift
+/// a step explains at most three quarters, of a true step a drift no more). Noise alone exceeds it less than once in
+/// 10⁵ stretches.
 std::optional<BreakSuspected> clearest_break(const Problem& problem, std::span<const double> residuals_um);
 
 /// Whether the residuals drift along their stretches: χ² of the straight lines, over the robust variance, against as

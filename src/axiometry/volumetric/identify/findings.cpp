@@ -18,10 +18,6 @@ constexpr double aside_share_most = 0.02;
 constexpr double chance_least = 1e-3;
 constexpr double ratio_serious = 4.0;
 
-std::string plural(std::size_t n, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
 std::string reading_text(const VolumetricLengths& lengths, std::size_t i) {
   const VolumetricReading& r = lengths.readings[i];
   return fmt::format("{} of station {} with tool {}",
@@ -77,11 +73,11 @@ void add_set_aside(const VolumetricLengths& lengths, const Identification& resul
   const double share = static_cast<double>(result.set_aside.size()) / static_cast<double>(lengths.readings.size());
   findings.push_back(
       {"volumetric-set-aside", share > aside_share_most,
-       fmt::format("{} of {} {} no errors of the machine explain, and {} set aside; the farthest is {}, by {:.1f} µm",
-                   result.set_aside.size(), plural(lengths.readings.size(), "length", "lengths"),
-                   result.set_aside.size() == 1 ? "is one that" : "are some that",
-                   result.set_aside.size() == 1 ? "was" : "were", reading_text(lengths, worst.reading),
-                   worst.residual_um)});
+       fmt::format(
+           "{} of {} lengths lie farther from what the others predict than chance allows, and {} set aside; the "
+           "farthest is {}, by {:.1f} µm",
+           result.set_aside.size(), lengths.readings.size(), result.set_aside.size() == 1 ? "was" : "were",
+           reading_text(lengths, worst.reading), worst.residual_um)});
 }
 
 void add_breaks(const VolumetricLengths& lengths, const Identification& result,

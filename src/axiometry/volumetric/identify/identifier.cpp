@@ -175,22 +175,34 @@ Result<void> Identifier::refit() {
   return {};
 }
 
+/// Among all readings: those behind a break that is not known yet were set aside.
 Result<void> Identifier::find_breaks() {
   if (!options_.find_breaks) return {};
   while (breaks_.size() < breaks_most) {
-    const auto found = clearest_break(problem(), fit_->residuals_um);
+    const std::vector<double> stated = stated_weights();
+    Problem all = problem();
+    all.weights = stated;
+    const auto found = clearest_break(all, fit_->residuals_um);
     if (!found) return {};
     breaks_.insert(std::ranges::upper_bound(breaks_, found->before), found->before);
+    weights_ = stated;
+    aside_.assign(aside_.size(), false);
     AXIOMETRY_TRY_VOID(start());
     AXIOMETRY_TRY_VOID(refit());
+    AXIOMETRY_TRY_VOID(find_outliers());
   }
   return {};
 }
 
+std::vector<double> Identifier::stated_weights() const {
+  std::vector<double> weights;
+  for (const double sigma : sigmas_) weights.push_back(1.0 / (sigma * sigma));
+  return weights;
+}
+
 /// Whether anything changed. Readings come back when they fit again.
 bool Identifier::set_aside_beyond_limit() {
-  std::vector<double> stated(weights_.size());
-  for (std::size_t i = 0; i < stated.size(); ++i) stated[i] = 1.0 / (sigmas_[i] * sigmas_[i]);
+  const std::vector<double> stated = stated_weights();
   Problem all = problem();
   all.weights = stated;
   const double limit = outlier_limit(stated.size()) * robust_scale(all, fit_->residuals_um);
@@ -210,16 +222,13 @@ Result<void> Identifier::find_outliers() {
   for (std::size_t round = 0; round < outlier_rounds; ++round) {
     if (!set_aside_beyond_limit()) return {};
     if (round == 0) {
-      const std::vector<double> without = weights_;
-      for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = 1.0 / (sigmas_[i] * sigmas_[i]);
-      const std::vector<double> stated = weights_;
+      const std::vector<double> stated = stated_weights();
       for (std::size_t k = 0; k < huber_rounds; ++k) {
         Problem whole = problem();
         whole.weights = stated;
         weights_ = huber_weights(whole, fit_->residuals_um);
         AXIOMETRY_TRY_VOID(refit());
       }
-      weights_ = without;
       set_aside_beyond_limit();
     }
     AXIOMETRY_TRY_VOID(refit());
@@ -259,7 +268,7 @@ Result<void> Identifier::choose_sizes() {
 }
 
 Result<void> Identifier::find_drift() {
-  if (options_.drift == DriftModel::none) return {};
+  if (options_.drift == DriftModel::none || drift_) return {};
   if (options_.drift == DriftModel::automatic && drift_chance(problem(), fit_->residuals_um) > drift_chance_most)
     return {};
   drift_ = true;
@@ -267,14 +276,18 @@ Result<void> Identifier::find_drift() {
   return refit();
 }
 
+/// Finer curves leave less, so that more is seen in what is left: then once more.
 Result<void> Identifier::run() {
   AXIOMETRY_TRY_VOID(start());
   AXIOMETRY_TRY_VOID(refit());
-  AXIOMETRY_TRY_VOID(find_breaks());
-  AXIOMETRY_TRY_VOID(find_outliers());
-  AXIOMETRY_TRY_VOID(choose_sizes());
-  AXIOMETRY_TRY_VOID(find_drift());
-  AXIOMETRY_TRY_VOID(find_breaks());
+  for (std::size_t round = 0; round < 2; ++round) {
+    const std::size_t breaks = breaks_.size();
+    const bool drift = drift_;
+    AXIOMETRY_TRY_VOID(find_outliers());
+    AXIOMETRY_TRY_VOID(find_breaks());
+    AXIOMETRY_TRY_VOID(find_drift());
+    if (round == 0 || breaks_.size() > breaks || drift_ != drift) AXIOMETRY_TRY_VOID(choose_sizes());
+  }
   return find_outliers();
 }
 

@@ -50,6 +50,7 @@ class Identifier {
   Result<void> find_outliers();
   Result<void> find_drift();
   bool set_aside_beyond_limit();
+  std::vector<double> stated_weights() const;
   std::optional<double> criterion(const Sizes& sizes) const;
   std::size_t threads() const;
 

@@ -28,7 +28,7 @@ struct LinearSolution::Factors {
   Eigen::MatrixXd vectors;   ///< of all eigenvalues, where a direction is not told
   Eigen::VectorXd inverses;  ///< 1/eigenvalue, 0 of those that are not told
   std::size_t nulls = 0;
-  double condition = 0.0;
+  double condition = 0.0;  ///< where a direction is not told
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
     if (has_cholesky) return cholesky.solve(right);
@@ -95,7 +95,6 @@ LinearSolution::LinearSolution(const Coefficients& coefficients, NormalEquations
   f.cholesky.compute(f.matrix);
   f.has_cholesky = f.cholesky.info() == Eigen::Success;
   const double reciprocal = f.has_cholesky ? f.cholesky.rcond() : 0.0;
-  f.condition = reciprocal > 0.0 ? 1.0 / std::sqrt(reciprocal) : std::numeric_limits<double>::infinity();
   // In the 1-norm the condition is larger than by eigenvalues, at most by the number of unknowns: nothing is missed.
   if (!(reciprocal > null_share)) f.factor_by_eigenvalues();
 }
@@ -106,7 +105,13 @@ LinearSolution& LinearSolution::operator=(LinearSolution&&) noexcept = default;
 
 std::size_t LinearSolution::unknowns() const { return factors_->kept.size(); }
 std::size_t LinearSolution::null_directions() const { return factors_->nulls; }
-double LinearSolution::condition() const { return factors_->condition; }
+
+double LinearSolution::condition() const {
+  if (!factors_->has_cholesky) return factors_->condition;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(factors_->matrix, Eigen::EigenvaluesOnly);
+  const Eigen::VectorXd& values = solver.eigenvalues();
+  return std::sqrt(values[values.size() - 1] / values[0]);
+}
 
 std::vector<double> LinearSolution::step(std::vector<double> raw_gradient) const {
   const Factors& f = *factors_;

@@ -24,7 +24,8 @@ class LinearSolution {
 
   std::size_t unknowns() const;         ///< under the gauge, stations and dead paths included
   std::size_t null_directions() const;  ///< of which the lengths say nothing
-  double condition() const;             ///< largest over smallest singular value of the scaled rows that are told
+  /// Largest over smallest singular value of the scaled rows that are told; found anew at each call.
+  double condition() const;
 
   /// The step for a gradient: all columns, raw. Least in the scaled columns where directions are not told.
   std::vector<double> step(std::vector<double> raw_gradient) const;

@@ -9,8 +9,10 @@
 
 /// The lengths linearised (Lee et al., eq. 2, with the machine instead of free points):
 ///   l_i = |q_i + t + δ(q_i, t) − s_v| − l0 + drift·x + ε,  ∂l = u·∂δ − u·∂s − ∂l0 + x ∂drift,
-/// with u from the station to where the reflector would stand on a perfect machine; the error of that, 1e-4, changes
-/// how fast the iteration converges and not where to. µm, µrad, levers in m. Internal to identify().
+/// with u from the station (the mean of its places with all tools, where these are alike) to where the reflector would
+/// stand on a perfect machine. So a direction of which one station at one place says nothing is exactly a null
+/// direction; and u, wrong by 1e-4 to 1e-3, changes the estimate by no more than that share of its uncertainty, because
+/// residuals are exact. µm, µrad, levers in m. Internal to identify().
 namespace axiometry::volumetric::detail {
 
 struct Problem {
