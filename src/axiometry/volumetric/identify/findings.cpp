@@ -148,7 +148,7 @@ void add_scale_uncertainty(const Identifier& done, const MachineModel& machine, 
     const Vector3 s = state.stations_mm[problem.unknowns.stretches[problem.unknowns.stretch_of[i]].virtual_station];
     distances_m.push_back(1e-3 * distance(problem.readings[i].axes_mm + problem.tool_mm(i), s));
   }
-  std::vector<double> change = done.fit().solution.step(gradient(problem, state, distances_m));  // per µm/m
+  std::vector<double> change = done.fit().solution.step(gradient(problem, done.fit().beams, distances_m));  // per µm/m
   const std::size_t n = problem.coefficients.raw();
   const double u = machine.scale_uncertainty->in_um_per_m();
   for (std::size_t i = 0; i < n; ++i)

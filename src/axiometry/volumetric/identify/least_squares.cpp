@@ -15,6 +15,7 @@ constexpr double converged_step = 1e-6;
 constexpr std::size_t steps_most = 60;
 constexpr double moved_far_mm = 1.0;
 constexpr double slow = 0.2;  // of one step to the next; 1e-4 is usual
+constexpr int halvings_most = 10;
 constexpr double huber_limit = 2.0;
 
 void apply(const Unknowns& unknowns, std::span<const double> step, State& state) {
@@ -38,32 +39,40 @@ double farthest(std::span<const Vector3> from, std::span<const Vector3> to) {
 }  // namespace
 
 Result<Fit> least_squares(const Problem& problem, State state) {
-  std::vector<double> residuals = residuals_um(problem, state);
+  Sights seen = sights(problem, state);
+  double chi = chi_squared(problem, seen.residuals_um);
   std::vector<Vector3> linearised_at = state.stations_mm;
-  NormalEquations equations = normal_equations(problem, state, residuals);
-  std::vector<double> gradient_now = equations.gradient;
-  LinearSolution solution(problem.coefficients, std::move(equations));
+  NormalEquations equations = normal_equations(problem, seen);
+  LinearSolution solution = linear_solution(problem, state, equations);
+  std::vector<double> gradient_now = std::move(equations.gradient);
   double before = 0.0;
   for (std::size_t step_number = 1; step_number <= steps_most; ++step_number) {
-    const std::vector<double> step = solution.step(gradient_now);
+    std::vector<double> step = solution.step(gradient_now);
     double decrease = 0.0;
     for (std::size_t k = 0; k < step.size(); ++k) decrease += step[k] * gradient_now[k];
     const double size = std::sqrt(std::max(0.0, decrease));
     if (!std::isfinite(size)) break;
-    apply(problem.unknowns, step, state);
-    residuals = residuals_um(problem, state);
-    const bool is_far = farthest(linearised_at, state.stations_mm) > moved_far_mm;
-    if (size < converged_step && !is_far) {
-      const double chi = chi_squared(problem, residuals);
-      return Fit{std::move(state), std::move(residuals), std::move(solution), chi, step_number};
+    const State from = state;
+    const double chi_before = chi;
+    for (int halved = 0;; ++halved) {
+      state = from;
+      apply(problem.unknowns, step, state);
+      seen = sights(problem, state);
+      chi = chi_squared(problem, seen.residuals_um);
+      if (chi <= chi_before * (1.0 + 1e-9) + 1e-9 || halved == halvings_most) break;
+      for (double& x : step) x *= 0.5;
     }
+    const bool is_far = farthest(linearised_at, state.stations_mm) > moved_far_mm;
+    if (size < converged_step && !is_far)
+      return Fit{std::move(state), std::move(seen.residuals_um), std::move(seen.beams), std::move(solution), chi,
+                 step_number};
     if (is_far || (before > 0.0 && size > slow * before)) {
       linearised_at = state.stations_mm;
-      equations = normal_equations(problem, state, residuals);
-      gradient_now = equations.gradient;
-      solution = LinearSolution(problem.coefficients, std::move(equations));
+      equations = normal_equations(problem, seen);
+      solution = linear_solution(problem, state, equations);
+      gradient_now = std::move(equations.gradient);
     } else {
-      gradient_now = gradient(problem, state, residuals);
+      gradient_now = gradient(problem, seen.beams, seen.residuals_um);
     }
     before = size;
   }

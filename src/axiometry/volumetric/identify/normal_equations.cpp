@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <thread>
 
 #include "axiometry/volumetric/curves/beam_row.h"
@@ -38,12 +39,11 @@ Approaches approaches_of(const Problem& problem, std::size_t i) {
 /// a of one reading, as pieces of neighbouring columns that rise.
 class Row {
  public:
-  Row(const Problem& problem, std::span<const Vector3> eyes_mm, std::size_t i)
+  Row(const Problem& problem, Vector3 u, std::size_t i)
       : beam_(problem.coefficients, problem.machine, problem.readings[i].axes_mm, problem.tool_mm(i),
               approaches_of(problem, i)) {
     const Stretch& stretch = problem.unknowns.stretches[problem.unknowns.stretch_of[i]];
     const VirtualStation& station = problem.unknowns.stations[stretch.virtual_station];
-    const Vector3 u = unit(problem.readings[i].axes_mm + problem.tool_mm(i) - eyes_mm[stretch.virtual_station]);
     beam_.along(u);
     for (const BeamRow::Piece& piece : beam_.pieces()) pieces_[count_++] = piece;
     own_ = {-u.x, -u.y, -u.z, -1.0, problem.unknowns.along_stretch[i]};
@@ -61,27 +61,6 @@ class Row {
   std::array<BeamRow::Piece, 2 * axis_count + 3> pieces_;
   std::size_t count_ = 0;
 };
-
-/// Where beams are taken to start from: of a station the mean of its places with several tools, so that what one
-/// station at one place cannot tell stays untold by the scatter of these places.
-std::vector<Vector3> eyes(const Unknowns& unknowns, const State& state) {
-  constexpr double alike_mm = 20.0;
-  std::size_t count = 0;
-  for (const VirtualStation& v : unknowns.stations) count = std::max(count, v.station + 1);
-  std::vector<Vector3> sums(count);
-  std::vector<double> counts(count, 0.0);
-  for (std::size_t v = 0; v < unknowns.stations.size(); ++v) {
-    sums[unknowns.stations[v].station] += state.stations_mm[v];
-    counts[unknowns.stations[v].station] += 1.0;
-  }
-  std::vector<Vector3> at = state.stations_mm;
-  for (std::size_t v = 0; v < at.size(); ++v) {
-    const std::size_t station = unknowns.stations[v].station;
-    const Vector3 mean = 1.0 / counts[station] * sums[station];
-    if (distance(mean, at[v]) < alike_mm) at[v] = mean;
-  }
-  return at;
-}
 
 void add_outer(NormalEquations& sum, std::span<const BeamRow::Piece> pieces, double weight) {
   for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -108,8 +87,9 @@ void add(std::vector<double>& sum, const std::vector<double>& part) {
 
 }  // namespace
 
-std::vector<double> residuals_um(const Problem& problem, const State& state) {
-  std::vector<double> residuals(problem.readings.size());
+Sights sights(const Problem& problem, const State& state) {
+  const std::size_t n = problem.readings.size();
+  Sights sights{std::vector<double>(n), std::vector<Vector3>(n)};
   for_chunks(problem, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const VolumetricReading& reading = problem.readings[i];
@@ -119,18 +99,19 @@ std::vector<double> residuals_um(const Problem& problem, const State& state) {
       const Vector3 delta_um = displacement_um(problem.machine, errors, reading.axes_mm, tool);
       const std::size_t stretch = problem.unknowns.stretch_of[i];
       const Vector3 s = state.stations_mm[problem.unknowns.stretches[stretch].virtual_station];
-      const double distance_mm = distance(reading.axes_mm + tool + 1e-3 * delta_um, s);
+      const Vector3 beam = reading.axes_mm + tool + 1e-3 * delta_um - s;
+      const double distance_mm = std::sqrt(dot(beam, beam));
       const double drift_um =
           problem.unknowns.drift ? state.drifts_um[stretch] * problem.unknowns.along_stretch[i] : 0.0;
-      residuals[i] = 1000.0 * (reading.length_mm - (distance_mm - state.dead_paths_mm[stretch])) - drift_um;
+      sights.beams[i] = 1.0 / distance_mm * beam;
+      sights.residuals_um[i] = 1000.0 * (reading.length_mm - (distance_mm - state.dead_paths_mm[stretch])) - drift_um;
     }
   });
-  return residuals;
+  return sights;
 }
 
-NormalEquations normal_equations(const Problem& problem, const State& state, std::span<const double> residuals) {
+NormalEquations normal_equations(const Problem& problem, const Sights& sights) {
   const std::size_t n = problem.unknowns.columns;
-  const std::vector<Vector3> from = eyes(problem.unknowns, state);
   std::vector<NormalEquations> parts(chunk_count(problem.readings.size()));
   for_chunks(problem, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     NormalEquations& sum = parts[chunk];
@@ -139,9 +120,9 @@ NormalEquations normal_equations(const Problem& problem, const State& state, std
     sum.gradient.assign(n, 0.0);
     for (std::size_t i = begin; i < end; ++i) {
       if (problem.weights[i] == 0.0) continue;
-      const Row row(problem, from, i);
+      const Row row(problem, sights.beams[i], i);
       add_outer(sum, row.pieces(), problem.weights[i]);
-      add_to(sum.gradient, row.pieces(), problem.weights[i] * residuals[i]);
+      add_to(sum.gradient, row.pieces(), problem.weights[i] * sights.residuals_um[i]);
     }
   });
   for (std::size_t c = 1; c < parts.size(); ++c) {
@@ -151,17 +132,35 @@ NormalEquations normal_equations(const Problem& problem, const State& state, std
   return std::move(parts[0]);
 }
 
-std::vector<double> gradient(const Problem& problem, const State& state, std::span<const double> residuals) {
-  const std::vector<Vector3> from = eyes(problem.unknowns, state);
+std::vector<double> gradient(const Problem& problem, std::span<const Vector3> beams, std::span<const double> v) {
   std::vector<std::vector<double>> parts(chunk_count(problem.readings.size()));
   for_chunks(problem, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     parts[chunk].assign(problem.unknowns.columns, 0.0);
     for (std::size_t i = begin; i < end; ++i)
       if (problem.weights[i] != 0.0)
-        add_to(parts[chunk], Row(problem, from, i).pieces(), problem.weights[i] * residuals[i]);
+        add_to(parts[chunk], Row(problem, beams[i], i).pieces(), problem.weights[i] * v[i]);
   });
   for (std::size_t c = 1; c < parts.size(); ++c) add(parts[0], parts[c]);
   return std::move(parts[0]);
+}
+
+State with_stations_joined(const Problem& problem, const State& state) {
+  constexpr double alike_mm = 20.0;
+  const std::vector<VirtualStation>& stations = problem.unknowns.stations;
+  std::size_t count = 0;
+  for (const VirtualStation& v : stations) count = std::max(count, v.station + 1);
+  std::vector<Vector3> sums(count);
+  std::vector<double> counts(count, 0.0);
+  for (std::size_t v = 0; v < stations.size(); ++v) {
+    sums[stations[v].station] += state.stations_mm[v];
+    counts[stations[v].station] += 1.0;
+  }
+  State joined = state;
+  for (std::size_t v = 0; v < stations.size(); ++v) {
+    const Vector3 mean = 1.0 / counts[stations[v].station] * sums[stations[v].station];
+    if (distance(mean, state.stations_mm[v]) < alike_mm) joined.stations_mm[v] = mean;
+  }
+  return joined;
 }
 
 double chi_squared(const Problem& problem, std::span<const double> residuals) {

@@ -9,10 +9,7 @@
 
 /// The lengths linearised (Lee et al., eq. 2, with the machine instead of free points):
 ///   l_i = |q_i + t + δ(q_i, t) − s_v| − l0 + drift·x + ε,  ∂l = u·∂δ − u·∂s − ∂l0 + x ∂drift,
-/// with u from the station (the mean of its places with all tools, where these are alike) to where the reflector would
-/// stand on a perfect machine. So a direction of which one station at one place says nothing is exactly a null
-/// direction; and u, wrong by 1e-4 to 1e-3, changes the estimate by no more than that share of its uncertainty, because
-/// residuals are exact. µm, µrad, levers in m. Internal to identify().
+/// with u from the station to the reflector. µm, µrad, levers in m. Internal to identify().
 namespace axiometry::volumetric::detail {
 
 struct Problem {
@@ -35,13 +32,21 @@ struct NormalEquations {
   std::vector<double> gradient;  ///< Σ w a v
 };
 
-/// All that a state says of the readings: v_i = measured less predicted, µm.
-std::vector<double> residuals_um(const Problem& problem, const State& state);
+/// All that a state says of the readings.
+struct Sights {
+  std::vector<double> residuals_um;  ///< v_i: measured less predicted
+  std::vector<Vector3> beams;        ///< u_i
+};
+Sights sights(const Problem& problem, const State& state);
 
-NormalEquations normal_equations(const Problem& problem, const State& state, std::span<const double> residuals);
+NormalEquations normal_equations(const Problem& problem, const Sights& sights);
 
-/// The gradient alone: a small part of the work.
-std::vector<double> gradient(const Problem& problem, const State& state, std::span<const double> residuals);
+/// Σ w a v alone, of any v: a small part of the work.
+std::vector<double> gradient(const Problem& problem, std::span<const Vector3> beams, std::span<const double> v);
+
+/// Every station at the mean of its places with several tools, where these are alike to 20 mm: only there is what one
+/// station at one place cannot tell exactly a null direction. The scatter of the places seems to tell it.
+State with_stations_joined(const Problem& problem, const State& state);
 
 /// Σ w v².
 double chi_squared(const Problem& problem, std::span<const double> residuals);
