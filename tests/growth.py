@@ -81,6 +81,10 @@ def seeds(program, folder):
     several = files / "tracking-multilaterate.files"
     yield "ranges", ["tracking", "multilaterate", "@", "--points", str(several / "nominal.csv")], (several / "ranges.csv").read_bytes()
     yield "nominal points", ["tracking", "multilaterate", str(several / "ranges.csv"), "--points", "@"], (several / "nominal.csv").read_bytes()
+    volume = files / "volumetric.files"
+    identify = ["volumetric", "identify", "-q", "--json", "-"]
+    yield "volumetric lengths", identify + ["@", "--machine", str(volume / "machine.json")], (volume / "lengths.csv").read_bytes()
+    yield "machine", identify + [str(volume / "lengths.csv"), "--machine", "@"], (volume / "machine.json").read_bytes()
     yield "kept", ["store", "add", "@", "--store", str(folder / "kept.db")], (ROOT / "examples" / "iso230-2-table2.csv").read_bytes()
     subprocess.run([program, "store", "add", table2, "--store", str(folder / "made.db")], capture_output=True, check=True)
     yield "verified", ["store", "verify", "@"], (folder / "made.db").read_bytes()

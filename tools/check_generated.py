@@ -15,6 +15,8 @@ GENERATED = {
     "schema/axiometry-plan.schema.json": ["schema", "plan"],
     "schema/axiometry-station.schema.json": ["schema", "station"],
     "schema/axiometry-tracking-plan.schema.json": ["schema", "tracking-plan"],
+    "schema/axiometry-machine.schema.json": ["schema", "machine"],
+    "schema/axiometry-volumetric-result.schema.json": ["schema", "volumetric-result"],
 }
 API = ROOT / "apps" / "server" / "openapi.json"
 LINE_LIMIT = 120

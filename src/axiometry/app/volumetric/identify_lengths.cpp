@@ -9,6 +9,7 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 #include "axiometry/report/volumetric.h"
@@ -58,8 +59,10 @@ std::string residuals_csv(const IdentifiedMachine& identified) {
   std::string text = "station,tool,segment,x_mm,y_mm,z_mm,length_mm,residual_um,sigma_um,set_aside\n";
   for (std::size_t i = 0; i < lengths.readings.size(); ++i) {
     const volumetric::VolumetricReading& r = lengths.readings[i];
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{:.4f},{:.4f},{}\n", lengths.stations[r.station],
-                   lengths.tools[r.tool], lengths.segments[r.segment], format_exact(r.axes_mm.x),
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{:.4f},{:.4f},{}\n",
+                   text::csv_cell(text::no_formula(lengths.stations[r.station])),
+                   text::csv_cell(text::no_formula(lengths.tools[r.tool])),
+                   text::csv_cell(text::no_formula(lengths.segments[r.segment])), format_exact(r.axes_mm.x),
                    format_exact(r.axes_mm.y), format_exact(r.axes_mm.z), format_exact(r.length_mm),
                    identified.identification.residuals_um[i], identified.identification.sigmas_um[i],
                    aside[i] ? "yes" : "no");

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/named_rows.h"
 #include "axiometry/formats/text/table_heads.h"
@@ -39,6 +40,11 @@ constexpr TableWords table = {canonical, words, role_x};
 void add_remarks(const NamedColumns& columns, const DecodedText& decoded, std::vector<std::string>& remarks) {
   if (!columns.passed_over.empty()) remarks.push_back(passed_over(columns.passed_over));
   for (const SourceRemark& remark : encoding_remarks(decoded)) remarks.push_back(remark.message);
+}
+
+/// A row that begins with # would be a comment.
+std::string name_cell(const std::string& name) {
+  return name.starts_with('#') && !name.contains('"') ? '"' + name + '"' : text::csv_cell(name);
 }
 
 }  // namespace
@@ -83,8 +89,8 @@ Result<VolumetricLengths> read_volumetric_lengths(std::string_view bytes) {
 std::string write_volumetric_lengths(const VolumetricLengths& lengths) {
   std::string text = "station,tool,segment,x_mm,y_mm,z_mm,length_mm\n";
   for (const VolumetricReading& r : lengths.readings)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", lengths.stations[r.station],
-                   lengths.tools[r.tool], lengths.segments[r.segment], format_exact(r.axes_mm.x),
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", name_cell(lengths.stations[r.station]),
+                   name_cell(lengths.tools[r.tool]), name_cell(lengths.segments[r.segment]), format_exact(r.axes_mm.x),
                    format_exact(r.axes_mm.y), format_exact(r.axes_mm.z), format_exact(r.length_mm));
   return text;
 }

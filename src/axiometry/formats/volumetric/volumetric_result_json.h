@@ -19,6 +19,9 @@ json::Value error_model_value(const volumetric::ErrorModel& model);
 /// variance below 0, and on more than 4000 coefficients.
 Result<volumetric::ErrorModel> error_model_from(const json::Value& value);
 
+/// JSON Schema of a result file.
+json::Value volumetric_result_schema();
+
 /// Of the member "model" of a result file.
 Result<volumetric::ErrorModel> read_error_model(std::string_view bytes);
 
