@@ -24,14 +24,15 @@ extern const std::span<const Phrase> german_errors;       ///< refusals
 extern const std::span<const Phrase> german_service;      ///< the archive and its server
 extern const std::span<const Phrase> german_simulation;   ///< faults of the simulated axis
 extern const std::span<const Phrase> german_tracking;     ///< lines from a tracking interferometer
-extern const std::span<const Phrase> german_tracking_findings;  ///< what plan, station and lengths tell
-extern const std::span<const Phrase> german_station;            ///< stations, multilateration, length differences
-extern const std::span<const Phrase> german_periodic;           ///< periodic positioning errors
-extern const std::span<const Phrase> german_files;              ///< files that are refused, tables that are guessed
-extern const std::span<const Phrase> german_profile;            ///< import profiles
-extern const std::span<const Phrase> german_capture;            ///< live captures and recordings
-extern const std::span<const Phrase> german_terminal;           ///< summaries in a terminal
-extern const std::span<const Phrase> german_requests;           ///< requests to the workbench
+extern const std::span<const Phrase> german_tracking_findings;    ///< what plan, station and lengths tell
+extern const std::span<const Phrase> german_volumetric_findings;  ///< what lengths of a whole machine tell
+extern const std::span<const Phrase> german_station;              ///< stations, multilateration, length differences
+extern const std::span<const Phrase> german_periodic;             ///< periodic positioning errors
+extern const std::span<const Phrase> german_files;                ///< files that are refused, tables that are guessed
+extern const std::span<const Phrase> german_profile;              ///< import profiles
+extern const std::span<const Phrase> german_capture;              ///< live captures and recordings
+extern const std::span<const Phrase> german_terminal;             ///< summaries in a terminal
+extern const std::span<const Phrase> german_requests;             ///< requests to the workbench
 
 /// All of them.
 std::span<const std::span<const Phrase>> german_tables();

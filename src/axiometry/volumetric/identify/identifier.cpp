@@ -164,12 +164,11 @@ Result<void> Identifier::start() {
 }
 
 Result<void> Identifier::refit() {
-  const std::size_t unknown = coefficients_->free() + unknowns_->columns - coefficients_->raw();
-  if (count() <= unknown)
-    return fail(
-        fmt::format("found {} lengths for {} unknowns, expected more lengths than unknowns: measure more points "
-                    "or ask for simpler curves",
-                    count(), unknown));
+  if (count() <= unknown_count())
+    return fail(fmt::format(
+        "found {} lengths for {} unknowns, expected more lengths than unknowns: measure more points or ask for simpler "
+        "curves",
+        count(), unknown_count()));
   AXIOMETRY_TRY(fit_, least_squares(problem(), *state_));
   state_ = fit_->state;
   return {};
@@ -276,10 +275,28 @@ Result<void> Identifier::find_drift() {
   return refit();
 }
 
+std::size_t Identifier::unknown_count() const {
+  return coefficients_->free() + unknowns_->columns - coefficients_->raw();
+}
+
+/// With coarser curves where there are few readings: a quarter more of them than unknowns, where that can be had.
+Result<void> Identifier::fit_first() {
+  AXIOMETRY_TRY_VOID(start());
+  const auto is_least = [&](std::size_t a) { return sizes_[a] == supported_[a].front(); };
+  while (4 * count() < 5 * unknown_count() && !(is_least(0) && is_least(1) && is_least(2))) {
+    Sizes coarser = sizes_;
+    for (std::size_t a = 0; a < axis_count; ++a)
+      if (!is_least(a)) coarser[a] = *std::prev(std::ranges::lower_bound(supported_[a], sizes_[a]));
+    AXIOMETRY_TRY_VOID(take_sizes(coarser));
+    unknowns_ = unknowns_of(*coefficients_, lengths_.readings, breaks_, drift_);
+    state_->coefficients.assign(coefficients_->raw(), 0.0);
+  }
+  return refit();
+}
+
 /// Finer curves leave less, so that more is seen in what is left: then once more.
 Result<void> Identifier::run() {
-  AXIOMETRY_TRY_VOID(start());
-  AXIOMETRY_TRY_VOID(refit());
+  AXIOMETRY_TRY_VOID(fit_first());
   for (std::size_t round = 0; round < 2; ++round) {
     const std::size_t breaks = breaks_.size();
     const bool drift = drift_;

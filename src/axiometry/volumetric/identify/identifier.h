@@ -45,6 +45,7 @@ class Identifier {
   Result<Coefficients> coefficients_of(const Sizes& sizes) const;
   Result<void> take_sizes(const Sizes& sizes);
   Result<void> start();
+  Result<void> fit_first();
   Result<void> refit();
   Result<void> find_breaks();
   Result<void> find_outliers();
@@ -52,6 +53,7 @@ class Identifier {
   bool set_aside_beyond_limit();
   std::vector<double> stated_weights() const;
   std::optional<double> criterion(const Sizes& sizes) const;
+  std::size_t unknown_count() const;  ///< under the gauge
   std::size_t threads() const;
 
   const MachineModel& machine_;

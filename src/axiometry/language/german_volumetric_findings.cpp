@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// What lengths of a volumetric calibration tell, and why they are refused.
+#include "axiometry/language/german.h"
+
+namespace axiometry::language {
+namespace {
+
+constexpr Phrase rows[] = {
+    {"all lengths have the same tool point, so that a rotation of an axis that nothing but the tool lies behind cannot "
+     "be told from its straightness; three tools whose points form a triangle tell all (a short and a long one, and "
+     "one "
+     "beside them)",
+     "alle Längen haben denselben Werkzeugpunkt, sodass eine Drehung einer Achse, hinter der nur das Werkzeug liegt, "
+     "nicht von deren Geradheit zu unterscheiden ist; drei Werkzeuge, deren Punkte ein Dreieck bilden, bestimmen alles "
+     "(ein kurzes, ein langes und eines daneben)"},
+    {"all stations stand {0#} from where they were said to: they are stated in another frame than the positions of the "
+     "axes, or a tool offset is wrong",
+     "alle Stationen stehen um {0} neben dem angegebenen Ort: Sie sind in einem anderen Koordinatensystem angegeben "
+     "als "
+     "die Positionen der Achsen, oder ein Werkzeugversatz ist falsch"},
+    {"all tool points lie on one line, and a rotation about that line moves none of them; a tool beside it tells this "
+     "rotation",
+     "alle Werkzeugpunkte liegen auf einer Geraden, und eine Drehung um diese bewegt keinen von ihnen; ein Werkzeug "
+     "daneben bestimmt diese Drehung"},
+    {"before {0} all lengths jump by {1#}: the beam was broken, and the lengths from there on have a dead path of "
+     "their "
+     "own",
+     "vor {0} springen alle Längen um {1}: Der Strahl war unterbrochen, und die Längen ab dort haben eine eigene "
+     "Totstrecke"},
+    {"dead paths drift with time, by up to {0#} between breaks of the beam; a straight drift of each was taken out",
+     "die Totstrecken driften mit der Zeit, um bis zu {0} zwischen Unterbrechungen des Strahls; von jeder ist eine "
+     "gerade Drift abgezogen"},
+    {"found X at {0#} ({1}), expected it within its travel of {2#} to {3#}; are axes, signs or units mixed up?",
+     "X bei {0} ({1}) gefunden, erwartet innerhalb des Verfahrwegs von {2} bis {3}; sind Achsen, Vorzeichen oder "
+     "Einheiten vertauscht?"},
+    {"found Y at {0#} ({1}), expected it within its travel of {2#} to {3#}; are axes, signs or units mixed up?",
+     "Y bei {0} ({1}) gefunden, erwartet innerhalb des Verfahrwegs von {2} bis {3}; sind Achsen, Vorzeichen oder "
+     "Einheiten vertauscht?"},
+    {"found Z at {0#} ({1}), expected it within its travel of {2#} to {3#}; are axes, signs or units mixed up?",
+     "Z bei {0} ({1}) gefunden, erwartet innerhalb des Verfahrwegs von {2} bis {3}; sind Achsen, Vorzeichen oder "
+     "Einheiten vertauscht?"},
+    {"found all readings at one place of {0=}, expected them spread over its travel",
+     "alle Messwerte an einem Ort von {0} gefunden, erwartet über den Verfahrweg verteilt"},
+    {"found lengths with tool {0=}, expected a tool of the machine: {1=}",
+     "Längen mit dem Werkzeug {0} gefunden, erwartet ein Werkzeug der Maschine: {1}"},
+    {"found no errors and stations that fit the lengths in {0#} steps, expected lengths, tools and positions that "
+     "belong "
+     "together",
+     "in {0} Schritten keine Abweichungen und Stationen gefunden, die zu den Längen passen, erwartet Längen, Werkzeuge "
+     "und Positionen, die zusammengehören"},
+    {"found {0#} lengths for {1#} unknowns, expected more lengths than unknowns: measure more points or ask for "
+     "simpler "
+     "curves",
+     "{0} Längen für {1} Unbekannte gefunden, erwartet mehr Längen als Unbekannte: mehr Punkte messen oder einfachere "
+     "Kurven verlangen"},
+    {"lengths from {0#} station leave ways in which the machine can bend without changing one of them; three stations "
+     "are the least, four or more are better",
+     "Längen von {0} Station lassen Verformungen der Maschine offen, die keine von ihnen ändern; drei Stationen sind "
+     "das "
+     "Mindeste, vier oder mehr sind besser"},
+    {"lengths from {0#} stations leave ways in which the machine can bend without changing one of them; three stations "
+     "are the least, four or more are better",
+     "Längen von {0} Stationen lassen Verformungen der Maschine offen, die keine von ihnen ändern; drei Stationen sind "
+     "das Mindeste, vier oder mehr sind besser"},
+    {"line {0#} of station {1=} with tool {2=}", "Zeile {0} von Station {1} mit Werkzeug {2}"},
+    {"nothing is said of an error that all lengths have in common, as of the wavelength in air or the temperature of "
+     "the machine: it would appear in the slopes of EXX, EYY and EZZ, whose uncertainties do not hold it "
+     "(scale_u_um_per_m in the machine's file)",
+     "über einen Fehler, den alle Längen gemeinsam haben, etwa der Wellenlänge in Luft oder der Temperatur der "
+     "Maschine, "
+     "ist nichts gesagt: Er würde in den Steigungen von EXX, EYY und EZZ erscheinen, deren Unsicherheiten ihn nicht "
+     "enthalten (scale_u_um_per_m in der Datei der Maschine)"},
+    {"passed over the member {0=} of the machine's file", "das Element {0} der Datei der Maschine übergangen"},
+    {"passed over the members {0=} of the machine's file", "die Elemente {0} der Datei der Maschine übergangen"},
+    {"reading {0#} of station {1=} with tool {2=}", "Messwert {0} von Station {1} mit Werkzeug {2}"},
+    {"readings of {0=} reach from {1#} to {2#} of a travel from {3#} to {4#}: curves are stated where readings are, "
+     "and "
+     "nothing is said of the rest",
+     "die Messwerte von {0} reichen von {1} bis {2} bei einem Verfahrweg von {3} bis {4}: Kurven sind dort angegeben, "
+     "wo "
+     "Messwerte sind; über den Rest ist nichts gesagt"},
+    {"station {0=} stands at {1#}, {2#} from where it was said to",
+     "Station {0} steht bei {1}, {2} neben dem angegebenen Ort"},
+    {"station {0=} with tool {1=} stands about {2#} elsewhere in segment {3=} than in the others: the instrument was "
+     "moved, or lengths of two set-ups or days are mixed",
+     "Station {0} mit Werkzeug {1} steht im Segment {3} etwa {2} anderswo als in den übrigen: Das Messgerät wurde "
+     "bewegt, oder Längen zweier Aufbauten oder Tage sind vermischt"},
+    {"the lengths do not tell {0=}; {1}: no number is given for it",
+     "die Längen bestimmen {0} nicht; {1}: dafür ist kein Wert angegeben"},
+    {"the lengths do not tell {0=}; {1}: no number is given for them",
+     "die Längen bestimmen {0} nicht; {1}: dafür sind keine Werte angegeben"},
+    {"the offset of tool {0=} less that of tool {1=} is wrong by {2#}, as {3#} station shows",
+     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist um {2} falsch, wie {3} Station zeigt"},
+    {"the offset of tool {0=} less that of tool {1=} is wrong by {2#}, as {3#} station shows, as if {4}",
+     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist um {2} falsch, wie {3} Station zeigt, als ob {4}"},
+    {"the offset of tool {0=} less that of tool {1=} is wrong by {2#}, as {3#} stations show alike",
+     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist um {2} falsch, wie {3} Stationen übereinstimmend "
+     "zeigen"},
+    {"the offset of tool {0=} less that of tool {1=} is wrong by {2#}, as {3#} stations show alike, as if {4}",
+     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist um {2} falsch, wie {3} Stationen übereinstimmend "
+     "zeigen, als ob {4}"},
+    {"the points that were measured do not spread far enough over the travels of all axes",
+     "die gemessenen Punkte verteilen sich nicht weit genug über die Verfahrwege aller Achsen"},
+    {"the residuals are {0#} times as large as the uncertainties of instrument and machine allow (χ²/ν = {1#}): either "
+     "these are stated too small, or the machine does something that 21 errors of its axes do not describe, as drift, "
+     "play or bending under load; all uncertainties were multiplied by {2#}",
+     "die Residuen sind {0} mal so groß, wie die Unsicherheiten von Messgerät und Maschine erlauben (χ²/ν = {1}): "
+     "Entweder sind diese zu klein angegeben, oder die Maschine tut etwas, das 21 Abweichungen ihrer Achsen nicht "
+     "beschreiben, etwa Drift, Spiel oder Verformung unter Last; alle Unsicherheiten sind mit {2} multipliziert"},
+    {"the residuals are {0#} times what the uncertainties of instrument and machine let one expect: these are stated "
+     "too large, and so are all uncertainties",
+     "die Residuen sind {0} mal so groß, wie die Unsicherheiten von Messgerät und Maschine erwarten lassen: Diese sind "
+     "zu groß angegeben, und damit alle Unsicherheiten"},
+    {"the stations stand where they were said to only if {0}: axes or signs of the positions, or of the stations, are "
+     "mixed up",
+     "die Stationen stehen nur dann am angegebenen Ort, wenn {0}: Achsen oder Vorzeichen der Positionen oder der "
+     "Stationen sind vertauscht"},
+    {"where stations stand differs between tools {0=} and {1=} by {2#}, and not alike for all stations: the instrument "
+     "was moved between the tools, or stations are mixed up",
+     "der Ort der Stationen unterscheidet sich zwischen den Werkzeugen {0} und {1} um {2}, und nicht für alle "
+     "Stationen "
+     "gleich: Das Messgerät wurde zwischen den Werkzeugen bewegt, oder Stationen sind vertauscht"},
+    {"{0#} of {1#} lengths lie farther from what the others predict than chance allows, and was set aside; the "
+     "farthest "
+     "is {2}, by {3#}",
+     "{0} von {1} Längen liegt weiter von dem entfernt, was die übrigen vorhersagen, als der Zufall erlaubt, und ist "
+     "beiseitegelegt; am weitesten {2}, um {3}"},
+    {"{0#} of {1#} lengths lie farther from what the others predict than chance allows, and were set aside; the "
+     "farthest "
+     "is {2}, by {3#}",
+     "{0} von {1} Längen liegen weiter von dem entfernt, was die übrigen vorhersagen, als der Zufall erlaubt, und sind "
+     "beiseitegelegt; am weitesten {2}, um {3}"},
+    {"{0} ran the other way", "{0} andersherum lief"},
+    {"{0} were exchanged", "{0} vertauscht wären"},
+    {"{0} were exchanged and {1} ran the other way", "{0} vertauscht wären und {1} andersherum lief"},
+    {"{0} were exchanged and {1} ran the other way", "{0} vertauscht wären und {1} andersherum lief"},
+};
+
+}  // namespace
+
+const std::span<const Phrase> german_volumetric_findings = rows;
+
+}  // namespace axiometry::language
