@@ -56,9 +56,9 @@ Result<std::optional<double>> whole_member(JsonMembers& members, std::string_vie
   std::optional<double> x;
   AXIOMETRY_TRY_VOID(take_number(members, name, x));
   if (!x || (*x >= range.least && *x <= range.most && *x == std::floor(*x))) return x;
-  return fail(fmt::format("{}: found {}, expected a whole number from {:.0f} to {:.0f}", name, format_exact(*x),
-                          range.least, range.most),
-              members.optional(name)->at());
+  return fail(
+      fmt::format("{}: found {}, expected a whole number from {:.0f} to {:.0f}", name, *x, range.least, range.most),
+      members.optional(name)->at());
 }
 
 Result<void> take_line(JsonMembers& members, std::string_view name, std::string& target) {
