@@ -1918,8 +1918,8 @@ export interface components {
             }[] | null;
             /** @description Of the planner, for people. */
             remarks?: string[] | null;
-            /** @description For people; ignored when it is read. */
-            program?: string | null;
+            /** @description Which program wrote the plan; ignored when it is read. */
+            program?: Record<string, never> | string | null;
             /** @description For people; ignored when it is read. */
             version?: string | null;
             /** @description For people; ignored when it is read. */
