@@ -205,7 +205,7 @@ Result<app::EvaluatedLines> evaluated(const Request& request) {
   if (!form.lengths || !form.plan)
     return fail(fmt::format("found a form without {}, expected the files lengths and plan",
                             form.lengths ? "a plan" : "lengths"));
-  return app::evaluate_tracking({*form.lengths, *form.plan, form.station}, form.options);
+  return app::evaluate_presentable({*form.lengths, *form.plan, form.station}, form.options);
 }
 
 Result<Response> evaluation(const Request& request) {

@@ -261,5 +261,14 @@ TEST_F(TrackingRoutes, say_what_is_wrong_with_a_form) {
               HasSubstr("Q"));
 }
 
+TEST_F(TrackingRoutes, evaluate_no_plan_of_more_readings_than_are_shown) {
+  std::string plan = json::dump(*draft().find("plan"));
+  for (std::size_t at = plan.find("\"runs\": 2"); at != std::string::npos; at = plan.find("\"runs\": 2", at))
+    plan.replace(at, 9, "\"runs\": 5000");
+  const std::string lengths = "length_difference_mm\n1\n";
+  EXPECT_THAT(refusal(send_form("evaluation", {{"plan", plan}, {"lengths", lengths}})),
+              HasSubstr("readings in all lines, expected at most 100000"));
+}
+
 }  // namespace
 }  // namespace axiometry::server

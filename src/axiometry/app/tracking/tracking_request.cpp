@@ -9,6 +9,7 @@
 
 #include "axiometry/app/evaluate/tolerance_text.h"
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/plan/plan_request.h"
 #include "axiometry/base/number_text.h"
@@ -204,6 +205,12 @@ Result<RequestedLines> requested_lines(const Value& body) {
   AXIOMETRY_TRY(PlannedLines planned, plan_tracking(wish));
   AXIOMETRY_TRY_VOID(check_presentable(planned.plan));
   return RequestedLines{std::move(planned), settled(*request, wish.lines)};
+}
+
+Result<EvaluatedLines> evaluate_presentable(const TrackingFiles& files, const TrackingEvaluateOptions& options) {
+  AXIOMETRY_TRY(const TrackingPlan plan, in_file(formats::read_tracking_plan(files.plan.bytes), files.plan.name));
+  AXIOMETRY_TRY_VOID(in_file(check_presentable(plan), files.plan.name));
+  return evaluate_tracking(files, options);
 }
 
 Result<LocateRequest> locate_request_from(const Value& value) {

@@ -27,6 +27,10 @@ Result<TrackingPlanRequest> tracking_request_from(const json::Value& value);
 /// or 50 lines.
 Result<RequestedLines> requested_lines(const json::Value& body);
 
+/// evaluate_tracking() of what a workbench takes: it fails also on a plan that is larger, or has names that are none,
+/// as requested_lines() does, before anything is computed.
+Result<EvaluatedLines> evaluate_presentable(const TrackingFiles& files, const TrackingEvaluateOptions& options);
+
 /// TrackingDraft, its texts in the reader's language.
 json::Value lines_value(const RequestedLines& lines, const Reader& reader);
 

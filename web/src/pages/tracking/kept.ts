@@ -17,6 +17,15 @@ export function kept_page(): KeptPage {
   }
 }
 
+/** When somebody signs out. */
+export function forget_page(): void {
+  try {
+    localStorage.removeItem(key);
+  } catch {
+    // see above
+  }
+}
+
 export function keep_page(page: KeptPage): void {
   try {
     localStorage.setItem(key, JSON.stringify(page));
