@@ -65,7 +65,7 @@ export const tracking = {
 
   async 'tracking: lines that cannot be measured are told with their reasons, and a better place is proposed'(world) {
     const page = await opened(world);
-    await triple(page, /^Station/, 'Y').fill('-12');
+    await triple(page, /^Place/, 'Y').fill('-12');
     await shows(page.locator('.tracking-lines'), /Lost x\b/);
     await shows(page.locator('.tracking-lines'), /12.* mm outside the travel of Y/);
     await page.getByRole('button', { name: 'Find a better place' }).click();
@@ -73,7 +73,7 @@ export const tracking = {
     const before = await rows(page).count();
     await page.getByRole('button', { name: 'Take this place' }).first().click();
     await page.waitForFunction((n) => document.querySelectorAll('.tracking-lines tbody tr').length > n, before);
-    await triple(page, /^Station/, 'X').fill('90000');
+    await triple(page, /^Place/, 'X').fill('90000');
     await shows(page.getByRole('alert'), /found/);
     await page.getByRole('button', { name: 'Begin anew' }).click();
     await shows(page.locator('.tracking-lines'), 'Mount the reflector');
@@ -112,7 +112,7 @@ export const tracking = {
     const report = await downloaded(page, () => page.getByRole('button', { name: 'Report PDF' }).first().click());
     assert.equal(report.bytes.subarray(0, 5).toString(), '%PDF-');
     await page.locator('.located').getByRole('button', { name: 'Discard' }).click();
-    assert.equal(await triple(page, /^Station/, 'X').inputValue(), '100');
+    assert.equal(await triple(page, /^Place/, 'X').inputValue(), '100');
   },
 
   async 'tracking: lengths that are dropped give results of all lines, findings, verdicts and the report'(world) {

@@ -4,6 +4,7 @@
 import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { texts } from '../i18n/texts';
 import { shortest } from '../numbers';
+import { decimal } from '../settings';
 import { drawing_of } from './scene/drawing';
 import { watch_hands } from './scene/hands';
 import type { SceneModel } from './scene/model';
@@ -63,7 +64,7 @@ export function Scene({ model, name, description, height = 420, on_choose }: Pro
     return () => { watch.disconnect(); end.abort(); };
   }, []);
   const tall = Math.min(height, Math.max(260, width * 0.9));
-  const drawing = useMemo(() => drawing_of(model, view, [width, tall], (mm) => shortest(mm, 1)), [model, view, width, tall, shortest(0.5)]);
+  const drawing = useMemo(() => drawing_of(model, view, [width, tall], (mm) => shortest(mm, 1)), [model, view, width, tall, decimal.value]);
   const key = (event: KeyboardEvent) => {
     const next = event.ctrlKey || event.metaKey || event.altKey ? null : view_by_key(view, event.key, event.shiftKey);
     if (next === null) return;

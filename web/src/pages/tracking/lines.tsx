@@ -7,6 +7,7 @@ import { sentence } from '../../components/findings';
 import { Scene } from '../../components/scene';
 import { DataTable } from '../../components/table';
 import { fixed, shortest } from '../../numbers';
+import { language } from '../../settings';
 import { lasting } from '../plan/outcome';
 import { TextNumber, type FormProps } from './fields';
 import type { TrackingForm } from './form';
@@ -30,7 +31,7 @@ export function LinesPanel(props: Props) {
   const [ways, set_ways] = useState(false);
   const [beams, set_beams] = useState(true);
   const drawn = is_of_request ? draft : null;
-  const scene = useMemo(() => request && tracking_scene({ request, draft: drawn, points }, { ways, beams, chosen }), [request, drawn, points, ways, beams, chosen]);
+  const scene = useMemo(() => request && tracking_scene({ request, draft: drawn, points }, { ways, beams, chosen }), [request, drawn, points, ways, beams, chosen, language.value]);
   return (
     <section class="panel tracking-lines" aria-labelledby="tracking-lines">
       <header>

@@ -2,6 +2,7 @@
 // The set-up of a tracking interferometer in terms of the picture.
 import type { TrackingDraft, TrackingPoints, TrackingRequest } from '../../api/types';
 import { station_solids, type Place, type SceneModel, type ScenePath, type ScenePoint, type SceneSolid, type Token } from '../../components/scene';
+import { t } from './texts';
 
 const colours: Record<string, Token> = {
   x: '--series-1', y: '--series-3', z: '--series-4', xy: '--series-2', xz: '--series-5', yz: '--series-6', xyz: '--series-7',
@@ -27,7 +28,7 @@ export function tracking_scene({ request, draft, points }: Subject, shown: Shown
   const foot = Math.min(box.low[2], station[2] - 0.06 * size);
   return {
     box,
-    solids: [...station_solids('station', station, 0.03 * size, foot, ''), ...obstacles_of(setup)],
+    solids: [...station_solids('station', station, 0.03 * size, foot, t('station')), ...obstacles_of(setup)],
     paths: draft === null ? [] : [
       ...(shown.beams ? draft.lines.map((line, k) => beam(station, line, k)) : []),
       ...(shown.ways ? [{ key: 'way', places: draft.way_mm.map(place), colour: '--ink-quiet', dash: [2, 3], quiet: true } as ScenePath] : []),

@@ -41,7 +41,7 @@ export function StationPanel(props: Props) {
       <header><h2 id="tracking-station"><span class="step">2</span>{t('station')}</h2></header>
       <div class="tracking-form">
         {located === null
-          ? <TripleFields legend={t('station')} hint={t('station_hint')} name="station" values={form.station} faults={faults} set={(station) => change({ station })} />
+          ? <TripleFields legend={t('place')} hint={t('station_hint')} name="station" values={form.station} faults={faults} set={(station) => change({ station })} />
           : <LocatedPlace located={located} discard={() => locate(null)} />}
         {located === null && <Advice {...{ request, busy, asking }} use={(place) => change({ station: place.map((x) => String(Math.round(x * 1000) / 1000)) })} />}
         {error && <FailureNotice error={error} />}

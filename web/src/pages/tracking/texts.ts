@@ -21,6 +21,7 @@ export const t = texts({
   ],
   // 2
   station: ['Station', 'Standort'],
+  place: ['Place', 'Platz'],
   station_hint: [
     'Where the instrument stands, measured with a rule: in the coordinates that the reflector has.',
     'Wo das Gerät steht, mit dem Maßstab gemessen: in den Koordinaten, die der Reflektor hat.',
