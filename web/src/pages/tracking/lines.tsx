@@ -41,6 +41,7 @@ export function LinesPanel(props: Props) {
       <Programme {...props} />
       {failure}
       {scene && <Scene model={scene} name={t('picture')} description={told(request, drawn)} height={460} on_choose={(key) => set_chosen(key === chosen ? null : key)} />}
+      <p class="only-print">{told(request, drawn)}</p>
       <div class="row no-print scene-parts">
         <label><input type="checkbox" checked={beams} onChange={(event) => set_beams(event.currentTarget.checked)} />{t('beams')}</label>
         <label><input type="checkbox" checked={ways} onChange={(event) => set_ways(event.currentTarget.checked)} />{t('ways')}</label>
