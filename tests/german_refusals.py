@@ -5,6 +5,7 @@ import pathlib
 import re
 import sys
 import tempfile
+import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests/server"))
@@ -46,6 +47,32 @@ DRAFT = {"axis": "X", "kind": "linear", "from": 0, "to": 500, "positions": None,
 WRONG_PLANS = [{"from": 500, "to": 0}, {"to": "x"}, {"kind": "foo"}, {"cycle": "foo"}, {"runs": 0}, {"feed": 0},
                {"dwell_s": -1}, {"overrun": 300}, {"targets": 1}, {"positions": [1, 1]}, {"positions": "x"}, {"to": 1e9},
                {"further": {"acceleration": "x"}}, {"further": {"foo": "1"}}, {"cycle": "user-defined"}]
+SETUP = {"travel": {"lowest_mm": [0, 0, -500], "highest_mm": [800, 600, 0]}, "station": {"position_mm": [100, 80, -400]}}
+WRONG_LINES = [{"setup": {}}, {"setup": 5}, {"setup": {**SETUP, "station": "here"}}, {"setup": {**SETUP, "colour": 1}},
+               {"setup": {**SETUP, "travel": {"lowest_mm": [0, 0, 0], "highest_mm": [0, 1, 1]}}}, {"runs": 0}, {"runs": 1e6},
+               {"setup": {**SETUP, "station": {"position_mm": [9e5, 0, 0]}}}, {"turn_reflector": "yes"}, {"rule": "foo"},
+               {"setup": {**SETUP, "obstacles": [{"name": "a"}] * 2}}, {"lines": ["foo"]}, {"lines": ["x"] * 60},
+               {"targets": 9000, "runs": 2}, {"targets": 1}, {"periods_mm": [1]}, {"periods_mm": [-1, None, None]},
+               {"seed": 0.5}, {"step_mm": 0}, {"feed": 0}, {"machine": "x" * 600}, {"foo": 1}, {"overrun_mm": 900},
+               {"setup": {**SETUP, "obstacles": [{"sphere": {"centre_mm": [1, 1, 1], "radius_mm": 1}}] * 101}},
+               {"setup": {**SETUP, "ranging": {"constant_um": 0, "per_length_um_per_m": 0}}}]
+WRONG_POINTS = [b"", b"x_mm,y_mm\n1,2\n", b"x_mm,y_mm,z_mm,length_difference_mm\n1,2,three,4\n",
+                b"x_mm,y_mm,z_mm,length_difference_mm\n1,2,3,4\n"]
+
+
+def form(**parts):
+    """A form of files, and of options without a file name."""
+    text = ""
+    for name, content in parts.items():
+        file = "" if name == "options" else f'; filename="{name}.x"'
+        text += f'--b\r\nContent-Disposition: form-data; name="{name}"{file}\r\n\r\n{content}\r\n'
+    return (text + "--b--\r\n").encode()
+
+
+WRONG_FORMS = [form(lengths="a"), form(plan="{}"), form(plan="{}", lengths="a"), form(colour="red"), form(options="{"),
+               form(options='{"foo": 1}'), form(options='{"tolerances": ["Q=1um"]}'), form(options='{"rule": "foo"}'),
+               form(options='{"tolerances": ["A=1um", "A=2um"]}'), form(options='{"break_threshold_mm": 0}'),
+               form(options='{"reversed": 1}'), form(options=json.dumps({"tolerances": ["A=1um"] * 300})), b""]
 ENGLISH = re.compile(r"(?<![\w\"„'.-])(?:found|expected|the|of|with|and|one|not|no|is|are|must|some|twice|beside|from|to|by|"
                      r"whole|number|which|without|below|above|least|each|they|there|than)(?![\w\"“'.=-])")
 
@@ -68,6 +95,23 @@ def answers(program):
             yield ask("POST", "/api/tests/1/versions", change)
         for change in WRONG_PLANS:
             yield ask("POST", "/api/plans/draft", {**DRAFT, **change})
+        for change in WRONG_LINES:
+            yield ask("POST", "/api/tracking/lines", {"request": {"setup": SETUP, "turn_reflector": True, **change}})
+        for body in ({}, {"request": {"setup": SETUP}, "plan": {}}, {"plan": {}}, {"plan": 5}):
+            yield ask("POST", "/api/tracking/lines", body)
+        for body in ({}, {"request": {"setup": SETUP}, "count": 0.5}, {"request": {"setup": SETUP}, "count": 99}):
+            yield ask("POST", "/api/tracking/points", body)
+        yield ask("POST", "/api/tracking/lines/program", {"request": {"setup": SETUP, "turn_reflector": True}, "dialect": "foo"})
+        yield ask("POST", "/api/tracking/lines/program", {"request": {"setup": SETUP, "turn_reflector": True},
+                                                          "dialect": "fanuc", "line": "foo"})
+        yield ask("POST", "/api/tracking/lines/sheet.docx", {"request": {"setup": SETUP, "turn_reflector": True}})
+        for content in WRONG_POINTS:
+            yield ask("POST", "/api/tracking/station", content, **{"X-File-Name": "points.csv"})
+        for options in ('{"foo":1}', '{"machine_sigma_um":-1}', '{"near_mm":[1]}', "{", f'{{"a":"{"x" * 9}"}}'):
+            yield ask("POST", "/api/tracking/station?options=" + urllib.parse.quote(options), WRONG_POINTS[3])
+        for content in WRONG_FORMS:
+            yield ask("POST", "/api/tracking/evaluation", content, **{"Content-Type": "multipart/form-data; boundary=b"})
+        yield ask("POST", "/api/tracking/evaluation", b"a", **{"Content-Type": "text/csv"})
         for path in ("/api/tests/99", "/api/machines/99", "/api/nothing", "/api/tests?limit=abc", "/api/tests/1/report.docx"):
             yield ask("GET", path)
         for body in ({}, {"name": ""}, {"name": 5}, {"name": "x" * 5000}):

@@ -26,12 +26,14 @@ OF_THE_API = {
     "ImportProfile": {"schema": ["import-profile"], "whole": True},  # answers leave nothing out
     "Metadata": {"schema": [], "left_out": ["format", "source", "series", "times_s"]},
     "PlanFile": {"schema": ["plan"]},
+    "TrackingPlanFile": {"schema": ["tracking-plan"]},
 }
 
 
 def component(name, schema, part):
     """A published schema, or what is wanted of it, as one of the description's."""
     text = json.dumps(schema).replace('"$ref": "#"', f'"$ref": "#/components/schemas/{name}"')
+    text = text.replace('"urn:axiometry:schema:axiometry-plan:1"', '"#/components/schemas/PlanFile"')
     left_out = ["$schema", *part.get("left_out", [])]
     properties = {key: value for key, value in json.loads(text)["properties"].items() if key not in left_out}
     required = [key for key in (properties if part.get("whole") else schema["required"]) if key in properties]

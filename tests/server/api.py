@@ -8,6 +8,7 @@ Usage: api.py PROGRAM [--store postgresql://…]
 A PostgreSQL store must be empty.
 """
 import json
+import math
 import pathlib
 import sys
 import tempfile
@@ -213,6 +214,39 @@ def plans(play):
     play.checks.that("the program moves the axis", b"X" in program.body, program.body[:200])
 
 
+def tracking(play):
+    """From the set-up to the report of seven lines, with lengths of a perfect machine."""
+    at = [100, 80, -600]
+    setup = {"travel": {"lowest_mm": [0, 0, -500], "highest_mm": [800, 600, 0]}, "tool_offset_mm": [0, 0, -120],
+             "station": {"position_mm": at}}
+    wish = {"request": {"setup": setup, "turn_reflector": True, "runs": 2, "seed": 7}}
+    draft = play.expect(200, "POST", "/api/tracking/lines", wish).json()
+    play.checks.that("seven lines are planned", len(draft["lines"]) == 7, draft["lost"])
+    play.expect(200, "POST", "/api/tracking/lines/program", {"plan": draft["plan"], "dialect": "heidenhain"})
+    play.expect(200, "POST", "/api/tracking/lines/sheet.pdf", {"plan": draft["plan"]})
+    play.expect(422, "POST", "/api/tracking/lines", {"request": {"setup": {}}})
+    play.expect(200, "POST", "/api/tracking/station/advice", wish)
+    points = play.expect(200, "POST", "/api/tracking/points", wish).json()["points"]
+    play.expect(200, "POST", "/api/tracking/points/sheet.html", wish)
+    places = [point["reflector"] for point in points]
+    rows = [[*place, math.dist(place, at) - math.dist(places[0], at)] for place in places]
+    table = "\n".join(["x_mm,y_mm,z_mm,length_difference_mm", *(",".join(map(repr, row)) for row in rows)]).encode()
+    found = play.expect(200, "POST", "/api/tracking/station", table, {"X-File-Name": "points.csv"}).json()
+    play.checks.that("the station is found", math.dist(found["refined"]["station"], at) < 0.01, found["refined"])
+    station = play.expect(200, "POST", "/api/tracking/station/report.json", table).body
+    lengths = "\n".join(["line,target,direction,run,length_difference_mm", *(
+        f"{line['id']},{k + 1},{way},{run},{math.dist(place, at)!r}" for line in draft["lines"] for run in (1, 2)
+        for way in ("up", "down") for k, place in enumerate(line["targets"]))]).encode()
+    sent = form((b'name="plan"; filename="lines.json"', json.dumps(draft["plan"]).encode()),
+                (b'name="station"; filename="station.json"', station), (b'name="lengths"; filename="lengths.csv"', lengths),
+                (b'name="options"', b'{"tolerances": ["E=5um"]}'))
+    lines = play.expect(200, "POST", "/api/tracking/evaluation", *sent).json()["lines"]
+    play.checks.that("all lines conform", all(line["test"]["verdict"] == "conforms" for line in lines),
+                     [line["test"].get("tolerances") for line in lines][:1])
+    play.expect(200, "POST", "/api/tracking/evaluation/report.pdf", *sent)
+    play.expect(413, "POST", "/api/tracking/station", bytes(300 << 10), {"X-File-Name": "points.csv"})
+
+
 def captures(play):
     if play.server.request("GET", "/api/sources").status == 404:
         return
@@ -251,6 +285,7 @@ def main():
             reports(play, test)
             equipment(play)
             plans(play)
+            tracking(play)
             captures(play)
             examples(play, program, folder)
             described = {(method.upper(), path) for path, operations in OPENAPI["paths"].items() for method in operations}

@@ -97,8 +97,9 @@ class JsonSchemas {
 
   static bool is_known(std::string_view keyword) {
     constexpr std::string_view known =
-        " $ref allOf anyOf oneOf type enum const minimum maximum exclusiveMaximum pattern items prefixItems minItems "
-        "maxItems uniqueItems properties required propertyNames additionalProperties unevaluatedProperties format "
+        " $ref allOf anyOf oneOf type enum const minimum maximum exclusiveMaximum minLength pattern items prefixItems "
+        "minItems maxItems uniqueItems properties required propertyNames additionalProperties unevaluatedProperties "
+        "format "
         "description default examples ";
     return known.find(fmt::format(" {} ", keyword)) != std::string_view::npos;
   }
@@ -127,6 +128,9 @@ class JsonSchemas {
     const double x = value.is(Kind::number) ? value.number() : std::nan("");
     if ((least && x < least->number()) || (most && x > most->number()) || (end && x >= end->number()))
       found.fault(place, fmt::format("found {}, expected it within its bounds", x));
+    const Value* length = schema.find("minLength");
+    if (length && value.is(Kind::text) && static_cast<double>(value.text().size()) < length->number())
+      found.fault(place, fmt::format("found {}, expected a longer text", shown(value)));
     const Value* pattern = schema.find("pattern");
     if (pattern && value.is(Kind::text) && !std::regex_search(value.text(), std::regex(pattern->text())))
       found.fault(place, fmt::format("found {}, expected {}", shown(value), pattern->text()));

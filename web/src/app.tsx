@@ -14,6 +14,7 @@ const sections = [
   ['/instruments', 'instruments', ['/instruments']],
   ['/plans', 'plans', ['/plans']],
   ['/captures', 'capture', ['/captures']],
+  ['/tracking', 'tracking', ['/tracking']],
   ['/settings', 'settings', ['/settings', '/audit']],
 ] as const;
 
@@ -22,6 +23,7 @@ export function App() {
   const found = routed(routes, path);
   use_title_of_heading();
   use_focus_on_arrival(path);
+  useEffect(() => document.querySelector('.bar nav [aria-current]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' }), [path]);
   return (
     <>
       <a class="skip" href="#content" onClick={(event) => { event.preventDefault(); focus_content(); }}>{t('skip')}</a>

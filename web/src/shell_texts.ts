@@ -7,6 +7,7 @@ export const t = texts({
   instruments: ['Instruments', 'Messmittel'],
   plans: ['Plans', 'Prüfpläne'],
   capture: ['Capture', 'Erfassung'],
+  tracking: ['Tracking', 'Tracking'],
   settings: ['Settings', 'Einstellungen'],
   sections: ['Sections', 'Bereiche'],
   skip: ['To the content', 'Zum Inhalt'],

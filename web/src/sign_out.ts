@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who signs out leaves nothing of theirs in this browser: no name, no unsaved edits, no chosen files, in no tab.
+// Who signs out leaves nothing of theirs in this browser: no name, no unsaved edits, no chosen files, no set-up, in no tab.
 import { send } from './api/client';
 import { ask_health, signed_in } from './api/session';
 import { forget_drafts } from './pages/test/draft_store';
 import { remove_all } from './pages/tests/incoming';
+import { forget_page } from './pages/tracking/kept';
 import { actor } from './settings';
 
 const other_tabs = new BroadcastChannel('axiometry.signed-out');
@@ -12,6 +13,7 @@ function forget(): void {
   signed_in.value = false;  // takes every page away, and what it holds with it
   remove_all();
   forget_drafts();
+  forget_page();
   actor.value = '';
 }
 

@@ -13,7 +13,7 @@ async function sign_in(page) {
   await page.getByRole('button', { name: 'Sign in' }).click();
 }
 
-const left_behind = (page) => page.evaluate(() => ({ ...sessionStorage, actor: localStorage.getItem('axiometry.actor') }));
+const left_behind = (page) => page.evaluate(() => ({ ...sessionStorage, actor: localStorage.getItem('axiometry.actor'), tracking: localStorage.getItem('axiometry.tracking') }));
 
 export const sign_out = {
   async 'who signs out leaves neither name nor unsaved edits in any tab'(world) {
@@ -36,6 +36,9 @@ export const sign_out = {
     }
     assert.match(JSON.stringify(await left_behind(first)), /misalignment.*Anna Beispiel/);
 
+    await first.goto('/tracking');
+    await first.getByLabel('Name', { exact: true }).fill('Mill of a customer');
+    await first.waitForFunction(() => localStorage.getItem('axiometry.tracking')?.includes('Mill of a customer'));
     await first.goto('/');
     await first.setInputFiles('input[type=file]', [{ name: 'chosen.csv', mimeType: 'text/csv', buffer: Buffer.from('a,b\n') }]);
     await shows(first.locator('.previews'), 'chosen.csv');
@@ -43,7 +46,7 @@ export const sign_out = {
     await first.getByRole('button', { name: 'Sign out' }).click();
     for (const page of [first, second]) {
       await page.getByLabel(/token/i).waitFor();
-      assert.deepEqual(await left_behind(page), { actor: null });
+      assert.deepEqual(await left_behind(page), { actor: null, tracking: null });
     }
 
     await sign_in(first);
@@ -52,7 +55,7 @@ export const sign_out = {
     assert.equal(await first.getByText('chosen.csv').count(), 0);
     await second.reload();
     await shows(second.locator('main'), /9\.6/);
-    assert.deepEqual(await left_behind(second), { actor: null });
+    assert.deepEqual(await left_behind(second), { actor: null, tracking: null });
     await second.goto('/settings');
     assert.equal(await second.getByLabel(/name/i).inputValue(), '');
     const { latest } = await world.api('GET', `/api/tests/${id}`, undefined, { Authorization: `Bearer ${token}` });

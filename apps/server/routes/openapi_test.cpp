@@ -48,6 +48,7 @@ std::vector<Router::Route> served() {
   add_equipment_routes(router, context);
   add_plan_routes(router, context);
   add_capture_routes(router, context);
+  add_tracking_routes(router);
   return router.routes();
 }
 

@@ -33,6 +33,7 @@ extern const std::span<const Phrase> german_profile;              ///< import pr
 extern const std::span<const Phrase> german_capture;              ///< live captures and recordings
 extern const std::span<const Phrase> german_terminal;             ///< summaries in a terminal
 extern const std::span<const Phrase> german_requests;             ///< requests to the workbench
+extern const std::span<const Phrase> german_tracking_requests;    ///< and about a tracking interferometer
 
 /// All of them.
 std::span<const std::span<const Phrase>> german_tables();

@@ -102,6 +102,13 @@ export async function made(path: string, body: unknown, signal?: AbortSignal): P
   );
 }
 
+/** The same of files, as a form with their names or a single one. */
+export async function made_of_files(path: string, files: FormData | File, signal?: AbortSignal): Promise<Response> {
+  const named: Record<string, string> = files instanceof FormData ? {}
+    : { 'Content-Type': files.type || 'application/octet-stream', 'X-File-Name': encodeURIComponent(files.name) };
+  return answered(fetch(path, { method: 'POST', body: files, headers: headers(named), signal: signal ?? null }));
+}
+
 /** The same offered to the user as a file. */
 export async function download_made(path: string, body: unknown, file_name: string): Promise<void> {
   offer(await (await made(path, body)).blob(), file_name);

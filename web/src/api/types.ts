@@ -273,6 +273,51 @@ export interface components {
             /** @description The evaluation took. */
             milliseconds: number;
         };
+        EvaluatedLine: {
+            id: string;
+            standard: string;
+            direction: components["schemas"]["Place"] | null;
+            slope: {
+                um_per_m: number;
+                u_um_per_m: number;
+            };
+            distances_mm: number[];
+            length_difference: {
+                station_uncertainty_mm: number[];
+                bounds_um: number[];
+                negligible_from_mm: number | null;
+            } | null;
+            beam_angle_most_deg: number;
+            breaks: {
+                before_reading: number;
+                jump_mm: number;
+            }[];
+            dead_paths: {
+                first_reading: number;
+                readings: number;
+                dead_path_mm: number;
+                u_mm: number;
+                ties: number;
+                tied: boolean;
+            }[];
+            test: components["schemas"]["Result"];
+        };
+        EvaluationForm: {
+            /** Format: binary */
+            lengths: string;
+            /**
+             * Format: binary
+             * @description The plan whose lines were measured.
+             */
+            plan: string;
+            /**
+             * Format: binary
+             * @description As it was located, in place of the plan's.
+             */
+            station?: string;
+            /** @description JSON, without a file name: tolerances (a list such as A=10um, xy:E=20um), rule, reversed, find_breaks, break_threshold_mm. */
+            options?: string;
+        };
         ExamplesLoaded: {
             /** @description How many. */
             tests: number;
@@ -680,8 +725,19 @@ export interface components {
          * @enum {string}
          */
         LimitSource: "axis" | "table" | "test" | "entered" | "user";
+        /** @description Members of the query `options`. */
+        LocateOptions: {
+            tool_offset_mm?: components["schemas"]["Place"];
+            near_mm?: components["schemas"]["Place"];
+            machine_sigma_um?: number;
+            ranging?: components["schemas"]["TrackingPlanFile"]["setup"]["ranging"];
+        };
         Login: {
             token: string;
+        };
+        LostLine: {
+            id: string;
+            reason: string;
         };
         Machine: {
             axes: components["schemas"]["Axis"][];
@@ -717,6 +773,8 @@ export interface components {
         MachineVersions: {
             versions: components["schemas"]["MachineVersion"][];
         };
+        /** @description Rows of X, Y, Z. */
+        Matrix: number[][];
         /**
          * @description Of which the uncertainty is: what these approaches would have given with perfect instruments, or what the axis does in the long run.
          * @enum {string}
@@ -1138,6 +1196,8 @@ export interface components {
             B: number | null;
             B_mean: number | null;
         };
+        /** @description X, Y, Z. */
+        Place: number[];
         Plan: components["schemas"]["PlanRow"] & components["schemas"]["PlanDraft"];
         PlanDraft: {
             plan: components["schemas"]["PlanFile"];
@@ -1582,6 +1642,13 @@ export interface components {
             low: number;
             high: number;
         };
+        /** @description How many lines a station keeps, and the length of the shortest of them. */
+        StationKeeps: {
+            position_mm: components["schemas"]["Place"];
+            reflector_axis: components["schemas"]["Place"];
+            lines: number;
+            shortest_mm: number;
+        };
         Test: {
             id: components["schemas"]["Id"];
             version: number;
@@ -1650,6 +1717,355 @@ export interface components {
             actor: string;
             reason: string;
             version: number;
+        };
+        TrackingAdvice: {
+            /** @description Of the seven that were asked for. */
+            lines: number;
+            now: components["schemas"]["StationKeeps"];
+            /** @description Places that keep more lines, or a longer shortest one. */
+            better: {
+                position_mm: components["schemas"]["Place"];
+                reflector_axis: components["schemas"]["Place"];
+                lines: number;
+                shortest_mm: number;
+                /** @description Higher or lower than the station given stands. */
+                raised: boolean;
+            }[];
+        };
+        TrackingDraft: {
+            plan: components["schemas"]["TrackingPlanFile"];
+            /** @description With the seed and the date, so that it makes the same plan again; null of a plan that was given. */
+            request: components["schemas"]["TrackingRequest"] | null;
+            duration_s: number;
+            /** @description Where the reflector may stand. */
+            reach: {
+                lowest_mm: components["schemas"]["Place"];
+                highest_mm: components["schemas"]["Place"];
+            };
+            /** @description In the order in which they are driven. */
+            lines: components["schemas"]["TrackingLine"][];
+            lost: components["schemas"]["LostLine"][];
+            remarks: string[];
+            /** @description Of the reflector, from line to line. */
+            way_mm: components["schemas"]["Place"][];
+        };
+        /** @description As `axiometry tracking evaluate --json` writes it; docs/results.md explains it. */
+        TrackingEvaluation: {
+            /** @constant */
+            result: "tracking-evaluation";
+            machine: string;
+            setup: components["schemas"]["TrackingPlanFile"]["setup"];
+            lines: components["schemas"]["EvaluatedLine"][];
+            iso230_6: {
+                standard: string;
+                lines: string[];
+                E: {
+                    line: string;
+                    value_um: number;
+                } | null;
+                R: {
+                    line: string;
+                    value_um: number;
+                } | null;
+                B: {
+                    line: string;
+                    value_um: number;
+                } | null;
+            };
+            squareness: {
+                terms: {
+                    id: string;
+                    um_per_m: number | null;
+                    u_um_per_m: number | null;
+                }[];
+                rank: number;
+                degrees_of_freedom: number;
+                chi_squared: number | null;
+                residuals_um_per_m: number[];
+                notes: string[];
+            } | null;
+            findings: components["schemas"]["TrackingFinding"][];
+            source: {
+                file: string;
+                sha256: components["schemas"]["Sha256"];
+                format: string;
+                plan: {
+                    file: string;
+                    sha256: components["schemas"]["Sha256"];
+                };
+                station: {
+                    file: string;
+                    sha256: components["schemas"]["Sha256"];
+                } | null;
+            };
+            program: components["schemas"]["Program"];
+        };
+        TrackingFinding: {
+            /** @enum {string} */
+            severity: "serious" | "note";
+            message: string;
+        };
+        TrackingLine: {
+            id: string;
+            standard: string;
+            /** @description Where the reflector stands at them, mm. */
+            targets: components["schemas"]["Place"][];
+            runs: number;
+            readings: number;
+            /** @description What of the line the instrument can measure, by the distance from the station; null of a diagonal of the travels. */
+            usable: {
+                octant: string;
+                begin_mm: number;
+                end_mm: number;
+                limited_by_begin: string;
+                limited_by_end: string;
+            } | null;
+        };
+        /** @description A test of several lines in space with a tracking interferometer. */
+        TrackingPlanFile: {
+            /** @constant */
+            format: "axiometry-tracking-plan/1";
+            /** @description Which test this is. */
+            title?: string | null;
+            /** @description Name of the machine. */
+            machine?: string | null;
+            /** @description Date on which the plan was made. */
+            date?: string | null;
+            /** @description Machine, instrument and what stands about. */
+            setup: {
+                /** @description Where the axes may stand. */
+                travel: {
+                    /** @description Corner with the lowest X, Y, Z. */
+                    lowest_mm: number[];
+                    /** @description Corner with the highest X, Y, Z. */
+                    highest_mm: number[];
+                };
+                /** @description From where the axes stand to the centre of the reflector. */
+                tool_offset_mm?: number[];
+                /** @description The place of the instrument. */
+                station: {
+                    /** @description Where the instrument stands, in the reflector's coordinates. */
+                    position_mm: number[];
+                    /** @description Covariance of the station; absent when nothing is known about it. */
+                    covariance_mm2?: number[][] | null;
+                };
+                /** @description What instrument and reflector can do. */
+                limits?: {
+                    /** @description Shortest distance of the instrument. */
+                    range_least_mm?: number | null;
+                    /** @description Longest distance of the instrument. */
+                    range_most_mm?: number | null;
+                    /** @description Of the beam above the plane of X and Y. */
+                    elevation_lowest_deg?: number | null;
+                    /** @description Of the beam above the plane of X and Y. */
+                    elevation_highest_deg?: number | null;
+                    /** @description Where the reflector looks, from the spindle. */
+                    reflector_axis?: number[];
+                    /** @description Between the beam and the reflector's axis. */
+                    incidence_most_deg?: number | null;
+                    /** @description Nothing of the machine comes nearer to the station. */
+                    safe_radius_mm?: number | null;
+                    /** @description A shorter line is not worth a test. */
+                    line_least_mm?: number | null;
+                };
+                /** @description Expanded uncertainty (k = 2) of a length L: a + b·L. */
+                ranging?: {
+                    /** @description a, in µm. */
+                    constant_um?: number | null;
+                    /** @description b, in µm/m. */
+                    per_length_um_per_m?: number | null;
+                };
+                /** @description What stands in the way of reflector and beam. */
+                obstacles?: {
+                    /** @description What it is. */
+                    name?: string | null;
+                    /** @description With edges along X, Y, Z. */
+                    box?: {
+                        /** @description Corner with the lowest X, Y, Z. */
+                        lowest_mm: number[];
+                        /** @description Corner with the highest X, Y, Z. */
+                        highest_mm: number[];
+                    };
+                    /** @description A ball. */
+                    sphere?: {
+                        /** @description Centre. */
+                        centre_mm: number[];
+                        /** @description Radius. */
+                        radius_mm: number | null;
+                    };
+                    /** @description Upright, along Z. */
+                    cylinder?: {
+                        /** @description Middle of the lower end. */
+                        base_mm: number[];
+                        /** @description Radius. */
+                        radius_mm: number | null;
+                        /** @description Height. */
+                        height_mm: number | null;
+                    };
+                }[] | null;
+            };
+            lines: {
+                /** @description Such as xy or NNN-PPP. */
+                id: string;
+                plan: components["schemas"]["PlanFile"];
+            }[];
+            /** @description Lines that cannot be measured from this station. */
+            lost?: {
+                /** @description Of the line. */
+                id?: string | null;
+                /** @description Why it cannot be measured. */
+                reason?: string | null;
+            }[] | null;
+            /** @description Of the planner, for people. */
+            remarks?: string[] | null;
+            /** @description Which program wrote the plan; ignored when it is read. */
+            program?: Record<string, never> | string | null;
+            /** @description For people; ignored when it is read. */
+            version?: string | null;
+            /** @description For people; ignored when it is read. */
+            duration_s?: number | null;
+        };
+        TrackingPoints: {
+            points: {
+                axes: components["schemas"]["Place"];
+                reflector: components["schemas"]["Place"];
+            }[];
+            /** @description How well they will find the station. */
+            expected: {
+                covariance_mm2: components["schemas"]["Matrix"];
+                amplification: components["schemas"]["Place"];
+                condition_refined: number;
+                condition_linear: number;
+            };
+            remarks: string[];
+            /** @description The table to be filled in at the machine, which `/api/tracking/station` reads. */
+            csv: string;
+        };
+        /** @description Either a request or a plan, and the control. */
+        TrackingProgramRequest: {
+            request?: components["schemas"]["TrackingRequest"];
+            plan?: components["schemas"]["TrackingPlanFile"];
+            /** @description Of the vocabulary. */
+            dialect: string;
+            /** @description One line alone; all of them in one program when left out or empty. */
+            line?: string;
+            /** @description By the names of the query of `/api/plans/{id}/program`. */
+            options?: {
+                [key: string]: string | number | boolean;
+            };
+        };
+        /** @description What shall be planned with a tracking interferometer. */
+        TrackingRequest: {
+            setup: components["schemas"]["TrackingPlanFile"]["setup"];
+            /** @description Mount the reflector so that it sees the most lines; else as the set-up has it. */
+            turn_reflector?: boolean | null;
+            /** @description Of x, y, z, xy, xz, yz, xyz, and full diagonals of the travels: body, face, or some such as NNN-PPP. All seven when left out. */
+            lines?: string[] | null;
+            /**
+             * @description Diagonals from the station: equal increments, or towards the corner of the travels.
+             * @enum {unknown}
+             */
+            rule?: "equal" | "corner" | null;
+            /** @description Of each line; as the clause asks when left out. */
+            targets?: number | null;
+            /** @description Approaches to each target from each direction. */
+            runs?: number | null;
+            overrun_mm?: number | null;
+            /** @description mm/min. */
+            feed?: number | null;
+            dwell_s?: number | null;
+            /** @description Of the axes, mm/s². */
+            acceleration?: number | null;
+            warm_up_runs?: number | null;
+            /** @description Expected of periodic errors of X, Y, Z. */
+            periods_mm?: (number | null)[] | null;
+            /** @description To which coordinates of targets are rounded. */
+            step_mm?: number | null;
+            /** @description Of the random part of the targets; drawn when left out. */
+            seed?: number | null;
+            title?: string | null;
+            machine?: string | null;
+            date?: string | null;
+        };
+        /** @description As `axiometry tracking locate --json` writes it; docs/howto/find-the-station.md explains it. */
+        TrackingStation: {
+            /** @constant */
+            result: "station-location";
+            units: {
+                lengths: string;
+                covariance: string;
+                psi: string;
+                misclosure: string;
+                equation_residuals: string;
+                redundant_residual: string;
+            };
+            linear: {
+                station: components["schemas"]["Place"] | null;
+                L0: number | null;
+                psi: number | null;
+                rank: number;
+                numerical_rank: number;
+                rank_tolerance: number;
+                condition: number;
+                singular_values: number[];
+                covariance: components["schemas"]["Matrix"] | null;
+                residuals: number[] | null;
+                equation_residuals: number[] | null;
+                redundant_residual: number | null;
+                misclosure: number | null;
+                misclosure_u: number | null;
+            } | null;
+            refined: {
+                station: components["schemas"]["Place"];
+                L0: number;
+                covariance: components["schemas"]["Matrix"];
+                covariance_stated: components["schemas"]["Matrix"];
+                inflation: number;
+                L0_variance: number;
+                residuals: number[];
+                sigma: number[];
+                chi_squared: number;
+                degrees_of_freedom: number;
+                chance: number;
+                condition: number;
+                singular_values: number[];
+                iterations: number;
+                converged: boolean;
+            };
+            difference: components["schemas"]["Place"] | null;
+            difference_u: components["schemas"]["Place"] | null;
+            misclosure: number | null;
+            critical_surface: string;
+            eccentricity: number | null;
+            /** @description Another place that the lengths do not rule out. */
+            mirror: components["schemas"]["Place"] | null;
+            findings: components["schemas"]["TrackingFinding"][];
+            points: {
+                at: components["schemas"]["Place"];
+                length_difference: number;
+            }[];
+            options: {
+                ranging_constant_um: number;
+                ranging_per_length_um_per_m: number;
+                machine_sigma_um: number;
+                near: components["schemas"]["Place"] | null;
+                tool_offset: components["schemas"]["Place"];
+            };
+            source: {
+                file: string;
+                sha256: components["schemas"]["Sha256"];
+            };
+            program: components["schemas"]["Program"];
+        };
+        /** @description Either a request or a plan. */
+        TrackingSubject: {
+            request?: components["schemas"]["TrackingRequest"];
+            plan?: components["schemas"]["TrackingPlanFile"];
+        };
+        TrackingWish: {
+            request: components["schemas"]["TrackingRequest"];
+            /** @description Of points, 6 to 50; 8 when left out. */
+            count?: number | null;
         };
         Trend: {
             axis: components["schemas"]["Axis"];
@@ -1783,6 +2199,8 @@ export type EditNote = components['schemas']['EditNote'];
 export type Entity = components['schemas']['Entity'];
 export type ErrorKind = components['schemas']['ErrorKind'];
 export type Evaluated = components['schemas']['Evaluated'];
+export type EvaluatedLine = components['schemas']['EvaluatedLine'];
+export type EvaluationForm = components['schemas']['EvaluationForm'];
 export type ExamplesLoaded = components['schemas']['ExamplesLoaded'];
 export type Expanded = components['schemas']['Expanded'];
 export type ExpansionCorrection = components['schemas']['ExpansionCorrection'];
@@ -1814,12 +2232,15 @@ export type Judged = components['schemas']['Judged'];
 export type Judgement = components['schemas']['Judgement'];
 export type Limit = components['schemas']['Limit'];
 export type LimitSource = components['schemas']['LimitSource'];
+export type LocateOptions = components['schemas']['LocateOptions'];
 export type Login = components['schemas']['Login'];
+export type LostLine = components['schemas']['LostLine'];
 export type Machine = components['schemas']['Machine'];
 export type MachineEdit = components['schemas']['MachineEdit'];
 export type MachineList = components['schemas']['MachineList'];
 export type MachineVersion = components['schemas']['MachineVersion'];
 export type MachineVersions = components['schemas']['MachineVersions'];
+export type Matrix = components['schemas']['Matrix'];
 export type Measurand = components['schemas']['Measurand'];
 export type Metadata = components['schemas']['Metadata'];
 export type Method = components['schemas']['Method'];
@@ -1831,6 +2252,7 @@ export type Nothing = components['schemas']['Nothing'];
 export type Options = components['schemas']['Options'];
 export type Parameter = components['schemas']['Parameter'];
 export type ParameterNumbers = components['schemas']['ParameterNumbers'];
+export type Place = components['schemas']['Place'];
 export type Plan = components['schemas']['Plan'];
 export type PlanDraft = components['schemas']['PlanDraft'];
 export type PlanEdit = components['schemas']['PlanEdit'];
@@ -1865,10 +2287,23 @@ export type ShownUnit = components['schemas']['ShownUnit'];
 export type Source = components['schemas']['Source'];
 export type SourceList = components['schemas']['SourceList'];
 export type StatedUncertainty = components['schemas']['StatedUncertainty'];
+export type StationKeeps = components['schemas']['StationKeeps'];
 export type Test = components['schemas']['Test'];
 export type TestPage = components['schemas']['TestPage'];
 export type TestRow = components['schemas']['TestRow'];
 export type TestVersion = components['schemas']['TestVersion'];
+export type TrackingAdvice = components['schemas']['TrackingAdvice'];
+export type TrackingDraft = components['schemas']['TrackingDraft'];
+export type TrackingEvaluation = components['schemas']['TrackingEvaluation'];
+export type TrackingFinding = components['schemas']['TrackingFinding'];
+export type TrackingLine = components['schemas']['TrackingLine'];
+export type TrackingPlanFile = components['schemas']['TrackingPlanFile'];
+export type TrackingPoints = components['schemas']['TrackingPoints'];
+export type TrackingProgramRequest = components['schemas']['TrackingProgramRequest'];
+export type TrackingRequest = components['schemas']['TrackingRequest'];
+export type TrackingStation = components['schemas']['TrackingStation'];
+export type TrackingSubject = components['schemas']['TrackingSubject'];
+export type TrackingWish = components['schemas']['TrackingWish'];
 export type Trend = components['schemas']['Trend'];
 export type Uncertainty = components['schemas']['Uncertainty'];
 export type UncertaintyOfRecord = components['schemas']['UncertaintyOfRecord'];

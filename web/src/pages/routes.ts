@@ -17,6 +17,7 @@ import { ReportPage } from './report';
 import { SettingsPage } from './settings';
 import { OneTestPage } from './test';
 import { TestsPage } from './tests';
+import { TrackingPage } from './tracking';
 
 export const routes: readonly (readonly [string, Page])[] = [
   ['/', TestsPage],
@@ -28,6 +29,7 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/settings', SettingsPage],
   ['/audit', AuditPage],
   ['/tests/:id/report', ReportPage],
+  ['/tracking', TrackingPage],
   ['/plans', PlansPage],
   ['/plans/new', PlanPage],
   ['/plans/:id', PlanPage],

@@ -173,6 +173,12 @@ Result<std::string> nc_program_of(const Plan& plan, const NcRequest& request) {
   return program_of(programme, *dialect, request.options);
 }
 
+Result<std::string> nc_program_of(const TrackingPlan& plan, const NcRequest& request) {
+  AXIOMETRY_TRY(const nc::Dialect* const dialect, dialect_of(request.dialect));
+  AXIOMETRY_TRY(const Programme programme, lines_of(plan, request));
+  return program_of(programme, *dialect, request.options);
+}
+
 Result<nc::ProgramOptions> nc_options(std::span<const std::pair<std::string, std::string>> texts) {
   nc::ProgramOptions options;
   for (const auto& [name, text] : texts)

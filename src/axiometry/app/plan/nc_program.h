@@ -9,6 +9,7 @@
 
 #include "axiometry/base/result.h"
 #include "axiometry/model/plan.h"
+#include "axiometry/model/tracking.h"
 #include "axiometry/nc/dialect.h"
 
 /// From the file of a plan, or of a measurement with a tracking interferometer, to the part program that walks it.
@@ -32,6 +33,9 @@ Result<std::string> nc_program(const NcRequest& request);
 
 /// The same of a plan that is at hand; request.plan says nothing.
 Result<std::string> nc_program_of(const Plan& plan, const NcRequest& request);
+
+/// The same of a tracking plan: all lines in one program, or request.line alone.
+Result<std::string> nc_program_of(const TrackingPlan& plan, const NcRequest& request);
 
 /// Options from texts, by the names of the members of nc::ProgramOptions but `duration` and `title`: unit=inch,
 /// trigger_m_code=27, …; what is on or off is "1" or "0" ("" is on). Fails, naming it, on an option that there is not

@@ -73,12 +73,7 @@ json::Value plan_to_json(const PlannedTest& planned) {
 
 Result<std::string> plan_sheet_file(const PlannedTest& planned, std::string_view extension,
                                     const report::Options& options) {
-  if (const report::Writer* writer = report::find_writer(extension))
-    return writer->set(sheet_of(planned, options), options);
-  std::vector<std::string_view> extensions;
-  for (const report::Writer* writer : report::writer_table()) extensions.push_back(writer->extension);
-  return fail(
-      fmt::format("found a sheet as {}, expected one of {}", text::quoted(extension), fmt::join(extensions, ", ")));
+  return document_bytes(sheet_of(planned, options), extension, options);
 }
 
 Result<void> write_plan_outputs(const PlannedTest& planned, const OutputNames& names, const report::Options& options) {

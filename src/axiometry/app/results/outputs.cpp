@@ -2,6 +2,7 @@
 #include "axiometry/app/results/outputs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -49,6 +50,15 @@ Result<void> write_document(const report::Document& document, std::span<const st
     AXIOMETRY_TRY_VOID(write_file(file, *bytes));
   }
   return {};
+}
+
+Result<std::string> document_bytes(const report::Document& document, std::string_view extension,
+                                   const report::Options& options) {
+  if (const report::Writer* writer = report::find_writer(extension)) return writer->set(document, options);
+  std::vector<std::string_view> extensions;
+  for (const report::Writer* writer : report::writer_table()) extensions.push_back(writer->extension);
+  return fail(
+      fmt::format("found a sheet as {}, expected one of {}", text::quoted(extension), fmt::join(extensions, ", ")));
 }
 
 bool state_tests_in_full(const OutputNames& names) {

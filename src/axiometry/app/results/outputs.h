@@ -58,6 +58,10 @@ Result<void> check_inputs_spared(const OutputNames& names);
 Result<void> write_document(const report::Document& document, std::span<const std::string> files,
                             const report::Options& options);
 
+/// The same as bytes, in one of the writers' formats. Fails, naming those there are, on another extension.
+Result<std::string> document_bytes(const report::Document& document, std::string_view extension,
+                                   const report::Options& options);
+
 /// Writes JSON and reports of the only test there is.
 Result<void> write_outputs(const Evaluated& evaluated, const OutputNames& names, const report::Options& options);
 

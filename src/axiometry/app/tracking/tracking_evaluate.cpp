@@ -94,19 +94,18 @@ Result<void> assess_lines(EvaluatedLines& evaluated, const TrackingEvaluateOptio
 }
 
 /// The plan, with the located station in place of its own where there is one.
-Result<void> read_setup(const TrackingEvaluateOptions& options, EvaluatedLines& evaluated) {
-  AXIOMETRY_TRY(const std::string bytes, whole_file(options.plan));
-  AXIOMETRY_TRY(evaluated.plan, in_file(formats::read_tracking_plan(bytes), options.plan));
-  evaluated.plan_file = {options.plan, sha256(bytes)};
-  if (options.station.empty()) return {};
-  AXIOMETRY_TRY(const std::string located, whole_file(options.station));
-  AXIOMETRY_TRY(const Station station, in_file(formats::read_station(located), options.station));
+Result<void> read_setup(const TrackingFiles& files, EvaluatedLines& evaluated) {
+  AXIOMETRY_TRY(evaluated.plan, in_file(formats::read_tracking_plan(files.plan.bytes), files.plan.name));
+  evaluated.plan_file = {files.plan.name, sha256(files.plan.bytes)};
+  if (!files.station) return {};
+  const GivenFile& located = *files.station;
+  AXIOMETRY_TRY(const Station station, in_file(formats::read_station(located.bytes), located.name));
   const double moved = distance(station.position_mm, evaluated.plan.setup.station.position_mm);
   evaluated.plan.setup.station = station;
-  evaluated.station_file = ReadFile{options.station, sha256(located)};
+  evaluated.station_file = ReadFile{located.name, sha256(located.bytes)};
   evaluated.evaluation.findings.push_back(
       {moved > moved_mm,
-       fmt::format("the station of {} stands {} mm from that of the plan{}", text::quoted(base_name(options.station)),
+       fmt::format("the station of {} stands {} mm from that of the plan{}", text::quoted(base_name(located.name)),
                    format_fixed(moved, 3),
                    moved > moved_mm ? ": was the instrument moved, or does it belong to another plan?" : "")});
   return {};
@@ -142,11 +141,22 @@ Result<void> add_tolerance(const std::string& text, TrackingEvaluateOptions& opt
 }
 
 Result<EvaluatedLines> evaluate_tracking(const std::string& lengths, const TrackingEvaluateOptions& options) {
-  EvaluatedLines evaluated;
-  AXIOMETRY_TRY_VOID(read_setup(options, evaluated));
+  AXIOMETRY_TRY(const std::string plan, whole_file(options.plan));
+  AXIOMETRY_TRY(const std::string station,
+                options.station.empty() ? Result<std::string>(std::string()) : whole_file(options.station));
   AXIOMETRY_TRY(const std::string bytes, whole_file(lengths));
-  evaluated.lengths = {lengths, sha256(bytes)};
-  AXIOMETRY_TRY(formats::TrackingLengths read, in_file(formats::read_tracking_lengths(bytes, evaluated.plan), lengths));
+  TrackingFiles files{{lengths, bytes}, {options.plan, plan}, {}};
+  if (!options.station.empty()) files.station = GivenFile{options.station, station};
+  return evaluate_tracking(files, options);
+}
+
+Result<EvaluatedLines> evaluate_tracking(const TrackingFiles& files, const TrackingEvaluateOptions& options) {
+  const std::string& lengths = files.lengths.name;
+  EvaluatedLines evaluated;
+  AXIOMETRY_TRY_VOID(read_setup(files, evaluated));
+  evaluated.lengths = {lengths, sha256(files.lengths.bytes)};
+  AXIOMETRY_TRY(formats::TrackingLengths read,
+                in_file(formats::read_tracking_lengths(files.lengths.bytes, evaluated.plan), lengths));
   AXIOMETRY_TRY_VOID(set_metadata(read.metadata, options.metadata));
   evaluated.in_program_order = read.in_program_order;
   AXIOMETRY_TRY(Assigned readings, in_file(assigned(evaluated.plan, read, options.reversed), lengths));
@@ -167,18 +177,19 @@ Result<EvaluatedLines> evaluate_tracking(const std::string& lengths, const Track
   return evaluated;
 }
 
+report::Document lines_document(const EvaluatedLines& evaluated, const report::Options& options) {
+  std::vector<report::AssessedLine> lines;
+  for (std::size_t k = 0; k < evaluated.tests.size(); ++k)
+    lines.push_back({evaluated.evaluation.lines[k], evaluated.tests[k].assessment, evaluated.tests[k].judgements});
+  return report::compose(report::LinesSubject{evaluated.plan, evaluated.evaluation, lines, evaluated.diagonals,
+                                              evaluated.lengths.file, evaluated.lengths.sha256},
+                         options);
+}
+
 Result<void> write_outputs(const EvaluatedLines& evaluated, const OutputNames& names, const report::Options& options) {
   AXIOMETRY_TRY_VOID(check_inputs_spared(names));
-  if (!names.reports.empty()) {
-    std::vector<report::AssessedLine> lines;
-    for (std::size_t k = 0; k < evaluated.tests.size(); ++k)
-      lines.push_back({evaluated.evaluation.lines[k], evaluated.tests[k].assessment, evaluated.tests[k].judgements});
-    const report::Document document =
-        report::compose(report::LinesSubject{evaluated.plan, evaluated.evaluation, lines, evaluated.diagonals,
-                                             evaluated.lengths.file, evaluated.lengths.sha256},
-                        options);
-    AXIOMETRY_TRY_VOID(write_document(document, names.reports, options));
-  }
+  if (!names.reports.empty())
+    AXIOMETRY_TRY_VOID(write_document(lines_document(evaluated, options), names.reports, options));
   if (!names.json.empty()) AXIOMETRY_TRY_VOID(write_file(names.json, json::dump(to_json(evaluated)) + "\n"));
   return {};
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,24 @@ struct EvaluatedLines {
 /// `axiometry evaluate` does. Fails, with the file's name, as the readers, evaluate_lines() and evaluate_test() do, and
 /// on a tolerance for a line that was not measured.
 Result<EvaluatedLines> evaluate_tracking(const std::string& lengths, const TrackingEvaluateOptions& options);
+
+/// Bytes that are at hand, under the name by which messages and reports call them.
+struct GivenFile {
+  std::string name;
+  std::string_view bytes;
+};
+
+struct TrackingFiles {
+  GivenFile lengths;
+  GivenFile plan;
+  std::optional<GivenFile> station;  ///< none: the plan's
+};
+
+/// The same of files that are at hand; those that the options name are not looked at.
+Result<EvaluatedLines> evaluate_tracking(const TrackingFiles& files, const TrackingEvaluateOptions& options);
+
+/// One report of all lines.
+report::Document lines_document(const EvaluatedLines& evaluated, const report::Options& options);
 
 /// Everything, as docs/results.md describes it.
 json::Value to_json(const EvaluatedLines& evaluated);

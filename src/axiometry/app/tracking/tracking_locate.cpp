@@ -34,6 +34,10 @@ bool has_lengths(std::string_view table) {
 
 Result<Located> locate(const LocateRequest& request) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.file));
+  return locate(request, bytes);
+}
+
+Result<Located> locate(const LocateRequest& request, std::string_view bytes) {
   AXIOMETRY_TRY(formats::LocationPointsFile file, in_file(formats::read_location_points(bytes), request.file));
   if (file.has_axes && request.tool_offset_mm != Vector3{})
     return std::unexpected(

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/app/results/experiment.h"
@@ -28,6 +29,9 @@ struct Located {
 
 /// Fails as the file, and as tracking::locate_station() does, with the file's name.
 Result<Located> locate(const LocateRequest& request);
+
+/// The same of bytes that are at hand; request.file only names them.
+Result<Located> locate(const LocateRequest& request, std::string_view bytes);
 
 /// Report and JSON.
 Experiment present(const Located& located, const report::Options& options);

@@ -64,7 +64,8 @@ std::string direction_text(Vector3 axis) {
 }
 
 bool may_turn(const TrackingPlanRequest& request) {
-  return request.turn_reflector || (request.setup.file.empty() && !request.setup.reflector_axis);
+  const SetupRequest& setup = request.setup;
+  return request.turn_reflector || (setup.file.empty() && !setup.whole && !setup.reflector_axis);
 }
 
 /// Of all directions the one that keeps the most lines; that of the set-up where none is better.
@@ -81,26 +82,34 @@ std::optional<std::string> turn_reflector(TrackingSetup& setup, const tracking::
 }
 
 /// What a station elsewhere would keep: where it stands on the table, and where that is not enough, higher or lower.
-std::vector<std::string> suggestions(const TrackingSetup& setup, const TrackingPlanRequest& request) {
+StationAdvice advice_on(const TrackingSetup& setup, const TrackingPlanRequest& request) {
   const auto ids = seven_of(request.lines);
-  std::vector<std::string> texts;
-  if (ids.empty()) return texts;
+  StationAdvice advice;
+  advice.lines = ids.size();
+  if (ids.empty()) return advice;
   tracking::StationFreedom freedom{.may_move = {false, false, false}, .turn_reflector = may_turn(request)};
-  const auto now = tracking::suggest_station(setup, ids, request.lines.rule, freedom);
+  advice.now = tracking::suggest_station(setup, ids, request.lines.rule, freedom);
   freedom.may_move = {true, true, false};
   for (bool may_rise : {false, true}) {
     freedom.may_move[2] = may_rise;
     const auto better = tracking::suggest_station(setup, ids, request.lines.rule, freedom);
-    const bool gains = better.lines > now.lines || better.shortest_mm > now.shortest_mm + 1.0;
-    if (gains)
-      texts.push_back(
-          fmt::format("a station at {}{} would keep {} of {} lines, the shortest of {:.1f} mm; here it is {} of {}, "
-                      "the shortest of "
-                      "{:.1f} mm",
-                      place_text(better.position_mm), may_rise ? " (raised or lowered)" : "", better.lines, ids.size(),
-                      better.shortest_mm, now.lines, ids.size(), now.shortest_mm));
+    if (better.lines > advice.now.lines || better.shortest_mm > advice.now.shortest_mm + 1.0)
+      advice.better.push_back({better, may_rise});
     if (better.lines == ids.size()) break;
   }
+  return advice;
+}
+
+std::vector<std::string> told(const StationAdvice& advice) {
+  std::vector<std::string> texts;
+  if (advice.lines == 0) return texts;
+  for (const auto& [better, raised] : advice.better)
+    texts.push_back(
+        fmt::format("a station at {}{} would keep {} of {} lines, the shortest of {:.1f} mm; here it is {} of {}, "
+                    "the shortest of "
+                    "{:.1f} mm",
+                    place_text(better.position_mm), raised ? " (raised or lowered)" : "", better.lines, advice.lines,
+                    better.shortest_mm, advice.now.lines, advice.lines, advice.now.shortest_mm));
   if (texts.empty()) texts.emplace_back("no other place for the station keeps more lines, or a longer shortest one");
   return texts;
 }
@@ -108,13 +117,14 @@ std::vector<std::string> suggestions(const TrackingSetup& setup, const TrackingP
 }  // namespace
 
 Result<TrackingSetup> setup_of(const SetupRequest& request) {
-  TrackingSetup setup;
+  TrackingSetup setup = request.whole.value_or(TrackingSetup{});
   if (!request.file.empty()) {
     AXIOMETRY_TRY(setup, setup_from_file(request.file));
   }
-  if (request.file.empty() && !request.travel)
+  const bool begun = request.whole || !request.file.empty();
+  if (!begun && !request.travel)
     return fail("found no travels, expected those of X, Y and Z, or a set-up that has them");
-  if (request.file.empty() && request.station.empty())
+  if (!begun && request.station.empty())
     return fail("found no station, expected its place or the file of a located one");
   take(request.travel, setup.travel);
   take(request.tool_offset_mm, setup.tool_offset_mm);
@@ -147,13 +157,18 @@ Result<MountedSetup> mounted_setup(const TrackingPlanRequest& request) {
   return mounted;
 }
 
+Result<StationAdvice> advise_station(const TrackingPlanRequest& request) {
+  AXIOMETRY_TRY(const MountedSetup mounted, mounted_setup(request));
+  return advice_on(mounted.setup, request);
+}
+
 Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
   AXIOMETRY_TRY(auto mounted, mounted_setup(request));
   auto& [setup, remarks] = mounted;
   const double acceleration = request.lines.acceleration.value_or(iso230_2::usual_acceleration(AxisKind::linear));
   AXIOMETRY_TRY_VOID(iso230_2::check_acceleration(acceleration));
   if (request.suggest)
-    for (std::string& text : suggestions(setup, request)) remarks.push_back(std::move(text));
+    for (std::string& text : told(advice_on(setup, request))) remarks.push_back(std::move(text));
   auto plan = tracking::plan_lines(setup, request.lines);
   if (!plan) {
     Error error = std::move(plan).error();
@@ -164,6 +179,19 @@ Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
   plan->remarks.insert(plan->remarks.begin(), remarks.begin(), remarks.end());
   const Duration duration = tracking::estimated_duration(*plan, acceleration);
   return PlannedLines{*std::move(plan), acceleration, duration};
+}
+
+PlannedLines planned_lines(TrackingPlan plan) {
+  const double acceleration = iso230_2::usual_acceleration(AxisKind::linear);
+  const Duration duration = tracking::estimated_duration(plan, acceleration);
+  return {std::move(plan), acceleration, duration};
+}
+
+json::Value to_json(const PlannedLines& planned) {
+  json::Value root = formats::tracking_plan_value(planned.plan);
+  root.add("duration_s", std::round(planned.duration.in_s() * 10.0) / 10.0);
+  root.add("program", program_to_json());
+  return root;
 }
 
 Result<PlannedLocation> plan_location_points(const TrackingPlanRequest& request, std::size_t count) {
@@ -184,10 +212,7 @@ Result<void> write_outputs(const PlannedLines& planned, const OutputNames& names
     AXIOMETRY_TRY_VOID(write_document(sheet, names.reports, options));
   }
   if (names.json.empty()) return {};
-  json::Value root = formats::tracking_plan_value(planned.plan);
-  root.add("duration_s", std::round(planned.duration.in_s() * 10.0) / 10.0);
-  root.add("program", program_to_json());
-  return write_file(names.json, json::dump(root) + "\n");
+  return write_file(names.json, json::dump(to_json(planned)) + "\n");
 }
 
 }  // namespace axiometry::app

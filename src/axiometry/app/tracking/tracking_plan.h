@@ -9,6 +9,7 @@
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/tracking/tracking_locate.h"
 #include "axiometry/app/tracking/tracking_text.h"
+#include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/tracking.h"
 #include "axiometry/report/report.h"
@@ -19,7 +20,8 @@ namespace axiometry::app {
 
 /// What the user says of the set-up, over that of a file where one is given.
 struct SetupRequest {
-  std::string file{};  ///< a set-up or a tracking plan; empty for none
+  std::string file{};                    ///< a set-up or a tracking plan; empty for none
+  std::optional<TrackingSetup> whole{};  ///< a set-up that is at hand, in place of a file
   std::optional<TravelBox> travel{};
   std::optional<Vector3> tool_offset_mm{};
   std::string station{};  ///< "x,y,z", or the file of a located station; empty: that of the file
@@ -50,6 +52,21 @@ struct MountedSetup {
   std::vector<std::string> remarks;  ///< how it was turned
 };
 
+/// A place for the station that keeps more lines, or a longer shortest one.
+struct BetterStation {
+  tracking::StationSuggestion station;
+  bool raised = false;  ///< not on the table as the station given is, but higher or lower
+};
+
+struct StationAdvice {
+  tracking::StationSuggestion now;    ///< what the station given keeps
+  std::vector<BetterStation> better;  ///< on the table first; empty: none
+  std::size_t lines = 0;              ///< of the seven that were asked for
+};
+
+/// What a station elsewhere would keep; nothing to say of diagonals of the travels. Fails as setup_of() does.
+Result<StationAdvice> advise_station(const TrackingPlanRequest& request);
+
 /// What plan_tracking() plans on, so that points of the station location are seen by the same reflector. Fails as
 /// setup_of() does.
 Result<MountedSetup> mounted_setup(const TrackingPlanRequest& request);
@@ -63,6 +80,12 @@ struct PlannedLines {
 /// The plan. Where the reflector may be turned, and where a station is to be suggested, remarks say what was found; the
 /// error of a set-up in which no line is left says it as well.
 Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request);
+
+/// The same of a plan that is at hand, with the usual acceleration.
+PlannedLines planned_lines(TrackingPlan plan);
+
+/// The plan with duration and program, as its file holds it.
+json::Value to_json(const PlannedLines& planned);
 
 /// Points at which to locate the station of that set-up, its reflector turned as plan_tracking() would turn it, so that
 /// one mounting serves both. Fails as setup_of() and tracking::plan_location() do.

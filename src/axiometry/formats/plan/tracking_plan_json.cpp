@@ -53,7 +53,9 @@ Result<void> each(const Value* list, std::string_view what, Take take) {
   return {};
 }
 
-Result<TrackingPlan> plan_from(const Value& root) {
+}  // namespace
+
+Result<TrackingPlan> tracking_plan_from(const Value& root) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(root, "tracking plan"));
   AXIOMETRY_TRY(const Value* format, members.required("format"));
   if (!format->is(Kind::text) || format->text() != tracking_plan_format_name)
@@ -83,8 +85,6 @@ Result<TrackingPlan> plan_from(const Value& root) {
   return plan;
 }
 
-}  // namespace
-
 Value tracking_plan_value(const TrackingPlan& plan) {
   Value root = object({{"format", tracking_plan_format_name}});
   for (const auto& [name, text] :
@@ -113,7 +113,7 @@ bool is_tracking_plan(std::string_view bytes) {
 Result<TrackingPlan> read_tracking_plan(std::string_view bytes) {
   AXIOMETRY_TRY(const std::string_view text, utf8_text(bytes));
   AXIOMETRY_TRY(const Value root, json::parse(text));
-  return plan_from(root);
+  return tracking_plan_from(root);
 }
 
 }  // namespace axiometry::formats

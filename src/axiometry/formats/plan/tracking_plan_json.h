@@ -30,9 +30,16 @@ bool is_tracking_plan(std::string_view bytes);
 /// variance, a line given twice or without a line in space, and as read_plan() does.
 Result<TrackingPlan> read_tracking_plan(std::string_view bytes);
 
+/// The same of JSON that was parsed.
+Result<TrackingPlan> tracking_plan_from(const json::Value& value);
+
 /// The set-up alone, which `tracking plan` takes as a file too.
 json::Value tracking_setup_value(const TrackingSetup& setup);
 Result<TrackingSetup> tracking_setup_from(const json::Value& value);
+
+/// {"constant_um", "per_length_um_per_m"}: the usual ones where they are left out. Fails on numbers below 0 and on two
+/// of 0.
+Result<RangingUncertainty> ranging_from(const json::Value& value);
 
 /// JSON Schema of the above.
 json::Value tracking_plan_schema();

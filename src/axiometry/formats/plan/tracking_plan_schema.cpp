@@ -109,6 +109,12 @@ Value ignored(std::string_view type) {
   return object({{"type", or_null(type)}, {"description", "For people; ignored when it is read."}});
 }
 
+/// The program that wrote the plan, by name and version; older ones wrote a text.
+Value program() {
+  return object({{"type", Value::array({"object", "string", "null"})},
+                 {"description", "Which program wrote the plan; ignored when it is read."}});
+}
+
 }  // namespace
 
 Value tracking_plan_schema() {
@@ -127,7 +133,7 @@ Value tracking_plan_schema() {
                               {"lines", object({{"type", "array"}, {"items", line()}})},
                               {"lost", list_of(lost(), "Lines that cannot be measured from this station.")},
                               {"remarks", list_of(object({{"type", "string"}}), "Of the planner, for people.")},
-                              {"program", ignored("string")},
+                              {"program", program()},
                               {"version", ignored("string")},
                               {"duration_s", ignored("number")}})},
        {"required", Value::array({"format", "setup", "lines"})},

@@ -94,20 +94,6 @@ Result<TrackerLimits> limits_from(const Value& value) {
   return limits;
 }
 
-Result<RangingUncertainty> ranging_from(const Value& value) {
-  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "ranging"));
-  RangingUncertainty ranging;
-  double constant = ranging.constant.in_um(), per_length = ranging.per_length.in_um_per_m();
-  AXIOMETRY_TRY_VOID(members.take("constant_um", constant));
-  AXIOMETRY_TRY_VOID(members.take("per_length_um_per_m", per_length));
-  AXIOMETRY_TRY_VOID(members.finish());
-  if (!(constant >= 0.0 && per_length >= 0.0 && constant + per_length > 0.0))
-    return fail(fmt::format("found an uncertainty of lengths of {} µm + {} µm/m, expected one above 0",
-                            format_exact(constant), format_exact(per_length)),
-                value.at());
-  return RangingUncertainty{Length::um(constant), RelativeLength::um_per_m(per_length)};
-}
-
 Result<SphereObstacle> sphere_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "sphere"));
   SphereObstacle sphere;
@@ -183,6 +169,20 @@ Value limits_value(const TrackerLimits& limits) {
 }
 
 }  // namespace
+
+Result<RangingUncertainty> ranging_from(const Value& value) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "ranging"));
+  RangingUncertainty ranging;
+  double constant = ranging.constant.in_um(), per_length = ranging.per_length.in_um_per_m();
+  AXIOMETRY_TRY_VOID(members.take("constant_um", constant));
+  AXIOMETRY_TRY_VOID(members.take("per_length_um_per_m", per_length));
+  AXIOMETRY_TRY_VOID(members.finish());
+  if (!(constant >= 0.0 && per_length >= 0.0 && constant + per_length > 0.0))
+    return fail(fmt::format("found an uncertainty of lengths of {} µm + {} µm/m, expected one above 0",
+                            format_exact(constant), format_exact(per_length)),
+                value.at());
+  return RangingUncertainty{Length::um(constant), RelativeLength::um_per_m(per_length)};
+}
 
 Result<TrackingSetup> tracking_setup_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "setup"));

@@ -2,7 +2,7 @@
 import { useMemo, useState } from 'preact/hooks';
 import { offer } from '../../api/client';
 import { as_text, use_posted } from '../../api/posted';
-import type { PlanRequest, Vocabulary } from '../../api/types';
+import type { Vocabulary } from '../../api/types';
 import { CopyButton } from '../../components/copy';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
@@ -10,11 +10,11 @@ import { Markdown } from '../../components/markdown';
 import { t } from './texts';
 
 interface Options {
-  inch: boolean; unrolled: boolean; block_numbers: boolean; stop_at_start: boolean;
+  inch: boolean; unrolled: boolean; block_numbers: boolean; stop_at_start: boolean; stop_at_lines: boolean;
   trigger: string; number: string; decimals: string;
 }
 const usual: Options = {
-  inch: false, unrolled: false, block_numbers: true, stop_at_start: false, trigger: '', number: '', decimals: '4',
+  inch: false, unrolled: false, block_numbers: true, stop_at_start: false, stop_at_lines: false, trigger: '', number: '', decimals: '4',
 };
 
 /** For controls whose file names know only letters of English: "Fräse X" becomes "Fraese-X". */
@@ -22,25 +22,34 @@ const plain_name = (name: string): string =>
   name.replace(/[äöüÄÖÜ]/g, '$&e').replaceAll('ß', 'ss').normalize('NFD').replace(/\p{Mn}/gu, '').replace(/[^\w.-]+/g, '-').replace(/^-+|-+$/g, '');
 
 /** What the API takes: members that are left as they are usual are not sent. */
-function sent(options: Options): Record<string, unknown> {
+function sent(options: Options, of_lines: boolean): Record<string, unknown> {
   const whole = (text: string) => (/^\d+$/.test(text.trim()) ? Number(text) : text.trim());
   return {
     unit: options.inch ? 'inch' : 'mm', unrolled: options.unrolled, block_numbers: options.block_numbers,
-    stop_at_start: options.stop_at_start, decimals: whole(options.decimals === '' ? usual.decimals : options.decimals),
+    stop_at_start: options.stop_at_start, ...(of_lines ? { stop_at_lines: options.stop_at_lines } : {}), decimals: whole(options.decimals === '' ? usual.decimals : options.decimals),
     ...(options.trigger === '' ? {} : { trigger_m_code: whole(options.trigger) }),
     ...(options.number === '' ? {} : { number: whole(options.number) }),
   };
 }
 
-/** The part program of the plan as it stands in the form, saved or not. `plan`: the whole one instead of a request. */
-export function ProgramPanel({ request, plan, part, name, vocabulary }:
-  { request: PlanRequest | null; plan: unknown; part: number; name: string; vocabulary: Vocabulary }) {
+interface Props {
+  path: string;
+  subject: Record<string, unknown> | null;  // the request or the plan; null: there is none yet
+  part?: number;                            // which test of a plan of several
+  of_lines?: boolean;                       // lines in space, before each of which the program may stop
+  name: string;
+  vocabulary: Vocabulary;
+  step?: string;                            // of a way of several
+}
+
+/** The part program of the plan as it stands in the form, saved or not. */
+export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, vocabulary, step }: Props) {
   const dialects = useMemo(() => most_used_first(vocabulary.dialects), [vocabulary]);
   const [dialect, set_dialect] = useState(() => kept_dialect(dialects));
   const [options, set_options] = useState(usual);
   const chosen = vocabulary.dialects.find(({ id }) => id === dialect);
-  const body = request === null && plan === null ? null : { ...(request ? { request } : { plan }), dialect, options: { ...sent(options), part } };
-  const program = use_posted('/api/plans/draft/program', body, as_text);
+  const body = subject === null ? null : { ...subject, dialect, options: { ...sent(options, of_lines), ...(of_lines ? {} : { part }) } };
+  const program = use_posted(path, body, as_text);
   // What was made for another control or plan must not be taken along under the name of this one.
   const is_this = program.error === null && program.data !== null && JSON.stringify(program.of) === JSON.stringify(body);
   const file = `${plain_name(`${name}${part > 1 ? `-${part}` : ''}`) || 'plan'}${chosen?.extension ?? '.nc'}`;
@@ -51,7 +60,7 @@ export function ProgramPanel({ request, plan, part, name, vocabulary }:
   return (
     <section class="panel program" aria-labelledby="program-title">
       <header>
-        <h2 id="program-title">{t('program')}<span class="only-print">: {chosen?.title}</span></h2>
+        <h2 id="program-title">{step && <span class="step">{step}</span>}{t('program')}<span class="only-print">: {chosen?.title}</span></h2>
         <div class="row no-print">
           <CopyButton text={() => program.data ?? ''} disabled={!is_this} />
           <button type="button" disabled={!is_this}
@@ -68,7 +77,7 @@ export function ProgramPanel({ request, plan, part, name, vocabulary }:
             </select>
           )}
         </Field>
-        <OptionFields options={options} change={(part) => set_options({ ...options, ...part })} loops={chosen?.has_loops ?? true} />
+        <OptionFields of_lines={of_lines} options={options} change={(part) => set_options({ ...options, ...part })} loops={chosen?.has_loops ?? true} />
       </div>
       {program.error && <FailureNotice error={program.error} retry={program.again} />}
       {program.data !== null && <ProgramText text={program.data} stale={program.error !== null} />}
@@ -82,7 +91,7 @@ export function ProgramPanel({ request, plan, part, name, vocabulary }:
   );
 }
 
-function OptionFields({ options, change, loops }: { options: Options; change: (part: Partial<Options>) => void; loops: boolean }) {
+function OptionFields({ options, change, loops, of_lines }: { options: Options; change: (part: Partial<Options>) => void; loops: boolean; of_lines: boolean }) {
   const text = (key: 'trigger' | 'number' | 'decimals', label: string) => (
     <Field label={label}>
       {(ids) => (
@@ -91,7 +100,7 @@ function OptionFields({ options, change, loops }: { options: Options; change: (p
       )}
     </Field>
   );
-  const box = (key: 'inch' | 'unrolled' | 'block_numbers' | 'stop_at_start', disabled = false) => (
+  const box = (key: 'inch' | 'unrolled' | 'block_numbers' | 'stop_at_start' | 'stop_at_lines', disabled = false) => (
     <label>
       <input type="checkbox" checked={options[key]} disabled={disabled} onChange={(event) => change({ [key]: event.currentTarget.checked })} />
       {t(key)}
@@ -107,6 +116,7 @@ function OptionFields({ options, change, loops }: { options: Options; change: (p
         {box('unrolled', !loops)}
         {box('block_numbers')}
         {box('stop_at_start')}
+        {of_lines && box('stop_at_lines')}
       </div>
     </>
   );

@@ -78,6 +78,7 @@ export const t = texts({
   unrolled: ['no loops, every run written out', 'ohne Schleifen, jeder Durchlauf ausgeschrieben'],
   block_numbers: ['block numbers', 'Satznummern'],
   stop_at_start: ['stop before the first target', 'Halt vor der ersten Zielposition'],
+  stop_at_lines: ['stop before each line', 'Halt vor jeder Linie'],
   trigger: ['Trigger M code', 'Trigger-M-Befehl'],
   number: ['Program number', 'Programmnummer'],
   decimals: ['Decimals', 'Nachkommastellen'],

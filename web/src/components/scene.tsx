@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// A machine's working volume in three dimensions, drawn as SVG: turned with the mouse, a finger or the arrow keys, nearer
+// with the wheel (with Ctrl, or when it has the focus), two fingers or + and −. What it shows is said in scene/model.ts.
+import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { texts } from '../i18n/texts';
+import { shortest } from '../numbers';
+import { decimal } from '../settings';
+import { drawing_of } from './scene/drawing';
+import { watch_hands } from './scene/hands';
+import type { SceneModel } from './scene/model';
+import { Picture, ScaleLegend } from './scene/picture';
+import { first_view, turned, view_by_key, zoomed, type View } from './scene/projection';
+import './scene.css';
+
+export type { SceneArrow, SceneModel, ScenePatch, ScenePath, ScenePoint, SceneScale, SceneSolid, Token } from './scene/model';
+export { station_solids } from './scene/model';
+export type { Extent, Place } from './scene/projection';
+
+const t = texts({
+  kind: ['picture in three dimensions', 'dreidimensionales Bild'],
+  keys: [
+    'Arrow keys turn it, with Shift in large steps; plus and minus bring it nearer and farther, Home shows it as at first.',
+    'Pfeiltasten drehen es, mit Umschalt in großen Schritten; Plus und Minus holen es näher und weiter weg, Pos1 zeigt es wie am Anfang.',
+  ],
+  hint: ['drag to turn', 'Ziehen dreht'],
+  views: ['From where', 'Von wo'],
+  oblique: ['Oblique', 'Schräg'],
+  front: ['Front', 'Vorn'],
+  side: ['Right', 'Rechts'],
+  top: ['Top', 'Oben'],
+  nearer: ['Nearer', 'Näher'],
+  farther: ['Farther', 'Weiter weg'],
+  seen: ['Seen from {azimuth}° to the right of the front, {elevation}° above', 'Gesehen von {azimuth}° rechts der Vorderseite, {elevation}° von oben'],
+});
+
+const views: readonly (readonly ['oblique' | 'front' | 'side' | 'top', Pick<View, 'azimuth' | 'elevation'>])[] = [
+  ['oblique', first_view], ['front', { azimuth: 0, elevation: 0 }], ['side', { azimuth: 90, elevation: 0 }], ['top', { azimuth: 0, elevation: 90 }],
+];
+
+interface Props {
+  model: SceneModel;
+  name: string;         // what it shows
+  description: string;  // the same in sentences with its numbers, for those who do not see it
+  height?: number;      // px, 420 when not given
+  on_choose?: (key: string) => void;  // a click on a path or a point
+}
+
+export function Scene({ model, name, description, height = 420, on_choose }: Props) {
+  const frame = useRef<HTMLDivElement>(null);
+  const [view, set_view] = useState(first_view);
+  const [width, set_width] = useState(640);
+  const [said, set_said] = useState('');
+  useLayoutEffect(() => {
+    const box = frame.current as HTMLDivElement;
+    const measure = () => { if (box.clientWidth > 0) set_width(box.clientWidth); };
+    measure();
+    const watch = new ResizeObserver(measure);
+    watch.observe(box);
+    const end = new AbortController();
+    watch_hands(box, {
+      turn: (azimuth, elevation) => set_view((before) => turned(before, { azimuth, elevation })),
+      zoom: (factor) => set_view((before) => zoomed(before, factor)),
+    }, end.signal);
+    return () => { watch.disconnect(); end.abort(); };
+  }, []);
+  const tall = Math.min(height, Math.max(260, width * 0.9));
+  const drawing = useMemo(() => drawing_of(model, view, [width, tall], (mm) => shortest(mm, 1)), [model, view, width, tall, decimal.value]);
+  const key = (event: KeyboardEvent) => {
+    const next = event.ctrlKey || event.metaKey || event.altKey ? null : view_by_key(view, event.key, event.shiftKey);
+    if (next === null) return;
+    event.preventDefault();
+    set_view(next);
+    set_said(t('seen', { azimuth: shortest(next.azimuth, 0), elevation: shortest(next.elevation, 0) }));
+  };
+  const is_view = (one: Pick<View, 'azimuth' | 'elevation'>) => one.azimuth === view.azimuth && one.elevation === view.elevation;
+  return (
+    <div class="scene">
+      <div
+        class="scene-frame" ref={frame} role="application" aria-roledescription={t('kind')} aria-label={`${name}. ${t('keys')}`}
+        tabIndex={0} onKeyDown={key} style={{ height: `${tall}px` }}
+      >
+        <Picture drawing={drawing} size={[width, tall]} name={`${name}. ${description}`} on_choose={on_choose} />
+        <span class="scene-hint no-print" aria-hidden="true">{t('hint')}</span>
+        {model.scale && <ScaleLegend scale={model.scale} />}
+      </div>
+      <div class="scene-views no-print" role="group" aria-label={t('views')}>
+        {views.map(([id, from]) => (
+          <button key={id} type="button" aria-pressed={is_view(from)} onClick={() => set_view({ ...view, ...from, zoom: id === 'oblique' ? 1 : view.zoom })}>{t(id)}</button>
+        ))}
+        <button type="button" class="sign" aria-label={t('farther')} title={t('farther')} onClick={() => set_view(zoomed(view, 0.8))}>−</button>
+        <button type="button" class="sign" aria-label={t('nearer')} title={t('nearer')} onClick={() => set_view(zoomed(view, 1.25))}>+</button>
+      </div>
+      <div class="visually-hidden" aria-live="polite">{said}</div>
+    </div>
+  );
+}
