@@ -137,6 +137,44 @@ constexpr Phrase rows[] = {
     {"{0#} of {1#} samples left out as outliers", "{0} von {1} Abtastwerten als Ausreißer weggelassen"},
     {"{0} came again after {1#} readings, which were dropped",
      "{0} kam nach {1} Messwerten noch einmal; diese wurden verworfen"},
+    {"a continuous recording of {0#} samples gave {1#} of the {2#} lengths of the plan",
+     "eine fortlaufende Aufzeichnung von {0} Abtastwerten ergab {1} der {2} Längen des Plans"},
+    {"found a part, a datum or a zero for a plan of lines, expected none: lengths have a dead path that is not known",
+     "ein Teil, ein Bezug oder ein Nullpunkt zu einem Plan von Linien; erwartet: keines davon, denn Längen haben eine "
+     "unbekannte Totstrecke"},
+    {"found a rate of {0#} samples a second, expected 0.001 to 10000000",
+     "eine Rate von {0} Abtastwerten je Sekunde; erwartet: 0,001 bis 10000000"},
+    {"found a recording of {0#} samples, expected at most {1#}",
+     "eine Aufzeichnung von {0} Abtastwerten; erwartet: höchstens {1}"},
+    {"found no length for any of the {0#} approaches of the plan in {1#} standstills",
+     "keine Länge für eine der {0} Anfahrten des Plans in {1} Stillständen"},
+    {"found the recording {0=}, expected a file ending in .csv, .txt or .npy",
+     "Aufzeichnung {0}; erwartet: eine Datei mit der Endung .csv, .txt oder .npy"},
+    {"found {0#} of {1#} standstills at the {2#} stops of the plan, and {3#} changes of length that are none of it, "
+     "expected most standstills at stops: the recording belongs to another plan, or lengths fall where the reflector "
+     "recedes (--reversed), or they are in another unit",
+     "{0} von {1} Stillständen an den {2} Halten des Plans und {3} Längenänderungen, die nicht dazu gehören; erwartet: "
+     "die meisten Stillstände an Halten: Die Aufzeichnung gehört zu einem anderen Plan, oder Längen nehmen ab, wo der "
+     "Reflektor sich entfernt (--reversed), oder sie stehen in einer anderen Einheit"},
+    {"line {0=}: before {1} (at {2#} s) samples are missing or the length jumped: the lengths from there on have "
+     "another dead path",
+     "Linie {0}: vor {1} (bei {2}\u00a0s) fehlen Abtastwerte oder die Länge sprang: Die Längen von dort an haben eine "
+     "andere Totstrecke"},
+    {"line {0=}: before {1} (at {2#} s) the lengths jump as no line of the plan does: the beam was broken, and the "
+     "lengths from there on have another dead path",
+     "Linie {0}: vor {1} (bei {2}\u00a0s) springen die Längen wie keine Linie des Plans: Der Strahl war unterbrochen, "
+     "und die Längen von dort an haben eine andere Totstrecke"},
+    {"line {0=}: no length for {1} and {2#} others: {3}", "Linie {0}: keine Länge für {1} und {2} weitere: {3}"},
+    {"line {0=}: no length for {1}: {2}", "Linie {0}: keine Länge für {1}: {2}"},
+    {"no standstill", "kein Stillstand"},
+    {"the recording ended before", "die Aufzeichnung endete vorher"},
+    {"the reflector rested {0#} times where no approach of the plan was due, first at {1#} s; not used",
+     "der Reflektor stand {0}-mal still, wo keine Anfahrt des Plans an der Reihe war, zuerst bei {1}\u00a0s; nicht "
+     "verwendet"},
+    {"the rest was too short", "der Stillstand war zu kurz"},
+    {"what was there may as well belong to another approach that was not heard",
+     "was dort war, kann ebenso zu einer anderen Anfahrt gehören, die nicht gehört wurde"},
+    {"{0#} further remarks of that kind on readings", "{0} weitere Bemerkungen dieser Art zu Messwerten"},
 };
 
 }  // namespace
