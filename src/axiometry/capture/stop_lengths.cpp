@@ -13,8 +13,10 @@ namespace {
 
 constexpr double um_per_mm = 1000.0;
 constexpr double same_place_mm = 1e-6;
-constexpr double resting_share = 0.5;  // of the standstills that must belong to stops
-constexpr double jump_share = 0.2;     // of the changes of length that may be none of the list
+constexpr double resting_share = 0.5;    // of the standstills that must belong to stops
+constexpr double displaced_share = 0.3;  // of the stops heard: rests that are none, and as many stops without one
+constexpr double much_cheaper = 12.0;    // three changes of length that fit
+constexpr double jump_share = 0.2;       // of the changes of length that may be none of the list
 constexpr std::size_t jumps_always = 3;
 
 StandstillOptions rest_of(const StopOptions& options) {
@@ -122,18 +124,37 @@ class Outcome {
   StopLengths lengths_;
 };
 
-/// A recording of something else has standstills that are no stops, or changes of length that are none of the list.
-Result<void> check_stop_fit(const StopLengths& lengths, std::size_t matches) {
+/// The same standstills, had the instrument counted the other way.
+double turned_cost(const StopMatcher& matcher) {
+  StopMatcherOptions options = matcher.options();
+  options.reversed = !options.reversed;
+  StopMatcher turned({matcher.stops().begin(), matcher.stops().end()}, options);
+  for (const Standstill& s : matcher.standstills()) turned.take(s);
+  return turned.cost();
+}
+
+/// A recording of something else has standstills that are no stops beside stops without one, or changes of length that
+/// are none of the list.
+Result<void> check_stop_fit(const StopLengths& lengths, const StopMatcher& matcher) {
+  const std::size_t matches = matcher.matched();
+  if (matches > 0 && turned_cost(matcher) + much_cheaper < matcher.cost())
+    return fail(
+        fmt::format("found lengths that {} where the reflector recedes from the station, expected them to {}: the "
+                    "instrument counts "
+                    "the other way (--reversed), or this is the recording of another plan",
+                    matcher.options().reversed ? "grow" : "fall", matcher.options().reversed ? "fall" : "grow"));
   const auto heard = static_cast<double>(matches);
   const auto unused = static_cast<double>(lengths.unused.size());
+  const auto missed = static_cast<double>(std::ranges::count_if(
+      lengths.stops, [](const StopOutcome& s) { return !s.length && s.lack != StopLack::not_reached; }));
   const auto jumps = static_cast<std::size_t>(std::ranges::count(lengths.segments, true, &SegmentBegin::untold));
-  const bool few = heard < resting_share * (heard + unused) || matches == 0 ||
+  const bool few = matches == 0 || heard < resting_share * (heard + unused) ||
+                   std::min(missed, unused) > displaced_share * heard ||
                    (matches < 3 && lengths.stops.size() >= 3 && lengths.standstills > 2 * matches);
   if (!few && (jumps <= jumps_always || static_cast<double>(jumps) < jump_share * heard)) return {};
   return fail(fmt::format(
       "found {} of {} standstills at the {} stops of the plan, and {} changes of length that are none of it, expected "
-      "most standstills at stops: the recording belongs to another plan, or lengths fall where the reflector recedes "
-      "(--reversed), or they are in another unit",
+      "most standstills at stops: the recording belongs to another plan, or its lengths are in another unit",
       matches, lengths.standstills, lengths.stops.size(), jumps));
 }
 
@@ -176,7 +197,7 @@ void StopListener::interrupt() {
 
 Result<StopLengths> StopListener::lengths() const {
   StopLengths lengths = Outcome(matcher_).run();
-  AXIOMETRY_TRY_VOID(check_stop_fit(lengths, matcher_.matched()));
+  AXIOMETRY_TRY_VOID(check_stop_fit(lengths, matcher_));
   return lengths;
 }
 

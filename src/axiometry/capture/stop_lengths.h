@@ -81,9 +81,9 @@ class StopListener {
   const StopMatcher& matcher() const { return matcher_; }
   std::optional<StandstillDetector::Now> now() const { return detector_.now(); }
 
-  /// What every stop has, as far as the recording has come. Fails where it does not fit the stops: less than half of
-  /// the standstills between first and last stop belong to one (though most stops were to be heard), or a fifth and
-  /// more of the changes of length are none of the list.
+  /// What every stop has, as far as the recording has come. Fails where it does not fit the stops: the other sign of
+  /// the lengths fits far better; less than half of the standstills between first and last stop belong to one; many do
+  /// not, and as many stops have none; or a fifth and more of the changes of length are none of the list.
   Result<StopLengths> lengths() const;
 
  private:

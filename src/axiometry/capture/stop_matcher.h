@@ -50,6 +50,7 @@ class StopMatcher {
   /// The stop that comes next in it; nothing when the last one has come.
   std::optional<std::size_t> due() const;
   bool complete() const { return !due(); }
+  double cost() const { return best().cost; }  ///< of it, after the table of docs/theory/capture-lengths.md
 
   std::span<const Standstill> standstills() const { return standstills_; }
   std::span<const ExpectedStop> stops() const { return stops_; }

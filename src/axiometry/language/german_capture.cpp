@@ -150,12 +150,20 @@ constexpr Phrase rows[] = {
      "keine Länge für eine der {0} Anfahrten des Plans in {1} Stillständen"},
     {"found the recording {0=}, expected a file ending in .csv, .txt or .npy",
      "Aufzeichnung {0}; erwartet: eine Datei mit der Endung .csv, .txt oder .npy"},
+    {"found lengths that fall where the reflector recedes from the station, expected them to grow: the instrument "
+     "counts the other way (--reversed), or this is the recording of another plan",
+     "Längen, die abnehmen, wo der Reflektor sich von der Station entfernt; erwartet: dass sie zunehmen: Das Messgerät "
+     "zählt andersherum (--reversed), oder dies ist die Aufzeichnung eines anderen Plans"},
+    {"found lengths that grow where the reflector recedes from the station, expected them to fall: the instrument "
+     "counts the other way (--reversed), or this is the recording of another plan",
+     "Längen, die zunehmen, wo der Reflektor sich von der Station entfernt; erwartet: dass sie abnehmen: Das Messgerät "
+     "zählt andersherum (--reversed), oder dies ist die Aufzeichnung eines anderen Plans"},
     {"found {0#} of {1#} standstills at the {2#} stops of the plan, and {3#} changes of length that are none of it, "
-     "expected most standstills at stops: the recording belongs to another plan, or lengths fall where the reflector "
-     "recedes (--reversed), or they are in another unit",
+     "expected most standstills at stops: the recording belongs to another plan, or its lengths are in another unit",
      "{0} von {1} Stillständen an den {2} Halten des Plans und {3} Längenänderungen, die nicht dazu gehören; erwartet: "
-     "die meisten Stillstände an Halten: Die Aufzeichnung gehört zu einem anderen Plan, oder Längen nehmen ab, wo der "
-     "Reflektor sich entfernt (--reversed), oder sie stehen in einer anderen Einheit"},
+     "die meisten Stillstände an Halten: Die Aufzeichnung gehört zu einem anderen Plan, oder ihre Längen stehen in "
+     "einer "
+     "anderen Einheit"},
     {"line {0=}: before {1} (at {2#} s) samples are missing or the length jumped: the lengths from there on have "
      "another dead path",
      "Linie {0}: vor {1} (bei {2}\u00a0s) fehlen Abtastwerte oder die Länge sprang: Die Längen von dort an haben eine "
