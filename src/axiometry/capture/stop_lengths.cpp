@@ -137,6 +137,11 @@ double turned_cost(const StopMatcher& matcher) {
 /// are none of the list.
 Result<void> check_stop_fit(const StopLengths& lengths, const StopMatcher& matcher) {
   const std::size_t matches = matcher.matched();
+  if (matcher.standstills().empty())
+    return fail(
+        "found no standstill in the recording, expected the reflector to rest at every stop for sixteen samples and "
+        "more "
+        "(--rest-window, --rest-threshold)");
   if (matches > 0 && turned_cost(matcher) + much_cheaper < matcher.cost())
     return fail(
         fmt::format("found lengths that {} where the reflector recedes from the station, expected them to {}: the "

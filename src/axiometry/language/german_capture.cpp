@@ -148,6 +148,10 @@ constexpr Phrase rows[] = {
      "eine Aufzeichnung von {0} Abtastwerten; erwartet: höchstens {1}"},
     {"found no length for any of the {0#} approaches of the plan in {1#} standstills",
      "keine Länge für eine der {0} Anfahrten des Plans in {1} Stillständen"},
+    {"found no standstill in the recording, expected the reflector to rest at every stop for sixteen samples and more "
+     "(--rest-window, --rest-threshold)",
+     "kein Stillstand in der Aufzeichnung; erwartet: dass der Reflektor an jedem Halt sechzehn Abtastwerte und länger "
+     "ruht (--rest-window, --rest-threshold)"},
     {"found the recording {0=}, expected a file ending in .csv, .txt or .npy",
      "Aufzeichnung {0}; erwartet: eine Datei mit der Endung .csv, .txt oder .npy"},
     {"found lengths that fall where the reflector recedes from the station, expected them to grow: the instrument "
