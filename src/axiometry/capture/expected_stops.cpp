@@ -66,7 +66,7 @@ void StopPath::go(Vector3 reflector_mm) {
 
 void StopPath::stop(Vector3 reflector_mm) {
   go(reflector_mm);
-  ExpectedStop stop{reflector_mm, station_, {}, lowest_, highest_, segment_begins_};
+  ExpectedStop stop{reflector_mm, station_, {}, lowest_, highest_, segment_begins_, {}};
   if (eager_.direction() == slow_.direction()) stop.arrival = slow_.direction();
   stops_.push_back(stop);
   segment_begins_ = false;

@@ -23,6 +23,7 @@ struct ExpectedStop {
   double lowest_mm = 0.0;            ///< of the distance on the way from the stop before, both included
   double highest_mm = 0.0;
   bool begins_segment = false;  ///< the beam is certainly another one from here on: another station or another tool
+  std::optional<Matrix3> station_covariance_mm2{};  ///< of s, where that is known better than by its largest error
 
   double distance_mm() const { return distance(reflector_mm, station_mm); }  ///< |q + t − s|
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/capture/station_refining.h"
 
 namespace axiometry::capture {
 namespace {
@@ -124,13 +125,17 @@ class Outcome {
   StopLengths lengths_;
 };
 
-/// The same standstills, had the instrument counted the other way.
-double turned_cost(const StopMatcher& matcher) {
+/// The same standstills under other assumptions.
+StopMatcher matched_again(const StopMatcher& matcher, std::vector<ExpectedStop> stops, bool reversed) {
   StopMatcherOptions options = matcher.options();
-  options.reversed = !options.reversed;
-  StopMatcher turned({matcher.stops().begin(), matcher.stops().end()}, options);
-  for (const Standstill& s : matcher.standstills()) turned.take(s);
-  return turned.cost();
+  options.reversed = reversed;
+  StopMatcher again(std::move(stops), options);
+  for (const Standstill& s : matcher.standstills()) again.take(s);
+  return again;
+}
+
+double turned_cost(const StopMatcher& matcher) {
+  return matched_again(matcher, {matcher.stops().begin(), matcher.stops().end()}, !matcher.options().reversed).cost();
 }
 
 /// A recording of something else has standstills that are no stops beside stops without one, or changes of length that
@@ -201,9 +206,11 @@ void StopListener::interrupt() {
 }
 
 Result<StopLengths> StopListener::lengths() const {
-  StopLengths lengths = Outcome(matcher_).run();
-  AXIOMETRY_TRY_VOID(check_stop_fit(lengths, matcher_));
-  return lengths;
+  StopLengths first = Outcome(matcher_).run();
+  AXIOMETRY_TRY_VOID(check_stop_fit(first, matcher_));
+  const StopMatcher refined = matched_again(matcher_, refined_stops(matcher_), matcher_.options().reversed);
+  if (refined.matched() < matcher_.matched()) return first;
+  return Outcome(refined).run();
 }
 
 Result<StopLengths> lengths_at_stops(std::span<const Sample> samples, std::vector<ExpectedStop> stops,

@@ -84,6 +84,7 @@ class StopListener {
   /// What every stop has, as far as the recording has come. Fails where it does not fit the stops: the other sign of
   /// the lengths fits far better; less than half of the standstills between first and last stop belong to one; many do
   /// not, and as many stops have none; or a fifth and more of the changes of length are none of the list.
+  /// The stations are learned from the lengths (station_refining.h) and the standstills matched once more from there.
   Result<StopLengths> lengths() const;
 
  private:

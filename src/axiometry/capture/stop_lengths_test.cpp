@@ -160,6 +160,27 @@ TEST(StopLengths, FindsABreakThatOnlyTheLengthsTell) {
   EXPECT_EQ(lengths->found(), points.size());
 }
 
+TEST(StopLengths, LearnsTheStationAndSeesSmallerJumpsThenAndTellsStopsApart) {
+  auto points = volume_points(60);
+  MadeUpLengths run;
+  run.broken = {{25, {1.6, false}}};  // far less than what a station that is 2.7 mm off makes of changes of length
+  const auto broken = listen(run, places_of(points), points);
+  ASSERT_TRUE(broken) << broken.error().message;
+  expect_lengths(*broken, run, points);
+  ASSERT_EQ(broken->segments.size(), 1u);
+  EXPECT_EQ(broken->segments[0].stop, 25u);
+  EXPECT_TRUE(broken->segments[0].untold);
+  // 3 mm nearer to the station than the point before, which is missed.
+  run.broken = {};
+  const Vector3 beam = points[9] - run.station_mm;
+  points[10] = run.station_mm + (norm(beam) - 3.0) * unit(beam + 200.0 * unit(cross(beam, {0.0, 0.0, 1.0})));
+  Places places = places_of(points);
+  places.erase(places.begin() + 9);
+  const auto lengths = listen(run, places, points);
+  ASSERT_TRUE(lengths) << lengths.error().message;
+  expect_lengths(*lengths, run, points, {9});
+}
+
 TEST(StopLengths, SurvivesAllOfItAtOnce) {
   const auto points = volume_points(300, 11);
   MadeUpLengths run;

@@ -24,6 +24,7 @@ constexpr double cost_told_jump = 1.0;   // or it is another
 constexpr double cost_untold_break = 6.0;
 
 constexpr double cost_most = 16.0;  // more than the best: given up
+constexpr double coverage = 4.0;    // of standard uncertainties
 constexpr std::size_t states_most = 256;
 constexpr std::size_t stops_ahead = 16;  // and as many as the time has room for
 constexpr std::size_t links_to_collect = 4096;
@@ -55,8 +56,11 @@ double StopMatcher::length(const Standstill& s) const {
 }
 
 double StopMatcher::tolerance_mm(std::size_t from, std::size_t to) const {
-  return options_.tolerance_mm + options_.station_error_mm * norm(beams_[to] - beams_[from]) +
-         options_.scale * std::abs(distances_[to] - distances_[from]);
+  const Vector3 turn = beams_[to] - beams_[from];
+  const auto& covariance = stops_[to].station_covariance_mm2;
+  const double station = covariance ? coverage * std::sqrt(std::max(0.0, quadratic(turn, *covariance, turn)))
+                                    : options_.station_error_mm * norm(turn);
+  return options_.tolerance_mm + station + options_.scale * std::abs(distances_[to] - distances_[from]);
 }
 
 void StopMatcher::take(const Standstill& standstill) {
