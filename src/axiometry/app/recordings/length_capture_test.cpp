@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/recordings/length_capture.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "axiometry/formats/tracking/tracking_lengths_csv.h"
 #include "axiometry/simulation/tracked_recording.h"
 #include "axiometry/tracking/lines/line_test_support.h"
+#include "tests/support/made_up_lengths.h"
 
 namespace axiometry::app {
 namespace {
@@ -132,7 +134,7 @@ TEST(LengthCapture, TellsAMissedApproachAndShiftsNoOther) {
 }
 
 TEST(LengthCapture, NeverTakesOneDirectionForTheOther) {
-  // A reversal error far beyond the tolerance of a change of length is none of a table either; here only the way tells.
+  // Both have the same length but for the reversal error: only the way there tells which it is.
   RecordedLines lines;
   const auto all = captured(lines);
   ASSERT_TRUE(all);
@@ -145,6 +147,34 @@ TEST(LengthCapture, NeverTakesOneDirectionForTheOther) {
     ASSERT_TRUE(found) << found.error().message;
     for (const LengthReading& r : found->readings)
       EXPECT_FALSE(r.line == "x" && r.approach == all->readings[missed].approach);
+  }
+}
+
+TEST(LengthCapture, PassesOverRestsAtTurningPoints) {
+  const TrackingPlan plan = two_lines(2);
+  testing_support::MadeUpLengths run;
+  run.station_mm = plan.setup.station.position_mm;
+  run.home_mm = {900.0, 500.0, 500.0};
+  run.rate_hz = 50.0;
+  std::vector<testing_support::MadeUpLengths::Place> places;
+  for (const TrackingLine& line : plan.lines)
+    for (const PlannedMove& move : moves(line.plan)) {
+      const Vector3 at = spatial_line(line.plan.axis)->at(move.to) + plan.setup.tool_offset_mm;
+      places.push_back({at, move.approach ? 2.0 : 3.0});
+    }
+  std::string text = "time_s,length_mm\n";
+  for (const Sample& s : run.record(places)) text += fmt::format("{:.4f},{:.7f}\n", s.time_s, s.position);
+  Source source = Source::of_bytes("run.csv", text);
+  const auto found = read_length_recording(source, plan, {});
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->readings.size(), found->approaches);
+  const double first = found->readings.front().length_difference_mm;
+  for (const LengthReading& r : found->readings) {
+    const TrackingLine& line = plan.lines[r.line == "x" ? 0 : 1];
+    const Vector3 at =
+        spatial_line(line.plan.axis)->at(line.plan.targets[r.approach.target]) + plan.setup.tool_offset_mm;
+    EXPECT_NEAR(r.length_difference_mm - first,
+                distance(at, run.station_mm) - tracking::testing_support::distances()[0], 0.001);
   }
 }
 
