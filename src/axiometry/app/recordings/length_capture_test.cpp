@@ -20,9 +20,15 @@ namespace {
 
 using tracking::testing_support::two_lines;
 
+simulation::TrackedMachine with_play() {
+  simulation::TrackedMachine machine;
+  machine.backlash[0] = Length::um(3.0);
+  return machine;
+}
+
 struct RecordedLines {
   TrackingPlan plan = two_lines(3);
-  simulation::TrackedMachine machine{.backlash = {Length::um(3.0)}};
+  simulation::TrackedMachine machine = with_play();
   simulation::VirtualTracker tracker{.station_mm = tracking::testing_support::station(), .noise = Length::um(0.2)};
   double rate = 100.0;
   std::function<bool(const Sample&)> keep = [](const Sample&) { return true; };

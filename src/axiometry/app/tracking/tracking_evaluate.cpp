@@ -14,7 +14,6 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/length_capture.h"
-#include "axiometry/app/recordings/raw_times.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
@@ -139,7 +138,7 @@ Result<Assigned> recorded(Source& source, const TrackingEvaluateOptions& options
 Result<Assigned> read_lengths(Source& source, const TrackingEvaluateOptions& options, EvaluatedLines& evaluated,
                               formats::TrackingLengths& table) {
   AXIOMETRY_TRY(const std::string_view head, source.head());
-  if (!options.recording.stream.empty() || is_raw(source.name()) || formats::is_length_recording(head, evaluated.plan))
+  if (!options.recording.stream.empty() || formats::is_length_recording(head, evaluated.plan))
     return recorded(source, options, evaluated);
   AXIOMETRY_TRY(const std::string bytes, source.read_all(read_budget::file_bytes));
   evaluated.lengths = {source.name(), sha256(bytes)};
