@@ -169,9 +169,9 @@ constexpr Phrase rows[] = {
      "die Aufzeichnung ergab {0} der {1} Messwerte des Plans"},
     {"the recording has become as long as one may be: it ends here",
      "die Aufzeichnung ist so lang geworden, wie eine sein darf: Sie endet hier"},
-    {"the reflector rested {0#} times where no approach of the plan was due, first at {1#} s; not used",
-     "der Reflektor stand {0}-mal still, wo keine Anfahrt des Plans an der Reihe war, zuerst bei {1}\u00a0s; nicht "
-     "verwendet"},
+    {"the reflector rested where no approach of the plan was due, first at {0#} s; not used ({1#} in all)",
+     "der Reflektor stand still, wo keine Anfahrt des Plans an der Reihe war, zuerst bei {0}\u00a0s; nicht verwendet "
+     "(insgesamt {1})"},
     {"the rest was too short", "der Stillstand war zu kurz"},
     {"the stream shows {0#} lost of {1#} samples", "der Datenstrom zeigt {0} verlorene von {1} Abtastwerten"},
     {"too short: {0}", "zu kurz: {0}"},

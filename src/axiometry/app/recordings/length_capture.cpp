@@ -78,8 +78,8 @@ class LengthNotes {
   void tell_unused() {
     if (lengths_.unused.empty()) return;
     notes_.push_back(
-        fmt::format("the reflector rested {} times where no approach of the plan was due, first at {} s; not used",
-                    lengths_.unused.size(), format_fixed(lengths_.unused.front().begin_s, 1)));
+        fmt::format("the reflector rested where no approach of the plan was due, first at {} s; not used ({} in all)",
+                    format_fixed(lengths_.unused.front().begin_s, 1), lengths_.unused.size()));
   }
 
   void tell_remarks() {
