@@ -73,6 +73,9 @@ def seeds(program, folder):
     yield "capture's plan", ["capture", "--plan", "@", "--from", str(files / "capture.files/run.csv")], (files / "capture.files/x.plan.json").read_bytes()
     tracking = files / "tracking-evaluate.files"
     yield "lengths", ["tracking", "evaluate", "@", "--plan", str(tracking / "seven.json")], (tracking / "lengths.csv").read_bytes()
+    recorded = folder / "recorded.csv"
+    subprocess.run([program, "tracking", "simulate", "--plan", str(tracking / "seven.json"), "--noise", "0.2um", "--rate", "25", "--recording", str(recorded), "-q"], capture_output=True, check=True)
+    yield "recorded lengths", ["tracking", "evaluate", "@", "--plan", str(tracking / "seven.json")], recorded.read_bytes()
     yield "lengths' plan", ["tracking", "evaluate", str(tracking / "lengths.csv"), "--plan", "@"], (tracking / "seven.json").read_bytes()
     yield "set-up", ["tracking", "plan", "--setup", "@", "--station", "100,80,-600", "--seed", "3", "--out", "-"], (files / "nc-lines.files/tracking.json").read_bytes()
     yield "tracking simulated", ["tracking", "simulate", "--plan", "@", "--seed", "3", "--lengths", "-"], (tracking / "seven.json").read_bytes()

@@ -10,6 +10,7 @@
 
 #include "axiometry/app/live/capture_run.h"
 #include "axiometry/app/recordings/raw_log.h"
+#include "axiometry/app/tracking/tracking_plan.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -31,11 +32,12 @@ struct CaptureArguments {
 /// Readings and events as lines; on a terminal a last line says where the axis is.
 class Display {
  public:
-  Display(bool quiet, const Plan& plan)
+  /// Of lines no plan of one axis is needed: nothing but where the reflector is can be told before the end.
+  Display(bool quiet, const Plan* plan)
       : quiet_(quiet),
         terminal_(ColourChoice::automatic),
         shows_now_(!quiet && ::isatty(STDOUT_FILENO) == 1),
-        kind_(plan.axis.kind),
+        kind_(plan == nullptr ? AxisKind::linear : plan->axis.kind),
         plan_(plan) {}
   ~Display() { clear(); }
 
@@ -46,7 +48,7 @@ class Display {
     const auto deviation_text = [&](double x) { return format_fixed(x, 2); };
     std::string line = fmt::format(
         "{}  {} {}  {} {}  s {}  {} samples", left(capture::approach_name(reading.approach), 17),
-        right(format_fixed(plan_.targets[reading.approach.target].in_native(), 4), 11), position_unit(kind_),
+        right(format_fixed(plan_->targets[reading.approach.target].in_native(), 4), 11), position_unit(kind_),
         right(deviation_text(reading.deviation.in_native()), 9), deviation_unit(kind_),
         deviation_text(reading.standstill.spread.in_native() * scale), reading.standstill.count);
     for (const std::string& remark : reading.remarks) line += terminal_.yellow("; " + remark);
@@ -69,10 +71,9 @@ class Display {
 
   void now(const app::CaptureSession& session) {
     if (!shows_now_) return;
-    const auto& result = session.matcher().result();
     const auto at = session.now();
-    const auto due = session.matcher().due();
-    const std::string line = fmt::format("{} of {}  {}{}", result.readings.size(), result.approaches,
+    const auto due = session.stops() == nullptr ? session.matcher().due() : std::nullopt;
+    const std::string line = fmt::format("{} of {}  {}{}", session.taken(), session.expected(),
                                          at ? fmt::format("{} {} {}", format_fixed(at->position.in_native(), 4),
                                                           position_unit(kind_), at->at_rest ? "at rest" : "moving")
                                             : std::string("waiting for samples"),
@@ -92,7 +93,7 @@ class Display {
   Terminal terminal_;
   bool shows_now_;
   AxisKind kind_;
-  const Plan& plan_;
+  const Plan* plan_;
   std::size_t width_ = 0;
 };
 
@@ -107,11 +108,39 @@ void print_end(const app::CaptureOutcome& outcome, const app::CaptureRun& run) {
              run.out.empty() || run.out == "-" ? "" : fmt::format("; {}", report::printable(run.out)));
 }
 
+/// The lines of a tracking plan.
+int capture_lengths(const CaptureArguments& arguments) {
+  const auto& [options, run, give_up, quiet] = arguments;
+  const InterruptGuard guard;
+  Display display(quiet || run.out == "-", nullptr);
+  const app::CaptureObserver observer{
+      .reading = {},
+      .event = {},
+      .notice = [&](const std::string& text) { display.notice(text); },
+      .now = [&](const auto& session) { display.now(session); },
+      .stopped = [] { return InterruptGuard::interrupted(); },
+      .abandoned = {},
+  };
+  const auto outcome = app::run_length_capture(run, options, observer);
+  display.clear();
+  if (!outcome) return failed(outcome.error());
+  if (!quiet && run.out != "-") {
+    for (const std::string& note : outcome->lengths.notes) fmt::print("{}\n", report::printable(note));
+    if (!run.out.empty())
+      fmt::print("{} of {} lengths; {}\n", outcome->lengths.readings.size(), outcome->lengths.approaches,
+                 report::printable(run.out));
+  }
+  return outcome->stopped ? exit_interrupted : exit_done;
+}
+
 int capture(const CaptureArguments& arguments) {
+  const auto of_lines = app::is_tracking_plan_file(arguments.options.plan);
+  if (!of_lines) return failed(of_lines.error());
+  if (*of_lines) return capture_lengths(arguments);
   const auto plan = app::load_plan(arguments.options.plan, arguments.options.part);
   if (!plan) return failed(plan.error());
   const InterruptGuard guard;
-  Display display(arguments.quiet || arguments.run.out == "-", *plan);
+  Display display(arguments.quiet || arguments.run.out == "-", &*plan);
   const app::CaptureObserver observer{
       .reading = [&](const auto& reading) { display.reading(reading); },
       .event = [&](const auto& event) { display.event(event); },
@@ -152,7 +181,7 @@ void check(CaptureArguments& arguments) {
 }  // namespace
 
 void add_capture(const Verb& program, int& exit_code) {
-  Verb verb = program.add_subcommand("capture", "Wait for the targets of a plan in a stream of positions");
+  Verb verb = program.add_subcommand("capture", "Wait for the targets of a plan in a stream of positions or lengths");
   auto arguments = std::make_shared<CaptureArguments>();
   app::CaptureRun& run = arguments->run;
   verb->add_option("--from", run.from,
@@ -160,7 +189,9 @@ void add_capture(const Verb& program, int& exit_code) {
                    "serial:///dev/ttyACM0?baud=2000000")
       ->type_name("SOURCE")
       ->required();
-  verb->add_option("--out", run.out, "Test as JSON, a whole file after every reading; - writes it once, at the end")
+  verb->add_option("--out", run.out,
+                   "Test as JSON, a whole file after every reading; - writes it once, at the end. Of the lines of a "
+                   "tracking plan the table of lengths, at the end")
       ->type_name("FILE");
   Flag raw = verb->add_option("--raw", run.raw,
                               "File for every byte of a live stream as it came (the name of --out and .raw); "
@@ -185,6 +216,7 @@ void add_capture(const Verb& program, int& exit_code) {
     --counts-per-wavelength 8 --out x.json
   axiometry capture --plan x.plan.json --from tcp://192.168.1.20:5000 --resume x.json.raw --out x.json
   axiometry capture --plan x.plan.json --from x.json.raw --out again.json
+  axiometry capture --plan lines.json --from tcp://192.168.1.20:5000 --out lengths.csv    lines of a tracking plan
 
 Ends when every approach has come, when the stream ends, or with Ctrl-C (exit code 130); what has come is kept.)");
 }

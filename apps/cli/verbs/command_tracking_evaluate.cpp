@@ -15,6 +15,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "cli/failure.h"
+#include "cli/flags/capture_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/uncertainty_flags.h"
 #include "cli/text/progress.h"
@@ -107,7 +108,9 @@ std::string named(const std::string& name) {
 
 void add_input_flags(const Verb& verb, Arguments& a) {
   constexpr const char* group = "Input";
-  verb.add_option("FILE", a.file, "Lengths as CSV, or - for the standard input")->required();
+  verb.add_option("FILE", a.file,
+                  "Lengths as CSV or as a continuous recording of time and length, or - for the standard input")
+      ->required();
   verb.add_option("--plan", a.evaluate.plan, "The plan whose lines were measured (axiometry tracking plan)")
       ->required()
       ->check(named)
@@ -204,6 +207,7 @@ void add_tracking_evaluate(const Verb& tracking, int& exit_code) {
   Verb verb = tracking.add_subcommand("evaluate", "Evaluate lengths measured along the lines of a plan");
   auto arguments = std::make_shared<Arguments>();
   add_input_flags(*verb, *arguments);
+  add_length_recording_flags(*verb, arguments->evaluate.recording);
   add_tolerance_flags(*verb, *arguments);
   add_method_flags(*verb, arguments->evaluate.uncertainty);
   add_output_flags(*verb, *arguments);
@@ -216,8 +220,10 @@ void add_tracking_evaluate(const Verb& tracking, int& exit_code) {
   });
   verb->footer(
       R"(The file has the columns line,target,direction,run,length_difference_mm, or length_difference_mm alone in
-the order of the program. Examples:
+the order of the program; or it is a continuous recording of the whole measurement in a layout of 'axiometry formats':
+standstills are then found and matched to the plan. Examples:
   axiometry tracking evaluate lengths.csv --plan seven.json --station located.json
+  axiometry tracking evaluate run.csv --plan seven.json
   axiometry tracking evaluate lengths.csv --plan seven.json --json - --save-tests 'tests/{name}.json'
   axiometry tracking evaluate lengths.csv --plan seven.json --tolerance A=10um --tolerance xy:E=20um
 

@@ -75,6 +75,18 @@ void add_request(const Verb& verb, Arguments& a) {
            });
 }
 
+void add_rate(const Verb& verb, Arguments& a) {
+  add_read(verb, {"--rate", "HZ", "Samples per second of --recording (100)"},
+           [&a](const std::string& text) -> Result<void> {
+             const auto rate = parse_number(text);
+             if (!rate || !(*rate >= 0.001 && *rate <= 1e7))
+               return fail(fmt::format("found {}, expected 0.001 to 10000000 samples a second", text::quoted(text)));
+             a.request.rate = *rate;
+             return {};
+           })
+      ->group("Outputs");
+}
+
 void add_truth(const Verb& verb, Arguments& a) {
   for (const app::TrackedOption& option : app::tracked_options())
     add_read(verb, {std::string(option.name), std::string(option.values), std::string(option.help)},
@@ -91,6 +103,10 @@ void add_outputs(const Verb& verb, Arguments& a) {
   };
   file("--points", a.files.points, "Points of the station location, as 'tracking locate' reads them");
   file("--lengths", a.files.lengths, "Lengths along the plan's lines, as 'tracking evaluate' reads them");
+  file("--recording", a.files.recording,
+       "What the instrument shows all the time along the plan's lines, time and length, as .csv, .txt or .npy; "
+       "'tracking "
+       "evaluate' reads it too");
   file("--ranges", a.files.ranges, "Lengths from several stations, as 'tracking multilaterate' reads them");
   file("--truth", a.files.truth, "What was true, as JSON (docs/howto/simulate-tracking.md)");
   verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group(group);
@@ -100,11 +116,15 @@ int run(const Arguments& a) {
   const auto summary = app::run_tracked_simulation(a.request, a.files);
   if (!summary) return failed(summary.error());
   const auto& f = a.files;
-  if (a.quiet || f.points == "-" || f.lengths == "-" || f.ranges == "-" || f.truth == "-") return exit_done;
+  if (a.quiet || f.points == "-" || f.lengths == "-" || f.recording == "-" || f.ranges == "-" || f.truth == "-")
+    return exit_done;
   if (!f.points.empty()) fmt::print("{}: {} points, seed {}\n", f.points, summary->points, a.request.seed);
   if (!f.lengths.empty())
     fmt::print("{}: {} lengths on {} line{}, {} s\n", f.lengths, summary->lengths, summary->lines,
                summary->lines == 1 ? "" : "s", format_fixed(summary->duration.in_s(), 0));
+  if (!f.recording.empty())
+    fmt::print("{}: {} samples of {} line{}\n", f.recording, summary->samples, summary->lines,
+               summary->lines == 1 ? "" : "s");
   if (!f.ranges.empty()) fmt::print("{}: {} lengths\n", f.ranges, summary->ranges);
   if (!f.truth.empty()) fmt::print("{}: the truth\n", f.truth);
   return exit_done;
@@ -120,6 +140,7 @@ void add_tracking_simulate(const Verb& tracking, int& exit_code) {
   add_request(*verb, *arguments);
   add_truth(*verb, *arguments);
   add_outputs(*verb, *arguments);
+  add_rate(*verb, *arguments);
   verb->require_subcommand(0, 1);
   add_lee_verbs(*verb, exit_code);
   verb->callback([verb, arguments, &exit_code] {

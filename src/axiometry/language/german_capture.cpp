@@ -6,6 +6,8 @@ namespace axiometry::language {
 namespace {
 
 constexpr Phrase rows[] = {
+    {"a continuous recording of {0#} samples gave {1#} of the {2#} lengths of the plan",
+     "eine fortlaufende Aufzeichnung von {0} Abtastwerten ergab {1} der {2} Längen des Plans"},
     {"arrived {0#} at {1#}, expected {2}; not used", "Ankunft {0} bei {1}; erwartet: {2}; nicht verwendet"},
     {"at rest again, at {0#}; {1} keeps its first reading",
      "erneut Stillstand, bei {0}; {1} behält den ersten Messwert"},
@@ -25,6 +27,13 @@ constexpr Phrase rows[] = {
     {"drifts by {0#} while at rest", "driftet im Stillstand um {0}"},
     {"found a device, a pipe or a folder, expected a file",
      "ein Gerät, eine Leitung oder ein Ordner; erwartet: eine Datei"},
+    {"found a part, a datum or a zero for a plan of lines, expected none: lengths have a dead path that is not known",
+     "ein Teil, ein Bezug oder ein Nullpunkt zu einem Plan von Linien; erwartet: keines davon, denn Längen haben eine "
+     "unbekannte Totstrecke"},
+    {"found a rate of {0#} samples a second, expected 0.001 to 10000000",
+     "eine Rate von {0} Abtastwerten je Sekunde; erwartet: 0,001 bis 10000000"},
+    {"found a recording of {0#} samples, expected at most {1#}",
+     "eine Aufzeichnung von {0} Abtastwerten; erwartet: höchstens {1}"},
     {"found a window of ±{0#} around the targets, expected one above 0 and below {1#}, half way to the next target and "
      "to the overrun",
      "Fenster von ±{0} um die Zielpositionen; erwartet: eines über 0 und unter {1}, dem halben Weg zur nächsten "
@@ -40,14 +49,28 @@ constexpr Phrase rows[] = {
      "Abweichungen von {0} bis {1} von den Zielpositionen; erwartet: eine Spannweite von höchstens {2}: Die "
      "Aufzeichnung gehört zu einem anderen Plan, oder das Fenster um die Zielpositionen ist für diese Achse zu eng "
      "(--target-window)"},
+    {"found lengths that fall where the reflector recedes from the station, expected them to grow: the instrument "
+     "counts the other way (--reversed), or this is the recording of another plan",
+     "Längen, die abnehmen, wo der Reflektor sich von der Station entfernt; erwartet: dass sie zunehmen: Das Messgerät "
+     "zählt andersherum (--reversed), oder dies ist die Aufzeichnung eines anderen Plans"},
+    {"found lengths that grow where the reflector recedes from the station, expected them to fall: the instrument "
+     "counts the other way (--reversed), or this is the recording of another plan",
+     "Längen, die zunehmen, wo der Reflektor sich von der Station entfernt; erwartet: dass sie abnehmen: Das Messgerät "
+     "zählt andersherum (--reversed), oder dies ist die Aufzeichnung eines anderen Plans"},
     {"found less than {0#} MiB left on the disk of the recording: it ends here",
      "weniger als {0}\u00a0MiB frei auf dem Datenträger der Aufzeichnung: Sie endet hier"},
     {"found more beside resume, expected it alone", "mehr als resume; erwartet: nur dieses"},
     {"found no interrupted capture {0=}", "keine unterbrochene Messung {0}"},
+    {"found no length for any of the {0#} approaches of the plan in {1#} standstills",
+     "keine Länge für eine der {0} Anfahrten des Plans in {1} Stillständen"},
     {"found no reading at target {0#} of the plan, expected one from every approach: left out of the test",
      "kein Messwert an Zielposition {0} des Plans; erwartet: einer aus jeder Anfahrt: in der Prüfung weggelassen"},
     {"found no sample and no times beside it, expected a recording to go on with",
      "kein Abtastwert und keine Zeiten daneben; erwartet: eine Aufzeichnung, die fortzusetzen ist"},
+    {"found no standstill in the recording, expected the reflector to rest at every stop for sixteen samples and more "
+     "(--rest-window, --rest-threshold)",
+     "kein Stillstand in der Aufzeichnung; erwartet: dass der Reflektor an jedem Halt sechzehn Abtastwerte und länger "
+     "ruht (--rest-window, --rest-threshold)"},
     {"found no {0#} standstills in {1#} that fit the first approaches of the plan, expected them to set the zero",
      "keine {0} Stillstände unter {1}, die zu den ersten Anfahrten des Plans passen; erwartet: solche, um Null zu "
      "setzen"},
@@ -57,6 +80,8 @@ constexpr Phrase rows[] = {
      "Teil {0} verlangt; erwartet: 1 bis {1}: der Plan und die zu ihm gehörenden"},
     {"found readings at {0#} of {1#} targets in {2#} standstills, expected at least two",
      "Messwerte an {0} von {1} Zielpositionen in {2} Stillständen; erwartet: mindestens zwei"},
+    {"found the recording {0=}, expected a file ending in .csv, .txt or .npy",
+     "Aufzeichnung {0}; erwartet: eine Datei mit der Endung .csv, .txt oder .npy"},
     {"found the source {0=}, expected serial:///dev/ttyACM0?baud=2000000",
      "Quelle {0}; erwartet: serial:///dev/ttyACM0?baud=2000000"},
     {"found the source {0=}, expected tcp://host:port", "Quelle {0}; erwartet: tcp://host:port"},
@@ -79,6 +104,12 @@ constexpr Phrase rows[] = {
      "{0} von {1} Stillständen an den Anfahrten des Plans; erwartet: die meisten ({2} Anfahrten, Zielpositionen {3} "
      "bis {4}): Die Aufzeichnung gehört zu einem anderen Plan, oder Nullpunkt oder Vorzeichen des Messgeräts sind "
      "andere (--zero, --datum, --reverse); {5}"},
+    {"found {0#} of {1#} standstills at the {2#} stops of the plan, and {3#} changes of length that are none of it, "
+     "expected most standstills at stops: the recording belongs to another plan, or its lengths are in another unit",
+     "{0} von {1} Stillständen an den {2} Halten des Plans und {3} Längenänderungen, die nicht dazu gehören; erwartet: "
+     "die meisten Stillstände an Halten: Die Aufzeichnung gehört zu einem anderen Plan, oder ihre Längen stehen in "
+     "einer "
+     "anderen Einheit"},
     {"found {0#} of {1#} times in {2=} beyond the {3#} bytes of the recording, left them out",
      "{0} von {1} Zeitstempeln in {2} jenseits der {3} Bytes der Aufzeichnung; weggelassen"},
     {"found {0#} of {1#} times in {2=} damaged, the first is number {3#}, left them out",
@@ -100,7 +131,18 @@ constexpr Phrase rows[] = {
      "{0} Zeilen mit einem Zähler außer der Reihe weggelassen, die erste ist Zeile {1}"},
     {"left out {0#} lines whose time is out of order, the first is line {1#}",
      "{0} Zeilen mit einer Zeit außer der Reihe weggelassen, die erste ist Zeile {1}"},
+    {"line {0=}: before {1} (at {2#} s) samples are missing or the length jumped: the lengths from there on have "
+     "another dead path",
+     "Linie {0}: vor {1} (bei {2}\u00a0s) fehlen Abtastwerte oder die Länge sprang: Die Längen von dort an haben eine "
+     "andere Totstrecke"},
+    {"line {0=}: before {1} (at {2#} s) the lengths jump as no line of the plan does: the beam was broken, and the "
+     "lengths from there on have another dead path",
+     "Linie {0}: vor {1} (bei {2}\u00a0s) springen die Längen wie keine Linie des Plans: Der Strahl war unterbrochen, "
+     "und die Längen von dort an haben eine andere Totstrecke"},
+    {"line {0=}: no length for {1} and {2#} others: {3}", "Linie {0}: keine Länge für {1} und {2} weitere: {3}"},
+    {"line {0=}: no length for {1}: {2}", "Linie {0}: keine Länge für {1}: {2}"},
     {"missed: {0}", "ausgelassen: {0}"},
+    {"no standstill", "kein Stillstand"},
     {"no standstill for {0}", "kein Stillstand für {0}"},
     {"no standstill for {0} and others", "kein Stillstand für {0} und weitere"},
     {"not seen: {0}", "nicht gesehen: {0}"},
@@ -121,19 +163,27 @@ constexpr Phrase rows[] = {
      "der Zähler der Abtastwerte wurde {0}-mal zurückgestellt, zuerst in Zeile {1}; er wurde weitergeführt"},
     {"the first standstill at target {0#} showed {1#}: zero lies at {2#}",
      "der erste Stillstand an Zielposition {0} zeigte {1}: Null liegt bei {2}"},
+    {"the recording ended before", "die Aufzeichnung endete vorher"},
     {"the recording ended before {0} and the {1#} behind it", "die Aufzeichnung endete vor {0} und den {1} danach"},
     {"the recording gave {0#} of the {1#} readings of the plan",
      "die Aufzeichnung ergab {0} der {1} Messwerte des Plans"},
     {"the recording has become as long as one may be: it ends here",
      "die Aufzeichnung ist so lang geworden, wie eine sein darf: Sie endet hier"},
+    {"the reflector rested where no approach of the plan was due, first at {0#} s; not used ({1#} in all)",
+     "der Reflektor stand still, wo keine Anfahrt des Plans an der Reihe war, zuerst bei {0}\u00a0s; nicht verwendet "
+     "(insgesamt {1})"},
+    {"the rest was too short", "der Stillstand war zu kurz"},
     {"the stream shows {0#} lost of {1#} samples", "der Datenstrom zeigt {0} verlorene von {1} Abtastwerten"},
     {"too short: {0}", "zu kurz: {0}"},
     {"unexpected: {0}", "unerwartet: {0}"},
+    {"what was there may as well belong to another approach that was not heard",
+     "was dort war, kann ebenso zu einer anderen Anfahrt gehören, die nicht gehört wurde"},
     {"when {0#} of the {1#} bytes of the recording arrived is not known",
      "wann {0} der {1} Bytes der Aufzeichnung ankamen, ist nicht bekannt"},
     {"wrong direction: {0}", "falsche Richtung: {0}"},
     {"zero: {0}", "Nullpunkt: {0}"},
     {"{0#} earlier messages are not shown", "{0} frühere Meldungen werden nicht gezeigt"},
+    {"{0#} further remarks of that kind on readings", "{0} weitere Bemerkungen dieser Art zu Messwerten"},
     {"{0#} of {1#} samples left out as outliers", "{0} von {1} Abtastwerten als Ausreißer weggelassen"},
     {"{0} came again after {1#} readings, which were dropped",
      "{0} kam nach {1} Messwerten noch einmal; diese wurden verworfen"},

@@ -7,12 +7,16 @@
 #include <chrono>
 #include <limits>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 #include "axiometry/app/files/output.h"
+#include "axiometry/app/live/capture_date.h"
+#include "axiometry/app/live/recording_room.h"
 #include "axiometry/app/live/recording_spared.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/recordings/raw_playing.h"
+#include "axiometry/app/tracking/tracking_plan.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/format.h"
 
@@ -52,6 +56,27 @@ class Run {
   }
 
   Result<CaptureOutcome> operator()() {
+    AXIOMETRY_TRY_VOID(hear());
+    AXIOMETRY_TRY(Test test, dated_test(session_, run_.from, first_arrival_));
+    return CaptureOutcome{session_.complete(),         stopped_,           std::move(test),
+                          session_.matcher().result(), session_.samples(), session_.lost()};
+  }
+
+  /// Of a session for the lines of that plan.
+  Result<LengthOutcome> lengths(const TrackingPlan& plan) {
+    AXIOMETRY_TRY_VOID(hear());
+    AXIOMETRY_TRY(CapturedLengths lengths, captured_lengths(plan, session_));
+    const std::string date = arrival_date(first_arrival_);
+    return LengthOutcome{session_.complete(), stopped_, std::move(lengths), session_.lost(), date};
+  }
+
+ private:
+  bool stop() {
+    stopped_ = stopped_ || (observer_.stopped && observer_.stopped());
+    return stopped_ || over();
+  }
+
+  Result<void> hear() {
     auto read = read_all();
     if (abandoned_) return fail("the capture was left, to be gone on with later");
     if (!read) {
@@ -62,21 +87,13 @@ class Run {
     if (!last) return std::unexpected(std::move(last).error());
     AXIOMETRY_TRY_VOID(settle(*last, true));
     for (const std::string& remark : session_.remarks()) notice(remark);
-    AXIOMETRY_TRY(Test test, this->test());
-    return CaptureOutcome{session_.matcher().complete(), stopped_,           std::move(test),
-                          session_.matcher().result(),   session_.samples(), session_.lost()};
-  }
-
- private:
-  bool stop() {
-    stopped_ = stopped_ || (observer_.stopped && observer_.stopped());
-    return stopped_ || over();
+    return {};
   }
 
   /// Nothing more is to be read, not even of a recording that is gone on with.
   bool over() {
     abandoned_ = abandoned_ || (observer_.abandoned && observer_.abandoned());
-    return abandoned_ || session_.matcher().complete();
+    return abandoned_ || session_.complete();
   }
 
   void notice(const std::string& text) const {
@@ -168,8 +185,8 @@ class Run {
         return std::unexpected(
             Error{"found no sample and no times beside it, expected a recording to go on with", run_.resume, {}});
       if (none) notice(none->to_string());
-      notice(fmt::format("{}: played again, {} of {} approaches are done", base_name(run_.resume),
-                         session_.matcher().result().readings.size(), session_.matcher().result().approaches));
+      notice(fmt::format("{}: played again, {} of {} approaches are done", base_name(run_.resume), session_.taken(),
+                         session_.expected()));
       if (stop()) return {};
     }
     AXIOMETRY_TRY(RawLog log, run_.resume.empty() ? RawLog::create(run_.raw) : RawLog::resume(run_.resume));
@@ -189,7 +206,8 @@ class Run {
     while (!stop()) {
       const LiveStream::Got got = stream->read(block, poll_time);
       if (got.state == LiveStream::State::data) {
-        if (!has_room(disk, got.count)) break;
+        stopped_ = !has_room(disk, {room_, got.count}, [this](const std::string& text) { notice(text); });
+        if (stopped_) break;
         AXIOMETRY_TRY_VOID(keep_and_take({block.data(), got.count}, log));
         note_return();
       } else if (got.state == LiveStream::State::closed) {
@@ -206,32 +224,12 @@ class Run {
     return {};
   }
 
-  /// The capture ends before the disk is full, so that what came is kept whole, and the test with it.
-  bool has_room(DiskRoom& disk, std::size_t bytes) {
-    if (bytes > room_) {
-      notice("the recording has become as long as one may be: it ends here");
-      stopped_ = true;
-      return false;
-    }
-    const DiskRoom::Answer answer = disk.before(bytes);
-    if (answer.warn)
-      notice(fmt::format("found {} MiB left on the disk of the recording; at {} MiB the capture ends",
-                         *answer.warn >> 20, DiskRoom::least >> 20));
-    if (!answer.enough) {
-      notice(fmt::format("found less than {} MiB left on the disk of the recording: it ends here",
-                         (DiskRoom::least >> 20) + 1));
-      stopped_ = true;
-    }
-    return answer.enough;
-  }
-
   Result<void> keep_and_take(std::string_view bytes, RawLog& log) {
     room_ -= bytes.size();
     const ArrivalNs arrival = log.stamp();
     if (!first_arrival_) first_arrival_ = arrival;
     if (auto kept = sound(log.append(bytes, arrival)); !kept) {
-      kept.error().message +=
-          fmt::format("; {} bytes and {} readings are kept", log.size(), session_.matcher().result().readings.size());
+      kept.error().message += fmt::format("; {} bytes and {} readings are kept", log.size(), session_.taken());
       return kept;
     }
     AXIOMETRY_TRY_VOID(take(bytes, arrival));
@@ -239,7 +237,7 @@ class Run {
     return fail(
         fmt::format("found {} bytes without a line break, expected one sample a line: the capture ends here; {} "
                     "readings are kept",
-                    session_.without_break(), session_.matcher().result().readings.size()));
+                    session_.without_break(), session_.taken()));
   }
 
   /// An outage ends when samples come again, not with a connection: a source may take each and close it at once.
@@ -304,6 +302,7 @@ class Run {
     if (!readings.empty() || last) {
       AXIOMETRY_TRY_VOID(write_test(last));
     }
+    if (session_.stops() != nullptr) return {};
     const auto& events = session_.matcher().result().events;
     events_told_ = std::min(events_told_, events.size());  // setting the zero begins a new list
     for (const capture::CapturedReading& reading : readings) {
@@ -321,22 +320,10 @@ class Run {
       if (observer_.event) observer_.event(events[events_told_]);
   }
 
-  Result<Test> test() const {
-    AXIOMETRY_TRY(Test test, session_.test());
-    test.provenance.file = run_.from;
-    if (first_arrival_) {
-      using namespace std::chrono;
-      const year_month_day day(floor<days>(sys_time<nanoseconds>(nanoseconds(*first_arrival_))));
-      test.metadata.conditions.date = fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),
-                                                  static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
-    }
-    return test;
-  }
-
   /// A test needs two targets, so there is no file before them; and none of a recording that does not fit.
   Result<void> write_test(bool last) {
-    if (run_.out.empty() || (run_.out == "-" && !last)) return {};
-    const auto test = this->test();
+    if (run_.out.empty() || session_.stops() != nullptr || (run_.out == "-" && !last)) return {};
+    const auto test = dated_test(session_, run_.from, first_arrival_);
     if (!test) return {};
     static const formats::Format* const json = formats::find_format("json");
     return write_file(run_.out, json->write(*test));
@@ -367,6 +354,18 @@ class Run {
   Clock::time_point shown_;
 };
 
+/// Listens where the run says and has the reading end as `outcome` does; an error names the source.
+template <typename Outcome>
+auto from_source(const CaptureRun& run, const CaptureObserver& observer, CaptureSession session, Outcome outcome)
+    -> std::invoke_result_t<Outcome, Run&> {
+  AXIOMETRY_TRY(const auto live, parse_live(run.from));
+  Run reading(run, observer, std::move(session));
+  if (live) reading.listen([address = *live] { return connect_to(address); }, UINT64_MAX);
+  auto result = outcome(reading);
+  if (!result && result.error().file.empty()) result.error().file = run.from == "-" ? "(standard input)" : run.from;
+  return result;
+}
+
 }  // namespace
 
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
@@ -374,11 +373,17 @@ Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& 
   AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
   AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
-  AXIOMETRY_TRY(const auto live, parse_live(run.from));
-  Run reading(run, observer, std::move(session));
-  if (live) reading.listen([address = *live] { return connect_to(address); }, UINT64_MAX);
-  auto outcome = reading();
-  if (!outcome && outcome.error().file.empty()) outcome.error().file = run.from == "-" ? "(standard input)" : run.from;
+  return from_source(run, observer, std::move(session), [](Run& reading) { return reading(); });
+}
+
+Result<LengthOutcome> run_length_capture(const CaptureRun& run, const CaptureOptions& options,
+                                         const CaptureObserver& observer) {
+  AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
+  AXIOMETRY_TRY(const TrackingPlan plan, read_tracking_plan_file(options.plan));
+  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(plan, options));
+  AXIOMETRY_TRY(LengthOutcome outcome,
+                from_source(run, observer, std::move(session), [&](Run& reading) { return reading.lengths(plan); }));
+  if (!run.out.empty()) AXIOMETRY_TRY_VOID(write_file(run.out, length_capture_table(outcome.lengths)));
   return outcome;
 }
 

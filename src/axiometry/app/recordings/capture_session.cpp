@@ -17,8 +17,10 @@ constexpr std::size_t plan_limit = std::size_t{64} << 20;
 constexpr std::size_t lines_to_recognise = 4;  // start-up text, a header and two samples
 constexpr std::size_t most_to_recognise = std::size_t{64} << 10;
 
-capture::StandstillOptions rest_options(const Plan& plan, const CaptureOptions& options) {
-  capture::StandstillOptions rest = capture::standstill_options(plan);
+constexpr double slowest_limit_mm_per_s = 500.0;  // that no reflector is taken to exceed
+constexpr double feeds_of_limit = 10.0;
+
+capture::StandstillOptions rest_options(capture::StandstillOptions rest, const CaptureOptions& options) {
   if (options.rest_window) {
     // What a window may move by at most grows with it; what is made of windows follows.
     const double ratio = options.rest_window->in_s() / rest.window.in_s();
@@ -32,9 +34,9 @@ capture::StandstillOptions rest_options(const Plan& plan, const CaptureOptions& 
   return rest;
 }
 
-Result<formats::RecordingOptions> recording_options(const Plan& plan, const CaptureOptions& options) {
+Result<formats::RecordingOptions> recording_options(AxisKind kind, const CaptureOptions& options) {
   formats::RecordingOptions recording = options.recording;
-  recording.kind = plan.axis.kind;
+  recording.kind = kind;
   if (options.wavelength_nm.has_value() != options.counts_per_wavelength.has_value())
     return fail("found only one of the wavelength and the counts per wavelength, expected both or neither");
   if (!options.wavelength_nm) return recording;
@@ -42,6 +44,12 @@ Result<formats::RecordingOptions> recording_options(const Plan& plan, const Capt
   AXIOMETRY_TRY(recording.units_per_count,
                 formats::mm_per_count(Length::nm(*options.wavelength_nm), *options.counts_per_wavelength));
   return recording;
+}
+
+Result<void> check_settling(const CaptureOptions& options, Duration dwell) {
+  if (!options.settling || *options.settling < dwell) return {};
+  return fail(fmt::format("found {} s of settling, expected less than the {} s the plan dwells at a target",
+                          format_exact(options.settling->in_s()), format_exact(dwell.in_s())));
 }
 
 }  // namespace
@@ -67,27 +75,54 @@ Result<Plan> load_plan(const std::string& file, std::size_t part) {
 
 Result<CaptureSession> CaptureSession::open(Plan plan, const CaptureOptions& options) {
   CaptureSession session;
-  session.options_ = options;
-  AXIOMETRY_TRY(session.options_.recording, recording_options(plan, options));
-  session.arrival_s_ = std::make_shared<double>(0.0);
-  const capture::StandstillOptions rest = rest_options(plan, options);
-  if (options.settling && *options.settling >= plan.dwell)
-    return fail(fmt::format("found {} s of settling, expected less than the {} s the plan dwells at a target",
-                            format_exact(options.settling->in_s()), format_exact(plan.dwell.in_s())));
+  AXIOMETRY_TRY_VOID(session.open_stream(options, plan.axis.kind));
+  const capture::StandstillOptions rest = rest_options(capture::standstill_options(plan), options);
+  AXIOMETRY_TRY_VOID(check_settling(options, plan.dwell));
   session.detector_ = std::make_unique<capture::StandstillDetector>(rest);
   capture::MatcherOptions matcher = options.matcher;
   matcher.shortest = rest.shortest;
   AXIOMETRY_TRY(capture::TargetMatcher made, capture::TargetMatcher::make(std::move(plan), matcher));
   session.matcher_.emplace(std::move(made));
-  if (options.stream.empty()) return session;
-  session.layout_ = formats::find_recording(options.stream);
-  if (session.layout_ == nullptr) {
-    std::string ids;
-    for (const formats::Recording* r : formats::recording_table())
-      ids += fmt::format("{}{}", ids.empty() ? "" : ", ", r->id);
-    return fail(fmt::format("found the unknown stream {}, expected one of {}", text::quoted(options.stream), ids));
-  }
   return session;
+}
+
+Result<CaptureSession> CaptureSession::open(const TrackingPlan& plan, const CaptureOptions& options) {
+  CaptureSession session;
+  AXIOMETRY_TRY_VOID(session.open_stream(options, AxisKind::linear));
+  if (options.part != 1 || options.matcher.zero_at_first_target || options.matcher.datum != Position{})
+    return fail(
+        "found a part, a datum or a zero for a plan of lines, expected none: lengths have a dead path that is not "
+        "known");
+  for (const TrackingLine& line : plan.lines)
+    if (const auto sound = check_sound(line.plan); !sound || !spatial_line(line.plan.axis))
+      return fail(
+          fmt::format("the line {}: {}", text::quoted(line.id),
+                      sound ? "found no place in space, expected its origin and direction" : sound.error().message));
+  capture::LineStops lines = capture::line_stops(plan);
+  if (lines.stops.empty()) return fail("found a plan without lines, expected at least one");
+  AXIOMETRY_TRY_VOID(check_settling(options, lines.drive.dwell));
+  capture::StopOptions stops{.drive = lines.drive, .matcher = {}};
+  stops.rest = rest_options(capture::standstill_options(lines.drive), options);
+  stops.matcher.tolerance_mm = options.matcher.window ? options.matcher.window->in_native() : lines.tolerance_mm;
+  stops.matcher.station_error_mm = lines.station_error_mm;
+  stops.matcher.direction_counts = true;
+  stops.matcher.reversed = options.matcher.reversed;
+  stops.fastest_mm_per_s = std::max(slowest_limit_mm_per_s, feeds_of_limit * lines.drive.feed / 60.0);
+  session.stops_ = std::make_unique<capture::StopListener>(std::move(lines.stops), stops);
+  return session;
+}
+
+Result<void> CaptureSession::open_stream(const CaptureOptions& options, AxisKind kind) {
+  options_ = options;
+  AXIOMETRY_TRY(options_.recording, recording_options(kind, options));
+  arrival_s_ = std::make_shared<double>(0.0);
+  if (options.stream.empty()) return {};
+  layout_ = formats::find_recording(options.stream);
+  if (layout_ != nullptr) return {};
+  std::string ids;
+  for (const formats::Recording* r : formats::recording_table())
+    ids += fmt::format("{}{}", ids.empty() ? "" : ", ", r->id);
+  return fail(fmt::format("found the unknown stream {}, expected one of {}", text::quoted(options.stream), ids));
 }
 
 /// False while too little has come to know the layout.
@@ -124,7 +159,7 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::feed(std::string_v
 SampleSink CaptureSession::sink() {
   return [this](std::span<const Sample> samples) -> Result<void> {
     samples_ += samples.size();
-    match(detector_->push(samples));
+    stops_ ? stops_->push(samples) : match(detector_->push(samples));
     return {};
   };
 }
@@ -133,6 +168,9 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::read(std::string_v
   AXIOMETRY_TRY_VOID(reader_->feed(bytes, sink()));
   return found_before();
 }
+
+/// Samples are missing, or the recording ends.
+void CaptureSession::interrupt() { stops_ ? stops_->interrupt() : match(detector_->interrupt()); }
 
 void CaptureSession::match(const std::vector<capture::Standstill>& standstills) {
   for (const capture::Standstill& standstill : standstills)
@@ -145,7 +183,7 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::interrupted() {
     return found_before();
   }
   AXIOMETRY_TRY_VOID(reader_->interrupted(sink()));
-  match(detector_->interrupt());
+  interrupt();
   return found_before();
 }
 
@@ -158,8 +196,8 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::finish(End end) {
   if (read_out) read_out = reader_->finish(sink());
   if (!read_out && samples_ == 0) return std::unexpected(std::move(read_out).error());
   if (!read_out) remark(fmt::format("left out the end of the recording: {}", read_out.error().message));
-  match(detector_->interrupt());
-  AXIOMETRY_TRY_VOID(matcher_->finish());
+  interrupt();
+  if (matcher_) AXIOMETRY_TRY_VOID(matcher_->finish());
   return found_before();
 }
 

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/capture/stop_lengths.h"
 #include "axiometry/capture/target_matcher.h"
 #include "axiometry/formats/recording.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/model/test.h"
+#include "axiometry/model/tracking.h"
 
 /// The use case "from the bytes of a recording to the readings of a plan".
 namespace axiometry::app {
@@ -35,12 +37,16 @@ struct CaptureOptions {
 /// not exist.
 Result<Plan> load_plan(const std::string& file, std::size_t part);
 
-/// One recording on its way to readings. The result depends on the bytes, their arrival and the places where the
+/// One recording on its way to readings: of a plan, or (of_lines()) to the lengths at the stops of a tracking plan,
+/// which capture/stop_lengths.h finds. The result depends on the bytes, their arrival and the places where the
 /// connection broke, not on when it is asked for.
 class CaptureSession {
  public:
   /// Fails on options that contradict the plan or each other.
   static Result<CaptureSession> open(Plan plan, const CaptureOptions& options);
+  /// Lengths of the lines of a plan: `target_window` is how far a change of length may be from the expected one; zero,
+  /// datum and part are refused. Readings are not handed on as they come: stops() knows them.
+  static Result<CaptureSession> open(const TrackingPlan& plan, const CaptureOptions& options);
 
   /// Fails as the reader of the layout does; readings of what stood before that are made, and handed on by
   /// found_before(). `arrival_s` is nothing when it is never known, NaN when that of these bytes is not.
@@ -64,14 +70,21 @@ class CaptureSession {
   /// The test as far as it has come; fails while there is none yet (capture::captured_test()).
   Result<Test> test() const;
 
-  const capture::TargetMatcher& matcher() const { return *matcher_; }
+  const capture::TargetMatcher& matcher() const { return *matcher_; }  ///< needs a plan of one axis
+  const capture::StopListener* stops() const { return stops_.get(); }  ///< nullptr for a plan of one axis
+  bool complete() const { return stops_ ? stops_->matcher().complete() : matcher_->complete(); }
+  std::size_t taken() const { return stops_ ? stops_->matcher().matched() : matcher_->result().readings.size(); }
+  std::size_t expected() const { return stops_ ? stops_->matcher().stops().size() : matcher_->result().approaches; }
   std::string_view layout() const { return layout_ == nullptr ? std::string_view() : layout_->id; }
   std::size_t samples() const { return samples_; }
   std::size_t lost() const { return reader_ ? reader_->lost() : 0; }
-  std::optional<capture::StandstillDetector::Now> now() const { return detector_->now(); }
+  Environment environment() const { return reader_ ? reader_->environment() : Environment{}; }
+  std::optional<capture::StandstillDetector::Now> now() const { return stops_ ? stops_->now() : detector_->now(); }
 
  private:
   CaptureSession() = default;
+  Result<void> open_stream(const CaptureOptions& options, AxisKind kind);
+  void interrupt();
   Result<bool> begin(bool whole);
   Result<std::vector<capture::CapturedReading>> read(std::string_view bytes);
   void match(const std::vector<capture::Standstill>& standstills);
@@ -80,6 +93,7 @@ class CaptureSession {
   CaptureOptions options_;
   std::optional<capture::TargetMatcher> matcher_;
   std::unique_ptr<capture::StandstillDetector> detector_;
+  std::unique_ptr<capture::StopListener> stops_;  // in place of both
   const formats::Recording* layout_ = nullptr;
   std::unique_ptr<formats::RecordingReader> reader_;
   std::string head_;  // until the layout is known

@@ -72,7 +72,9 @@ Result<RecordingEncoder> RecordingEncoder::make(RawLayout layout, const RawSetti
 
 std::string RecordingEncoder::head() const {
   switch (layout_) {
-    case RawLayout::text: return setting_.kind == AxisKind::linear ? "time_s,position_mm\n" : "time_s,position_deg\n";
+    case RawLayout::text:
+      if (setting_.lengths) return "time_s,length_mm\n";
+      return setting_.kind == AxisKind::linear ? "time_s,position_mm\n" : "time_s,position_deg\n";
     case RawLayout::npy: return npy_head(setting_.samples);
     case RawLayout::umd: return "Simulated displacements, counts of half a wavelength\r\n";
   }

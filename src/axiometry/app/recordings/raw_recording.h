@@ -29,6 +29,7 @@ struct RawSetting {
   std::size_t samples = 0;  ///< that will be written
   double rate = 1.0;        ///< samples a second
   Length wavelength;        ///< in air; a count of `umd` is half of it
+  bool lengths = false;     ///< of a tracking interferometer, where positions are no coordinates of an axis
 };
 
 /// The bytes of a recording, sample by sample.

@@ -14,16 +14,9 @@ constexpr std::size_t recording_block = std::size_t{256} << 10;
 
 }  // namespace
 
-Result<Test> read_recording(Source& source, const CaptureOptions& options) {
-  AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
-  const bool live = is_raw(source.name());
-  CaptureOptions taken = options;
-  taken.recording.skip_damaged = taken.recording.skip_damaged || live;
-  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), taken));
-  auto end = CaptureSession::End::of_file;
+Result<std::string> hear(Source& source, CaptureSession& session) {
   Sha256 hash;
-  if (live) {
-    end = CaptureSession::End::of_reading;
+  if (is_raw(source.name())) {
     const PlayHooks hooks{.wants =
                               [&](const RawPiece& piece) {
                                 hash.update(piece.bytes);
@@ -32,19 +25,32 @@ Result<Test> read_recording(Source& source, const CaptureOptions& options) {
                           .readings = [](const auto&) { return Result<void>{}; }};
     AXIOMETRY_TRY(auto none, play_into(session, source.name(), hooks));
     if (none) return std::unexpected(*std::move(none));
-  } else {
-    std::vector<char> block(recording_block);
-    while (true) {
-      AXIOMETRY_TRY(const std::size_t got, source.read(block));
-      if (got == 0) break;
-      hash.update({block.data(), got});
-      AXIOMETRY_TRY_VOID(session.feed({block.data(), got}));
-    }
+    AXIOMETRY_TRY_VOID(session.finish(CaptureSession::End::of_reading));
+    return hash.finish();
   }
-  AXIOMETRY_TRY_VOID(session.finish(end));
+  std::vector<char> block(recording_block);
+  while (true) {
+    AXIOMETRY_TRY(const std::size_t got, source.read(block));
+    if (got == 0) break;
+    hash.update({block.data(), got});
+    AXIOMETRY_TRY_VOID(session.feed({block.data(), got}));
+  }
+  AXIOMETRY_TRY_VOID(session.finish(CaptureSession::End::of_file));
+  return hash.finish();
+}
+
+CaptureOptions options_of_source(const Source& source, CaptureOptions options) {
+  options.recording.skip_damaged = options.recording.skip_damaged || is_raw(source.name());
+  return options;
+}
+
+Result<Test> read_recording(Source& source, const CaptureOptions& options) {
+  AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
+  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options_of_source(source, options)));
+  AXIOMETRY_TRY(std::string sha256, hear(source, session));
   AXIOMETRY_TRY(Test test, session.test());
   test.provenance.file = source.name();
-  test.provenance.sha256 = hash.finish();
+  test.provenance.sha256 = std::move(sha256);
   return test;
 }
 

@@ -8,10 +8,12 @@
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/recordings/raw_recording.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/simulate/tracked_truth.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
+#include "axiometry/simulation/tracked_recording.h"
 #include "axiometry/tracking/station/location_points.h"
 
 namespace axiometry::app {
@@ -22,9 +24,15 @@ constexpr std::size_t grid_most = 1'000'000;
 
 Result<void> check_output_names(const TrackedFiles& files) {
   std::vector<std::string> names;
-  for (const std::string* name : {&files.points, &files.lengths, &files.ranges, &files.truth})
+  for (const std::string* name : {&files.points, &files.lengths, &files.recording, &files.ranges, &files.truth})
     if (!name->empty()) names.push_back(*name);
-  if (names.empty()) return fail("found no output, expected --points, --lengths, --ranges or --truth");
+  if (names.empty()) return fail("found no output, expected --points, --lengths, --recording, --ranges or --truth");
+  if (!files.recording.empty()) {
+    AXIOMETRY_TRY(const RawLayout layout, raw_layout_of(files.recording));
+    if (layout == RawLayout::umd)
+      return fail(fmt::format("found the recording {}, expected a file ending in .csv, .txt or .npy",
+                              text::quoted(files.recording)));
+  }
   const InputFile plan{files.plan, false};
   const InputFiles inputs(files.plan.empty() ? std::span<const InputFile>() : std::span(&plan, 1));
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -92,7 +100,7 @@ Result<TrackedResults> simulate(const TrackedSimulation& request, const TrackedF
     results.tracker.dead_path_mm = results.location->dead_path_mm;
     begin = results.location->duration;
   }
-  if (!files.lengths.empty()) {
+  if (!files.lengths.empty() || !files.recording.empty()) {
     if (!results.plan) return fail("found no plan of lines to walk, expected --plan");
     AXIOMETRY_TRY(results.lengths,
                   simulation::simulate_lengths(machine, results.tracker, *results.plan, begin, request.seed));
@@ -111,6 +119,26 @@ Result<TrackedResults> simulate(const TrackedSimulation& request, const TrackedF
   return results;
 }
 
+struct WrittenRecording {
+  RawRecording file;
+  std::size_t samples = 0;
+};
+
+/// What the instrument shows all the time on the lines; not committed yet.
+Result<WrittenRecording> record_lines(const TrackedSimulation& request, const TrackedResults& results,
+                                      const std::string& name) {
+  AXIOMETRY_TRY(const auto recording,
+                simulation::TrackedRecording::make(request.truth.machine, results.tracker, *results.plan,
+                                                   *results.lengths, request.rate, request.seed));
+  RawSetting setting;
+  setting.samples = recording.samples();
+  setting.rate = request.rate;
+  setting.lengths = true;
+  AXIOMETRY_TRY(RawRecording raw, RawRecording::create(name, setting));
+  AXIOMETRY_TRY_VOID(recording.record([&](std::span<const Sample> some) { return raw.write(some); }));
+  return WrittenRecording{std::move(raw), recording.samples()};
+}
+
 }  // namespace
 
 Result<TrackedSummary> run_tracked_simulation(const TrackedSimulation& request, const TrackedFiles& files) {
@@ -123,12 +151,17 @@ Result<TrackedSummary> run_tracked_simulation(const TrackedSimulation& request, 
   if (!files.lengths.empty()) texts.emplace_back(files.lengths, length_table(request, *results.lengths));
   if (!files.ranges.empty()) texts.emplace_back(files.ranges, range_table(request, results));
   if (!files.truth.empty()) texts.emplace_back(files.truth, json::dump(tracked_truth_value(request, results)) + "\n");
+  std::optional<WrittenRecording> recording;
+  if (!files.recording.empty()) {
+    AXIOMETRY_TRY(recording, record_lines(request, results, files.recording));
+  }
   std::vector<OutputFile> outputs;
   for (const auto& [name, text] : texts) {
     AXIOMETRY_TRY(OutputFile output, OutputFile::create(name));
     AXIOMETRY_TRY_VOID(output.write(text));
     outputs.push_back(std::move(output));
   }
+  if (recording) AXIOMETRY_TRY_VOID(recording->file.commit());
   for (OutputFile& output : outputs) AXIOMETRY_TRY_VOID(output.commit());
 
   TrackedSummary summary{.station_mm = results.tracker.station_mm, .duration = {}};
@@ -141,6 +174,7 @@ Result<TrackedSummary> run_tracked_simulation(const TrackedSimulation& request, 
     summary.lines = results.plan->lines.size();
     summary.duration = results.lengths->end;
   }
+  if (recording) summary.samples = recording->samples;
   if (results.ranges) summary.ranges = results.ranges->readings.size();
   return summary;
 }

@@ -19,15 +19,17 @@ struct TrackedSimulation {
   std::vector<Vector3> stations_mm = {};         ///< of a multilateration; that of the machine alone when empty
   std::array<std::size_t, 3> grid = {5, 5, 5};   ///< points of a multilateration, over the plan's travels
   std::uint64_t seed = 1;
+  double rate = 100.0;  ///< of a continuous recording, samples a second
 };
 
 /// Empty names are not written; "-" is the standard output.
 struct TrackedFiles {
-  std::string plan;     ///< read: a tracking plan
-  std::string points;   ///< CSV for `tracking locate`
-  std::string lengths;  ///< CSV for `tracking evaluate`
-  std::string ranges;   ///< CSV for `tracking multilaterate`
-  std::string truth;    ///< JSON
+  std::string plan;         ///< read: a tracking plan
+  std::string points;       ///< CSV for `tracking locate`
+  std::string lengths;      ///< CSV for `tracking evaluate`
+  std::string recording{};  ///< what the instrument shows all the time along the lines: .csv, .txt or .npy
+  std::string ranges;       ///< CSV for `tracking multilaterate`
+  std::string truth;        ///< JSON
 };
 
 struct TrackedSummary {
@@ -36,6 +38,7 @@ struct TrackedSummary {
   std::size_t lengths = 0;
   std::size_t lines = 0;
   std::size_t ranges = 0;
+  std::size_t samples = 0;  ///< of the recording
   Duration duration;
 };
 

@@ -13,6 +13,7 @@
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/recordings/length_capture.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
@@ -116,9 +117,60 @@ void note_provenance(EvaluatedLines& evaluated, const formats::TrackingLengths& 
     Provenance& p = line.test.provenance;
     p.file = evaluated.lengths.file;
     p.sha256 = evaluated.lengths.sha256;
-    p.format = "tracking-lengths";
+    p.format = evaluated.recording.empty() ? "tracking-lengths" : evaluated.recording;
     p.remarks.insert(p.remarks.begin(), lengths.remarks.begin(), lengths.remarks.end());
   }
+}
+
+/// Lengths at approaches, out of a continuous recording.
+Result<Assigned> recorded(Source& source, const TrackingEvaluateOptions& options, EvaluatedLines& evaluated) {
+  CaptureOptions recording = options.recording;
+  recording.matcher.reversed = options.reversed;
+  AXIOMETRY_TRY(CapturedLengths lengths, read_length_recording(source, evaluated.plan, recording));
+  evaluated.lengths = {source.name(), lengths.sha256};
+  evaluated.recording = lengths.layout;
+  for (std::string& note : lengths.notes) evaluated.evaluation.findings.push_back({false, std::move(note)});
+  return Assigned{std::move(lengths.readings), std::move(lengths.times_s)};
+}
+
+/// Lengths at approaches, and of a table what else it says.
+Result<Assigned> read_lengths(Source& source, const TrackingEvaluateOptions& options, EvaluatedLines& evaluated,
+                              formats::TrackingLengths& table) {
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  if (!options.recording.stream.empty() || formats::is_length_recording(head, evaluated.plan))
+    return recorded(source, options, evaluated);
+  AXIOMETRY_TRY(const std::string bytes, source.read_all(read_budget::file_bytes));
+  evaluated.lengths = {source.name(), sha256(bytes)};
+  AXIOMETRY_TRY(table, formats::read_tracking_lengths(bytes, evaluated.plan));
+  evaluated.in_program_order = table.in_program_order;
+  return assigned(evaluated.plan, table, options.reversed);
+}
+
+/// `files` are plan and station; the lengths are those of the source.
+Result<EvaluatedLines> evaluate_source(Source& source, const TrackingFiles& files,
+                                       const TrackingEvaluateOptions& options) {
+  const std::string& lengths = files.lengths.name;
+  EvaluatedLines evaluated;
+  AXIOMETRY_TRY_VOID(read_setup(files, evaluated));
+  formats::TrackingLengths read;
+  AXIOMETRY_TRY(Assigned readings, in_file(read_lengths(source, options, evaluated, read), lengths));
+  evaluated.lengths.file = lengths;
+  AXIOMETRY_TRY_VOID(set_metadata(read.metadata, options.metadata));
+  tracking::LineEvaluationOptions of_lines;
+  of_lines.metadata = read.metadata;
+  of_lines.break_threshold_mm = options.break_threshold_mm;
+  of_lines.find_breaks = options.find_breaks;
+  of_lines.reversed = options.reversed;
+  of_lines.in_program_order = read.in_program_order;
+  of_lines.times_s = std::move(readings.times_s);
+  std::vector<tracking::Finding> before = std::move(evaluated.evaluation.findings);
+  AXIOMETRY_TRY(evaluated.evaluation,
+                in_file(tracking::evaluate_lines(evaluated.plan, readings.readings, of_lines), lengths));
+  auto& findings = evaluated.evaluation.findings;
+  findings.insert(findings.begin(), before.begin(), before.end());
+  note_provenance(evaluated, read);
+  AXIOMETRY_TRY_VOID(in_file(assess_lines(evaluated, options), lengths));
+  return evaluated;
 }
 
 }  // namespace
@@ -144,37 +196,15 @@ Result<EvaluatedLines> evaluate_tracking(const std::string& lengths, const Track
   AXIOMETRY_TRY(const std::string plan, whole_file(options.plan));
   AXIOMETRY_TRY(const std::string station,
                 options.station.empty() ? Result<std::string>(std::string()) : whole_file(options.station));
-  AXIOMETRY_TRY(const std::string bytes, whole_file(lengths));
-  TrackingFiles files{{lengths, bytes}, {options.plan, plan}, {}};
+  AXIOMETRY_TRY(Source source, in_file(Source::open(lengths), lengths));
+  TrackingFiles files{{lengths, {}}, {options.plan, plan}, {}};
   if (!options.station.empty()) files.station = GivenFile{options.station, station};
-  return evaluate_tracking(files, options);
+  return evaluate_source(source, files, options);
 }
 
 Result<EvaluatedLines> evaluate_tracking(const TrackingFiles& files, const TrackingEvaluateOptions& options) {
-  const std::string& lengths = files.lengths.name;
-  EvaluatedLines evaluated;
-  AXIOMETRY_TRY_VOID(read_setup(files, evaluated));
-  evaluated.lengths = {lengths, sha256(files.lengths.bytes)};
-  AXIOMETRY_TRY(formats::TrackingLengths read,
-                in_file(formats::read_tracking_lengths(files.lengths.bytes, evaluated.plan), lengths));
-  AXIOMETRY_TRY_VOID(set_metadata(read.metadata, options.metadata));
-  evaluated.in_program_order = read.in_program_order;
-  AXIOMETRY_TRY(Assigned readings, in_file(assigned(evaluated.plan, read, options.reversed), lengths));
-  tracking::LineEvaluationOptions of_lines;
-  of_lines.metadata = read.metadata;
-  of_lines.break_threshold_mm = options.break_threshold_mm;
-  of_lines.find_breaks = options.find_breaks;
-  of_lines.reversed = options.reversed;
-  of_lines.in_program_order = read.in_program_order;
-  of_lines.times_s = std::move(readings.times_s);
-  std::vector<tracking::Finding> before = std::move(evaluated.evaluation.findings);
-  AXIOMETRY_TRY(evaluated.evaluation,
-                in_file(tracking::evaluate_lines(evaluated.plan, readings.readings, of_lines), lengths));
-  auto& findings = evaluated.evaluation.findings;
-  findings.insert(findings.begin(), before.begin(), before.end());
-  note_provenance(evaluated, read);
-  AXIOMETRY_TRY_VOID(in_file(assess_lines(evaluated, options), lengths));
-  return evaluated;
+  Source source = Source::of_bytes(files.lengths.name, files.lengths.bytes);
+  return evaluate_source(source, files, options);
 }
 
 report::Document lines_document(const EvaluatedLines& evaluated, const report::Options& options) {

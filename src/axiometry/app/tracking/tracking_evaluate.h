@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "axiometry/app/evaluate/evaluate.h"
+#include "axiometry/app/recordings/capture_session.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/base/json.h"
 #include "axiometry/model/tracking.h"
@@ -31,6 +32,7 @@ struct TrackingEvaluateOptions {
   bool reversed = false;                                      ///< lengths fall where the reflector recedes
   bool find_breaks = true;
   std::optional<double> break_threshold_mm{};
+  CaptureOptions recording{};                  ///< what a continuous recording does not say itself; its plan is `plan`
   ToleranceOptions tolerance;                  ///< of all lines
   std::vector<LineTolerance> line_tolerances;  ///< in place of those of all lines, parameter by parameter
   UncertaintyOptions uncertainty;
@@ -55,11 +57,13 @@ struct EvaluatedLines {
   ReadFile plan_file;
   std::optional<ReadFile> station_file;
   bool in_program_order = false;
+  std::string recording{};  ///< layout of the continuous recording that the lengths were taken out of; else empty
 };
 
-/// Reads lengths ("-" is the standard input), plan and station, evaluates every line and assesses its test as
-/// `axiometry evaluate` does. Fails, with the file's name, as the readers, evaluate_lines() and evaluate_test() do, and
-/// on a tolerance for a line that was not measured.
+/// Reads lengths, a table or a continuous recording as formats::is_length_recording() has it ("-" is the standard
+/// input), plan and station, evaluates every line and assesses its test as `axiometry evaluate` does. Fails, with the
+/// file's name, as the readers, evaluate_lines() and evaluate_test() do, and on a tolerance for a line that was not
+/// measured.
 Result<EvaluatedLines> evaluate_tracking(const std::string& lengths, const TrackingEvaluateOptions& options);
 
 /// Bytes that are at hand, under the name by which messages and reports call them.

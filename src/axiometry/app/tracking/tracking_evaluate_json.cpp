@@ -132,7 +132,9 @@ json::Value to_json(const EvaluatedLines& evaluated) {
   object.add("squareness", squareness_to_json(evaluated.evaluation.squareness));
   object.add("findings", tracking_findings_to_json(evaluated.evaluation.findings));
   Value& source = object.add("source", read_file_to_json(evaluated.lengths));
-  source.add("format", evaluated.in_program_order ? "tracking-lengths-in-order" : "tracking-lengths");
+  source.add("format", !evaluated.recording.empty() ? evaluated.recording
+                       : evaluated.in_program_order ? std::string("tracking-lengths-in-order")
+                                                    : std::string("tracking-lengths"));
   source.add("plan", read_file_to_json(evaluated.plan_file));
   source.add("station", evaluated.station_file ? read_file_to_json(*evaluated.station_file) : Value());
   object.add("program", program_to_json());

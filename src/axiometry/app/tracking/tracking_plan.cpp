@@ -215,4 +215,9 @@ Result<void> write_outputs(const PlannedLines& planned, const OutputNames& names
   return write_file(names.json, json::dump(to_json(planned)) + "\n");
 }
 
+Result<bool> is_tracking_plan_file(const std::string& file) {
+  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
+  return formats::is_tracking_plan(bytes);
+}
+
 }  // namespace axiometry::app

@@ -94,6 +94,9 @@ Result<PlannedLocation> plan_location_points(const TrackingPlanRequest& request,
 /// A tracking plan from a file ("-" is the standard input). Fails with the file's name.
 Result<TrackingPlan> read_tracking_plan_file(const std::string& file);
 
+/// Whether a file holds one, and not a plan of one axis. Fails when it cannot be read.
+Result<bool> is_tracking_plan_file(const std::string& file);
+
 /// Writes the plan with program and duration to names.json, and its sheet to names.reports.
 Result<void> write_outputs(const PlannedLines& planned, const OutputNames& names, const report::Options& options);
 

@@ -266,14 +266,19 @@ Result<TrackingLengths> read_tracking_lengths(std::string_view bytes, const Trac
   return lengths;
 }
 
-std::string write_tracking_lengths(std::span<const LengthReading> readings) {
+std::string write_tracking_lengths(std::span<const LengthReading> readings, std::span<const double> times_s) {
   const bool segments = std::ranges::any_of(readings, [](const LengthReading& r) { return r.segment != 0; });
-  std::string text = fmt::format("line,target,direction,run,length_difference_mm{}\n", segments ? ",segment" : "");
-  for (const LengthReading& r : readings) {
+  const bool timed = !times_s.empty();
+  std::string text = fmt::format("line,target,direction,run,length_difference_mm{}{}\n", segments ? ",segment" : "",
+                                 timed ? ",time_s" : "");
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const LengthReading& r = readings[k];
     text += fmt::format("{},{},{},{},{}", text::csv_cell(r.line), r.approach.target + 1,
                         r.approach.direction == Direction::up ? "up" : "down", r.approach.run + 1,
                         format_exact(r.length_difference_mm));
-    text += segments ? fmt::format(",{}\n", r.segment) : std::string("\n");
+    if (segments) text += fmt::format(",{}", r.segment);
+    if (timed) text += fmt::format(",{:.3f}", times_s[k]);
+    text += '\n';
   }
   return text;
 }

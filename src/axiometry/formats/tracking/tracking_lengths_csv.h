@@ -45,8 +45,14 @@ struct TrackingLengths {
 /// (tracking/lengths/reading_order.h).
 Result<TrackingLengths> read_tracking_lengths(std::string_view bytes, const TrackingPlan& plan);
 
-/// The long table of readings at approaches of the plan, with `segment` where one is not 0. read_tracking_lengths()
-/// reads the same readings back.
-std::string write_tracking_lengths(std::span<const LengthReading> readings);
+/// The long table of readings at approaches of the plan, with `segment` where one is not 0 and `time_s` (three
+/// decimals) where times are given, one for each. read_tracking_lengths() reads the same readings back.
+std::string write_tracking_lengths(std::span<const LengthReading> readings, std::span<const double> times_s = {});
+
+/// Whether a file with this beginning holds a continuous recording of lengths, and not such a table. A header with a
+/// column of lengths is one of a table, unless the rows below it have times that follow each other faster than an axis
+/// can stop (a quarter of the shortest dwell of the plan) and none of them says its line; all else that a layout of
+/// continuous recordings (formats/recording.h) recognises is a recording.
+bool is_length_recording(std::string_view head, const TrackingPlan& plan);
 
 }  // namespace axiometry::formats

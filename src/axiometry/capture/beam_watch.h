@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "axiometry/model/recording.h"
+
+namespace axiometry::capture {
+
+/// Parts a recording of lengths where they jump from one sample to the next by more than any motion makes of them, and
+/// stay: the beam was broken and found again while samples went on. Up to two false samples in a row are no break.
+/// One pass; keeps three samples at most.
+class BeamWatch {
+ public:
+  struct Limit {
+    double speed_mm_per_s = 500.0;  ///< no reflector is faster
+    double least_mm = 0.5;          ///< a smaller jump is none, whatever the time between the samples
+  };
+  explicit BeamWatch(Limit limit) : limit_(limit) {}
+
+  struct Sink {
+    std::function<void(std::span<const Sample>)> samples;  ///< in their order
+    std::function<void(double time_s)> broken;             ///< before the samples behind the break
+  };
+  void push(std::span<const Sample> samples, const Sink& sink);
+  /// Samples are missing here, or the recording ends.
+  void interrupt(const Sink& sink);
+
+ private:
+  bool jumps(const Sample& from, const Sample& to) const;
+
+  Limit limit_;
+  std::optional<Sample> sound_;  // the last sample that is no false one
+  std::vector<Sample> held_;     // from one that may be the first behind a break on
+};
+
+}  // namespace axiometry::capture

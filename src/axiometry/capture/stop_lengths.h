@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/capture/beam_watch.h"
+#include "axiometry/capture/expected_stops.h"
+#include "axiometry/capture/standstill.h"
+#include "axiometry/capture/stop_matcher.h"
+#include "axiometry/model/recording.h"
+
+/// From a continuous recording of a tracking interferometer, time and length, to the length at each stop of a list.
+/// Derivation and limits: docs/theory/capture-lengths.md.
+namespace axiometry::capture {
+
+/// The length of one stop, as shown.
+struct StopLength {
+  double length_mm = 0.0;   ///< mean over the rest
+  double scatter_mm = 0.0;  ///< standard deviation of its samples
+  double drift_mm = 0.0;    ///< over the time averaged
+  double time_s = 0.0;      ///< middle of that time
+  std::size_t samples = 0;  ///< averaged
+  std::size_t segment = 0;  ///< lengths of one segment share a dead path; from 0, in the order of the recording
+  std::vector<std::string> remarks{};  ///< "drifts by 1.2 µm while at rest"; mostly none
+};
+
+/// Why a stop has no length.
+enum class StopLack {
+  no_standstill,  ///< the reflector did not rest there, or the recording does not show it
+  too_short,      ///< it rested, but for less than the shortest time
+  ambiguous,      ///< what was there may as well belong to another stop that has no length
+  not_reached,    ///< the recording ended before
+};
+std::string_view lack_name(StopLack lack);  ///< "no standstill", "too short", "ambiguous", "not reached"
+
+struct StopOutcome {
+  std::optional<StopLength> length;
+  StopLack lack = StopLack::no_standstill;  ///< where there is none
+};
+
+/// A place where the dead path changed.
+struct SegmentBegin {
+  std::size_t segment = 0;  ///< the new one
+  std::size_t stop = 0;     ///< its first
+  double time_s = 0.0;      ///< when it came to rest there
+  bool untold = false;      ///< only the lengths tell: neither are samples missing nor is another station expected
+};
+
+struct StopLengths {
+  std::vector<StopOutcome> stops;      ///< one for each that was expected
+  std::vector<SegmentBegin> segments;  ///< all but the first
+  std::vector<Standstill> unused;      ///< long enough, between first and last stop, and at none of them
+  std::size_t standstills = 0;         ///< long enough, of the whole recording
+  std::size_t found() const;           ///< stops with a length
+};
+
+struct StopOptions {
+  StopDrive drive;
+  StopMatcherOptions matcher;               ///< `turn_mm` and `shortest` follow from drive and rest
+  std::optional<StandstillOptions> rest{};  ///< over standstill_options(drive)
+  double fastest_mm_per_s = 500.0;          ///< of the reflector; a length that jumps by more is a broken beam
+};
+
+/// Listens to a recording, some samples at a time: finds standstills (standstill.h) and where the beam was broken, and
+/// matches them. The result does not depend on how the recording is cut into pieces.
+class StopListener {
+ public:
+  StopListener(std::vector<ExpectedStop> stops, const StopOptions& options);
+
+  /// Needs finite samples in order of time (contract: readers refuse others).
+  void push(std::span<const Sample> samples);
+  /// Samples are missing here, or the recording ends.
+  void interrupt();
+
+  const StopMatcher& matcher() const { return matcher_; }
+  std::optional<StandstillDetector::Now> now() const { return detector_.now(); }
+
+  /// What every stop has, as far as the recording has come. Fails where it does not fit the stops: the other sign of
+  /// the lengths fits far better; less than half of the standstills between first and last stop belong to one; many do
+  /// not, and as many stops have none; or a fifth and more of the changes of length are none of the list.
+  /// The stations are learned from the lengths (station_refining.h) and the standstills matched once more from there.
+  Result<StopLengths> lengths() const;
+
+ private:
+  BeamWatch::Sink sink();
+
+  StopMatcher matcher_;
+  BeamWatch watch_;
+  StandstillDetector detector_;
+};
+
+/// The same for a recording at hand. Time grows with the number of samples.
+Result<StopLengths> lengths_at_stops(std::span<const Sample> samples, std::vector<ExpectedStop> stops,
+                                     const StopOptions& options);
+
+}  // namespace axiometry::capture
