@@ -29,8 +29,9 @@ using volumetric::IdentifyOptions;
 using volumetric::Reversal;
 
 constexpr const char* examples =
-    R"(LENGTHS is a table with the columns station, tool, x_mm, y_mm, z_mm (where the axes were told to stand), length_mm
-and, where a beam was broken, segment; rows in the order of measurement. The machine's file holds at least
+    R"(LENGTHS is a table with the columns station, tool, x_mm, y_mm, z_mm (where the axes were told to
+stand), length_mm and, where a beam was broken, segment; rows in the order of measurement. The machine's file
+holds at least
 {"chain": "XFYZ", "travel_mm": {"X": [0, 1000], "Y": [0, 600], "Z": [-500, 0]}, "tools_mm": {"T1": [0, 0, -150]}}.
 Exit code 3: the result should not be used as it is, a finding says why.
 Examples:
