@@ -9,6 +9,7 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/studies/bench_monte_carlo.h"
+#include "axiometry/app/studies/bench_volumetric.h"
 #include "axiometry/base/text.h"
 #include "cli/verbs/commands.h"
 
@@ -38,8 +39,7 @@ void add_whole_number(const Verb& verb, const std::string& name, Number& target,
       ->type_name("N");
 }
 
-int print_monte_carlo(const app::MonteCarloBench& bench) {
-  const auto result = app::bench_monte_carlo(bench);
+int print_result(const Result<json::Value>& result) {
   if (!result) {
     fmt::print(stderr, "axiometry: {}\n", result.error().to_string());
     return exit_bad_input;
@@ -60,7 +60,11 @@ void add_bench(const Verb& program, int& exit_code) {
   Verb verb = program.add_subcommand("bench", "Measure how fast this machine computes, as JSON");
   auto what = std::make_shared<std::string>();
   auto bench = std::make_shared<app::MonteCarloBench>();
-  verb->add_option("WHAT", *what, "monte-carlo: trials of a whole test a second (docs/performance.md)")->required();
+  auto volumetric = std::make_shared<app::VolumetricBench>();
+  verb->add_option(
+          "WHAT", *what,
+          "monte-carlo: trials of a whole test a second; volumetric: 21 errors from lengths (docs/performance.md)")
+      ->required();
   add_whole_number(*verb, "--trials", bench->trials, {100, 4'000'000'000}, "Number of trials (1000000)");
   add_whole_number(*verb, "--threads", bench->threads, {0, 1024}, "Number of threads, 0 for all of the machine (1)");
   add_whole_number(*verb, "--seed", bench->seed, {0, std::uint64_t{1} << 53}, "Seed of the random numbers (1)");
@@ -68,10 +72,17 @@ void add_bench(const Verb& program, int& exit_code) {
           "--precision", [bench](const std::string& word) { bench->precision = precision_of(word); },
           "Of the draws and the evaluation: double or single (double)")
       ->type_name("KIND");
-  verb->callback([what, bench, &exit_code] {
-    if (*what != "monte-carlo")
-      throw UsageError("WHAT", fmt::format("found {}, expected monte-carlo", text::quoted(*what)));
-    exit_code = print_monte_carlo(*bench);
+  add_whole_number(*verb, "--observations", volumetric->observations, {400, 10'000'000},
+                   "Lengths of the volumetric calibration (2000)");
+  verb->callback([what, bench, volumetric, &exit_code] {
+    volumetric->threads = bench->threads;
+    volumetric->seed = bench->seed;
+    if (*what == "monte-carlo")
+      exit_code = print_result(app::bench_monte_carlo(*bench));
+    else if (*what == "volumetric")
+      exit_code = print_result(app::bench_volumetric(*volumetric));
+    else
+      throw UsageError("WHAT", fmt::format("found {}, expected monte-carlo or volumetric", text::quoted(*what)));
   });
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "axiometry/base/vector3.h"
+#include "axiometry/numeric/outer_sums_kernel_types.h"
 #include "axiometry/volumetric/curves/coefficients.h"
 #include "axiometry/volumetric/machine/machine_model.h"
 
@@ -16,12 +17,7 @@ namespace axiometry::volumetric {
 
 class BeamRow {
  public:
-  /// Neighbouring places.
-  struct Piece {
-    std::size_t first = 0;
-    std::size_t count = 0;
-    const double* values = nullptr;
-  };
+  using Piece = numeric::RowPiece;
 
   BeamRow(const Coefficients& coefficients, const MachineModel& machine, Vector3 axes_mm, Vector3 tool_mm,
           Approaches approaches = {});

@@ -15,10 +15,11 @@ namespace {
 ActiveFunctions cubic(std::size_t span, double t) {
   const double s = 1.0 - t;
   ActiveFunctions f{span, 4, {}};
-  f.values[0] = s * s * s / 6.0;
-  f.values[1] = (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0;
-  f.values[2] = (-3.0 * t * t * t + 3.0 * t * t + 3.0 * t + 1.0) / 6.0;
-  f.values[3] = t * t * t / 6.0;
+  constexpr double sixth = 1.0 / 6.0;
+  f.values[0] = sixth * (s * s * s);
+  f.values[1] = sixth * (3.0 * t * t * t - 6.0 * t * t + 4.0);
+  f.values[2] = sixth * (-3.0 * t * t * t + 3.0 * t * t + 3.0 * t + 1.0);
+  f.values[3] = sixth * (t * t * t);
   return f;
 }
 
@@ -58,6 +59,7 @@ Result<CurveBasis> CurveBasis::make(CurveKind kind, double lower_mm, double uppe
   basis.lower_ = lower_mm;
   basis.upper_ = upper_mm;
   basis.size_ = size;
+  basis.spans_per_mm_ = static_cast<double>(size) / (upper_mm - lower_mm);
   basis.functions_ = kind == CurveKind::spline ? size + 3 : size + 1;
   return basis;
 }
@@ -65,7 +67,7 @@ Result<CurveBasis> CurveBasis::make(CurveKind kind, double lower_mm, double uppe
 ActiveFunctions CurveBasis::at(double position_mm) const {
   if (kind_ == CurveKind::legendre) return legendre(size_, (2.0 * position_mm - lower_ - upper_) / (upper_ - lower_));
   const double spans = static_cast<double>(size_);
-  const double along = (position_mm - lower_) / (upper_ - lower_) * spans;
+  const double along = (position_mm - lower_) * spans_per_mm_;
   const double span = std::clamp(std::floor(along), 0.0, spans - 1.0);
   const auto first = static_cast<std::size_t>(span);
   const double t = along - span;

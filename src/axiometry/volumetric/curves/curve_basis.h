@@ -57,6 +57,7 @@ class CurveBasis {
   CurveKind kind_ = CurveKind::spline;
   double lower_ = 0.0;
   double upper_ = 1.0;
+  double spans_per_mm_ = 1.0;
   std::size_t size_ = 1;
   std::size_t functions_ = 4;
 };

@@ -9,6 +9,7 @@
 
 #include "axiometry/volumetric/field/curve_nodes.h"
 #include "axiometry/volumetric/identify/identification_test_support.h"
+#include "axiometry/volumetric/identify/noise_trials.h"
 
 namespace axiometry::volumetric {
 namespace {
@@ -302,6 +303,28 @@ TEST(Identify, TellsTheDirectionsApart) {
   const double down = result->model.motion({0, 0}, 400.0, -1.0)->value;
   EXPECT_NEAR(up - down, 6.0, 0.3);
   EXPECT_NEAR(result->chi_squared_per_dof(), 1.0, 0.15);
+}
+
+/// Two ways to the same uncertainties: the inverse of the normal matrix, and noise drawn anew.
+TEST(NoiseTrials, ScatterAsTheCovarianceSays) {
+  TrueMachine machine("XFYZ", 19);
+  const VolumetricLengths lengths = measured(machine, four_stations());
+  IdentifyOptions options = with_spans(6);
+  options.drift = DriftModel::none;
+  const auto found = identify(machine.model, lengths, options);
+  const auto trials = noise_trials(machine.model, lengths, options, 2000, 1);
+  ASSERT_TRUE(found && trials);
+  const std::size_t n = trials->sd.size();
+  double squares = 0.0, count = 0.0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double variance = found->model.parts().covariance[k * n + k] / found->variance_factor();
+    if (variance < 1e-18) continue;
+    const double ratio = trials->sd[k] / std::sqrt(variance);
+    EXPECT_NEAR(ratio, 1.0, 0.08) << k;  // 2000 trials: 1.6 % each
+    squares += ratio * ratio;
+    count += 1.0;
+  }
+  EXPECT_NEAR(squares / count, 1.0, 0.01);
 }
 
 TEST(Identify, RefusesWhatCannotBeMeant) {

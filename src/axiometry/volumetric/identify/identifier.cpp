@@ -114,10 +114,13 @@ std::size_t Identifier::count() const {
 Result<void> Identifier::choose_first_sizes() {
   Sizes sizes;
   for (std::size_t a = 0; a < axis_count; ++a) {
-    std::vector<double> positions;
-    for (const VolumetricReading& reading : lengths_.readings) positions.push_back(reading.axes_mm[a]);
-    supported_[a] = supported_sizes(options_.curves, domains_[a], std::move(positions));
-    if (options_.sizes[a] > 0) supported_[a] = {options_.sizes[a]};
+    if (options_.sizes[a] > 0) {
+      supported_[a] = {options_.sizes[a]};
+    } else {
+      std::vector<double> positions;
+      for (const VolumetricReading& reading : lengths_.readings) positions.push_back(reading.axes_mm[a]);
+      supported_[a] = supported_sizes(options_.curves, domains_[a], std::move(positions));
+    }
     if (supported_[a].empty())
       return fail(
           fmt::format("found {} readings at too few places of {} for its curves, expected at least 10 in all, at "

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "axiometry/numeric/outer_sums.h"
 #include "axiometry/volumetric/curves/beam_row.h"
 
 namespace axiometry::volumetric::detail {
@@ -62,25 +63,6 @@ class Row {
   std::size_t count_ = 0;
 };
 
-void add_outer(NormalEquations& sum, std::span<const BeamRow::Piece> pieces, double weight) {
-  for (std::size_t p = 0; p < pieces.size(); ++p)
-    for (std::size_t i = 0; i < pieces[p].count; ++i) {
-      const double wa = weight * pieces[p].values[i];
-      double* row = sum.matrix.data() + (pieces[p].first + i) * sum.columns;
-      for (std::size_t k = i; k < pieces[p].count; ++k) row[pieces[p].first + k] += wa * pieces[p].values[k];
-      for (std::size_t r = p + 1; r < pieces.size(); ++r) {
-        double* to = row + pieces[r].first;
-        const double* values = pieces[r].values;
-        for (std::size_t k = 0; k < pieces[r].count; ++k) to[k] += wa * values[k];
-      }
-    }
-}
-
-void add_to(std::vector<double>& gradient, std::span<const BeamRow::Piece> pieces, double weighted_residual) {
-  for (const BeamRow::Piece& piece : pieces)
-    for (std::size_t k = 0; k < piece.count; ++k) gradient[piece.first + k] += weighted_residual * piece.values[k];
-}
-
 void add(std::vector<double>& sum, const std::vector<double>& part) {
   for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += part[k];
 }
@@ -121,8 +103,8 @@ NormalEquations normal_equations(const Problem& problem, const Sights& sights) {
     for (std::size_t i = begin; i < end; ++i) {
       if (problem.weights[i] == 0.0) continue;
       const Row row(problem, sights.beams[i], i);
-      add_outer(sum, row.pieces(), problem.weights[i]);
-      add_to(sum.gradient, row.pieces(), problem.weights[i] * sights.residuals_um[i]);
+      numeric::add_outer(row.pieces(), problem.weights[i], sum.matrix, n);
+      numeric::add_times(row.pieces(), problem.weights[i] * sights.residuals_um[i], sum.gradient);
     }
   });
   for (std::size_t c = 1; c < parts.size(); ++c) {
@@ -138,7 +120,7 @@ std::vector<double> gradient(const Problem& problem, std::span<const Vector3> be
     parts[chunk].assign(problem.unknowns.columns, 0.0);
     for (std::size_t i = begin; i < end; ++i)
       if (problem.weights[i] != 0.0)
-        add_to(parts[chunk], Row(problem, beams[i], i).pieces(), problem.weights[i] * v[i]);
+        numeric::add_times(Row(problem, beams[i], i).pieces(), problem.weights[i] * v[i], parts[chunk]);
   });
   for (std::size_t c = 1; c < parts.size(); ++c) add(parts[0], parts[c]);
   return std::move(parts[0]);

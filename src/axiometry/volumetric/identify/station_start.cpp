@@ -18,6 +18,7 @@ namespace {
 using tracking::Minimum;
 
 constexpr std::size_t readings_least = 5;
+constexpr std::size_t sights_most = 1000;
 constexpr std::size_t points_most = 200;  // enough to find a place; all readings refine it
 constexpr double usual_error_mm = 0.03;   // of a machine before it is known
 constexpr double huber = 1.5;             // standard deviations
@@ -126,6 +127,18 @@ class Refinement {
   std::vector<double> paths_;
 };
 
+/// At most so many of each stretch, evenly: a start needs no more.
+std::vector<Sight> thinned(const std::vector<Sight>& sights, std::size_t stretches) {
+  std::vector<std::size_t> counts(stretches, 0), seen(stretches, 0);
+  for (const Sight& sight : sights) ++counts[sight.stretch];
+  std::vector<Sight> some;
+  for (const Sight& sight : sights) {
+    const std::size_t step = (counts[sight.stretch] + sights_most - 1) / sights_most;
+    if (seen[sight.stretch]++ % step == 0) some.push_back(sight);
+  }
+  return some;
+}
+
 std::optional<Vector3> stated_place(const MachineModel& machine, std::string_view station) {
   for (const NamedStation& s : machine.stations)
     if (s.name == station) return s.at_mm;
@@ -179,7 +192,8 @@ Result<State> start_state(const Problem& problem, const VolumetricLengths& names
           fmt::format("found no place for station {} from its lengths with tool {}, expected points that spread "
                       "in three directions and lengths in their unit",
                       text::quoted(station), text::quoted(tool)));
-    Refinement refinement(sights[v], stretches[v].size());
+    const std::vector<Sight> some = thinned(sights[v], stretches[v].size());
+    Refinement refinement(some, stretches[v].size());
     state.stations_mm[v] = refinement.from(chosen(found, stated_place(problem.machine, station)));
     for (std::size_t k : stretches[v]) state.dead_paths_mm[k] = refinement.dead_path_mm(place_of[k]);
   }
