@@ -324,7 +324,7 @@ TEST(NoiseTrials, ScatterAsTheCovarianceSays) {
     squares += ratio * ratio;
     count += 1.0;
   }
-  EXPECT_NEAR(squares / count, 1.0, 0.01);
+  EXPECT_NEAR(squares / count, 1.0, 0.03);  // 3.2 % of each variance, as if ten were independent
 }
 
 TEST(Identify, RefusesWhatCannotBeMeant) {
