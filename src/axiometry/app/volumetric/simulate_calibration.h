@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/volumetric/simulate/simulated_lengths.h"
+
+/// The use case "lengths of a machine whose 21 errors are known".
+namespace axiometry::app {
+
+struct SimulateRequest {
+  std::string machine;  ///< JSON, formats/volumetric/machine_json.h
+  std::string errors;   ///< JSON with the member "errors"; empty: drawn by the seed
+  volumetric::DrawnSize size = {};
+  std::vector<Vector3> stations_mm = {};  ///< in place of those of the machine's file, S1, S2, …
+  std::size_t points = 100;               ///< of each station and tool
+  volumetric::SimulatedFaults faults = {};
+  std::uint64_t seed = 1;
+};
+
+/// Empty names are not written; "-" is the standard output.
+struct SimulateFiles {
+  std::string lengths;  ///< CSV for `volumetric identify`
+  std::string truth;    ///< JSON
+};
+
+struct SimulatedCalibration {
+  SimulateRequest request;
+  volumetric::MachineModel machine;
+  volumetric::TrueErrors errors;
+  volumetric::SimulatedLengths simulated;
+};
+
+/// What a request names, read: the machine with its stations, and its errors for a trial.
+struct SimulationInputs {
+  volumetric::MachineModel machine;
+  bool has_errors = false;  ///< whether a file stated them
+  volumetric::TrueErrors errors;
+
+  volumetric::TrueErrors errors_of(const SimulateRequest& request, std::uint64_t trial) const {
+    return has_errors ? errors : volumetric::drawn_errors(machine.travel, request.size, {request.seed, trial});
+  }
+};
+/// Fails as the readers do, on a machine without stations where none are given, and beyond 1 000 000 readings.
+Result<SimulationInputs> simulation_inputs(const SimulateRequest& request);
+
+Result<SimulatedCalibration> simulate_calibration(const SimulateRequest& request);
+
+/// The errors as they are and in the gauge of the identification, and all that went wrong..
+json::Value truth_value(const SimulatedCalibration& calibration);
+
+/// Writes all files or none. Fails on no output, on one name twice, and on a name that is an input's.
+Result<void> write_simulated(const SimulatedCalibration& calibration, const SimulateFiles& files);
+
+}  // namespace axiometry::app
