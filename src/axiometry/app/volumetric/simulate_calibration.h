@@ -49,7 +49,7 @@ Result<SimulationInputs> simulation_inputs(const SimulateRequest& request);
 
 Result<SimulatedCalibration> simulate_calibration(const SimulateRequest& request);
 
-/// The errors as they are and in the gauge of the identification, and all that went wrong..
+/// The errors as they are and in the gauge of the identification, and all that went wrong.
 json::Value truth_value(const SimulatedCalibration& calibration);
 
 /// Writes all files or none. Fails on no output, on one name twice, and on a name that is an input's.
