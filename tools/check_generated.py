@@ -15,6 +15,7 @@ GENERATED = {
     "schema/axiometry-plan.schema.json": ["schema", "plan"],
     "schema/axiometry-station.schema.json": ["schema", "station"],
     "schema/axiometry-tracking-plan.schema.json": ["schema", "tracking-plan"],
+    "schema/axiometry-volumetric-plan.schema.json": ["schema", "volumetric-plan"],
 }
 API = ROOT / "apps" / "server" / "openapi.json"
 LINE_LIMIT = 120

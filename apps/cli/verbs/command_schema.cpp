@@ -14,6 +14,7 @@
 #include "axiometry/formats/table/import_profile.h"
 #include "axiometry/formats/test/test_schema.h"
 #include "axiometry/formats/tracking/station_json.h"
+#include "axiometry/formats/volumetric/volumetric_plan_json.h"
 #include "cli/verbs/commands.h"
 
 namespace axiometry::cli {
@@ -29,6 +30,7 @@ constexpr Schema schemas[] = {
     {"plan", [] { return json::dump(formats::plan_schema()) + "\n"; }},
     {"station", [] { return json::dump(formats::station_schema()) + "\n"; }},
     {"tracking-plan", [] { return json::dump(formats::tracking_plan_schema()) + "\n"; }},
+    {"volumetric-plan", [] { return json::dump(formats::volumetric_plan_schema()) + "\n"; }},
     {"import-profile", formats::profile_schema},
 };
 

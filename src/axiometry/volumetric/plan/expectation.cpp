@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <thread>
 #include <utility>
 
@@ -150,9 +151,13 @@ void add_common_scale(const Problem& problem, const State& state, const LinearSo
     for (std::size_t k = 0; k < n; ++k) covariance[i * n + k] += u * u * change[i] * change[k];
 }
 
-}  // namespace
+/// The normal equations of a plan, solved.
+struct Solved {
+  LinearSolution solution;
+  ErrorModel model;
+};
 
-Result<Expectation> expect(const MachineModel& machine, std::span<const Visit> visits, const ExpectOptions& options) {
+Result<Solved> solve(const MachineModel& machine, std::span<const Visit> visits, const ExpectOptions& options) {
   AXIOMETRY_TRY_VOID(check_visits(machine, visits));
   AXIOMETRY_TRY(const Coefficients coefficients, coefficients_of(machine, options));
   std::vector<VolumetricReading> readings;
@@ -175,20 +180,45 @@ Result<Expectation> expect(const MachineModel& machine, std::span<const Visit> v
   const Problem problem{machine,  coefficients, unknowns, readings,
                         tools_mm, {},           weights,  std::max(1u, std::thread::hardware_concurrency())};
   const std::vector<double> none(readings.size(), 0.0);
-  const LinearSolution solution(coefficients, detail::normal_equations(problem, state, none));
+  LinearSolution solution(coefficients, detail::normal_equations(problem, state, none));
   std::vector<double> covariance = solution.coefficient_covariance();
   if (machine.scale_uncertainty) add_common_scale(problem, state, solution, covariance);
-  const ErrorModel model(
+  ErrorModel model(
       {machine, coefficients, state.coefficients, std::move(covariance), solution.unseen(), machine.travel});
+  return Solved{std::move(solution), std::move(model)};
+}
 
+}  // namespace
+
+Result<Expectation> expect(const MachineModel& machine, std::span<const Visit> visits, const ExpectOptions& options) {
+  AXIOMETRY_TRY(const Solved solved, solve(machine, visits, options));
   Expectation expected;
-  expected.rank = {solution.unknowns(), coefficients.free(), solution.null_directions(), solution.condition()};
-  expected.readings = readings.size();
-  expected.unseen = model.unseen_errors();
+  expected.rank = {solved.solution.unknowns(), solved.model.coefficients().free(), solved.solution.null_directions(),
+                   solved.solution.condition()};
+  expected.readings = visits.size();
+  expected.unseen = solved.model.unseen_errors();
   if (!expected.unseen.empty()) expected.reasons = reasons_of(machine, visits);
-  take_errors(model, expected);
-  take_field(model, expected);
+  take_errors(solved.model, expected);
+  take_field(solved.model, expected);
   return expected;
+}
+
+double expected_score(const MachineModel& machine, std::span<const Visit> visits) {
+  constexpr double per_null_um = 1000.0;
+  const auto solved = solve(machine, visits, {.curves = CurveKind::legendre, .sizes = {3, 3, 3}});
+  if (!solved) return std::numeric_limits<double>::infinity();
+  const TravelBox& travel = machine.travel;
+  double sum = 0.0, count = 0.0;
+  for (const Tool& tool : machine.tools)
+    for (std::size_t i = 0; i < 9; ++i) {
+      Vector3 q;
+      for (std::size_t a = 0; a < axis_count; ++a)
+        q[a] = i == 8 ? place_of(travel, a, 1, 3) : place_of(travel, a, (i >> a) & 1, 2);
+      const FieldValue field = solved->model.at(q, tool.offset_mm);
+      for (std::size_t k = 0; k < 3; ++k) sum += field.covariance_um2[k][k];
+      count += 1.0;
+    }
+  return std::sqrt(sum / count) + per_null_um * static_cast<double>(solved->solution.null_directions());
 }
 
 }  // namespace axiometry::volumetric

@@ -50,4 +50,8 @@ struct Expectation {
 /// 1 mm of a point.
 Result<Expectation> expect(const MachineModel& machine, std::span<const Visit> visits, const ExpectOptions& options);
 
+/// For comparing places of stations: the rms of the tool point's standard uncertainty, µm, at the corners and the
+/// middle of the travels with curves of degree 3, and 1000 for each direction that is not told. Cheap.
+double expected_score(const MachineModel& machine, std::span<const Visit> visits);
+
 }  // namespace axiometry::volumetric
