@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "axiometry/app/files/number_list.h"
+#include "axiometry/app/files/output.h"
 #include "axiometry/app/volumetric/simulate_calibration.h"
+#include "axiometry/base/json.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
@@ -21,16 +23,20 @@ namespace {
 
 constexpr const char* examples =
     R"(Noise is that of the instrument and of the repeatability in the machine's file. Stations are those of the file
-(stations_mm) unless given. The truth holds the errors as they are and as identify states them.
+(stations_mm) unless given; with --plan, stations and points are those of the plan. The truth holds the errors as they are and as identify states them.
 Examples:
   axiometry volumetric simulate --machine machine.json --seed 7 --lengths lengths.csv --truth truth.json
   axiometry volumetric simulate --machine machine.json --errors truth.json --station 500,300,-900 \
       --station -200,-150,-700 --station 1200,-150,-650 --station 500,800,-680 --points 150 --drift 2um \
-      --outliers 5 --untold-breaks 1 --lengths lengths.csv)";
+      --outliers 5 --untold-breaks 1 --lengths lengths.csv
+  axiometry volumetric simulate --plan plan.json --lengths lengths.csv
+  axiometry volumetric simulate --machine machine.json --trials 200 --json coverage.json)";
 
 struct Arguments {
   app::SimulateRequest request;
   app::SimulateFiles files;
+  std::size_t trials = 0;
+  std::string json;
   bool quiet = false;
 };
 
@@ -101,7 +107,22 @@ void add_faults(const Verb& verb, volumetric::SimulatedFaults& faults) {
   count("--outliers", faults.outliers, "Readings that are wrong by 20 um to 2 mm (0)");
 }
 
+int run_trials(const Arguments& a) {
+  if (!a.files.lengths.empty() || !a.files.truth.empty())
+    throw UsageError("--trials", "lengths and truth are those of one trial: leave --lengths and --truth out");
+  const auto coverage = app::coverage_of(a.request, a.trials);
+  if (!coverage) return failed(coverage.error());
+  if (!a.json.empty())
+    if (const auto written = app::write_file(a.json, json::dump(app::coverage_value(a.request, *coverage)) + "\n");
+        !written)
+      return failed(written.error());
+  if (!a.quiet && a.json != "-") fmt::print("{}", app::coverage_text(*coverage));
+  return exit_done;
+}
+
 int run(const Arguments& a) {
+  if (a.trials > 0) return run_trials(a);
+  if (!a.json.empty()) throw UsageError("--json", "goes with --trials");
   const auto calibration = app::simulate_calibration(a.request);
   if (!calibration) return failed(calibration.error());
   if (const auto written = app::write_simulated(*calibration, a.files); !written) return failed(written.error());
@@ -121,14 +142,22 @@ void add_volumetric_simulate(const Verb& volumetric, int& exit_code) {
   verb->footer(examples);
   auto arguments = std::make_shared<Arguments>();
   verb->add_option("--machine", arguments->request.machine, "The machine, its tools and the instrument, as JSON")
-      ->type_name("FILE")
-      ->required();
+      ->type_name("FILE");
+  verb->add_option("--plan", arguments->request.plan, "A plan of 'volumetric plan', in place of the machine")
+      ->type_name("FILE");
   add_truth(*verb, *arguments);
   add_faults(*verb, arguments->request.faults);
   verb->add_option("--lengths", arguments->files.lengths, "Lengths as CSV, as identify reads them")
       ->type_name("FILE")
       ->group("Outputs");
   verb->add_option("--truth", arguments->files.truth, "What was true, as JSON")->type_name("FILE")->group("Outputs");
+  add_count(*verb, {"--trials", "N", "Simulate and identify N times, and hold what is stated against what was true"},
+            [arguments](unsigned long long n) { arguments->trials = static_cast<std::size_t>(n); })
+      ->group("Trials");
+  verb->add_option("--json", arguments->json, "What came of the trials, as JSON to FILE or, with -, standard output")
+      ->check(fault_of_name)
+      ->type_name("FILE")
+      ->group("Trials");
   verb->add_flag("--quiet,-q", arguments->quiet, "No summary in the terminal")->group("Outputs");
   verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

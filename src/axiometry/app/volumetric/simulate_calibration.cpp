@@ -14,6 +14,7 @@
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/true_errors_json.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
+#include "axiometry/formats/volumetric/volumetric_plan_json.h"
 
 namespace axiometry::app {
 namespace {
@@ -37,7 +38,7 @@ Result<void> check_simulate_names(const SimulateRequest& request, const Simulate
   if (files.lengths.empty() && files.truth.empty()) return fail("found no output, expected --lengths or --truth");
   if (files.lengths == files.truth)
     return fail(fmt::format("found the output {} twice, expected different names", text::quoted(files.truth)));
-  std::vector<InputFile> read = {{request.machine, false}};
+  std::vector<InputFile> read = {{request.machine.empty() ? request.plan : request.machine, false}};
   if (!request.errors.empty()) read.push_back({request.errors, false});
   const InputFiles inputs(read);
   for (const std::string& name : {files.lengths, files.truth})
@@ -45,26 +46,41 @@ Result<void> check_simulate_names(const SimulateRequest& request, const Simulate
   return {};
 }
 
-}  // namespace
-
-Result<SimulationInputs> simulation_inputs(const SimulateRequest& request) {
-  AXIOMETRY_TRY(const std::string machine_bytes, whole_file(request.machine));
-  AXIOMETRY_TRY(formats::MachineFile file, in_file(formats::read_machine(machine_bytes), request.machine));
+Result<SimulationInputs> machine_and_visits(std::string_view bytes, const SimulateRequest& request) {
+  if (!request.plan.empty()) {
+    AXIOMETRY_TRY(volumetric::CalibrationPlan plan, formats::read_volumetric_plan(bytes));
+    std::vector<volumetric::Visit> visits = volumetric::visits_of(plan);
+    return SimulationInputs{std::move(plan.machine), false, {}, std::move(visits)};
+  }
+  AXIOMETRY_TRY(formats::MachineFile file, formats::read_machine(bytes));
   MachineModel& machine = file.machine;
   if (!request.stations_mm.empty()) {
     machine.stations.clear();
     for (const Vector3& at : request.stations_mm)
       machine.stations.push_back({fmt::format("S{}", machine.stations.size() + 1), at});
   }
-  if (machine.stations.empty())
-    return in_file<SimulationInputs>(fail("found no station, expected stations_mm, or --station"), request.machine);
+  if (machine.stations.empty()) return fail("found no station, expected stations_mm, or --station");
   if (request.points == 0 || request.points > simulated_readings_most / machine.stations.size() / machine.tools.size())
     return fail(fmt::format("found {} points of each station and tool, expected 1 to {} readings in all",
                             request.points, simulated_readings_most));
-  SimulationInputs inputs{std::move(file.machine), !request.errors.empty(), {}};
+  return SimulationInputs{std::move(file.machine), false, {}, {}};
+}
+
+}  // namespace
+
+Result<SimulationInputs> simulation_inputs(const SimulateRequest& request) {
+  if (request.machine.empty() == request.plan.empty())
+    return fail("found neither a machine nor a plan, or both, expected one of them");
+  if (!request.plan.empty() && !request.stations_mm.empty())
+    return fail("found a plan and stations beside it, expected those of the plan alone");
+  const std::string& name = request.plan.empty() ? request.machine : request.plan;
+  AXIOMETRY_TRY(const std::string bytes, whole_file(name));
+  AXIOMETRY_TRY(SimulationInputs inputs, in_file(machine_and_visits(bytes, request), name));
+  inputs.has_errors = !request.errors.empty();
   if (inputs.has_errors) {
-    AXIOMETRY_TRY(const std::string bytes, whole_file(request.errors));
-    AXIOMETRY_TRY(inputs.errors, in_file(formats::read_true_errors(bytes, inputs.machine.travel), request.errors));
+    AXIOMETRY_TRY(const std::string error_bytes, whole_file(request.errors));
+    AXIOMETRY_TRY(inputs.errors,
+                  in_file(formats::read_true_errors(error_bytes, inputs.machine.travel), request.errors));
   }
   return inputs;
 }
@@ -74,9 +90,7 @@ Result<SimulatedCalibration> simulate_calibration(const SimulateRequest& request
   volumetric::TrueErrors errors = inputs.errors_of(request, 0);
   const volumetric::Draw draw{request.seed, 0};
   AXIOMETRY_TRY(volumetric::SimulatedLengths simulated,
-                volumetric::simulate_lengths(inputs.machine, errors,
-                                             volumetric::spread_visits(inputs.machine, request.points, draw),
-                                             request.faults, draw));
+                volumetric::simulate_lengths(inputs.machine, errors, inputs.visits_of(request), request.faults, draw));
   return SimulatedCalibration{request, std::move(inputs.machine), std::move(errors), std::move(simulated)};
 }
 

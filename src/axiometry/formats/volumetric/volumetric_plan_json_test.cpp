@@ -93,7 +93,7 @@ TEST(TrueErrorsJson, ReadsBackWhatItWritesAndWhatIdentifyWrites) {
   EXPECT_EQ(back->squareness_urad, errors.squareness_urad);
   EXPECT_EQ(back->curves[2][4].at(-123.0), errors.curves[2][4].at(-123.0));
   const auto few = read_true_errors(
-      R"({"errors": {"EXX": [{"position": 0, "value": 1, "u": 2}, {"position": 500, "value": 3, "u": 2}]}, "rank": {}})",
+      R"({"errors": {"EXX": [{"position": 0, "value": 1}, {"position": 500, "value": 3, "u": 2}]}, "rank": {}})",
       travel);
   ASSERT_TRUE(few) << few.error().message;
   EXPECT_EQ(few->curves[0][0].at(250.0), 2.0);
