@@ -23,7 +23,8 @@ namespace {
 
 constexpr const char* examples =
     R"(Noise is that of the instrument and of the repeatability in the machine's file. Stations are those of the file
-(stations_mm) unless given; with --plan, stations and points are those of the plan. The truth holds the errors as they are and as identify states them.
+(stations_mm) unless given; with --plan, stations and points are those of the plan. The truth holds the errors as they
+are and as identify states them.
 Examples:
   axiometry volumetric simulate --machine machine.json --seed 7 --lengths lengths.csv --truth truth.json
   axiometry volumetric simulate --machine machine.json --errors truth.json --station 500,300,-900 \
@@ -153,6 +154,9 @@ void add_volumetric_simulate(const Verb& volumetric, int& exit_code) {
   verb->add_option("--truth", arguments->files.truth, "What was true, as JSON")->type_name("FILE")->group("Outputs");
   add_count(*verb, {"--trials", "N", "Simulate and identify N times, and hold what is stated against what was true"},
             [arguments](unsigned long long n) { arguments->trials = static_cast<std::size_t>(n); })
+      ->group("Trials");
+  add_count(*verb, {"--spans", "N", "Spans of the curves in the trials (as many as identify chooses)"},
+            [arguments](unsigned long long n) { arguments->request.spans = static_cast<std::size_t>(n); })
       ->group("Trials");
   verb->add_option("--json", arguments->json, "What came of the trials, as JSON to FILE or, with -, standard output")
       ->check(fault_of_name)

@@ -52,6 +52,7 @@ Result<Coverage> coverage_of(const SimulateRequest& request, std::size_t trials)
   options.points = request.points;
   options.visits = std::move(inputs.visits);
   options.faults = request.faults;
+  options.identify.sizes = {request.spans, request.spans, request.spans};
   return volumetric::try_coverage(inputs.machine, options);
 }
 

@@ -22,6 +22,7 @@ struct SimulateRequest {
   std::size_t points = 100;               ///< of each station and tool
   volumetric::SimulatedFaults faults = {};
   std::uint64_t seed = 1;
+  std::size_t spans = 0;  ///< of curves in trials; 0: as identify chooses
 };
 
 /// Empty names are not written; "-" is the standard output.
