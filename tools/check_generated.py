@@ -17,6 +17,7 @@ GENERATED = {
     "schema/axiometry-tracking-plan.schema.json": ["schema", "tracking-plan"],
     "schema/axiometry-machine.schema.json": ["schema", "machine"],
     "schema/axiometry-volumetric-result.schema.json": ["schema", "volumetric-result"],
+    "schema/axiometry-volumetric-plan.schema.json": ["schema", "volumetric-plan"],
 }
 API = ROOT / "apps" / "server" / "openapi.json"
 LINE_LIMIT = 120

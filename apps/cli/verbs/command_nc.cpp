@@ -21,6 +21,7 @@ constexpr const char* examples = R"(Examples:
   axiometry nc plan.json --dialect linuxcnc --unrolled --stop-at-start
   axiometry nc tracking.json --dialect linuxcnc --out lines.ngc          all lines in one program
   axiometry nc tracking.json --line xy --dialect heidenhain              one of them
+  axiometry nc volume.json --part 2 --dialect fanuc --stop-at-start      one station with one tool
   axiometry nc --list
   axiometry nc --manual heidenhain      what the program assumes of the control
 
@@ -70,12 +71,13 @@ void add_nc(const Verb& program, int& exit_code) {
   auto arguments = std::make_shared<NcArguments>();
   auto& options = arguments->request.options;
   verb->add_option("PLAN.json", arguments->request.plan,
-                   "Plan, as 'axiometry plan' or 'axiometry tracking plan' writes it; - for the standard input");
+                   "Plan, as 'plan', 'tracking plan' or 'volumetric plan' writes it; - for the standard input");
   verb->add_option("--dialect", arguments->request.dialect, "Control to write for (axiometry nc --list)")
       ->type_name("ID");
   verb->add_option("--out", arguments->output, "File of the program; - for the standard output (-)")->type_name("FILE");
-  verb->add_option("--part", arguments->request.part,
-                   "Which test of the plan: 1 the plan itself, 2 … its further ones (1)")
+  verb->add_option(
+          "--part", arguments->request.part,
+          "Which test of the plan: 1 the plan itself, 2 … its further ones; which run of a volumetric plan (1)")
       ->type_name("N");
   verb->add_option("--line", arguments->request.line, "One line of a tracking plan; all of them when not given")
       ->type_name("ID");

@@ -16,6 +16,7 @@
 #include "axiometry/formats/tracking/station_json.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
+#include "axiometry/formats/volumetric/volumetric_plan_json.h"
 #include "cli/verbs/commands.h"
 
 namespace axiometry::cli {
@@ -33,6 +34,7 @@ constexpr Schema schemas[] = {
     {"tracking-plan", [] { return json::dump(formats::tracking_plan_schema()) + "\n"; }},
     {"machine", [] { return json::dump(formats::machine_schema()) + "\n"; }},
     {"volumetric-result", [] { return json::dump(formats::volumetric_result_schema()) + "\n"; }},
+    {"volumetric-plan", [] { return json::dump(formats::volumetric_plan_schema()) + "\n"; }},
     {"import-profile", formats::profile_schema},
 };
 

@@ -9,6 +9,7 @@
 
 #include "axiometry/base/result.h"
 #include "axiometry/model/plan.h"
+#include "axiometry/nc/point_tour.h"
 
 /// Part programs that walk a plan. One .cpp in dialects/ per control, each with one `const Dialect <stem>_dialect =
 /// {…}`; the build collects them (docs/howto/add-a-dialect.md).
@@ -44,6 +45,9 @@ struct Dialect {
   /// cannot name, a position, feed or dwell beyond its range, and an option that it does not know, saying what it has
   /// instead.
   Result<std::string> (*write)(std::span<const Plan> plans, const ProgramOptions& options);
+
+  /// One program of a tour. Fails likewise, and on no reading.
+  Result<std::string> (*write_tour)(const PointTour& tour, const ProgramOptions& options);
 };
 
 /// Every dialect, in alphabetical order of the source files (generated).

@@ -106,6 +106,18 @@ Result<Coordinates> Coordinates::make(const Plan& plan, const ProgramOptions& op
   return coordinates;
 }
 
+Result<Coordinates> Coordinates::of_points(std::span<const Vector3> points_mm, const ProgramOptions& options) {
+  if (options.decimals < 0 || options.decimals > decimals_highest)
+    return fail(fmt::format("found {} decimals, expected 0 to {}", options.decimals, decimals_highest));
+  Coordinates coordinates(options.unit == LengthUnit::inch, options.decimals);
+  const auto right = [&](Vector3 at) {
+    const Vector3 error = coordinates.printed(at) - at;
+    return std::max({std::abs(error.x), std::abs(error.y), std::abs(error.z)}) <= line_within_mm;
+  };
+  while (coordinates.decimals_ < decimals_highest && !std::ranges::all_of(points_mm, right)) ++coordinates.decimals_;
+  return coordinates;
+}
+
 std::string Coordinates::text(double mm_or_deg) const {
   return fixed(mm_or_deg / (in_inch_ ? mm_per_inch : 1.0), decimals_) + (decimals_ == 0 ? "." : "");
 }

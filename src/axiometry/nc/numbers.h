@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -34,6 +35,10 @@ class Coordinates {
   /// Fails when the options ask for fewer than 0 decimals or too many, when two targets would be the same in print, or
   /// the overrun is less than two units of the last decimal.
   static Result<Coordinates> make(const Plan& plan, const ProgramOptions& options);
+
+  /// Of places in space: each coordinate right within 0.05 µm, with at least the decimals of `options`. Fails on
+  /// decimals that are none.
+  static Result<Coordinates> of_points(std::span<const Vector3> points_mm, const ProgramOptions& options);
 
   int decimals() const { return decimals_; }
   /// What fewer decimals, where they were asked for, would move: "TARGETS" or "WAYS".

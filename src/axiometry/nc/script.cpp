@@ -169,6 +169,15 @@ std::string stop_message(const Move& last) {
   return fmt::format("SET THE INSTRUMENT, {} IS AT {}", last.axes[0].axis, last.axes[0].coordinate);
 }
 
+/// What follows on a move to a reading: dwell, trigger.
+void add_rest(std::vector<Instruction>& list, long dwell, const ProgramOptions& options, const ControlLimits& limits) {
+  const long before = options.trigger_m_code ? dwell / 2 : dwell;
+  if (before > 0 || (dwell == 0 && limits.dwell_stops)) list.push_back(Dwell{before});
+  if (!options.trigger_m_code) return;
+  list.push_back(Trigger{*options.trigger_m_code});
+  if (dwell > before) list.push_back(Dwell{dwell - before});
+}
+
 class Writer {
  public:
   Writer(const ProgramOptions& options, const ControlLimits& limits)
@@ -227,12 +236,7 @@ class Writer {
     if (move.approach && !loop) remark += fmt::format(" RUN {}", move.approach->run + 1);
     list_.push_back(Move{spelling_->at(move.to, first), spelling_->feed, std::move(remark)});
     if (!move.approach) return;
-    const long dwell = spelling_->dwell;
-    const long before = options_.trigger_m_code ? dwell / 2 : dwell;
-    if (before > 0 || (dwell == 0 && limits_.dwell_stops)) list_.push_back(Dwell{before});
-    if (!options_.trigger_m_code) return;
-    list_.push_back(Trigger{*options_.trigger_m_code});
-    if (dwell > before) list_.push_back(Dwell{dwell - before});
+    add_rest(list_, spelling_->dwell, options_, limits_);
   }
 
   const ProgramOptions& options_;
@@ -268,7 +272,55 @@ Result<void> check_lines(std::span<const Plan> plans) {
   return {};
 }
 
+std::vector<std::string> tour_heading(const PointTour& tour, std::size_t readings, const Coordinates& coordinates) {
+  std::vector<std::string> heading = tour.heading;
+  heading.push_back(fmt::format("{} READINGS, FEED {} MM/MIN ALONG THE PATH, DWELL {} S", readings,
+                                format_exact(tour.feed_mm_per_min), format_exact(tour.dwell.in_s())));
+  heading.emplace_back("POSITIONS IN THE WORK OFFSET THAT IS ACTIVE");
+  heading.emplace_back("ALL WAYS ARE STRAIGHT, AT FEED, AND MUST BE FREE");
+  const Vector3 first = tour.stops.front().at_mm;
+  heading.push_back(fmt::format("THE FIRST FROM WHERE THE AXES STAND TO X {} Y {} Z {}", format_exact(first.x),
+                                format_exact(first.y), format_exact(first.z)));
+  heading.push_back(fmt::format("COORDINATES WITH {} DECIMALS", coordinates.decimals()));
+  return heading;
+}
+
 }  // namespace
+
+Result<Script> make_script(const PointTour& tour, const ProgramOptions& options, const ControlLimits& limits) {
+  const auto readings = static_cast<std::size_t>(std::ranges::count(tour.stops, true, &TourStop::is_reading));
+  if (readings == 0) return fail("found no point to read a length at, expected at least one");
+  AXIOMETRY_TRY_VOID(check_axes_in_space(limits));
+  AXIOMETRY_TRY_VOID(check_trigger(options.trigger_m_code, limits));
+  Plan plan;  // of a linear axis: what the checks of feed and coordinates ask
+  plan.feed = tour.feed_mm_per_min;
+  std::vector<Vector3> points;
+  for (const TourStop& stop : tour.stops) {
+    points.push_back(stop.at_mm);
+    for (std::size_t k = 0; k < 3; ++k)
+      AXIOMETRY_TRY_VOID(check_coordinate(stop.at_mm[k], axes_in_space[k], plan, limits));
+  }
+  AXIOMETRY_TRY(const Coordinates coordinates, Coordinates::of_points(points, options));
+  AXIOMETRY_TRY(const std::string feed, feed_word(plan, coordinates.in_inch(), limits));
+  AXIOMETRY_TRY(const long dwell, dwell_steps(tour.dwell, limits));
+  Script script;
+  script.inch = coordinates.in_inch();
+  script.heading = tour_heading(tour, readings, coordinates);
+  std::size_t reading = 0;
+  for (const TourStop& stop : tour.stops) {
+    Move move{{}, feed, stop.is_reading ? fmt::format("POINT {} OF {}", ++reading, readings) : "ON THE WAY"};
+    for (std::size_t k = 0; k < 3; ++k)
+      move.axes.push_back({std::string(axes_in_space[k]), coordinates.text(stop.at_mm[k])});
+    script.instructions.push_back(std::move(move));
+    if (!stop.is_reading) continue;
+    if (reading == 1 && options.stop_at_start)
+      script.instructions.push_back(OperatorStop{"SET THE INSTRUMENT, THE AXES ARE AT THE FIRST POINT"});
+    else if (stop.find_beam)
+      script.instructions.push_back(OperatorStop{"FIND THE BEAM AGAIN, A SEGMENT BEGINS"});
+    add_rest(script.instructions, dwell, options, limits);
+  }
+  return script;
+}
 
 Result<Script> make_script(std::span<const Plan> plans, const ProgramOptions& options, const ControlLimits& limits) {
   AXIOMETRY_TRY_VOID(check_lines(plans));

@@ -119,6 +119,26 @@ Result<std::string> program_number(const WordControl& control, std::optional<uns
                           control.number->highest));
 }
 
+/// What a script is made of in this control's words.
+struct Wording {
+  std::string number;
+  bool inch = false;
+  bool block_numbers = true;
+};
+
+std::string worded(const WordControl& control, const Script& script, const Wording& wording) {
+  Writer writer(control);
+  writer.lines(control.head, false, wording.number);
+  // The comments first, so that they are read before anything moves.
+  for (const std::string& line : script.heading) writer(Remark{line});
+  if (script.has_loops) writer.lines(control.declare, false);
+  writer.lines(wording.inch ? control.start_inch : control.start_mm, true);
+  for (const Instruction& instruction : script.instructions) std::visit(writer, instruction);
+  writer.lines(control.end, true);
+  writer.lines(control.tail, false);
+  return std::move(writer).finish(wording.block_numbers);
+}
+
 }  // namespace
 
 Result<std::string> write_word_program(const WordControl& control, std::span<const Plan> plans,
@@ -126,16 +146,14 @@ Result<std::string> write_word_program(const WordControl& control, std::span<con
   AXIOMETRY_TRY(const std::string number, program_number(control, options.number));
   AXIOMETRY_TRY(const Script script, make_script(plans, options, control.limits));
   const bool inch = script.inch && !(control.rotary_in_mm && plans.front().axis.kind == AxisKind::rotary);
-  Writer writer(control);
-  writer.lines(control.head, false, number);
-  // The comments first, so that they are read before anything moves.
-  for (const std::string& line : script.heading) writer(Remark{line});
-  if (script.has_loops) writer.lines(control.declare, false);
-  writer.lines(inch ? control.start_inch : control.start_mm, true);
-  for (const Instruction& instruction : script.instructions) std::visit(writer, instruction);
-  writer.lines(control.end, true);
-  writer.lines(control.tail, false);
-  return std::move(writer).finish(options.block_numbers);
+  return worded(control, script, {number, inch, options.block_numbers});
+}
+
+Result<std::string> write_word_program(const WordControl& control, const PointTour& tour,
+                                       const ProgramOptions& options) {
+  AXIOMETRY_TRY(const std::string number, program_number(control, options.number));
+  AXIOMETRY_TRY(const Script script, make_script(tour, options, control.limits));
+  return worded(control, script, {number, script.inch, options.block_numbers});
 }
 
 }  // namespace axiometry::nc

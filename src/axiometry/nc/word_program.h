@@ -83,5 +83,7 @@ inline constexpr WordControl fanuc_like = {
 /// Fails as make_script() does, and on a program number where the control has none or that is beyond its range.
 Result<std::string> write_word_program(const WordControl& control, std::span<const Plan> plans,
                                        const ProgramOptions& options);
+Result<std::string> write_word_program(const WordControl& control, const PointTour& tour,
+                                       const ProgramOptions& options);
 
 }  // namespace axiometry::nc

@@ -15,9 +15,11 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
+#include "axiometry/formats/volumetric/volumetric_plan_json.h"
 #include "axiometry/nc/numbers.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
 #include "axiometry/tracking/lines/seven_lines.h"
+#include "axiometry/volumetric/plan/run_way.h"
 
 namespace axiometry::app {
 namespace {
@@ -102,6 +104,36 @@ Result<std::string> program_of(const Programme& programme, const nc::Dialect& di
   return dialect.write(programme.plans, options);
 }
 
+/// One station with one tool: the operator moves the instrument and changes the tool between programs.
+Result<nc::PointTour> tour_of(const volumetric::CalibrationPlan& plan, const NcRequest& request) {
+  if (!request.line.empty())
+    return fail(
+        fmt::format("found the line {} asked for, expected none: this is the plan of a volumetric calibration, "
+                    "which has runs (--part)",
+                    text::quoted(request.line)));
+  if (request.part < 1 || request.part > plan.runs.size())
+    return fail(fmt::format("found part {} asked for, expected 1 to {}: a run for each station and tool", request.part,
+                            plan.runs.size()));
+  const volumetric::PlannedRun& run = plan.runs[request.part - 1];
+  const volumetric::NamedStation& station = plan.machine.stations[run.station];
+  const volumetric::Tool& tool = plan.machine.tools[run.tool];
+  const auto place = [](Vector3 v) {
+    return fmt::format("X {} Y {} Z {}", format_exact(v.x), format_exact(v.y), format_exact(v.z));
+  };
+  if (run.stops.empty())
+    return fail(fmt::format("found no point of station {} with tool {} (part {}), expected at least one",
+                            text::quoted(station.name), text::quoted(tool.name), request.part));
+  nc::PointTour tour{{}, {}, plan.feed_mm_per_min, plan.dwell};
+  tour.heading = {fmt::format("VOLUMETRIC CALIBRATION, RUN {} OF {}", request.part, plan.runs.size()),
+                  fmt::format("STATION {} AT {}", station.name, place(station.at_mm)),
+                  fmt::format("TOOL {}, REFLECTOR AT {}", tool.name, place(tool.offset_mm))};
+  if (!plan.machine.name.empty()) tour.heading.push_back("MACHINE " + plan.machine.name);
+  if (!plan.date.empty()) tour.heading.push_back("DATE " + plan.date);
+  for (const volumetric::WayPoint& point : volumetric::way_of(plan, run))
+    tour.stops.push_back({point.axes_mm, point.is_reading, point.is_reading && !point.beam_kept});
+  return tour;
+}
+
 Result<bool> switch_of(const std::string& text) {
   if (text.empty() || text == "1" || text == "true") return true;
   if (text == "0" || text == "false") return false;
@@ -163,6 +195,11 @@ Result<const nc::Dialect*> dialect_of(std::string_view id) {
 Result<std::string> nc_program(const NcRequest& request) {
   AXIOMETRY_TRY(const nc::Dialect* const dialect, dialect_of(request.dialect));
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.plan));
+  if (formats::is_volumetric_plan(bytes)) {
+    AXIOMETRY_TRY(const auto plan, in_file(formats::read_volumetric_plan(bytes), request.plan));
+    AXIOMETRY_TRY(const nc::PointTour tour, in_file(tour_of(plan, request), request.plan));
+    return in_file(dialect->write_tour(tour, request.options), request.plan);
+  }
   AXIOMETRY_TRY(const Programme programme, in_file(programme_of(bytes, request), request.plan));
   return in_file(program_of(programme, *dialect, request.options), request.plan);
 }

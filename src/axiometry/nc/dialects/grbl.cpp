@@ -46,6 +46,7 @@ const Dialect grbl_dialect = {
     .axes = "X Y Z A B C",
     .has_loops = false,
     .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
+    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -96,13 +96,14 @@ class Sentences {
   std::string text_;
 };
 
-Result<std::string> write(std::span<const Plan> plans, const ProgramOptions& options) {
+template <typename Walked>
+Result<std::string> write_walked(const Walked& walked, const ProgramOptions& options) {
   const unsigned number = options.number.value_or(2302);
   if (number < 1 || number > 99'999'999)
     return fail(fmt::format("found program number {}, expected 1 to 99999999", number));
   if (!options.block_numbers)
     return fail("found blocks without numbers asked for, expected them numbered as Klartext always is");
-  AXIOMETRY_TRY(const Script script, make_script(plans, options, limits));
+  AXIOMETRY_TRY(const Script script, make_script(walked, options, limits));
   const std::string name = fmt::format("PGM {} {}", number, script.inch ? "INCH" : "MM");
   Sentences sentences;
   sentences.add("BEGIN " + name);
@@ -111,6 +112,10 @@ Result<std::string> write(std::span<const Plan> plans, const ProgramOptions& opt
   sentences.add("M30");
   sentences.add("END " + name);
   return std::move(sentences).finish();
+}
+
+Result<std::string> write(std::span<const Plan> plans, const ProgramOptions& options) {
+  return write_walked(plans, options);
 }
 
 }  // namespace
@@ -124,6 +129,7 @@ const Dialect heidenhain_dialect = {
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
     .write = write,
+    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_walked(tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -42,6 +42,7 @@ const Dialect mitsubishi_dialect = {
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
     .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
+    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -57,6 +57,7 @@ const Dialect siemens_840d_dialect = {
     .axes = "X Y Z U V W A B C, with or without a number (X1)",
     .has_loops = true,
     .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
+    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -140,19 +140,4 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   return findings;
 }
 
-void add_scale_uncertainty(const Identifier& done, const MachineModel& machine, std::vector<double>& covariance) {
-  const Problem problem = done.problem();
-  const State& state = done.fit().state;
-  std::vector<double> distances_m;
-  for (std::size_t i = 0; i < problem.readings.size(); ++i) {
-    const Vector3 s = state.stations_mm[problem.unknowns.stretches[problem.unknowns.stretch_of[i]].virtual_station];
-    distances_m.push_back(1e-3 * distance(problem.readings[i].axes_mm + problem.tool_mm(i), s));
-  }
-  std::vector<double> change = done.fit().solution.step(gradient(problem, done.fit().beams, distances_m));  // per µm/m
-  const std::size_t n = problem.coefficients.raw();
-  const double u = machine.scale_uncertainty->in_um_per_m();
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < n; ++k) covariance[i * n + k] += u * u * change[i] * change[k];
-}
-
 }  // namespace axiometry::volumetric::detail

@@ -13,9 +13,6 @@ namespace axiometry::volumetric::detail {
 std::vector<VolumetricFinding> findings_of(const Identifier& done, const MachineModel& machine,
                                            const VolumetricLengths& lengths, const Identification& result);
 
-/// Adds what a common error of all lengths, of the machine's scale_uncertainty, does to the raw coefficients.
-void add_scale_uncertainty(const Identifier& done, const MachineModel& machine, std::vector<double>& covariance);
-
 /// What looks wrong with tools and stations: offsets that several stations contradict alike, axes or signs that are
 /// mixed up, stations that stand elsewhere than was said or have moved. In setup_findings.cpp.
 void add_setup_findings(const Identifier& done, const MachineModel& machine, const VolumetricLengths& lengths,

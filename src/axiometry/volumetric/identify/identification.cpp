@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/volumetric/identify/common_scale.h"
 #include "axiometry/volumetric/identify/findings.h"
 #include "axiometry/volumetric/identify/identifier.h"
 
@@ -100,7 +101,7 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   const double ratio = dof > 0 ? fit.chi_squared / static_cast<double>(dof) : 1.0;
   const double factor = std::max(1.0, ratio);
   std::vector<double> covariance = times(fit.solution.coefficient_covariance(), factor);
-  if (machine.scale_uncertainty) detail::add_scale_uncertainty(done, machine, covariance);
+  detail::add_common_scale(done.problem(), fit.state, fit.beams, fit.solution, covariance);
   ErrorModel model({machine, done.coefficients(), fit.state.coefficients, std::move(covariance), fit.solution.unseen(),
                     done.observed()});
   Identification result{.model = std::move(model),

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/json.h"
+#include "axiometry/base/result.h"
+#include "axiometry/volumetric/simulate/coverage.h"
+#include "axiometry/volumetric/simulate/simulated_lengths.h"
+
+/// The use case "lengths of a machine whose 21 errors are known".
+namespace axiometry::app {
+
+struct SimulateRequest {
+  std::string machine;  ///< JSON, formats/volumetric/machine_json.h; empty where a plan is given
+  std::string plan;     ///< JSON, formats/volumetric/volumetric_plan_json.h: its machine, stations and points
+  std::string errors;   ///< JSON with the member "errors"; empty: drawn by the seed
+  volumetric::DrawnSize size = {};
+  std::vector<Vector3> stations_mm = {};  ///< in place of those of the machine's file, S1, S2, …
+  std::size_t points = 100;               ///< of each station and tool
+  volumetric::SimulatedFaults faults = {};
+  std::uint64_t seed = 1;
+  std::size_t spans = 0;  ///< of curves in trials; 0: as identify chooses
+};
+
+/// Empty names are not written; "-" is the standard output.
+struct SimulateFiles {
+  std::string lengths;  ///< CSV for `volumetric identify`
+  std::string truth;    ///< JSON
+};
+
+struct SimulatedCalibration {
+  SimulateRequest request;
+  volumetric::MachineModel machine;
+  volumetric::TrueErrors errors;
+  volumetric::SimulatedLengths simulated;
+};
+
+/// What a request names, read: the machine with its stations, and its errors for a trial.
+struct SimulationInputs {
+  volumetric::MachineModel machine;
+  bool has_errors = false;  ///< whether a file stated them
+  volumetric::TrueErrors errors;
+  std::vector<volumetric::Visit> visits;  ///< of a plan
+
+  std::vector<volumetric::Visit> visits_of(const SimulateRequest& request) const {
+    return visits.empty() ? volumetric::spread_visits(machine, request.points, {request.seed, 0}) : visits;
+  }
+  volumetric::TrueErrors errors_of(const SimulateRequest& request, std::uint64_t trial) const {
+    return has_errors ? errors : volumetric::drawn_errors(machine.travel, request.size, {request.seed, trial});
+  }
+};
+/// Fails as the readers do, on neither a machine nor a plan or both, on a machine without stations where none are
+/// given, and beyond 1 000 000 readings.
+Result<SimulationInputs> simulation_inputs(const SimulateRequest& request);
+
+Result<SimulatedCalibration> simulate_calibration(const SimulateRequest& request);
+
+/// The errors as they are and in the gauge of the identification, and all that went wrong.
+json::Value truth_value(const SimulatedCalibration& calibration);
+
+/// Writes all files or none. Fails on no output, on one name twice, and on a name that is an input's.
+Result<void> write_simulated(const SimulatedCalibration& calibration, const SimulateFiles& files);
+
+/// The use case "whether the stated uncertainties are true": trials of the whole procedure.
+Result<volumetric::Coverage> coverage_of(const SimulateRequest& request, std::size_t trials);
+
+/// {"trials", "failed", "curves", "field": {share, standard_error, z_rms, values}, "errors" by name, "chi2_per_dof",
+/// "field_rms_um", "breaks", "outliers"}.
+json::Value coverage_value(const SimulateRequest& request, const volumetric::Coverage& coverage);
+std::string coverage_text(const volumetric::Coverage& coverage);
+
+}  // namespace axiometry::app

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/volumetric/true_errors_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/text/json_members.h"
+
+namespace axiometry::formats {
+namespace {
+
+using json::Kind;
+using json::Value;
+using volumetric::axis_count;
+using volumetric::ErrorMotion;
+using volumetric::motion_count;
+using volumetric::TrueCurve;
+using volumetric::TrueErrors;
+
+constexpr double beyond_share = 0.05;
+
+/// Members that identify writes beside what is wanted are passed over.
+Result<double> member_number(const Value& value, std::string_view name, std::string_view of) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, std::string(of)));
+  AXIOMETRY_TRY(const Value* number, members.required(name));
+  return number_in(*number, name);
+}
+
+Result<TrueCurve> curve_from(const Value& value, ErrorMotion error, const TravelBox& travel) {
+  const std::string name = volumetric::error_name(error);
+  AXIOMETRY_TRY(const std::vector<Value>* items, items_in(value, name));
+  if (items->empty())
+    return fail(fmt::format("found no value of {}, expected a table of positions and values", name), value.at());
+  std::vector<TrueCurve::Node> nodes;
+  for (const Value& item : *items) {
+    AXIOMETRY_TRY(const double position, member_number(item, "position", name));
+    AXIOMETRY_TRY(const double number, member_number(item, "value", name));
+    nodes.push_back({position, number});
+  }
+  auto curve = TrueCurve::make(std::move(nodes));
+  if (!curve) return fail(fmt::format("{}: {}", name, curve.error().message), value.at());
+  const double lowest = travel.lowest_mm[error.axis], highest = travel.highest_mm[error.axis];
+  const double first = curve->nodes().front().position_mm, last = curve->nodes().back().position_mm;
+  const double beyond = beyond_share * (highest - lowest);
+  if (first > lowest + beyond || last < highest - beyond)
+    return fail(fmt::format("found {} from {} to {} mm, expected it over the travel of {} to {} mm", name,
+                            format_exact(first), format_exact(last), format_exact(lowest), format_exact(highest)),
+                value.at());
+  return curve;
+}
+
+}  // namespace
+
+Value true_errors_value(const TrueErrors& errors) {
+  Value value = Value::object();
+  for (std::size_t a = 0; a < axis_count; ++a)
+    for (std::size_t m = 0; m < motion_count; ++m) {
+      if (errors.curves[a][m].nodes().empty()) continue;
+      Value& nodes = value.add(volumetric::error_name({a, m}), Value::array());
+      for (const TrueCurve::Node& node : errors.curves[a][m].nodes()) {
+        Value& item = nodes.push(Value::object());
+        item.add("position", node.position_mm);
+        item.add("value", node.value);
+      }
+    }
+  for (std::size_t k = 0; k < volumetric::squareness_names.size(); ++k)
+    value.add(volumetric::squareness_names[k], Value::object()).add("value", errors.squareness_urad[k]);
+  return value;
+}
+
+Result<TrueErrors> read_true_errors(std::string_view bytes, const TravelBox& travel) {
+  AXIOMETRY_TRY(const Value root, json::parse(bytes));
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(root, "file of errors"));
+  AXIOMETRY_TRY(const Value* list, members.required("errors"));
+  if (!list->is(Kind::object))
+    return fail(fmt::format("found {} for errors, expected an object", json::kind_name(list->kind())), list->at());
+  TrueErrors errors;
+  for (const auto& [name, value] : list->members()) {
+    if (const auto error = volumetric::error_motion_named(name)) {
+      AXIOMETRY_TRY(errors.curves[error->axis][error->motion], curve_from(value, *error, travel));
+      continue;
+    }
+    const auto which = std::ranges::find(volumetric::squareness_names, name);
+    if (which == volumetric::squareness_names.end())
+      return fail(fmt::format("found the error {}, expected EXX to ECZ, C0Y, B0Z or A0Z", text::quoted(name)),
+                  value.at());
+    AXIOMETRY_TRY(errors.squareness_urad[static_cast<std::size_t>(which - volumetric::squareness_names.begin())],
+                  member_number(value, "value", name));
+  }
+  return errors;
+}
+
+}  // namespace axiometry::formats

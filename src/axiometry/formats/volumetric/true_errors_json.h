@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "axiometry/base/json.h"
+#include "axiometry/base/result.h"
+#include "axiometry/volumetric/simulate/true_errors.h"
+
+/// Errors of a machine that are known, as JSON.
+namespace axiometry::formats {
+
+/// {"EXX": [{"position", "value"}, …], …, "C0Y": {"value"}, …} in mm, µm and µrad, as `volumetric identify` prints
+/// them.
+json::Value true_errors_value(const volumetric::TrueErrors& errors);
+
+/// Of the member "errors" of a file, which `volumetric simulate --truth` and `volumetric identify --out` write too. An
+/// error that is not there is 0; one that has no value, as identify writes of what lengths do not tell, is refused.
+/// Fails, with line and column, on names that are none, on tables as TrueCurve::make() does, and on those that leave
+/// more than a twentieth of the axis' travel out at an end.
+Result<volumetric::TrueErrors> read_true_errors(std::string_view bytes, const TravelBox& travel);
+
+}  // namespace axiometry::formats

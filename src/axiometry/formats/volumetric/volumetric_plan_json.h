@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "axiometry/base/json.h"
+#include "axiometry/base/result.h"
+#include "axiometry/volumetric/plan/calibration_plan.h"
+
+/// Plans of a volumetric calibration as JSON: what `axiometry volumetric plan` writes and `nc` and `volumetric
+/// simulate` read. Members: `machine` (as machine.json, with its stations), `limits`, `obstacles` (as in a tracking
+/// plan), `feed_mm_per_min`, `dwell_s`, `runs` (`station`, `tool`, `stops`); the schema says all.
+namespace axiometry::formats {
+
+/// Value of the member "format"; the number changes when old files no longer read.
+inline constexpr std::string_view volumetric_plan_format_name = "axiometry-volumetric-plan/1";
+
+/// Ends with a line break; what is written reads back the same.
+std::string write_volumetric_plan(const volumetric::CalibrationPlan& plan);
+
+/// Whether this is JSON with a member "format" of that value.
+bool is_volumetric_plan(std::string_view bytes);
+
+/// Fails, with line and column, on what is no JSON, on members that are unknown, missing or of another kind, as
+/// machine_from() and tracking_setup_from() do, on stations or tools that the machine does not have, a station and tool
+/// given twice, stops outside of the travels, no run, and more than 1 000 000 stops.
+Result<volumetric::CalibrationPlan> read_volumetric_plan(std::string_view bytes);
+
+/// JSON Schema of the above.
+json::Value volumetric_plan_schema();
+
+}  // namespace axiometry::formats

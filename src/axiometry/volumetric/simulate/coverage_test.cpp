@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/simulate/coverage.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace axiometry::volumetric {
+namespace {
+
+MachineModel machine_to_try() {
+  MachineModel machine{.chain = *KinematicChain::make("XFYZ")};
+  machine.travel = {{0, 0, -500}, {1000, 600, 0}};
+  machine.tools = {{"short", {0, 0, -150}}, {"long", {0, 0, -300}}, {"beside", {120, 60, -180}}};
+  machine.stations = {
+      {"S1", {-150, -120, -700}}, {"S2", {1150, -100, -650}}, {"S3", {500, 720, -680}}, {"S4", {200, 300, -900}}};
+  return machine;
+}
+
+/// Curves of a parabola each, which splines of 2 spans hold, so that nothing but noise is between stated and true.
+TrueErrors parabolas(const TravelBox& travel) {
+  TrueErrors errors;
+  for (std::size_t a = 0; a < axis_count; ++a)
+    for (std::size_t m = 0; m < motion_count; ++m) {
+      const double low = travel.lowest_mm[a], high = travel.highest_mm[a], size = 2.0 + static_cast<double>(m);
+      errors.curves[a][m] = *TrueCurve::make({{low, size}, {0.4 * high + 0.6 * low, -size}, {high, 0.5 * size}});
+    }
+  errors.squareness_urad = {5.0, -4.0, 3.0};
+  return errors;
+}
+
+TEST(Coverage, IsThatOfANormalDistributionWhereTheCurvesHoldTheTruth) {
+  const MachineModel machine = machine_to_try();
+  CoverageOptions options{.trials = 60, .seed = 4, .errors = parabolas(machine.travel), .points = 30};
+  options.identify = {.sizes = {2, 2, 2}, .drift = DriftModel::none, .find_breaks = false, .find_outliers = false};
+  const auto coverage = try_coverage(machine, options);
+  ASSERT_TRUE(coverage) << coverage.error().message;
+  EXPECT_EQ(coverage->failed, 0u);
+  for (Share CoverageTrial::*which : {&CoverageTrial::curves, &CoverageTrial::field}) {
+    const Coverage::Total total = coverage->total(which);
+    EXPECT_NEAR(total.share.share(), 0.95, 3.5 * total.standard_error + 0.005);
+    EXPECT_NEAR(total.share.rms(), 1.0, 0.06);
+  }
+  const double dof = static_cast<double>(coverage->trials.front().degrees_of_freedom) * 60.0;
+  EXPECT_NEAR(coverage->chi_squared_per_dof(), 1.0, 4.0 * std::sqrt(2.0 / dof));
+}
+
+TEST(Coverage, FallsWhereTheInstrumentIsWorseThanItsStatement) {
+  MachineModel machine = machine_to_try();
+  CoverageOptions options{.trials = 6, .seed = 4, .errors = parabolas(machine.travel), .points = 30};
+  options.faults.outliers = 60;  // a sixth of the readings, with nobody looking for them
+  options.identify = {.sizes = {2, 2, 2}, .drift = DriftModel::none, .find_breaks = false, .find_outliers = false};
+  const auto coverage = try_coverage(machine, options);
+  ASSERT_TRUE(coverage);
+  EXPECT_GT(coverage->chi_squared_per_dof(), 100.0);
+}
+
+TEST(Coverage, IsTheSameForTheSameSeed) {
+  const MachineModel machine = machine_to_try();
+  const CoverageOptions options{.trials = 4, .seed = 9, .points = 40, .identify = {.sizes = {3, 3, 3}}};
+  const auto first = try_coverage(machine, options), again = try_coverage(machine, options);
+  ASSERT_TRUE(first && again);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(first->trials[k].chi_squared, again->trials[k].chi_squared);
+    EXPECT_EQ(first->trials[k].curves.sum_squares, again->trials[k].curves.sum_squares);
+  }
+  EXPECT_NE(first->trials[0].chi_squared, first->trials[1].chi_squared);
+}
+
+TEST(Coverage, RefusesNoTrialsAndTellsWhyAllFailed) {
+  EXPECT_FALSE(try_coverage(machine_to_try(), {.trials = 0}));
+  const auto failed = try_coverage(machine_to_try(), {.trials = 2, .points = 1});
+  ASSERT_FALSE(failed);
+  EXPECT_NE(failed.error().message.find("expected"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace axiometry::volumetric

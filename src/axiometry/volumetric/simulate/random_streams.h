@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+/// One stream of random numbers for each thing that is drawn (numeric/random/random.h). Internal to the simulation.
+namespace axiometry::volumetric::detail {
+
+enum Stream : std::uint64_t {
+  stream_curve = 0,  ///< and the 17 that follow
+  stream_squareness = 18,
+  stream_points,
+  stream_dead_path,
+  stream_drift,
+  stream_noise,
+  stream_told_break,
+  stream_untold_break,
+  stream_lost,
+  stream_outlier,
+  stream_check,
+};
+
+}  // namespace axiometry::volumetric::detail

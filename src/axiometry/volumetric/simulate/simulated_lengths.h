@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/volumetric/machine/volumetric_data.h"
+#include "axiometry/volumetric/simulate/true_errors.h"
+
+/// The lengths that a tracking interferometer would measure at a machine whose errors are known.
+namespace axiometry::volumetric {
+
+/// A reading to be taken: where the axes are told to stand, seen from which station, with which tool of the machine.
+struct Visit {
+  std::size_t station = 0;
+  std::size_t tool = 0;
+  Vector3 axes_mm;
+};
+
+/// As many for each station and tool, evenly over the travels (plan/point_set.h), other ones each time; station by
+/// station, with each its tools in the order of the machine's file.
+std::vector<Visit> spread_visits(const MachineModel& machine, std::size_t points, Draw draw);
+
+/// What goes wrong; 0 does not.
+struct SimulatedFaults {
+  bool noise = true;              ///< of instrument and machine, as the machine's file states them
+  double drift_um = 0.0;          ///< standard deviation of what a dead path drifts from its first to its last reading
+  std::size_t told_breaks = 0;    ///< of the beam, which begin a segment
+  std::size_t untold_breaks = 0;  ///< which the file does not tell
+  std::size_t lost = 0;           ///< readings that are not there
+  std::size_t outliers = 0;       ///< readings that are wrong by 20 µm to 2 mm
+};
+
+struct SimulatedJump {
+  std::size_t before_reading = 0;
+  double jump_um = 0.0;
+  bool told = false;
+};
+struct SimulatedOutlier {
+  std::size_t reading = 0;
+  double error_um = 0.0;
+};
+struct SimulatedDeadPath {
+  std::size_t station = 0;
+  std::size_t tool = 0;
+  double dead_path_mm = 0.0;  ///< at its first reading, before any break
+  double drift_um = 0.0;      ///< of the lengths, up to its last reading
+};
+
+struct SimulatedLengths {
+  VolumetricLengths lengths;
+  std::vector<Vector3> displacements_um;  ///< of each reading: where the tool point truly was, less where it should be
+  std::vector<SimulatedDeadPath> dead_paths;
+  std::vector<SimulatedJump> jumps;
+  std::vector<SimulatedOutlier> outliers;
+  std::vector<Visit> lost;
+};
+
+/// length = |q + t + δ − s| − dead path + drift + jumps + noise, with δ by exact transformations (kinematics.h), s the
+/// stations of the machine and σ after MachineModel::sigma_um(). Fails on no station, no visit, a point within 1 mm of
+/// its station, and on more faults than a quarter of the readings.
+Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const TrueErrors& errors,
+                                          const std::vector<Visit>& visits, const SimulatedFaults& faults, Draw draw);
+
+}  // namespace axiometry::volumetric
