@@ -11,7 +11,7 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_corrections, german_plan,       german_fields,   german_errors,
                                  german_service,     german_simulation, german_tracking, german_tracking_findings,
                                  german_station,     german_periodic,   german_files,    german_profile,
-                                 german_requests,    german_terminal,   german_capture};
+                                 german_requests,    german_terminal,   german_capture,  german_volume_report};
   return tables;
 }
 
