@@ -12,6 +12,7 @@ void add_volumetric(const Verb& program, int& exit_code) {
   verb->require_subcommand(1, 1);
   add_volumetric_identify(*verb, exit_code);
   add_volumetric_field(*verb, exit_code);
+  add_volumetric_predict(*verb, exit_code);
 }
 
 }  // namespace axiometry::cli

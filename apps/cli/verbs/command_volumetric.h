@@ -8,5 +8,6 @@ class Verb;
 /// The verbs of `axiometry volumetric`, a file for each.
 void add_volumetric_identify(const Verb& volumetric, int& exit_code);
 void add_volumetric_field(const Verb& volumetric, int& exit_code);
+void add_volumetric_predict(const Verb& volumetric, int& exit_code);
 
 }  // namespace axiometry::cli

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "axiometry/base/version.h"
+#include "axiometry/report/documents/volumetric_sections.h"
 #include "axiometry/report/figures/error_motions.h"
 #include "axiometry/report/figures/residuals.h"
 #include "axiometry/report/figures/volumetric_residuals.h"
