@@ -13,6 +13,7 @@ void add_volumetric(const Verb& program, int& exit_code) {
   add_volumetric_identify(*verb, exit_code);
   add_volumetric_field(*verb, exit_code);
   add_volumetric_predict(*verb, exit_code);
+  add_volumetric_export(*verb, exit_code);
 }
 
 }  // namespace axiometry::cli

@@ -142,6 +142,19 @@ VolumeStatistics volume_statistics(const ErrorModel& model, Vector3 tool_mm, std
   return statistics;
 }
 
+FieldSizes sizes_without_rigid_motion(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes,
+                                      const std::function<Vector3(Vector3 axes_mm)>& compensated_um) {
+  const VolumeGrid grid(model, tool_mm, nodes);
+  std::vector<Vector3> field = grid.field_of(model.parts().values);
+  for (std::size_t j = 0; j < field.size(); ++j) field[j] -= compensated_um(grid.places()[j]);
+  field = grid.without(std::move(field));
+  FieldSizes sizes = sizes_of(field);
+  const std::size_t at = largest_of(field);
+  sizes.largest.value = norm(field[at]);
+  sizes.largest_at_mm = grid.places()[at];
+  return sizes;
+}
+
 FieldSlice field_slice(const ErrorModel& model, Vector3 tool_mm, std::size_t fixed_axis, double at_mm,
                        std::size_t nodes) {
   AXIOMETRY_CONTRACT(nodes >= 2 && fixed_axis < axis_count);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct VolumeStatistics {
 
 /// Over the travel that was observed, `nodes` along each axis with both ends. Contract: 2 ≤ nodes ≤ 101.
 VolumeStatistics volume_statistics(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes);
+
+/// What is left of the field when `compensated` is taken away at each place, without rigid motion; no uncertainty.
+FieldSizes sizes_without_rigid_motion(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes,
+                                      const std::function<Vector3(Vector3 axes_mm)>& compensated_um);
 
 /// δ on a plane where one axis stands still, nodes with the first of the other two axes fastest; those that the lengths
 /// do not tell are absent.

@@ -14,7 +14,7 @@ namespace axiometry::report::plot {
 namespace {
 
 constexpr double y_pitch = 18.0;  // points between labels, about
-constexpr double x_pitch = 29.0;
+constexpr double x_pitch = 24.0;
 
 Ticks upright_ticks(const Range& up, double height) {
   return divide(up.low, up.high, std::max(height / y_pitch, 2.0), Division::decimal);
