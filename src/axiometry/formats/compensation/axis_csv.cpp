@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::string_view axis_manual =
     R"(One table for each axis, for controls that compensate positioning alone: the deviation along the axis over its
-position, on the line through the middle of the volume with one tool, which is what serves the whole volume best. Its head
-says how large the error of the tool point was and how large it stays: straightness, squareness and what rotations do
+position, on the line through the middle of the volume with one tool, which is what serves the whole volume best. Its
+head says how large the error of the tool point was and how large it stays: straightness, squareness and what rotations do
 away from the middle remain. A positive number: the axis goes too far; to compensate, it is taken away. What a certain
 control wants beside (intervals, increments, its sign) is not said here.
 )";
@@ -43,7 +43,7 @@ Result<std::string> write_axis(const CompensationRequest& request) {
   text += "axis,position_mm,deviation_um,u_um\n";
   for (std::size_t a = 0; a < volumetric::axis_count; ++a)
     for (const volumetric::AxisTableNode& node : tables->axes[a])
-      fmt::format_to(std::back_inserter(text), "{},{},{:.4f},{:.4f}\n", "XYZ"[a], format_exact(node.position_mm),
+      fmt::format_to(std::back_inserter(text), "{},{},{:.4f},{:.4f}\n", "XYZ"[a], position_text(node.position_mm),
                      node.deviation.value, node.deviation.u);
   return text;
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
@@ -27,6 +29,8 @@ Result<void> check_all_told(const volumetric::ErrorModel& model) {
                   volumetric::error_list(unseen)));
 }
 
+std::string position_text(double position_mm) { return format_exact(std::round(1e6 * position_mm) / 1e6); }
+
 std::string compensation_head(const volumetric::ErrorModel& model, std::string_view mark) {
   std::string text;
   const auto line = [&](std::string_view words) { text += fmt::format("{} {}\n", mark, words); };
@@ -35,8 +39,8 @@ std::string compensation_head(const volumetric::ErrorModel& model, std::string_v
   if (!name.empty()) line("Machine: " + name);
   line(fmt::format("Kinematic chain, workpiece to tool, F the foundation: {}", model.machine().chain.text()));
   for (std::size_t a = 0; a < volumetric::axis_count; ++a)
-    line(fmt::format("{} was observed from {} to {} mm", "XYZ"[a], format_exact(model.observed().lowest_mm[a]),
-                     format_exact(model.observed().highest_mm[a])));
+    line(fmt::format("{} was observed from {} to {} mm", "XYZ"[a], position_text(model.observed().lowest_mm[a]),
+                     position_text(model.observed().highest_mm[a])));
   if (model.coefficients().reversal() != volumetric::Reversal::none)
     line("The errors differ by direction; these are the means of both.");
   return text;

@@ -37,6 +37,9 @@ Result<const Compensation*> compensation_named(std::string_view id);
 /// Fails, naming them, where errors are unseen.
 Result<void> check_all_told(const volumetric::ErrorModel& model);
 
+/// mm to the nanometre, without idle zeros.
+std::string position_text(double position_mm);
+
 /// Lines behind `mark` that all tables begin with: machine, chain, range, directions.
 std::string compensation_head(const volumetric::ErrorModel& model, std::string_view mark);
 

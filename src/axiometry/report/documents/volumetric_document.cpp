@@ -158,7 +158,7 @@ class VolumetricComposition {
                      {plain("Kind"), Align::start},
                      {plain("Unit"), Align::start},
                      {plain("Largest"), Align::decimal},
-                     {plain("Range"), Align::decimal},
+                     {plain("Spread"), Align::decimal},
                      {joined({italic("u"), plain(", mean")}), Align::decimal},
                      {joined({italic("u"), plain(", largest")}), Align::decimal}};
     for (std::size_t a = 0; a < axis_count; ++a)
