@@ -14,6 +14,8 @@ void add_volumetric(const Verb& program, int& exit_code) {
   add_volumetric_field(*verb, exit_code);
   add_volumetric_simulate(*verb, exit_code);
   add_volumetric_plan(*verb, exit_code);
+  add_volumetric_predict(*verb, exit_code);
+  add_volumetric_export(*verb, exit_code);
 }
 
 }  // namespace axiometry::cli

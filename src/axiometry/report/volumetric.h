@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
+#include "axiometry/volumetric/field/tool_fields.h"
 #include "axiometry/volumetric/identify/identification.h"
 
 /// Reports of volumetric calibrations.
@@ -18,7 +21,27 @@ struct VolumetricSubject {
   std::string machine_file, machine_sha256;
 };
 
-/// Findings, squareness, how large each of the 18 functions is and how well it is known, stations, residuals, method.
+/// Findings, squareness, how large each of the 18 functions is and how well it is known, with their curves, the error
+/// of the tool point over the volume, diagonals, stations, residuals, method.
 Document compose(const VolumetricSubject& subject, const Options& options);
+
+struct VolumeFieldSubject {
+  const volumetric::ErrorModel& model;
+  std::span<const volumetric::ToolField> fields;
+  std::string result_file;
+};
+/// The volume and its diagonals.
+Document compose(const VolumeFieldSubject& subject, const Options& options);
+
+/// A test of one line as it is predicted, and beside it what was measured.
+struct PredictedTestSubject {
+  const volumetric::ErrorModel& model;
+  const volumetric::PredictedLine& predicted;
+  const std::optional<volumetric::LineComparison>& comparison;
+  std::span<const volumetric::VolumetricFinding> findings;
+  std::string tool;
+  std::string result_file, measured_file;
+};
+Document compose(const PredictedTestSubject& subject, const Options& options);
 
 }  // namespace axiometry::report

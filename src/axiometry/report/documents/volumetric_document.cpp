@@ -5,6 +5,10 @@
 #include <cmath>
 
 #include "axiometry/base/version.h"
+#include "axiometry/report/documents/volumetric_sections.h"
+#include "axiometry/report/figures/error_motions.h"
+#include "axiometry/report/figures/residuals.h"
+#include "axiometry/report/figures/volumetric_residuals.h"
 #include "axiometry/report/sections/fact.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
@@ -64,9 +68,9 @@ class VolumetricComposition {
     document.generator = fmt::format("Axiometry {}", version);
     document.identity = {file_fact("Measured lengths", s_.lengths_file), file_fact("Machine", s_.machine_file)};
     document.status = {status()};
-    document.sections = {result_section(),  findings_section(), squareness_section(),
-                         motions_section(), station_section(),  method(),
-                         source()};
+    document.sections = {result_section(),    findings_section(), squareness_section(),
+                         motions_section(),   curves_section(),   station_section(),
+                         residuals_section(), method(),           source()};
     return document;
   }
 
@@ -154,7 +158,7 @@ class VolumetricComposition {
                      {plain("Kind"), Align::start},
                      {plain("Unit"), Align::start},
                      {plain("Largest"), Align::decimal},
-                     {plain("Range"), Align::decimal},
+                     {plain("Spread"), Align::decimal},
                      {joined({italic("u"), plain(", mean")}), Align::decimal},
                      {joined({italic("u"), plain(", largest")}), Align::decimal}};
     for (std::size_t a = 0; a < axis_count; ++a)
@@ -180,6 +184,25 @@ class VolumetricComposition {
                       "would be other numbers.")})};
     table.dense = true;
     return {"motions", "Error motions", true, {std::move(table)}};
+  }
+
+  Section curves_section() const {
+    Section section{"curves", "Error motions over the travel", true, {}};
+    for (std::size_t a = 0; a < axis_count; ++a)
+      section.blocks.emplace_back(error_motion_figure(found_.model, a, options_));
+    return section;
+  }
+
+  Section residuals_section() const {
+    Section section{"residuals", "Residuals", false, {}};
+    section.blocks.emplace_back(volumetric_residual_figure(s_.lengths, found_, options_));
+    std::vector<bool> aside(found_.residuals_um.size(), false);
+    for (const volumetric::SetAside& reading : found_.set_aside) aside[reading.reading] = true;
+    std::vector<double> normalised;
+    for (std::size_t i = 0; i < aside.size(); ++i)
+      if (!aside[i]) normalised.push_back(found_.residuals_um[i] / found_.sigmas_um[i]);
+    if (auto figure = residual_figure(normalised, options_)) section.blocks.emplace_back(std::move(*figure));
+    return section;
   }
 
   Section station_section() const {

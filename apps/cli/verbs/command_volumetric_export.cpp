@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/files/output.h"
+#include "axiometry/app/results/outputs.h"
+#include "axiometry/app/volumetric/export_tables.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "cli/failure.h"
+#include "cli/flags/option_text.h"
+#include "cli/flags/verb.h"
+#include "cli/verbs/command_volumetric.h"
+#include "cli/verbs/commands.h"
+
+namespace axiometry::cli {
+namespace {
+
+constexpr const char* examples =
+    R"(Every file says what a positive number does, and what of it is verified and what inferred. Try it on a machine
+that may fail, and measure a line again: a doubled error is a sign that was taken the wrong way round.
+Examples:
+  axiometry volumetric export --list
+  axiometry volumetric export result.json --for general-csv --out errors.csv
+  axiometry volumetric export result.json --for axis-csv --tool T1 --out axes.csv)";
+
+struct Arguments {
+  app::ExportRequest request;
+  std::string out = "-";
+  bool list = false;
+};
+
+int list_tables() {
+  for (const formats::Compensation* table : formats::compensation_table())
+    fmt::print("{}: {} (takes {})\n{}\n", table->id, table->title, table->takes, table->manual);
+  return exit_done;
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.list) return list_tables();
+  if (arguments.request.result.empty()) throw MissingOption("RESULT");
+  if (arguments.request.table.empty()) throw MissingOption("--for");
+  const std::vector<app::InputFile> inputs = {{arguments.request.result, false}};
+  if (const auto spared = app::InputFiles(inputs).check_spared(arguments.out); !spared)
+    return failed(spared.error(), exit_usage);
+  const auto table = app::exported_table(arguments.request);
+  if (!table) return failed(table.error());
+  const auto written = app::write_file(arguments.out, *table);
+  return written ? exit_done : failed(written.error());
+}
+
+}  // namespace
+
+void add_volumetric_export(const Verb& volumetric, int& exit_code) {
+  Verb verb = volumetric.add_subcommand("export", "Tables of the errors for controls");
+  verb->footer(examples);
+  auto arguments = std::make_shared<Arguments>();
+  verb->add_option("RESULT", arguments->request.result, "What identify wrote with --out");
+  verb->add_flag("--list", arguments->list, "The tables that there are, and what each assumes");
+  verb->add_option("--for", arguments->request.table, "One of --list")->type_name("NAME");
+  verb->add_option("--out", arguments->out, "To FILE, or to the standard output with - (-)")
+      ->check(fault_of_name)
+      ->type_name("FILE");
+  verb->add_option("--tool", arguments->request.tool, "Of tables of single axes: with which tool (the only one)")
+      ->type_name("NAME");
+  add_read(*verb, {"--nodes", "N", "Positions of each axis, 2 to 401 (21)"},
+           [arguments](const std::string& text) -> Result<void> {
+             const auto number = parse_number(text);
+             if (!number || !(*number >= 2.0 && *number <= 401.0) ||
+                 *number != static_cast<double>(static_cast<int>(*number)))
+               return fail("found " + text::quoted(text) + ", expected a whole number from 2 to 401");
+             arguments->request.nodes = static_cast<std::size_t>(*number);
+             return {};
+           });
+  verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace axiometry::cli

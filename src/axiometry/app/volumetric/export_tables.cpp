@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/volumetric/export_tables.h"
+
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/volumetric/result_model.h"
+
+namespace axiometry::app {
+
+Result<std::string> exported_table(const ExportRequest& request) {
+  AXIOMETRY_TRY(const formats::Compensation* compensation, formats::compensation_named(request.table));
+  AXIOMETRY_TRY(const volumetric::ErrorModel model, model_of_result(request.result));
+  std::size_t tool = 0;
+  if (compensation->of_one_tool || !request.tool.empty()) {
+    AXIOMETRY_TRY(tool, in_file(tool_of_model(model, request.tool), request.result));
+  }
+  return in_file(compensation->write({model, tool, request.nodes}), request.result);
+}
+
+}  // namespace axiometry::app

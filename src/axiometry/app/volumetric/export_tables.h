@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "axiometry/base/result.h"
+#include "axiometry/formats/compensation/compensation.h"
+
+/// The use case "tables of the errors for a control".
+namespace axiometry::app {
+
+struct ExportRequest {
+  std::string result;      ///< of `axiometry volumetric identify --out`
+  std::string table;       ///< id of a formats::Compensation
+  std::string tool;        ///< for which tables of one axis are made; may be empty where the machine has one
+  std::size_t nodes = 21;  ///< along each axis, 2 to 401
+};
+
+/// The bytes of the table. Fails as the result file, on an id that no table has (the message lists those there are),
+/// and where the lengths do not tell what the table needs.
+Result<std::string> exported_table(const ExportRequest& request);
+
+}  // namespace axiometry::app

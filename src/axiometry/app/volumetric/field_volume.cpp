@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/volumetric/field_volume.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "axiometry/app/files/source.h"
+#include "axiometry/app/volumetric/result_model.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/formats/text/json_members.h"
+#include "axiometry/report/volumetric.h"
+#include "axiometry/volumetric/field/field_rows.h"
+
+namespace axiometry::app {
+namespace {
+
+using formats::vector_value;
+using json::Value;
+using volumetric::FieldSizes;
+using volumetric::PredictedLine;
+using volumetric::ToolField;
+
+Value sizes_value(const std::optional<FieldSizes>& sizes) {
+  if (!sizes) return {};
+  Value value = Value::object();
+  value.add("largest_um", sizes->largest.value);
+  value.add("largest_u_um", sizes->largest.u);
+  value.add("largest_at_mm", vector_value(sizes->largest_at_mm));
+  value.add("mean_um", sizes->mean);
+  value.add("percent_95_um", sizes->percent_95);
+  return value;
+}
+
+Value tool_value(const FieldVolume& volume, const ToolField& field) {
+  Value value = Value::object();
+  value.add("tool", volume.model.machine().tools[field.tool].name);
+  value.add("as_found", sizes_value(field.statistics.as_found));
+  Value& rigid = value.add("without_rigid_motion", sizes_value(field.statistics.without_rigid_motion));
+  if (field.statistics.without_rigid_motion) {
+    rigid.add("translation_um", vector_value(field.statistics.translation_um));
+    rigid.add("rotation_urad", vector_value(field.statistics.rotation_urad));
+  }
+  Value& diagonals = value.add("diagonals", Value::object());
+  for (const volumetric::DiagonalOfTool& diagonal : field.diagonals)
+    diagonals.add(diagonal.name, diagonal.predicted ? line_value(*diagonal.predicted) : Value());
+  return value;
+}
+
+std::size_t untold(const FieldVolume& volume) {
+  std::size_t count = 0;
+  for (const ToolField& field : volume.fields)
+    if (!field.statistics.as_found || !field.statistics.without_rigid_motion) ++count;
+  return count;
+}
+
+}  // namespace
+
+Value line_value(const PredictedLine& line) {
+  Value value = Value::object();
+  value.add("from_mm", vector_value(line.line.from_mm));
+  value.add("to_mm", vector_value(line.line.to_mm));
+  value.add("systematic_um", line.systematic.value);
+  value.add("systematic_u_um", line.systematic.u);
+  value.add("slope_um_per_m", line.slope_um_per_m.value);
+  value.add("slope_u_um_per_m", line.slope_um_per_m.u);
+  value.add("reversal_um", line.has_directions ? Value(line.reversal_um) : Value());
+  Value& targets = value.add("targets", Value::array());
+  for (std::size_t k = 0; k < line.up.size(); ++k) {
+    Value& item = targets.push(Value::object());
+    item.add("position_mm", line.line.positions_mm[k]);
+    item.add("up_um", line.up[k].value);
+    item.add("up_u_um", line.up[k].u);
+    item.add("down_um", line.down[k].value);
+    item.add("down_u_um", line.down[k].u);
+  }
+  return value;
+}
+
+Result<FieldVolume> field_volume(const FieldVolumeRequest& request) {
+  AXIOMETRY_TRY(volumetric::ErrorModel model, model_of_result(request.result));
+  std::vector<ToolField> fields = volumetric::tool_fields(model, request.nodes);
+  return FieldVolume{request, std::move(model), std::move(fields)};
+}
+
+Experiment present(const FieldVolume& volume, const report::Options& options) {
+  Value root = Value::object();
+  root.add("nodes", volume.request.nodes);
+  Value& observed = root.add("observed_mm", Value::object());
+  observed.add("lowest", vector_value(volume.model.observed().lowest_mm));
+  observed.add("highest", vector_value(volume.model.observed().highest_mm));
+  Value& tools = root.add("tools", Value::array());
+  for (const ToolField& field : volume.fields) tools.push(tool_value(volume, field));
+  Value& findings = root.add("findings", Value::array());
+  if (const std::size_t count = untold(volume); count > 0) {
+    Value& item = findings.push(Value::object());
+    item.add("id", "volumetric-unseen-errors");
+    item.add("severity", "serious");
+    item.add("message", fmt::format("with {} of {} tools the lengths do not tell the error of the tool point, and no "
+                                    "number is given for it",
+                                    count, volume.fields.size()));
+  }
+  return {report::compose(report::VolumeFieldSubject{volume.model, volume.fields, base_name(volume.request.result)},
+                          options),
+          std::move(root)};
+}
+
+std::string field_csv(const FieldVolume& volume) {
+  std::string text = "tool,x_mm,y_mm,z_mm,dx_um,dy_um,dz_um,ux_um,uy_um,uz_um\n";
+  const std::size_t n = volume.request.nodes;
+  const auto share = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(n - 1); };
+  for (const volumetric::Tool& tool : volume.model.machine().tools)
+    for (std::size_t k = 0; k < n * n * n; ++k) {
+      const Vector3 q =
+          volumetric::place_in(volume.model.observed(), {share(k % n), share(k / n % n), share(k / n / n)});
+      const volumetric::FieldValue value = volume.model.at(q, tool.offset_mm);
+      fmt::format_to(std::back_inserter(text), "{},{},{},{}", tool.name, format_exact(q.x), format_exact(q.y),
+                     format_exact(q.z));
+      for (const auto& error : value.error_um) text += error ? fmt::format(",{:.4f}", *error) : std::string(",");
+      for (std::size_t a = 0; a < 3; ++a)
+        text += value.error_um[a] ? fmt::format(",{:.4f}", std::sqrt(value.covariance_um2[a][a])) : std::string(",");
+      text += '\n';
+    }
+  return text;
+}
+
+}  // namespace axiometry::app

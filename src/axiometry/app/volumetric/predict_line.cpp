@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/volumetric/predict_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "axiometry/app/evaluate/evaluate.h"
+#include "axiometry/app/files/source.h"
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/volumetric/field_volume.h"
+#include "axiometry/app/volumetric/result_model.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/plan/plan_json.h"
+#include "axiometry/formats/text/json_members.h"
+#include "axiometry/report/volumetric.h"
+#include "axiometry/standards/iso230_2/parameters.h"
+
+namespace axiometry::app {
+namespace {
+
+using json::Value;
+using volumetric::axis_count;
+using volumetric::ErrorModel;
+using volumetric::LineComparison;
+using volumetric::MeasuredMeans;
+using volumetric::TestedLine;
+
+/// Below it a test and its prediction are said to disagree: 1 in 1000 by chance.
+constexpr double departs_below = 1e-3;
+
+/// What is known of the targets, and of where they lie.
+struct TargetsOfFile {
+  std::vector<double> positions_mm;
+  std::optional<SpatialLine> line;
+  std::optional<MeasuredMeans> means;
+  bool one_direction = false;
+};
+
+Result<Vector3> parse_place(const std::string& text, std::size_t axis) {
+  Vector3 place;
+  std::array<bool, axis_count> given{};
+  if (!text.empty())
+    for (const std::string_view part : text::split(text, ',')) {
+      const std::string_view trimmed = text::trim(part);
+      const std::size_t letter =
+          trimmed.empty() ? axis_count : std::string_view("xyzXYZ").find(trimmed.front()) % axis_count;
+      const auto number = trimmed.size() > 2 && trimmed[1] == '=' ? parse_number(trimmed.substr(2)) : std::nullopt;
+      if (std::string_view("xyzXYZ").find(trimmed.empty() ? ' ' : trimmed.front()) == std::string_view::npos || !number)
+        return fail(fmt::format("found {}, expected where the other axes stand, as y=300,z=-250", text::quoted(text)));
+      place[letter] = *number;
+      given[letter] = true;
+    }
+  for (std::size_t a = 0; a < axis_count; ++a)
+    if (a != axis && !given[a])
+      return fail(fmt::format("found no place of {}, expected where the other axes stand, as y=300,z=-250", "XYZ"[a]));
+  return place;
+}
+
+Result<TargetsOfFile> targets_of_plan(const std::string& file) {
+  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
+  AXIOMETRY_TRY(const Plan plan, in_file(formats::read_plan(bytes), file));
+  TargetsOfFile targets{.positions_mm = {}, .line = spatial_line(plan.axis)};
+  for (const Position p : plan.targets) targets.positions_mm.push_back(p.in_native());
+  return targets;
+}
+
+/// Targets with a mean in both directions, or in the one that there is. The spread of all is pooled: five runs tell
+/// little of their own.
+Result<TargetsOfFile> targets_of_test(const std::string& file) {
+  AXIOMETRY_TRY(const Test test, read_test(file));
+  TargetsOfFile targets{.positions_mm = {}, .line = spatial_line(test.metadata.axis), .means = MeasuredMeans{}};
+  const auto positions = iso230_2::evaluate_positions(test.series);
+  const bool up = test.series.has(Direction::up), down = test.series.has(Direction::down);
+  targets.one_direction = up != down;
+  double squares = 0.0, count = 0.0;
+  for (const auto& p : positions)
+    for (const auto& s : {p.s_up, p.s_down})
+      if (s) {
+        squares += s->in_native() * s->in_native();
+        count += 1.0;
+      }
+  const double s = count > 0.0 ? std::sqrt(squares / count) : 0.0;
+  for (const auto& p : positions) {
+    if ((up && !p.mean_up) || (down && !p.mean_down)) continue;
+    targets.positions_mm.push_back(p.target.in_native());
+    const double once = targets.one_direction ? std::sqrt(2.0) : 1.0;  // their mean is then the one there is
+    const auto u = [&](std::size_t n) {
+      return once * s / std::sqrt(static_cast<double>(std::max<std::size_t>(n, 1)));
+    };
+    targets.means->up_um.push_back((up ? p.mean_up : p.mean_down)->in_native());
+    targets.means->down_um.push_back((down ? p.mean_down : p.mean_up)->in_native());
+    targets.means->up_u_um.push_back(u(up ? p.count_up : p.count_down));
+    targets.means->down_u_um.push_back(u(down ? p.count_down : p.count_up));
+  }
+  return targets;
+}
+
+Result<TestedLine> line_of(const PredictRequest& request, const ErrorModel& model, Vector3 tool_mm,
+                           const std::optional<TargetsOfFile>& targets) {
+  if (!request.axis.empty() && !request.diagonal.empty())
+    return fail("found both an axis and a diagonal, expected one of them");
+  std::optional<TestedLine> line;
+  if (!request.axis.empty()) {
+    const std::size_t axis = request.axis.size() == 1 ? std::string_view("XYZ").find(request.axis) : std::string::npos;
+    if (axis >= axis_count)
+      return fail(fmt::format("found the axis {}, expected X, Y or Z", text::quoted(request.axis)));
+    AXIOMETRY_TRY(const Vector3 place, parse_place(request.at, axis));
+    line = volumetric::axis_line(model, axis, place, tool_mm);
+  } else if (!request.diagonal.empty()) {
+    line = volumetric::diagonal_line(model, request.diagonal, tool_mm);
+    if (!line) {
+      std::string names;
+      for (const std::string& name : volumetric::diagonal_names()) names += (names.empty() ? "" : ", ") + name;
+      return fail(fmt::format("found the diagonal {}, expected one of {}", text::quoted(request.diagonal), names));
+    }
+  }
+  if (targets) {
+    if (targets->positions_mm.size() < 2)
+      return fail(fmt::format("found {} targets, expected two or more", targets->positions_mm.size()));
+    const double first = targets->positions_mm.front(), last = targets->positions_mm.back();
+    if (!line) {
+      if (!targets->line)
+        return fail(
+            "found no line in space in plan or test, expected an axis and where the others stand, or a "
+            "diagonal");
+      line = TestedLine{.name = "as stated",
+                        .from_mm = targets->line->at(Position::native(first)),
+                        .to_mm = targets->line->at(Position::native(last)),
+                        .tool_mm = tool_mm};
+    } else {
+      const Vector3 along = unit(line->to_mm - line->from_mm), origin = line->from_mm - line->first_mm * along;
+      line->from_mm = origin + first * along;
+      line->to_mm = origin + last * along;
+    }
+    line->first_mm = first;
+    line->positions_mm = targets->positions_mm;
+  }
+  if (!line) return fail("found no line, expected an axis and where the others stand, or a diagonal");
+  return *std::move(line);
+}
+
+Result<void> check_known(const ErrorModel& model, const TestedLine& line) {
+  constexpr double slack_mm = 0.01;
+  for (const Vector3& end : {line.from_mm, line.to_mm})
+    for (std::size_t a = 0; a < axis_count; ++a) {
+      const auto& basis = model.coefficients().basis(a);
+      if (end[a] < basis.lower_mm() - slack_mm || end[a] > basis.upper_mm() + slack_mm)
+        return fail(fmt::format(
+            "found {} at {} mm on the line, expected it from {} to {} mm, where the errors are known", "XYZ"[a],
+            format_exact(end[a]), format_exact(basis.lower_mm()), format_exact(basis.upper_mm())));
+    }
+  return {};
+}
+
+void tell_comparison(PredictedTest& test) {
+  const LineComparison& c = *test.comparison;
+  const auto largest = static_cast<std::size_t>(
+      std::ranges::max_element(c.normalised, {}, [](double x) { return std::abs(x); }) - c.normalised.begin());
+  const double position = test.predicted.line.positions_mm[largest % test.predicted.up.size()];
+  const std::string text = fmt::format(
+      "χ² = {:.1f} with ν = {}; the largest difference is {:.2f} µm at {} mm, {:.1f} of "
+      "its standard uncertainties",
+      c.chi_squared, c.degrees_of_freedom, c.measured_um[largest] - c.predicted_um[largest], format_exact(position),
+      std::abs(c.normalised[largest]));
+  if (c.probability < departs_below)
+    test.findings.push_back({"volumetric-prediction-departs", true,
+                             "the measured test departs from the prediction by more than chance: " + text});
+  else
+    test.findings.push_back(
+        {"volumetric-prediction-agrees", false, "the measured test agrees with the prediction: " + text});
+  test.findings.push_back({"volumetric-prediction-scope", false,
+                           "the comparison holds the uncertainty of the errors and the scatter of the test, but not "
+                           "what all readings of the "
+                           "test have in common, as its temperature or wavelength: that would appear as a slope"});
+}
+
+}  // namespace
+
+Result<PredictedTest> predict_test(const PredictRequest& request) {
+  AXIOMETRY_TRY(ErrorModel model, model_of_result(request.result));
+  AXIOMETRY_TRY(const std::size_t tool, in_file(tool_of_model(model, request.tool), request.result));
+  std::optional<TargetsOfFile> targets;
+  if (!request.plan.empty()) {
+    AXIOMETRY_TRY(targets, targets_of_plan(request.plan));
+  }
+  if (!request.measured.empty()) {
+    AXIOMETRY_TRY(targets, targets_of_test(request.measured));
+  }
+  AXIOMETRY_TRY(TestedLine line, line_of(request, model, model.machine().tools[tool].offset_mm, targets));
+  AXIOMETRY_TRY_VOID(check_known(model, line));
+  auto predicted = volumetric::predict_line(model, std::move(line));
+  if (!predicted)
+    return fail(
+        "found a line of which the lengths do not tell all errors, expected one that they tell: see the "
+        "findings of the result");
+  PredictedTest test{request, std::move(model), tool, *std::move(predicted), {}, {}};
+  if (targets && targets->means) {
+    if (targets->one_direction && test.predicted.has_directions)
+      return in_file(Result<PredictedTest>(fail("found readings of one direction, expected both, as the errors have")),
+                     request.measured);
+    test.comparison = volumetric::compare(test.predicted, *targets->means);
+    tell_comparison(test);
+  }
+  return test;
+}
+
+Experiment present(const PredictedTest& test, const report::Options& options) {
+  const std::string& tool = test.model.machine().tools[test.tool].name;
+  Value root = Value::object();
+  root.add("line", test.predicted.line.name);
+  root.add("tool", tool);
+  root.add("prediction", line_value(test.predicted));
+  if (test.comparison) {
+    const LineComparison& c = *test.comparison;
+    Value& comparison = root.add("comparison", Value::object());
+    comparison.add("chi2", c.chi_squared);
+    comparison.add("degrees_of_freedom", c.degrees_of_freedom);
+    comparison.add("probability", c.probability);
+    comparison.add("agrees", c.probability >= departs_below);
+    Value& items = comparison.add("targets", Value::array());
+    const std::size_t m = test.predicted.up.size();
+    for (std::size_t k = 0; k < c.measured_um.size(); ++k) {
+      Value& item = items.push(Value::object());
+      item.add("position_mm", test.predicted.line.positions_mm[k % m]);
+      item.add("direction", !c.by_direction ? "mean" : k < m ? "up" : "down");
+      item.add("measured_um", c.measured_um[k]);
+      item.add("predicted_um", c.predicted_um[k]);
+      item.add("normalised", c.normalised[k]);
+    }
+  }
+  Value& findings = root.add("findings", Value::array());
+  for (const volumetric::VolumetricFinding& f : test.findings) {
+    Value& item = findings.push(Value::object());
+    item.add("id", f.id);
+    item.add("severity", f.serious ? "serious" : "note");
+    item.add("message", f.message);
+  }
+  return {
+      report::compose(report::PredictedTestSubject{test.model, test.predicted, test.comparison, test.findings, tool,
+                                                   base_name(test.request.result), base_name(test.request.measured)},
+                      options),
+      std::move(root)};
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/results/experiment.h"
+#include "axiometry/volumetric/field/line_prediction.h"
+#include "axiometry/volumetric/identify/identification.h"
+
+/// The use case "what would a test of this line show, and does one that was measured agree".
+namespace axiometry::app {
+
+struct PredictRequest {
+  std::string result;    ///< of `axiometry volumetric identify --out`
+  std::string axis;      ///< "X", "Y" or "Z"; or
+  std::string diagonal;  ///< one of volumetric::diagonal_names(); or neither, where plan or test state a line in space
+  std::string at;        ///< of an axis: "y=300,z=-250", where the others stand
+  std::string tool;      ///< may be empty where the machine has one
+  std::string plan;      ///< file; its targets, and its line where it states one
+  std::string measured;  ///< file of a test, likewise; it is held against the prediction
+};
+
+struct PredictedTest {
+  PredictRequest request;
+  volumetric::ErrorModel model;
+  std::size_t tool = 0;
+  volumetric::PredictedLine predicted;
+  std::optional<volumetric::LineComparison> comparison;
+  std::vector<volumetric::VolumetricFinding> findings;
+};
+
+/// Fails as the files, on a line that is not stated or stated twice, on targets where the errors are not known, on a
+/// line of which the lengths do not tell all, and on a test of one direction where the errors have directions.
+Result<PredictedTest> predict_test(const PredictRequest& request);
+
+/// Report and JSON; keys: docs/results.md.
+Experiment present(const PredictedTest& predicted, const report::Options& options);
+
+}  // namespace axiometry::app

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/volumetric/predict_line.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "axiometry/app/volumetric/field_volume.h"
+#include "axiometry/formats/volumetric/volumetric_result_json.h"
+#include "axiometry/volumetric/known_machine_test_support.h"
+#include "tests/support/temporary_folder.h"
+
+namespace axiometry::app {
+namespace {
+
+using ::testing::HasSubstr;
+using volumetric::testing::known_errors;
+using volumetric::testing::known_identification;
+using volumetric::testing::known_machine;
+
+std::string result_file(const testing_support::TemporaryFolder& folder) {
+  json::Value root = json::Value::object();
+  root.add("model", formats::error_model_value(known_identification(known_machine(), 100).model));
+  return folder.written("result.json", json::dump(root, 0));
+}
+
+/// An axis test of the true machine along X, from its first to its last target in steps of 90 mm, with a scale error.
+std::string measured_file(const testing_support::TemporaryFolder& folder, double um_per_m) {
+  const auto machine = known_machine();
+  std::string text = "target_mm,direction,run,deviation_um\n";
+  for (int run = 1; run <= 3; ++run)
+    for (const char* direction : {"up", "down"})
+      for (int k = 0; k < 11; ++k) {
+        const Vector3 q{50.0 + 90.0 * k, 300, -250};
+        const double x = volumetric::displacement_um(machine, known_errors(q), q, {0, 0, -150}).x;
+        fmt::format_to(std::back_inserter(text), "{},{},{},{:.3f}\n", q.x, direction, run,
+                       x + 1e-3 * um_per_m * q.x + 7.0 + 0.05 * ((k * 7 + run * 3) % 5 - 2));
+      }
+  return folder.written(fmt::format("measured_{}.csv", um_per_m), text);
+}
+
+TEST(PredictTest, AgreesWithATestOfTheSameMachineAndDepartsFromOneOfAnother) {
+  const testing_support::TemporaryFolder folder;
+  PredictRequest request{.result = result_file(folder), .axis = "X", .at = "y=300, Z=-250", .tool = "T1"};
+  request.measured = measured_file(folder, 0.0);
+  const auto same = predict_test(request);
+  ASSERT_TRUE(same) << same.error().to_string();
+  EXPECT_EQ(same->predicted.line.positions_mm.front(), 50.0);
+  EXPECT_GT(same->comparison->probability, 1e-3) << same->comparison->chi_squared;
+  EXPECT_EQ(same->findings.front().id, "volumetric-prediction-agrees");
+  request.measured = measured_file(folder, 15.0);
+  const auto other = predict_test(request);
+  ASSERT_TRUE(other) << other.error().to_string();
+  EXPECT_EQ(other->findings.front().id, "volumetric-prediction-departs");
+  EXPECT_TRUE(other->findings.front().serious);
+  const auto shown = present(*other, {});
+  EXPECT_EQ(json::dump(*shown.json.find("comparison")->find("agrees")), "false");
+}
+
+TEST(PredictTest, SaysWhatItMissesOfTheLine) {
+  const testing_support::TemporaryFolder folder;
+  const std::string result = result_file(folder);
+  const auto fault = [&](PredictRequest request) {
+    request.result = result;
+    const auto found = predict_test(request);
+    return found ? std::string("none") : found.error().to_string();
+  };
+  EXPECT_THAT(fault({.axis = "X", .tool = "T1"}), HasSubstr("found no place of Y"));
+  EXPECT_THAT(fault({.axis = "X", .at = "y=300,z", .tool = "T1"}), HasSubstr("expected where the other axes stand"));
+  EXPECT_THAT(fault({.axis = "W", .at = "y=300", .tool = "T1"}), HasSubstr("expected X, Y or Z"));
+  EXPECT_THAT(fault({.diagonal = "PPP-NNN"}), HasSubstr("found no tool, expected one of T1, T2, T3"));
+  EXPECT_THAT(fault({.diagonal = "PPP", .tool = "T1"}), HasSubstr("expected one of PPP-NNN, NPP-PNN"));
+  EXPECT_THAT(fault({.tool = "T1"}), HasSubstr("found no line"));
+  EXPECT_THAT(fault({.axis = "X", .at = "y=900,z=-250", .tool = "T1"}), HasSubstr("where the errors are known"));
+  EXPECT_EQ(fault({.diagonal = "XY PP-NN", .tool = "T3"}), "none");
+}
+
+TEST(FieldVolume, WritesEveryNodeAndTheStatisticsOfEveryTool) {
+  const testing_support::TemporaryFolder folder;
+  const auto volume = field_volume({result_file(folder), 3});
+  ASSERT_TRUE(volume) << volume.error().to_string();
+  const std::string csv = field_csv(*volume);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 3 * 27);
+  const auto shown = present(*volume, {});
+  EXPECT_EQ(shown.json.find("tools")->items().size(), 3u);
+  EXPECT_GT(volume->fields[0].statistics.as_found->largest.value, 1.0);
+}
+
+}  // namespace
+}  // namespace axiometry::app

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/volumetric/result_model.h"
+
+#include <fmt/format.h>
+
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/volumetric/volumetric_result_json.h"
+
+namespace axiometry::app {
+
+Result<volumetric::ErrorModel> model_of_result(const std::string& file) {
+  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
+  return in_file(formats::read_error_model(bytes), file);
+}
+
+Result<std::size_t> tool_of_model(const volumetric::ErrorModel& model, std::string_view name) {
+  const auto& tools = model.machine().tools;
+  if (name.empty() && tools.size() == 1) return std::size_t{0};
+  if (const auto tool = model.machine().tool_named(name)) return *tool;
+  std::string known;
+  for (const volumetric::Tool& t : tools) known += (known.empty() ? "" : ", ") + t.name;
+  return fail(name.empty() ? fmt::format("found no tool, expected one of {}", known)
+                           : fmt::format("found the tool {}, expected one of {}", text::quoted(name), known));
+}
+
+}  // namespace axiometry::app

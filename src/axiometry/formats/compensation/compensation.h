@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "axiometry/base/result.h"
+#include "axiometry/volumetric/field/error_model.h"
+
+/// Tables by which controls compensate the errors of a machine, a file for each kind.
+namespace axiometry::formats {
+
+struct CompensationRequest {
+  const volumetric::ErrorModel& model;
+  std::size_t tool = 0;    ///< of the machine; for tables of single axes
+  std::size_t nodes = 21;  ///< positions of each axis, over the travel that was observed
+};
+
+struct Compensation {
+  std::string_view id;       ///< "general-csv", for --for
+  std::string_view title;    ///< in lists
+  std::string_view takes;    ///< "all 21 errors", "positioning"
+  bool of_one_tool = false;  ///< whether it needs one
+  std::string_view manual;   ///< Markdown: what it assumes, what is verified and what inferred
+  /// The file says what a positive number does. Fails where the lengths do not tell an error that it needs.
+  Result<std::string> (*write)(const CompensationRequest& request);
+};
+
+/// In alphabetical order of the source files (generated).
+std::span<const Compensation* const> compensation_table();
+
+/// Fails with the ids that there are.
+Result<const Compensation*> compensation_named(std::string_view id);
+
+/// Fails, naming them, where errors are unseen.
+Result<void> check_all_told(const volumetric::ErrorModel& model);
+
+/// mm to the nanometre, without idle zeros.
+std::string position_text(double position_mm);
+
+/// Lines behind `mark` that all tables begin with: machine, chain, range, directions.
+std::string compensation_head(const volumetric::ErrorModel& model, std::string_view mark);
+
+}  // namespace axiometry::formats

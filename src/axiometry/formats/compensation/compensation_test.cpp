@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/compensation/compensation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "axiometry/formats/format.h"
+#include "axiometry/volumetric/field/axis_tables.h"
+#include "axiometry/volumetric/known_machine_test_support.h"
+
+namespace axiometry::formats {
+namespace {
+
+using ::testing::HasSubstr;
+using volumetric::Coefficients;
+using volumetric::CurveBasis;
+using volumetric::CurveKind;
+using volumetric::ErrorModel;
+using volumetric::testing::known_identification;
+using volumetric::testing::known_machine;
+
+/// Only EXX, a straight line of 20 µm/m, and C0Y of 10 µrad.
+ErrorModel scale_and_squareness() {
+  const auto basis = [](double low, double high) { return *CurveBasis::make(CurveKind::nodes, low, high, 1); };
+  const Coefficients coefficients({basis(0, 1000), basis(0, 600), basis(-500, 0)}, volumetric::Reversal::none);
+  const std::size_t n = coefficients.raw();
+  std::vector<double> values(n, 0.0), covariance(n * n, 0.0);
+  values[coefficients.curve(0)] = -10.0;
+  values[coefficients.curve(0) + volumetric::motion_count] = 10.0;
+  values[coefficients.squareness()] = 10.0;
+  auto machine = known_machine();
+  machine.name = "Mill\n1";
+  return ErrorModel({machine, coefficients, values, covariance, {}, machine.travel});
+}
+
+std::string written(const char* id, const ErrorModel& model, std::size_t nodes = 3) {
+  const auto table = compensation_named(id);
+  EXPECT_TRUE(table);
+  const auto text = (*table)->write({model, 0, nodes});
+  return text ? *text : text.error().to_string();
+}
+
+TEST(Compensation, OfEveryTableSaysWhatAPositiveNumberDoes) {
+  EXPECT_EQ(compensation_table().size(), 3u);
+  for (const Compensation* table : compensation_table()) {
+    const std::string text = written(std::string(table->id).c_str(), scale_and_squareness());
+    EXPECT_THAT(text, HasSubstr("A positive number: ")) << table->id;
+    EXPECT_THAT(text, HasSubstr("Machine: Mill 1\n")) << table->id;
+    EXPECT_THAT(text, HasSubstr("XFYZ")) << table->id;
+  }
+  EXPECT_THAT(compensation_named("fanuc").error().message, HasSubstr("expected one of axis-csv, general-csv"));
+}
+
+TEST(Compensation, GeneralTableHoldsAll21Errors) {
+  const std::string text = written("general-csv", scale_and_squareness());
+  EXPECT_THAT(text, HasSubstr("X_mm,EXX_um,EYX_um,EZX_um,EAX_urad"));
+  EXPECT_THAT(text, HasSubstr(",C0Y_urad,B0Z_urad,A0Z_urad\n0,-10.0000,0.0000"));
+  EXPECT_THAT(text, HasSubstr("\n1000,10.0000,"));
+  EXPECT_THAT(text, HasSubstr(",10.0000,0.0000,0.0000\n"));
+}
+
+TEST(Compensation, VolumetricTableIsReadBackByTheReaderOfSuchTables) {
+  const std::string text = written("twincat-cnc", scale_and_squareness());
+  EXPECT_THAT(text, HasSubstr("chain, workpiece to tool: XYZ; workpiece_axes: X\n"));
+  EXPECT_THAT(text, HasSubstr("\nY EXY EYY EZY EAY EBY ECY C0Y\n"));
+  EXPECT_THAT(text, HasSubstr(" 0.000010000\n"));
+  const auto format = recognise(text);
+  ASSERT_TRUE(format) << format.error().to_string();
+  EXPECT_EQ((*format)->id, "isg-csv");
+  const std::string x = text.substr(0, text.find("\n#") + 1);
+  const auto test = (*format)->read(x);
+  ASSERT_TRUE(test) << test.error().to_string();
+  EXPECT_NEAR(test->series.reading(0, Direction::up, 0)->in_native(), -10.0, 1e-9);
+  EXPECT_NEAR(test->series.reading(2, Direction::up, 0)->in_native(), 10.0, 1e-9);
+}
+
+TEST(Compensation, OfSingleAxesSaysWhatStays) {
+  const auto tables = volumetric::axis_tables(scale_and_squareness(), {0, 0, -150}, 3);
+  ASSERT_TRUE(tables);
+  EXPECT_NEAR(tables->axes[0][0].deviation.value, -10.0, 1e-9);
+  EXPECT_NEAR(tables->axes[1][2].deviation.value, 0.0, 1e-9) << "squareness is no positioning";
+  // The scale goes, and of squareness the shear stays that no rotation takes away.
+  const double turned = 10.0 * 600 * 600 / (1000.0 * 1000 + 600 * 600);
+  EXPECT_NEAR(tables->after.largest.value, std::hypot((10 - turned) * 0.3, turned * 0.5), 1e-9);
+  EXPECT_GT(tables->before.largest.value, tables->after.largest.value + 5.0);
+  EXPECT_THAT(written("axis-csv", scale_and_squareness()), HasSubstr("\nX,1000,10.0000,0.0000\n"));
+}
+
+TEST(Compensation, LeavesLessOfARealFieldThanNone) {
+  const auto found = known_identification(known_machine(), 80);
+  const auto tables = volumetric::axis_tables(found.model, {0, 0, -150}, 41);
+  ASSERT_TRUE(tables);
+  EXPECT_LT(tables->after.mean, tables->before.mean);
+}
+
+TEST(Compensation, RefusesErrorsThatTheLengthsDoNotTell) {
+  auto machine = known_machine("FXYZ");
+  machine.tools.resize(2);
+  const auto found = known_identification(machine);
+  for (const char* id : {"general-csv", "twincat-cnc"})
+    EXPECT_THAT(written(id, found.model), HasSubstr("the lengths do not tell ECY and ECZ, expected all 21 errors"));
+  EXPECT_THAT(written("axis-csv", found.model), HasSubstr("axis,position_mm,deviation_um,u_um"))
+      << "both errors do not move a tool on their line";
+}
+
+}  // namespace
+}  // namespace axiometry::formats

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// What reports of volumetric calibrations draw, predict and export.
+#include "axiometry/language/german.h"
+
+namespace axiometry::language {
+namespace {
+
+constexpr Phrase rows[] = {
+    {"At / mm", "Bei / mm"},
+    {"B, reversal value", "B, Umkehrspanne"},
+    {"Breaks of the beam found", "Gefundene Strahlunterbrechungen"},
+    {"Curves", "Kurven"},
+    {"Deviation / µm", "Abweichung / µm"},
+    {"Deviations", "Abweichungen"},
+    {"Deviations along the line, as predicted", "Vorhergesagte Abweichungen entlang der Linie"},
+    {"Diagonals, predicted", "Diagonalen, vorhergesagt"},
+    {"Difference over u", "Differenz durch u"},
+    {"Directions of which the lengths say nothing", "Richtungen, über die die Längen nichts sagen"},
+    {"Displacement", "Verlagerung"},
+    {"E, bidirectional systematic deviation", "E, beidseitige systematische Abweichung"},
+    {"Error motions", "Bewegungsabweichungen"},
+    {"Error motions of {0=}", "Bewegungsabweichungen von {0}"},
+    {"Error motions over the travel", "Bewegungsabweichungen über dem Verfahrweg"},
+    {"Error of the tool point", "Abweichung des Werkzeugpunkts"},
+    {"Error of the tool point on the planes through the middle of the volume",
+     "Abweichung des Werkzeugpunkts in den Ebenen durch die Mitte des Arbeitsraums"},
+    {"Error of the tool point over the volume", "Abweichung des Werkzeugpunkts im Arbeitsraum"},
+    {"Errors can cancel along a diagonal: a small E of one proves little alone.",
+     "Abweichungen können sich entlang einer Diagonale aufheben: Ein kleines E einer einzigen beweist allein wenig."},
+    {"From X; Y; Z / mm", "Von X; Y; Z / mm"},
+    {"ISO 230-1:2012, names of errors", "ISO 230-1:2012, Namen der Abweichungen"},
+    {"Kinematic chain", "Kinematische Kette"},
+    {"Lengths", "Längen"},
+    {"Less the mean of all: the zero of a deviation curve is a convention. u: standard uncertainty (k = 1).",
+     "Abzüglich des Mittels aller: Die Null einer Abweichungskurve ist eine Übereinkunft. u: Standardunsicherheit "
+     "(k = 1)."},
+    {"Mean / µm", "Mittel / µm"},
+    {"Measured / µm", "Gemessen / µm"},
+    {"Measured test", "Gemessene Prüfung"},
+    {"Measured ↑ / µm", "Gemessen ↑ / µm"},
+    {"Measured ↓ / µm", "Gemessen ↓ / µm"},
+    {"Over a grid of the travel that was observed. Without rigid motion: less the displacement and rotation of the "
+     "whole "
+     "machine that fit best, which the place of a workpiece takes away. 95 % of the grid have no more than the last "
+     "column.",
+     "Auf einem Gitter über dem beobachteten Verfahrweg. Ohne Starrkörperbewegung: abzüglich der bestpassenden "
+     "Verlagerung und Verdrehung der ganzen Maschine, die die Lage eines Werkstücks aufnimmt. 95 % des Gitters haben "
+     "höchstens den Wert der letzten Spalte."},
+    {"Predicted from the 21 errors, along the diagonals of the travel that was observed: E is the bidirectional "
+     "systematic deviation that ISO 230-6 would show. P and N name the ends of the axes, P the larger; of a face the "
+     "third axis stands in the middle.",
+     "Aus den 21 Abweichungen vorhergesagt, entlang der Diagonalen des beobachteten Verfahrwegs: E ist die beidseitige "
+     "systematische Abweichung, die ISO 230-6 zeigen würde. P und N nennen die Enden der Achsen, P das größere; bei "
+     "einer Fläche steht die dritte Achse in der Mitte."},
+    {"Prediction", "Vorhersage"},
+    {"Probability of as much by chance", "Wahrscheinlichkeit, dass es Zufall ist"},
+    {"Reading, in the order of measurement", "Messwert in der Reihenfolge der Messung"},
+    {"Readings set aside", "Ausgesonderte Messwerte"},
+    {"Residuals", "Residuen"},
+    {"Residuals of the lengths", "Residuen der Längen"},
+    {"Rotation", "Verdrehung"},
+    {"Slope", "Steigung"},
+    {"Slope / (µm/m)", "Steigung / (µm/m)"},
+    {"Spread", "Spannweite"},
+    {"Squareness", "Rechtwinkligkeit"},
+    {"Standard uncertainties (k = 1). The mean of each function over its range is 0, and the best straight line of "
+     "straightness is level.",
+     "Standardunsicherheiten (k = 1). Das Mittel jeder Funktion über ihrem Bereich ist 0, und die Ausgleichsgerade der "
+     "Geradheit liegt waagerecht."},
+    {"Station and tool", "Standort und Werkzeug"},
+    {"Straightness is that of the tool point for the chain {0=}, with each axis' functional point as stated in the "
+     "result; for another chain it would be other numbers.",
+     "Die Geradheit ist die des Werkzeugpunkts für die Kette {0} mit dem im Ergebnis genannten Bezugspunkt jeder "
+     "Achse; "
+     "für eine andere Kette wären es andere Zahlen."},
+    {"Test predicted from the 21 errors", "Aus den 21 Abweichungen vorhergesagte Prüfung"},
+    {"The 21 errors of the machine", "Die 21 Abweichungen der Maschine"},
+    {"The picture is of the tool {0=}, as found.", "Das Bild gilt für das Werkzeug {0}, wie gefunden."},
+    {"The three displacements and the three rotations of the axis over its position, with the bands in which they lie.",
+     "Die drei Verlagerungen und die drei Verdrehungen der Achse über ihrer Position, mit den Bändern, in denen sie "
+     "liegen."},
+    {"The volume", "Der Arbeitsraum"},
+    {"Three planes of the volume: colours show how large the error of the tool point is, arrows where it points within "
+     "the plane.",
+     "Drei Ebenen des Arbeitsraums: Farben zeigen, wie groß die Abweichung des Werkzeugpunkts ist, Pfeile, wohin sie "
+     "in "
+     "der Ebene zeigt."},
+    {"To X; Y; Z / mm", "Nach X; Y; Z / mm"},
+    {"Tool", "Werkzeug"},
+    {"Unknowns", "Unbekannte"},
+    {"Value / µrad", "Wert / µrad"},
+    {"Volumetric calibration", "Volumetrische Kalibrierung"},
+    {"What a test along the line would show, with the band in which it lies.",
+     "Was eine Prüfung entlang der Linie zeigen würde, mit dem Band, in dem es liegt."},
+    {"What is left of each length, in the order of measurement, over the positions of the axes and by station.",
+     "Was von jeder Länge übrig bleibt: in der Reihenfolge der Messung, über den Positionen der Achsen und nach "
+     "Standort."},
+    {"Y to X", "Y zu X"},
+    {"Z to X", "Z zu X"},
+    {"Z to Y", "Z zu Y"},
+    {"as found", "wie gefunden"},
+    {"cubic B-splines, spans: {0=}", "kubische B-Splines, Abschnitte: {0}"},
+    {"error", "Abweichung"},
+    {"mean of both directions", "Mittel beider Richtungen"},
+    {"moving down", "Bewegung abwärts"},
+    {"moving up", "Bewegung aufwärts"},
+    {"not told", "nicht bestimmt"},
+    {"not told: the errors have no directions", "nicht bestimmt: die Abweichungen kennen keine Richtung"},
+    {"pitch", "Nicken"},
+    {"positioning", "Positionieren"},
+    {"predicted", "vorhergesagt"},
+    {"predicted ↑", "vorhergesagt ↑"},
+    {"predicted ↓", "vorhergesagt ↓"},
+    {"roll", "Rollen"},
+    {"root mean square of a station", "quadratisches Mittel eines Standorts"},
+    {"set aside, at the edge where beyond it", "ausgesondert, außerhalb liegende am Rand"},
+    {"straightness", "Geradheit"},
+    {"the comparison holds the uncertainty of the errors and the scatter of the test, but not what all readings of the "
+     "test have in common, as its temperature or wavelength: that would appear as a slope",
+     "der Vergleich enthält die Unsicherheit der Abweichungen und die Streuung der Prüfung, aber nicht, was alle "
+     "Messwerte "
+     "der Prüfung gemeinsam haben, wie Temperatur oder Wellenlänge: Das würde als Steigung erscheinen"},
+    {"the measured test agrees with the prediction: χ² = {0#} with ν = {1#}; the largest difference is {2#} µm at {3#} "
+     "mm, {4#} of its standard uncertainties",
+     "die gemessene Prüfung stimmt mit der Vorhersage überein: χ² = {0} mit ν = {1}; die größte Differenz ist {2} µm "
+     "bei "
+     "{3} mm, das {4}-fache ihrer Standardunsicherheit"},
+    {"the measured test departs from the prediction by more than chance: χ² = {0#} with ν = {1#}; the largest "
+     "difference "
+     "is {2#} µm at {3#} mm, {4#} of its standard uncertainties",
+     "die gemessene Prüfung weicht stärker als zufällig von der Vorhersage ab: χ² = {0} mit ν = {1}; die größte "
+     "Differenz "
+     "ist {2} µm bei {3} mm, das {4}-fache ihrer Standardunsicherheit"},
+    {"with {0#} of {1#} tools the lengths do not tell the error of the tool point, and no number is given for it",
+     "bei {0} von {1} Werkzeugen bestimmen die Längen die Abweichung des Werkzeugpunkts nicht, und dafür wird keine "
+     "Zahl "
+     "angegeben"},
+    {"without rigid motion", "ohne Starrkörperbewegung"},
+    {"yaw", "Gieren"},
+    {"{0#} of 21 errors found from {1#} lengths", "{0} von 21 Abweichungen aus {1} Längen gefunden"},
+    {"{0#}, of which {1#} are of errors", "{0}, davon {1} der Abweichungen"},
+};
+
+}  // namespace
+
+const std::span<const Phrase> german_volume_report = rows;
+
+}  // namespace axiometry::language

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/field/line_prediction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "axiometry/base/contract.h"
+#include "axiometry/numeric/chi_square.h"
+#include "axiometry/volumetric/field/field_rows.h"
+
+namespace axiometry::volumetric {
+namespace {
+
+DenseRow minus(const DenseRow& a, const DenseRow& b) {
+  DenseRow result = a;
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] -= b[k];
+  return result;
+}
+
+std::vector<double> equidistant(double from, double to, std::size_t count) {
+  std::vector<double> positions;
+  for (std::size_t k = 0; k < count; ++k)
+    positions.push_back(k + 1 == count ? to
+                                       : from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1));
+  return positions;
+}
+
+/// Rows of all deviations, less their mean.
+std::vector<DenseRow> centred_rows(const ErrorModel& model, const TestedLine& line, bool has_directions) {
+  const Vector3 along = unit(line.to_mm - line.from_mm);
+  std::vector<DenseRow> rows;
+  for (const double sign : {1.0, -1.0}) {
+    if (sign < 0.0 && !has_directions) break;
+    Approaches approaches{};
+    if (has_directions)
+      for (std::size_t a = 0; a < axis_count; ++a)
+        approaches[a] = std::abs(along[a]) > 1e-9 ? std::copysign(sign, sign * along[a]) : 0.0;
+    for (const double position : line.positions_mm)
+      add_field(rows.emplace_back(), model, line.from_mm + (position - line.first_mm) * along, line.tool_mm, along,
+                approaches);
+  }
+  DenseRow mean(model.coefficients().raw(), 0.0);
+  for (const DenseRow& row : rows)
+    for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += row[k] / static_cast<double>(rows.size());
+  for (DenseRow& row : rows) row = minus(row, mean);
+  return rows;
+}
+
+/// Of the straight line through all deviations over their positions, µm per m.
+DenseRow slope_row(const std::vector<DenseRow>& rows, const std::vector<double>& positions) {
+  const std::size_t m = positions.size();
+  const double middle = std::accumulate(positions.begin(), positions.end(), 0.0) / static_cast<double>(m);
+  double squares = 0.0;
+  for (std::size_t k = 0; k < rows.size(); ++k) squares += std::pow(positions[k % m] - middle, 2);
+  DenseRow slope(rows.front().size(), 0.0);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (std::size_t i = 0; i < slope.size(); ++i)
+      slope[i] += 1000.0 * (positions[k % m] - middle) / squares * rows[k][i];
+  return slope;
+}
+
+/// Lower triangle of a positive definite matrix, in place; forward substitution gives |L⁻¹ d|².
+double squares_over(std::vector<double> matrix, std::vector<double> d) {
+  const std::size_t n = d.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k <= i; ++k) {
+      double sum = matrix[i * n + k];
+      for (std::size_t j = 0; j < k; ++j) sum -= matrix[i * n + j] * matrix[k * n + j];
+      matrix[i * n + k] = i == k ? std::sqrt(std::max(sum, 1e-12)) : sum / matrix[k * n + k];
+    }
+    for (std::size_t j = 0; j < i; ++j) d[i] -= matrix[i * n + j] * d[j];
+    d[i] /= matrix[i * n + i];
+  }
+  return std::inner_product(d.begin(), d.end(), d.begin(), 0.0);
+}
+
+}  // namespace
+
+std::optional<PredictedLine> predict_line(const ErrorModel& model, TestedLine line) {
+  AXIOMETRY_CONTRACT(line.positions_mm.size() >= 2 && norm(line.to_mm - line.from_mm) > 0.0);
+  const bool has_directions = model.coefficients().reversal() != Reversal::none;
+  const std::vector<DenseRow> rows = centred_rows(model, line, has_directions);
+  if (!std::ranges::all_of(rows, [&](const DenseRow& row) { return is_told(model, row); })) return std::nullopt;
+  const std::size_t m = line.positions_mm.size(), n = rows.size();
+  PredictedLine predicted{.line = std::move(line), .has_directions = has_directions};
+  predicted.covariance_um2.resize(n * n);
+  std::vector<Estimate> all;
+  for (std::size_t i = 0; i < n; ++i) {
+    const DenseRow with = covariance_times(model, rows[i]);
+    for (std::size_t k = 0; k < n; ++k)
+      predicted.covariance_um2[i * n + k] = std::inner_product(with.begin(), with.end(), rows[k].begin(), 0.0);
+    all.push_back(estimate_of(model, rows[i]));
+  }
+  predicted.up.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(m));
+  predicted.down.assign(all.end() - static_cast<std::ptrdiff_t>(m), all.end());
+  const auto [least, largest] = std::ranges::minmax_element(all, {}, &Estimate::value);
+  predicted.systematic = estimate_of(model, minus(rows[static_cast<std::size_t>(largest - all.begin())],
+                                                  rows[static_cast<std::size_t>(least - all.begin())]));
+  for (std::size_t k = 0; k < m; ++k)
+    predicted.reversal_um = std::max(predicted.reversal_um, std::abs(predicted.up[k].value - predicted.down[k].value));
+  predicted.slope_um_per_m = estimate_of(model, slope_row(rows, predicted.line.positions_mm));
+  return predicted;
+}
+
+TestedLine axis_line(const ErrorModel& model, std::size_t axis, Vector3 through_mm, Vector3 tool_mm,
+                     std::size_t targets) {
+  const TravelBox& box = model.observed();
+  TestedLine line{.name = std::string(1, "XYZ"[axis]), .from_mm = through_mm, .to_mm = through_mm, .tool_mm = tool_mm};
+  line.from_mm[axis] = line.first_mm = box.lowest_mm[axis];
+  line.to_mm[axis] = box.highest_mm[axis];
+  line.positions_mm = equidistant(box.lowest_mm[axis], box.highest_mm[axis], targets);
+  return line;
+}
+
+const std::vector<std::string>& diagonal_names() {
+  static const std::vector<std::string> names = {"PPP-NNN",  "NPP-PNN",  "PNP-NPN",  "PPN-NNP",  "XY PP-NN",
+                                                 "XY NP-PN", "XZ PP-NN", "XZ NP-PN", "YZ PP-NN", "YZ NP-PN"};
+  return names;
+}
+
+std::optional<TestedLine> diagonal_line(const ErrorModel& model, std::string_view name, Vector3 tool_mm,
+                                        std::size_t targets) {
+  if (std::ranges::find(diagonal_names(), name) == diagonal_names().end()) return std::nullopt;
+  const bool body = name[3] == '-';
+  const std::string_view axes = body ? "XYZ" : name.substr(0, 2), ends = body ? name : name.substr(3);
+  Vector3 from{0.5, 0.5, 0.5}, to = from;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const auto a = static_cast<std::size_t>(axes[k] - 'X');
+    to[a] = ends[k] == 'P' ? 1.0 : 0.0;
+    from[a] = 1.0 - to[a];
+  }
+  TestedLine line{.name = std::string(name),
+                  .from_mm = place_in(model.observed(), from),
+                  .to_mm = place_in(model.observed(), to),
+                  .tool_mm = tool_mm};
+  line.positions_mm = equidistant(0.0, norm(line.to_mm - line.from_mm), targets);
+  return line;
+}
+
+LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& measured) {
+  const std::size_t m = predicted.up.size();
+  AXIOMETRY_CONTRACT(measured.up_um.size() == m && measured.down_um.size() == m);
+  LineComparison comparison;
+  comparison.by_direction = predicted.has_directions;
+  std::vector<double> variances;
+  const auto take = [&](double value, double variance, double expected) {
+    comparison.measured_um.push_back(value);
+    variances.push_back(variance);
+    comparison.predicted_um.push_back(expected);
+  };
+  const auto square = [](double x) { return x * x; };
+  if (comparison.by_direction) {
+    for (std::size_t k = 0; k < m; ++k) take(measured.up_um[k], square(measured.up_u_um[k]), predicted.up[k].value);
+    for (std::size_t k = 0; k < m; ++k)
+      take(measured.down_um[k], square(measured.down_u_um[k]), predicted.down[k].value);
+  } else {
+    for (std::size_t k = 0; k < m; ++k)
+      take(0.5 * (measured.up_um[k] + measured.down_um[k]),
+           0.25 * (square(measured.up_u_um[k]) + square(measured.down_u_um[k])), predicted.up[k].value);
+  }
+  const std::size_t n = comparison.measured_um.size();
+  const double count = static_cast<double>(n);
+  const double mean = std::accumulate(comparison.measured_um.begin(), comparison.measured_um.end(), 0.0) / count;
+  const double mean_variance = std::accumulate(variances.begin(), variances.end(), 0.0) / count;
+  std::vector<double> difference, covariance = predicted.covariance_um2;
+  for (std::size_t i = 0; i < n; ++i) {
+    comparison.measured_um[i] -= mean;
+    difference.push_back(comparison.measured_um[i] - comparison.predicted_um[i]);
+    // Of values less their mean: v_i δ_ik − (v_i + v_k)/n + v̄/n.
+    for (std::size_t k = 0; k < n; ++k)
+      covariance[i * n + k] +=
+          (i == k ? variances[i] : 0.0) - (variances[i] + variances[k]) / count + mean_variance / count;
+    comparison.normalised.push_back(difference[i] / std::sqrt(std::max(covariance[i * n + i], 1e-12)));
+  }
+  // Differences have no mean, so that what is added along the mean changes nothing but the rank; what is added to the
+  // diagonal, (1 nm)², keeps the factorisation away from rounding.
+  double trace = 0.0;
+  for (std::size_t i = 0; i < n; ++i) trace += covariance[i * n + i];
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k) covariance[i * n + k] += trace / (count * count) + (i == k ? 1e-6 : 0.0);
+  comparison.chi_squared = squares_over(std::move(covariance), std::move(difference));
+  comparison.degrees_of_freedom = n - 1;
+  comparison.probability =
+      1.0 - numeric::chi_square_probability(comparison.chi_squared, static_cast<double>(comparison.degrees_of_freedom));
+  return comparison;
+}
+
+}  // namespace axiometry::volumetric

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/volumetric/field/error_model.h"
+
+/// What a test along a straight line would show: of one axis after ISO 230-2, of a diagonal after ISO 230-6. The zero
+/// of such a curve is a convention, so that the mean of all its deviations is taken away.
+namespace axiometry::volumetric {
+
+struct TestedLine {
+  std::string name;
+  Vector3 from_mm, to_mm;  ///< where the axes stand at its ends
+  Vector3 tool_mm;
+  std::vector<double> positions_mm;  ///< of the targets, rising; the deviation is that along the line
+  double first_mm = 0.0;             ///< the position that `from_mm` has; of an axis its coordinate
+};
+
+struct PredictedLine {
+  TestedLine line;
+  bool has_directions = false;     ///< whether the model tells them apart; else `down` is `up`
+  std::vector<Estimate> up, down;  ///< µm, at each target, less the mean of all
+  Estimate systematic;             ///< E: largest less smallest of all, µm
+  double reversal_um = 0.0;        ///< B: the largest |up − down|
+  Estimate slope_um_per_m;         ///< of the best straight line through the means of both directions
+  /// Of up, and behind it down where there are directions; by rows, µm².
+  std::vector<double> covariance_um2;
+};
+
+/// Absent where the lengths do not tell the line, but for a constant. Contract: two targets or more, rising, on the
+/// line; ends that differ.
+std::optional<PredictedLine> predict_line(const ErrorModel& model, TestedLine line);
+
+/// Axis 0 to 2 along itself through `through_mm`, whose coordinate of that axis does not count, over the travel that
+/// was observed.
+TestedLine axis_line(const ErrorModel& model, std::size_t axis, Vector3 through_mm, Vector3 tool_mm,
+                     std::size_t targets = 11);
+
+/// The four diagonals of the body, "PPP-NNN", "NPP-PNN", "PNP-NPN", "PPN-NNP", named by the ends of X, Y and Z (P: the
+/// largest coordinate), from the second to the first; and the six of the faces, "XY PP-NN", "XY NP-PN" and so on, where
+/// the third axis stands in the middle. Positions are distances from their beginning.
+const std::vector<std::string>& diagonal_names();
+/// Absent for other names.
+std::optional<TestedLine> diagonal_line(const ErrorModel& model, std::string_view name, Vector3 tool_mm,
+                                        std::size_t targets = 11);
+
+/// Means of a test that was measured, beside what was predicted at its targets.
+struct MeasuredMeans {
+  std::vector<double> up_um, down_um;      ///< at each target
+  std::vector<double> up_u_um, down_u_um;  ///< standard uncertainties of these means, independent
+};
+struct LineComparison {
+  bool by_direction = false;        ///< else means of both directions are compared
+  std::vector<double> measured_um;  ///< less their mean; up, and behind it down where by direction
+  std::vector<double> predicted_um;
+  std::vector<double> normalised;  ///< difference over its standard uncertainty
+  double chi_squared = 0.0;
+  std::size_t degrees_of_freedom = 0;
+  double probability = 1.0;  ///< of a χ² as large or larger when prediction and test agree
+};
+/// Contract: as many means as targets.
+LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& measured);
+
+}  // namespace axiometry::volumetric

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/field/volume_statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "axiometry/base/contract.h"
+#include "axiometry/volumetric/field/field_rows.h"
+
+namespace axiometry::volumetric {
+namespace {
+
+constexpr double m_per_mm = 1e-3;
+
+/// A field on a grid, and the rigid motion within it: of a grid with equal steps the moments of inertia are diagonal.
+class VolumeGrid {
+ public:
+  VolumeGrid(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) : model_(model), tool_(tool_mm) {
+    const double last = static_cast<double>(nodes - 1);
+    for (std::size_t i = 0; i < nodes; ++i)
+      for (std::size_t j = 0; j < nodes; ++j)
+        for (std::size_t k = 0; k < nodes; ++k)
+          places_.push_back(place_in(model.observed(), {static_cast<double>(i) / last, static_cast<double>(j) / last,
+                                                        static_cast<double>(k) / last}));
+    middle_ = place_in(model.observed(), {0.5, 0.5, 0.5});
+    for (const Vector3& q : places_) {
+      const Vector3 p = lever_m(q);
+      const double squares = p.x * p.x + p.y * p.y + p.z * p.z;
+      for (std::size_t k = 0; k < 3; ++k) inertia_[k] += squares - p[k] * p[k];
+    }
+  }
+
+  const std::vector<Vector3>& places() const { return places_; }
+
+  struct RigidMotion {
+    Vector3 translation, rotation;
+  };
+  RigidMotion rigid_motion(const std::vector<Vector3>& field) const {
+    RigidMotion motion{};
+    for (std::size_t j = 0; j < field.size(); ++j) {
+      motion.translation += 1.0 / static_cast<double>(field.size()) * field[j];
+      const Vector3 moment = cross(lever_m(places_[j]), field[j]);
+      for (std::size_t k = 0; k < 3; ++k) motion.rotation[k] += moment[k] / inertia_[k];
+    }
+    return motion;
+  }
+  std::vector<Vector3> without(std::vector<Vector3> field) const {
+    const RigidMotion motion = rigid_motion(field);
+    for (std::size_t j = 0; j < field.size(); ++j)
+      field[j] -= motion.translation + cross(motion.rotation, lever_m(places_[j]));
+    return field;
+  }
+
+  /// The row of one component of without(): that of the place less the motion there, which all places make.
+  DenseRow row_without(std::size_t at, Vector3 along) const {
+    DenseRow row;
+    add_field(row, model_, places_[at], tool_, along);
+    const Vector3 turned = cross(lever_m(places_[at]), along);
+    Vector3 share;
+    for (std::size_t k = 0; k < 3; ++k) share[k] = turned[k] / inertia_[k];
+    for (const Vector3& q : places_)
+      add_field(row, model_, q, tool_, -(1.0 / static_cast<double>(places_.size()) * along) - cross(share, lever_m(q)));
+    return row;
+  }
+
+  std::vector<Vector3> field_of(const std::vector<double>& coefficients) const {
+    std::vector<Vector3> field;
+    for (const Vector3& q : places_) field.push_back(field_um(model_, coefficients, q, tool_));
+    return field;
+  }
+
+  /// Whether nothing of what the lengths do not tell is left beside a rigid motion, or beside a displacement alone.
+  bool is_told(bool but_for_rotation) const {
+    for (const auto& direction : model_.parts().unseen) {
+      std::vector<Vector3> field = field_of(direction);
+      if (but_for_rotation) field = without(std::move(field));
+      const Vector3 mean = but_for_rotation ? Vector3{} : rigid_motion(field).translation;
+      constexpr double told_most = 1e-5;
+      if (std::ranges::any_of(field, [&](Vector3 f) { return norm(f - mean) > told_most; })) return false;
+    }
+    return true;
+  }
+
+ private:
+  Vector3 lever_m(Vector3 q) const { return m_per_mm * (q - middle_); }
+
+  const ErrorModel& model_;
+  Vector3 tool_;
+  std::vector<Vector3> places_;
+  Vector3 middle_;
+  Vector3 inertia_{};
+};
+
+FieldSizes sizes_of(const std::vector<Vector3>& field) {
+  FieldSizes sizes;
+  std::vector<double> lengths;
+  for (const Vector3& f : field) {
+    lengths.push_back(norm(f));
+    sizes.mean += lengths.back() / static_cast<double>(field.size());
+  }
+  const auto at = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(lengths.size()))) - 1;
+  std::ranges::nth_element(lengths, lengths.begin() + static_cast<std::ptrdiff_t>(at));
+  sizes.percent_95 = lengths[at];
+  return sizes;
+}
+
+std::size_t largest_of(const std::vector<Vector3>& field) {
+  return static_cast<std::size_t>(std::ranges::max_element(field, {}, [](Vector3 f) { return norm(f); }) -
+                                  field.begin());
+}
+
+Vector3 direction_of(Vector3 f) { return norm(f) > 0.0 ? unit(f) : Vector3{1, 0, 0}; }
+
+}  // namespace
+
+VolumeStatistics volume_statistics(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) {
+  AXIOMETRY_CONTRACT(nodes >= 2 && nodes <= 101);
+  const VolumeGrid grid(model, tool_mm, nodes);
+  const std::vector<Vector3> field = grid.field_of(model.parts().values);
+  VolumeStatistics statistics;
+  if (grid.is_told(false)) {
+    FieldSizes sizes = sizes_of(field);
+    const std::size_t at = largest_of(field);
+    DenseRow row;
+    add_field(row, model, grid.places()[at], tool_mm, direction_of(field[at]));
+    sizes.largest = estimate_of(model, row);
+    sizes.largest_at_mm = grid.places()[at];
+    statistics.as_found = sizes;
+  }
+  if (grid.is_told(true)) {
+    const std::vector<Vector3> left = grid.without(field);
+    FieldSizes sizes = sizes_of(left);
+    const std::size_t at = largest_of(left);
+    sizes.largest = estimate_of(model, grid.row_without(at, direction_of(left[at])));
+    sizes.largest_at_mm = grid.places()[at];
+    statistics.without_rigid_motion = sizes;
+    const VolumeGrid::RigidMotion motion = grid.rigid_motion(field);
+    statistics.translation_um = motion.translation;
+    statistics.rotation_urad = motion.rotation;
+  }
+  return statistics;
+}
+
+FieldSizes sizes_without_rigid_motion(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes,
+                                      const std::function<Vector3(Vector3 axes_mm)>& compensated_um) {
+  const VolumeGrid grid(model, tool_mm, nodes);
+  std::vector<Vector3> field = grid.field_of(model.parts().values);
+  for (std::size_t j = 0; j < field.size(); ++j) field[j] -= compensated_um(grid.places()[j]);
+  field = grid.without(std::move(field));
+  FieldSizes sizes = sizes_of(field);
+  const std::size_t at = largest_of(field);
+  sizes.largest.value = norm(field[at]);
+  sizes.largest_at_mm = grid.places()[at];
+  return sizes;
+}
+
+FieldSlice field_slice(const ErrorModel& model, Vector3 tool_mm, std::size_t fixed_axis, double at_mm,
+                       std::size_t nodes) {
+  AXIOMETRY_CONTRACT(nodes >= 2 && fixed_axis < axis_count);
+  FieldSlice slice{.fixed_axis = fixed_axis,
+                   .at_mm = at_mm,
+                   .across_axis = fixed_axis == 0 ? std::size_t{1} : std::size_t{0},
+                   .up_axis = fixed_axis == 2 ? std::size_t{1} : std::size_t{2}};
+  for (std::size_t k = 0; k < nodes; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(nodes - 1);
+    const Vector3 place = place_in(model.observed(), {share, share, share});
+    slice.across_mm.push_back(place[slice.across_axis]);
+    slice.up_mm.push_back(place[slice.up_axis]);
+  }
+  Vector3 q;
+  q[fixed_axis] = at_mm;
+  for (const double up : slice.up_mm)
+    for (const double across : slice.across_mm) {
+      q[slice.up_axis] = up;
+      q[slice.across_axis] = across;
+      const FieldValue value = model.at(q, tool_mm);
+      slice.error_um.push_back(value.is_whole() ? std::optional<Vector3>(value.error()) : std::nullopt);
+    }
+  return slice;
+}
+
+}  // namespace axiometry::volumetric

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "axiometry/volumetric/field/error_model.h"
+
+/// How large the error of the tool point is over the volume.
+namespace axiometry::volumetric {
+
+/// Of |δ| over the nodes of a grid, µm.
+struct FieldSizes {
+  Estimate largest;  ///< u is that of |δ| at this place, to first order
+  Vector3 largest_at_mm;
+  double mean = 0.0;
+  double percent_95 = 0.0;  ///< that 95 % of the nodes do not exceed
+};
+
+struct VolumeStatistics {
+  /// As it is in the gauge; absent where the lengths do not tell all of it.
+  std::optional<FieldSizes> as_found;
+  /// Without the displacement and rotation of everything that fits it best (least squares over the nodes): what no
+  /// placing of a workpiece takes away. Absent likewise.
+  std::optional<FieldSizes> without_rigid_motion;
+  Vector3 translation_um;  ///< of that motion, at the middle of the volume
+  Vector3 rotation_urad;
+};
+
+/// Over the travel that was observed, `nodes` along each axis with both ends. Contract: 2 ≤ nodes ≤ 101.
+VolumeStatistics volume_statistics(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes);
+
+/// What is left of the field when `compensated` is taken away at each place, without rigid motion; no uncertainty.
+FieldSizes sizes_without_rigid_motion(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes,
+                                      const std::function<Vector3(Vector3 axes_mm)>& compensated_um);
+
+/// δ on a plane where one axis stands still, nodes with the first of the other two axes fastest; those that the lengths
+/// do not tell are absent.
+struct FieldSlice {
+  std::size_t fixed_axis = 2;
+  double at_mm = 0.0;
+  std::size_t across_axis = 0, up_axis = 1;
+  std::vector<double> across_mm, up_mm;
+  std::vector<std::optional<Vector3>> error_um;
+};
+FieldSlice field_slice(const ErrorModel& model, Vector3 tool_mm, std::size_t fixed_axis, double at_mm,
+                       std::size_t nodes);
+
+}  // namespace axiometry::volumetric
