@@ -13,10 +13,11 @@ namespace {
 
 constexpr std::string_view axis_manual =
     R"(One table for each axis, for controls that compensate positioning alone: the deviation along the axis over its
-position, on the line through the middle of the volume with one tool, which is what serves the whole volume best. Its
-head says how large the error of the tool point was and how large it stays: straightness, squareness and what rotations do
-away from the middle remain. A positive number: the axis goes too far; to compensate, it is taken away. What a certain
-control wants beside (intervals, increments, its sign) is not said here.
+position, on the line through the middle of the volume with one tool, which is what serves the whole volume best.
+
+Its head says how large the error of the tool point was and how large it stays: straightness, squareness and what
+rotations do away from the middle remain. A positive number: the axis goes too far; to compensate, it is taken away.
+What a certain control wants beside (intervals, increments, its sign) is not said here.
 )";
 
 Result<std::string> write_axis(const CompensationRequest& request) {

@@ -19,10 +19,10 @@ using volumetric::motion_count;
 using volumetric::Squareness;
 
 constexpr std::string_view general_manual =
-    R"(All 21 errors in one table, for programs of one's own: a row for each position, first of X, Y and Z with their
-six error motions, then the three squareness errors, the same in every row. Displacements in µm, rotations and squareness
-in µrad, names after ISO 230-1. A positive number: the tool, seen from the workpiece, stands too far along (or is turned
-too far about) the positive axis. To compensate, it is taken away.
+    R"(All 21 errors in one table, for programs of one's own: a row for each position, first of X, Y and Z with
+their six error motions, then the three squareness errors, the same in every row. Displacements in µm, rotations and
+squareness in µrad, names after ISO 230-1. A positive number: the tool, seen from the workpiece, stands too far along
+(or is turned too far about) the positive axis. To compensate, it is taken away.
 )";
 
 Result<std::string> write_general(const CompensationRequest& request) {
