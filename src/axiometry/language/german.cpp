@@ -5,33 +5,34 @@
 
 namespace axiometry::language {
 
-std::span<const std::span<const Phrase>> german_tables(){german_terms,
-                                                         german_report,
-                                                         german_figures,
-                                                         german_uncertainty,
-                                                         german_noise,
-                                                         german_findings,
-                                                         german_scatter,
-                                                         german_claims,
-                                                         german_corrections,
-                                                         german_plan,
-                                                         german_fields,
-                                                         german_errors,
-                                                         german_service,
-                                                         german_simulation,
-                                                         german_tracking,
-                                                         german_tracking_findings,
-                                                         german_station,
-                                                         german_periodic,
-                                                         german_files,
-                                                         german_profile,
-                                                         german_requests,
-                                                         german_terminal,
-                                                         german_capture,
-                                                         german_volumetric_findings,
-                                                         german_tracking_requests,
-                                                         german_volume_report};
-return tables;
+std::span<const std::span<const Phrase>> german_tables() {
+  static const std::array tables{german_terms,
+                                 german_report,
+                                 german_figures,
+                                 german_uncertainty,
+                                 german_noise,
+                                 german_findings,
+                                 german_scatter,
+                                 german_claims,
+                                 german_corrections,
+                                 german_plan,
+                                 german_fields,
+                                 german_errors,
+                                 german_service,
+                                 german_simulation,
+                                 german_tracking,
+                                 german_tracking_findings,
+                                 german_station,
+                                 german_periodic,
+                                 german_files,
+                                 german_profile,
+                                 german_requests,
+                                 german_terminal,
+                                 german_capture,
+                                 german_tracking_requests,
+                                 german_volumetric_findings,
+                                 german_volume_report};
+  return tables;
 }
 
 }  // namespace axiometry::language

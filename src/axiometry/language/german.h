@@ -34,7 +34,8 @@ extern const std::span<const Phrase> german_capture;              ///< live capt
 extern const std::span<const Phrase> german_terminal;             ///< summaries in a terminal
 extern const std::span<const Phrase> german_requests;             ///< requests to the workbench
 extern const std::span<const Phrase> german_tracking_requests;    ///< and about a tracking interferometer
-german_volume_report;  ///< volumetric calibrations: figures, field, predictions, tables
+extern const std::span<const Phrase>
+    german_volume_report;  ///< volumetric calibrations: figures, field, predictions, tables
 
 /// All of them.
 std::span<const std::span<const Phrase>> german_tables();
