@@ -133,7 +133,6 @@ constexpr Phrase rows[] = {
     {"{0} ran the other way", "{0} andersherum lief"},
     {"{0} were exchanged", "{0} vertauscht wären"},
     {"{0} were exchanged and {1} ran the other way", "{0} vertauscht wären und {1} andersherum lief"},
-    {"{0} were exchanged and {1} ran the other way", "{0} vertauscht wären und {1} andersherum lief"},
 };
 
 }  // namespace

@@ -57,6 +57,7 @@ class RangesReader {
       if (file_.readings.empty()) AXIOMETRY_TRY_VOID(check_coordinates(columns_));
       return add(row);
     }));
+    AXIOMETRY_TRY_VOID(check_coordinates(columns_));
     if (file_.readings.empty()) return fail("found a header and no lengths below it, expected one in each row");
     file_.points = points_.take();
     file_.stations = stations_.take();
