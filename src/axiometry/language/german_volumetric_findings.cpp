@@ -99,8 +99,10 @@ constexpr Phrase rows[] = {
     {"the offset of tool {0=} less that of tool {1=} is wrong by {2#}, as {3#} stations show alike, as if {4}",
      "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist um {2} falsch, wie {3} Stationen übereinstimmend "
      "zeigen, als ob {4}"},
-    {"the points that were measured do not spread far enough over the travels of all axes",
-     "die gemessenen Punkte verteilen sich nicht weit genug über die Verfahrwege aller Achsen"},
+    {"the points that were measured, with the directions from which they were approached, do not suffice for curves as "
+     "fine as these",
+     "die gemessenen Punkte mit den Richtungen, aus denen sie angefahren wurden, reichen für so feine Kurven nicht "
+     "aus"},
     {"the residuals are {0#} times as large as the uncertainties of instrument and machine allow (χ²/ν = {1#}): either "
      "these are stated too small, or the machine does something that 21 errors of its axes do not describe, as drift, "
      "play or bending under load; all uncertainties were multiplied by {2#}",
@@ -130,7 +132,16 @@ constexpr Phrase rows[] = {
      "is {2}, by {3#}",
      "{0} von {1} Längen liegen weiter von dem entfernt, was die übrigen vorhersagen, als der Zufall erlaubt, und sind "
      "beiseitegelegt; am weitesten {2}, um {3}"},
+    {"{0#} row is a copy of earlier ones in every cell, and counts once",
+     "{0} Zeile ist in jeder Zelle die Kopie einer früheren und zählt einmal"},
+    {"{0#} rows are copies of earlier ones in every cell, and count once",
+     "{0} Zeilen sind in jeder Zelle Kopien früherer und zählen einmal"},
     {"{0} ran the other way", "{0} andersherum lief"},
+    {"{0} was read at {1#} places only: its curves go through what was read there, nothing shows what they are "
+     "between, "
+     "and no uncertainty holds it",
+     "{0} wurde nur an {1} Orten gemessen: Die Kurven gehen durch das dort Gemessene, nichts zeigt, wie sie dazwischen "
+     "sind, und keine Unsicherheit enthält es"},
     {"{0} were exchanged", "{0} vertauscht wären"},
     {"{0} were exchanged and {1} ran the other way", "{0} vertauscht wären und {1} andersherum lief"},
 };

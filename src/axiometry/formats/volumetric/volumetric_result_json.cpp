@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -24,6 +25,9 @@ using volumetric::ErrorModel;
 using volumetric::Reversal;
 
 constexpr std::size_t coefficients_most = 4000;
+constexpr double coefficient_most = 1e6;  // µm, µrad: a metre
+constexpr double variance_most = 1e15;
+constexpr double range_slack_mm = 0.02;
 constexpr std::array<std::string_view, 3> axis_names = {"X", "Y", "Z"};
 constexpr std::array<std::string_view, 3> reversal_names = {"none", "constant", "curves"};
 constexpr std::array<CurveKind, 3> kinds = {CurveKind::spline, CurveKind::legendre, CurveKind::nodes};
@@ -78,9 +82,23 @@ Result<std::vector<double>> covariance_from(const Value& value, std::size_t n) {
   std::vector<double> matrix(n * n);
   for (std::size_t i = 0, at = 0; i < n; ++i)
     for (std::size_t k = 0; k <= i; ++k, ++at) matrix[i * n + k] = matrix[k * n + i] = lower[at];
-  for (std::size_t i = 0; i < n; ++i)
-    if (matrix[i * n + i] < 0.0)
+  double largest = 0.0;
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, matrix[i * n + i]);
+  if (!(largest <= variance_most))
+    return fail(fmt::format("found a variance of {}, expected at most {}", largest, variance_most), value.at());
+  const double rounding = 1e-9 * largest;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (matrix[i * n + i] < -rounding)
       return fail(fmt::format("found a variance below 0 of coefficient {}, expected a covariance", i + 1), value.at());
+    matrix[i * n + i] = std::max(0.0, matrix[i * n + i]);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (std::abs(matrix[i * n + k]) > (1.0 + 1e-6) * std::sqrt(matrix[i * n + i] * matrix[k * n + k]) + rounding)
+        return fail(fmt::format("found a covariance of coefficients {} and {} beyond their variances, expected a "
+                                "covariance matrix",
+                                i + 1, k + 1),
+                    value.at());
   return matrix;
 }
 
@@ -133,6 +151,16 @@ Result<ErrorModel> error_model_from(const Value& value) {
     AXIOMETRY_TRY(const std::vector<double> ends, numbers_in(*ends_member, "observed_mm", 2));
     observed.lowest_mm[a] = ends[0];
     observed.highest_mm[a] = ends[1];
+    const bool is_inside = basis.lower_mm() >= file.machine.travel.lowest_mm[a] - range_slack_mm &&
+                           basis.upper_mm() <= file.machine.travel.highest_mm[a] + range_slack_mm &&
+                           ends[0] >= basis.lower_mm() - range_slack_mm && ends[0] < ends[1] &&
+                           ends[1] <= basis.upper_mm() + range_slack_mm;
+    if (!is_inside)
+      return fail(
+          fmt::format("found ranges of {} that do not lie in one another, expected readings within curves within "
+                      "the travel",
+                      axis_names[a]),
+          ends_member->at());
   }
   const Coefficients coefficients({bases[0], bases[1], bases[2]}, reversal);
   const std::size_t n = coefficients.raw();
@@ -140,6 +168,9 @@ Result<ErrorModel> error_model_from(const Value& value) {
     return fail(fmt::format("found {} coefficients, expected at most {}", n, coefficients_most), value.at());
   AXIOMETRY_TRY(const Value* values_member, members.required("coefficients"));
   AXIOMETRY_TRY(std::vector<double> values, numbers_in(*values_member, "coefficients", n));
+  if (std::ranges::any_of(values, [](double x) { return std::abs(x) > coefficient_most; }))
+    return fail(fmt::format("found a coefficient beyond {}, expected errors of a machine", coefficient_most),
+                values_member->at());
   AXIOMETRY_TRY(const Value* covariance_member, members.required("covariance"));
   AXIOMETRY_TRY(std::vector<double> covariance, covariance_from(*covariance_member, n));
   std::vector<std::vector<double>> unseen;

@@ -112,6 +112,7 @@ FieldValue ErrorModel::at(Vector3 axes_mm, Vector3 tool_mm, Approaches approache
     for (std::size_t k = i; k < 3; ++k) {
       if (!field.error_um[i] || !field.error_um[k]) continue;
       field.covariance_um2[i][k] = quadratic(*rows[i], parts_.covariance, width, *rows[k]);
+      if (i == k) field.covariance_um2[i][i] = std::max(0.0, field.covariance_um2[i][i]);
       field.covariance_um2[k][i] = field.covariance_um2[i][k];
     }
   return field;

@@ -44,7 +44,10 @@ std::vector<std::string> unseen_reasons(const SetupShape& setup) {
       break;
     case ToolSpread::plane:
       if (reasons.empty())
-        reasons.emplace_back("the points that were measured do not spread far enough over the travels of all axes");
+        reasons.emplace_back(
+            "the points that were measured, with the directions from which they were approached, do not suffice for "
+            "curves "
+            "as fine as these");
       break;
   }
   return reasons;

@@ -11,21 +11,8 @@ namespace {
 
 constexpr double end_share = 0.05;
 constexpr std::size_t readings_in_span = 10;
+constexpr std::size_t functions_least = 3;  // straightness loses two to the gauge
 constexpr std::array<std::size_t, 14> spline_sizes = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 26, 32, 40};
-
-/// The same place, in the machine's resolution.
-std::size_t different_places(std::vector<double> positions) {
-  std::ranges::sort(positions);
-  constexpr double apart_mm = 0.01;
-  std::size_t count = 0;
-  double last = -std::numeric_limits<double>::infinity();
-  for (const double q : positions) {
-    if (q - last < apart_mm) continue;
-    ++count;
-    last = q;
-  }
-  return count;
-}
 
 std::size_t functions_of(CurveKind kind, std::size_t size) { return kind == CurveKind::spline ? size + 3 : size + 1; }
 
@@ -53,15 +40,33 @@ std::array<CurveDomain, axis_count> curve_domains(const TravelBox& travel, const
   return domains;
 }
 
+std::size_t different_places(std::vector<double> positions) {
+  std::ranges::sort(positions);
+  constexpr double apart_mm = 0.01;
+  std::size_t count = 0;
+  double last = -std::numeric_limits<double>::infinity();
+  for (const double q : positions) {
+    if (q - last < apart_mm) continue;
+    ++count;
+    last = q;
+  }
+  return count;
+}
+
 std::vector<std::size_t> supported_sizes(CurveKind kind, const CurveDomain& domain, std::vector<double> positions) {
   const std::size_t places = different_places(positions);
-  std::vector<std::size_t> sizes;
-  if (kind == CurveKind::legendre) {
-    for (std::size_t degree = 1; degree <= 12 && degree < places; ++degree) sizes.push_back(degree);
-    return sizes;
-  }
-  for (const std::size_t size : spline_sizes)
-    if (functions_of(kind, size) <= places && carries(domain, size, positions)) sizes.push_back(size);
+  std::vector<std::size_t> sizes, interpolating;
+  const auto take = [&](std::size_t size) {
+    const std::size_t functions = functions_of(kind, size);
+    if (functions < functions_least || functions > places) return;
+    if (kind != CurveKind::legendre && !carries(domain, size, positions)) return;
+    (places_for_function * functions <= places ? sizes : interpolating).push_back(size);
+  };
+  if (kind == CurveKind::legendre)
+    for (std::size_t degree = 1; degree <= 12; ++degree) take(degree);
+  else
+    for (const std::size_t size : spline_sizes) take(size);
+  if (sizes.empty() && !interpolating.empty()) return {interpolating.front()};
   return sizes;
 }
 

@@ -24,8 +24,14 @@ struct CurveDomain {
 };
 std::array<CurveDomain, axis_count> curve_domains(const TravelBox& travel, const TravelBox& observed);
 
-/// Sizes of the kind of curve that the places of the readings can carry, rising: at least ten readings and one place in
-/// each span, and no more functions than different places.
+/// Positions that are not the same to 0.01 mm.
+std::size_t different_places(std::vector<double> positions_mm);
+
+/// As many functions as places go through whatever was read, and nothing shows what lies between: half as many at most.
+inline constexpr std::size_t places_for_function = 2;
+
+/// Sizes of the kind of curve that the places of the readings can carry, rising: at least ten readings in each span,
+/// and two places for each function. Where no size has two, the least that has one; a finding tells it.
 std::vector<std::size_t> supported_sizes(CurveKind kind, const CurveDomain& domain, std::vector<double> positions_mm);
 
 using Sizes = std::array<std::size_t, axis_count>;

@@ -114,6 +114,27 @@ void add_domain(const Identifier& done, const MachineModel& machine, std::vector
   }
 }
 
+void add_places(const Identifier& done, const VolumetricLengths& lengths, std::vector<VolumetricFinding>& findings) {
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    std::vector<double> positions;
+    for (const VolumetricReading& reading : lengths.readings) positions.push_back(reading.axes_mm[a]);
+    const std::size_t places = different_places(std::move(positions));
+    if (places >= places_for_function * done.coefficients().basis(a).functions()) continue;
+    findings.push_back({"volumetric-few-places", true,
+                        fmt::format("{} was read at {} places only: its curves go through what was read there, nothing "
+                                    "shows what they are between, and no uncertainty holds it",
+                                    "XYZ"[a], places)});
+  }
+}
+
+void add_copies(const Identifier& done, std::vector<VolumetricFinding>& findings) {
+  const std::size_t copies = done.copies();
+  if (copies == 0) return;
+  findings.push_back({"volumetric-copies", false,
+                      fmt::format("{} row{} of earlier ones in every cell, and count{} once", copies,
+                                  copies == 1 ? " is a copy" : "s are copies", copies == 1 ? "s" : "")});
+}
+
 void add_scale(const MachineModel& machine, std::vector<VolumetricFinding>& findings) {
   if (machine.scale_uncertainty) return;
   findings.push_back(
@@ -135,6 +156,8 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_breaks(lengths, result, findings);
   add_drift(result, findings);
   add_domain(done, machine, findings);
+  add_places(done, lengths, findings);
+  add_copies(done, findings);
   add_scale(machine, findings);
   std::ranges::stable_partition(findings, [](const VolumetricFinding& f) { return f.serious; });
   return findings;

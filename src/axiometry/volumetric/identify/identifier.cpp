@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <thread>
+#include <tuple>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -38,6 +39,7 @@ Result<Identifier> Identifier::make(const MachineModel& machine, const Volumetri
                                     const IdentifyOptions& options) {
   Identifier identifier(machine, lengths, options);
   AXIOMETRY_TRY_VOID(identifier.check_readings());
+  identifier.find_copies();
   if (options.reversal != Reversal::none) identifier.take_approaches();
   identifier.aside_.assign(lengths.readings.size(), false);
   identifier.domains_ = curve_domains(machine.travel, identifier.observed_);
@@ -84,6 +86,23 @@ Result<void> Identifier::check_readings() {
   return {};
 }
 
+/// Rows that are the same in every cell: one measurement, written twice.
+void Identifier::find_copies() {
+  const auto& readings = lengths_.readings;
+  std::vector<std::size_t> order(readings.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto key = [&](std::size_t i) {
+    const VolumetricReading& r = readings[i];
+    return std::tuple(r.station, r.tool, r.segment, r.axes_mm.x, r.axes_mm.y, r.axes_mm.z, r.length_mm);
+  };
+  std::ranges::stable_sort(order, {}, key);
+  is_copy_.assign(readings.size(), false);
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (key(order[k]) == key(order[k - 1])) is_copy_[order[k]] = true;
+}
+
+std::size_t Identifier::copies() const { return static_cast<std::size_t>(std::ranges::count(is_copy_, true)); }
+
 /// An axis came to rest in the direction of its last move within the same station and tool; before its first move: 0.
 void Identifier::take_approaches() {
   Approaches now{};
@@ -108,7 +127,10 @@ Problem Identifier::problem() const {
 }
 
 std::size_t Identifier::count() const {
-  return lengths_.readings.size() - static_cast<std::size_t>(std::ranges::count(aside_, true));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < aside_.size(); ++i)
+    if (!aside_[i] && !is_copy_[i]) ++count;
+  return count;
 }
 
 Result<void> Identifier::choose_first_sizes() {
@@ -116,6 +138,9 @@ Result<void> Identifier::choose_first_sizes() {
   for (std::size_t a = 0; a < axis_count; ++a) {
     if (options_.sizes[a] > 0) {
       supported_[a] = {options_.sizes[a]};
+      if (options_.curves != CurveKind::spline && options_.sizes[a] < 2)
+        return fail(fmt::format("found curves of 1 for {}, expected at least 2: straightness of less is nothing",
+                                axis_text(a)));
     } else {
       std::vector<double> positions;
       for (const VolumetricReading& reading : lengths_.readings) positions.push_back(reading.axes_mm[a]);
@@ -161,8 +186,8 @@ Result<void> Identifier::start() {
     const Vector3 station = state_->stations_mm[unknowns_->stretches[unknowns_->stretch_of[i]].virtual_station];
     const VolumetricReading& reading = lengths_.readings[i];
     sigmas_.push_back(machine_.sigma_um(distance(reading.axes_mm + tools_mm_[reading.tool], station)));
-    weights_.push_back(1.0 / (sigmas_.back() * sigmas_.back()));
   }
+  weights_ = stated_weights();
   return {};
 }
 
@@ -198,7 +223,8 @@ Result<void> Identifier::find_breaks() {
 
 std::vector<double> Identifier::stated_weights() const {
   std::vector<double> weights;
-  for (const double sigma : sigmas_) weights.push_back(1.0 / (sigma * sigma));
+  for (std::size_t i = 0; i < sigmas_.size(); ++i)
+    weights.push_back(is_copy_[i] ? 0.0 : 1.0 / (sigmas_[i] * sigmas_[i]));
   return weights;
 }
 
@@ -259,10 +285,24 @@ std::optional<double> Identifier::criterion(const Sizes& sizes) const {
   return akaike(fit->chi_squared, used, fit->solution.unknowns() - fit->solution.null_directions());
 }
 
+/// The criterion takes the fewest spans that the residuals allow, and what these leave out is in no covariance: one
+/// step finer, where there are at least twice as many lengths as unknowns then (docs/studies/volumetric-coverage.md).
+Sizes Identifier::with_margin(Sizes sizes) const {
+  const Sizes least = sizes;
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    const auto finer = std::ranges::upper_bound(supported_[a], sizes[a]);
+    if (finer != supported_[a].end()) sizes[a] = *finer;
+  }
+  const auto coefficients = coefficients_of(sizes);
+  const std::size_t others = unknowns_->columns - coefficients_->raw();
+  return coefficients && count() >= 2 * (coefficients->free() + others) ? sizes : least;
+}
+
 Result<void> Identifier::choose_sizes() {
   const bool all_given = std::ranges::none_of(options_.sizes, [](std::size_t size) { return size == 0; });
   if (all_given) return {};
-  const Sizes chosen = chosen_sizes(supported_, [this](const Sizes& sizes) { return criterion(sizes); });
+  const Sizes least = chosen_sizes(supported_, [this](const Sizes& sizes) { return criterion(sizes); });
+  const Sizes chosen = with_margin(least);
   if (chosen == sizes_) return {};
   AXIOMETRY_TRY_VOID(take_sizes(chosen));
   AXIOMETRY_TRY_VOID(start());
@@ -273,9 +313,27 @@ Result<void> Identifier::find_drift() {
   if (options_.drift == DriftModel::none || drift_) return {};
   if (options_.drift == DriftModel::automatic && drift_chance(problem(), fit_->residuals_um) > drift_chance_most)
     return {};
-  drift_ = true;
+  return fit_with_drift(true);
+}
+
+Result<void> Identifier::fit_with_drift(bool drift) {
+  drift_ = drift;
   AXIOMETRY_TRY_VOID(start());
-  return refit();
+  AXIOMETRY_TRY_VOID(refit());
+  return find_outliers();
+}
+
+/// Drift first: in the order of a tour curves take up a part of it, and what is left looks like breaks. But a break
+/// looks like drift too: where breaks were found, it must show once more.
+Result<void> Identifier::find_drift_and_breaks() {
+  const std::size_t before = breaks_.size();
+  const bool drifted = drift_;
+  AXIOMETRY_TRY_VOID(find_drift());
+  AXIOMETRY_TRY_VOID(find_breaks());
+  if (options_.drift != DriftModel::automatic || drifted || !drift_ || breaks_.size() == before) return {};
+  AXIOMETRY_TRY_VOID(fit_with_drift(false));
+  AXIOMETRY_TRY_VOID(find_drift());
+  return find_breaks();
 }
 
 std::size_t Identifier::unknown_count() const {
@@ -304,8 +362,7 @@ Result<void> Identifier::run() {
     const std::size_t breaks = breaks_.size();
     const bool drift = drift_;
     AXIOMETRY_TRY_VOID(find_outliers());
-    AXIOMETRY_TRY_VOID(find_breaks());
-    AXIOMETRY_TRY_VOID(find_drift());
+    AXIOMETRY_TRY_VOID(find_drift_and_breaks());
     if (round == 0 || breaks_.size() > breaks || drift_ != drift) AXIOMETRY_TRY_VOID(choose_sizes());
   }
   return find_outliers();

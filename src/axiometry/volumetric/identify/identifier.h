@@ -32,16 +32,19 @@ class Identifier {
   const TravelBox& observed() const { return observed_; }
   const std::vector<double>& weights() const { return weights_; }
   bool drift() const { return drift_; }
-  std::size_t count() const;  ///< of readings that are used
+  std::size_t count() const;   ///< of readings that are used
+  std::size_t copies() const;  ///< readings that are written twice
   Problem problem() const;
 
  private:
   Identifier(const MachineModel& machine, const VolumetricLengths& lengths, const IdentifyOptions& options)
       : machine_(machine), lengths_(lengths), options_(options) {}
   Result<void> check_readings();
+  void find_copies();
   void take_approaches();
   Result<void> choose_first_sizes();
   Result<void> choose_sizes();
+  Sizes with_margin(Sizes sizes) const;
   Result<Coefficients> coefficients_of(const Sizes& sizes) const;
   Result<void> take_sizes(const Sizes& sizes);
   Result<void> start();
@@ -50,6 +53,8 @@ class Identifier {
   Result<void> find_breaks();
   Result<void> find_outliers();
   Result<void> find_drift();
+  Result<void> fit_with_drift(bool drift);
+  Result<void> find_drift_and_breaks();
   bool set_aside_beyond_limit();
   std::vector<double> stated_weights() const;
   std::optional<double> criterion(const Sizes& sizes) const;
@@ -62,7 +67,7 @@ class Identifier {
   std::vector<Vector3> tools_mm_;
   std::vector<Approaches> approaches_;
   std::vector<double> sigmas_, weights_;
-  std::vector<bool> aside_;
+  std::vector<bool> aside_, is_copy_;
   std::vector<std::size_t> breaks_;  ///< readings, rising
   bool drift_ = false;
   TravelBox observed_;

@@ -136,7 +136,12 @@ std::vector<double> LinearSolution::coefficient_covariance() const {
   for (Index i = 0; i < free; ++i)
     for (Index k = 0; k < free; ++k)
       covariance[static_cast<std::size_t>(i * free + k)] = f.scaled.scale[i] * f.scaled.scale[k] * columns(k, i);
-  return f.coefficients.raw_covariance(covariance);
+  std::vector<double> raw = f.coefficients.raw_covariance(covariance);
+  for (std::size_t i = 0; i < f.coefficients.raw(); ++i) {
+    double& variance = raw[i * f.coefficients.raw() + i];
+    variance = std::max(0.0, variance);  // of null directions rounding leaves 1e-16 of either sign
+  }
+  return raw;
 }
 
 Matrix3 LinearSolution::block(std::size_t column) const {

@@ -58,6 +58,11 @@ std::vector<Vector3> places(std::span<const LocationPoint> points) {
   return found;
 }
 
+bool fit_reversed(std::vector<LocationPoint> points) {
+  for (LocationPoint& p : points) p.length_difference_mm = -p.length_difference_mm;
+  return !places(points).empty();
+}
+
 /// Of one virtual station: its place and the dead paths of its stretches, by least squares that heed outliers less.
 class Refinement {
  public:
@@ -187,6 +192,11 @@ Result<State> start_state(const Problem& problem, const VolumetricLengths& names
                       "at least {}, to find where it stands",
                       points.size(), text::quoted(station), text::quoted(tool), readings_least));
     const std::vector<Vector3> found = places(points);
+    if (found.empty() && fit_reversed(points))
+      return fail(
+          fmt::format("found lengths of station {} with tool {} that fit with the other sign, expected lengths that "
+                      "grow with the distance",
+                      text::quoted(station), text::quoted(tool)));
     if (found.empty())
       return fail(
           fmt::format("found no place for station {} from its lengths with tool {}, expected points that spread "
