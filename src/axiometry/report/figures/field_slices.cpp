@@ -74,7 +74,7 @@ void draw_arrow(Operations& operations, Point from, Point to) {
 class SliceDrawing {
  public:
   SliceDrawing(const volumetric::ErrorModel& model, std::size_t tool, const Options& options)
-      : model_(model), tool_(model.machine().tools[tool].offset_mm), options_(options) {
+      : tool_(model.machine().tools[tool].offset_mm), options_(options) {
     const Vector3 middle = volumetric::place_in(model.observed(), {0.5, 0.5, 0.5});
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t fixed = 2 - k;
@@ -174,7 +174,6 @@ class SliceDrawing {
       }
   }
 
-  const volumetric::ErrorModel& model_;
   Vector3 tool_;
   const Options& options_;
   std::array<FieldSlice, 3> colours_, arrows_;

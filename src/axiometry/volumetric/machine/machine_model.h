@@ -46,9 +46,9 @@ struct MachineModel {
     for (std::size_t a = 0; a < 3; ++a) r[a] -= functional_point_mm[a];
     return r;
   }
-  std::optional<std::size_t> tool_named(std::string_view name) const {
+  std::optional<std::size_t> tool_named(std::string_view wanted) const {
     for (std::size_t k = 0; k < tools.size(); ++k)
-      if (tools[k].name == name) return k;
+      if (tools[k].name == wanted) return k;
     return std::nullopt;
   }
   /// σ of one length at a distance, k = 1, µm: the instrument's and the machine's.
