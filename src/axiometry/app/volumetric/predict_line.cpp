@@ -72,6 +72,8 @@ Result<TargetsOfFile> targets_of_plan(const std::string& file) {
 /// little of their own.
 Result<TargetsOfFile> targets_of_test(const std::string& file) {
   AXIOMETRY_TRY(const Test test, read_test(file));
+  if (test.metadata.axis.kind != AxisKind::linear)
+    return in_file(Result<TargetsOfFile>(fail("found a test of a rotary axis, expected one of a linear axis")), file);
   TargetsOfFile targets{.positions_mm = {}, .line = spatial_line(test.metadata.axis), .means = MeasuredMeans{}};
   const auto positions = iso230_2::evaluate_positions(test.series);
   const bool up = test.series.has(Direction::up), down = test.series.has(Direction::down);
@@ -83,7 +85,12 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
         squares += s->in_native() * s->in_native();
         count += 1.0;
       }
-  const double s = count > 0.0 ? std::sqrt(squares / count) : 0.0;
+  if (count == 0.0)
+    return in_file(
+        Result<TargetsOfFile>(fail("found a test of one run, whose scatter is not known, expected two runs or "
+                                   "more to hold against a prediction")),
+        file);
+  const double s = std::sqrt(squares / count);
   for (const auto& p : positions) {
     if ((up && !p.mean_up) || (down && !p.mean_down)) continue;
     targets.positions_mm.push_back(p.target.in_native());

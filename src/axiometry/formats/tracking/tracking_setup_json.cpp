@@ -88,7 +88,8 @@ Result<TrackerLimits> limits_from(const Value& value) {
     return fail(fmt::format("found an incidence of at most {}°, expected one above 0 and up to 180°",
                             format_exact(limits.incidence_most_deg)),
                 value.at());
-  if (!(limits.safe_radius_mm >= 0.0 && limits.line_least_mm >= 0.0 && norm(limits.reflector_axis) > 0.0))
+  if (!(limits.safe_radius_mm >= 0.0 && limits.line_least_mm >= 0.0 && norm(limits.reflector_axis) > 1e-6 &&
+        norm(limits.reflector_axis) < 1e6))
     return fail("found a safe radius or a least length below 0, or a reflector without an axis, expected none of these",
                 value.at());
   return limits;
@@ -177,7 +178,8 @@ Result<RangingUncertainty> ranging_from(const Value& value) {
   AXIOMETRY_TRY_VOID(members.take("constant_um", constant));
   AXIOMETRY_TRY_VOID(members.take("per_length_um_per_m", per_length));
   AXIOMETRY_TRY_VOID(members.finish());
-  if (!(constant >= 0.0 && per_length >= 0.0 && constant + per_length > 0.0))
+  constexpr double least = 1e-6, most = 1e6;
+  if (!(constant >= 0.0 && per_length >= 0.0 && constant + per_length >= least && constant + per_length <= most))
     return fail(fmt::format("found an uncertainty of lengths of {} µm + {} µm/m, expected one above 0",
                             format_exact(constant), format_exact(per_length)),
                 value.at());

@@ -21,6 +21,7 @@ using volumetric::KinematicChain;
 using volumetric::MachineModel;
 
 constexpr double farthest_mm = 1e9;
+constexpr double travel_least_mm = 1.0;
 constexpr std::size_t names_most = 256;  // of tools, of stations
 constexpr std::array<std::string_view, 3> axis_names = {"X", "Y", "Z"};
 
@@ -43,11 +44,13 @@ Result<TravelBox> travel_from(const Value& value) {
           range->at());
     AXIOMETRY_TRY(travel.lowest_mm[a], number_in(ends->front(), axis_names[a]));
     AXIOMETRY_TRY(travel.highest_mm[a], number_in(ends->back(), axis_names[a]));
-    if (!(travel.lowest_mm[a] < travel.highest_mm[a]) || std::abs(travel.lowest_mm[a]) > farthest_mm ||
-        std::abs(travel.highest_mm[a]) > farthest_mm)
-      return fail(fmt::format("found a travel of {} from {} to {} mm, expected its lower end first, within 1e9 mm",
-                              axis_names[a], format_exact(travel.lowest_mm[a]), format_exact(travel.highest_mm[a])),
-                  range->at());
+    if (!(travel.highest_mm[a] - travel.lowest_mm[a] >= travel_least_mm) ||
+        std::abs(travel.lowest_mm[a]) > farthest_mm || std::abs(travel.highest_mm[a]) > farthest_mm)
+      return fail(
+          fmt::format(
+              "found a travel of {} from {} to {} mm, expected its lower end first, 1 mm at least, within 1e9 mm",
+              axis_names[a], format_exact(travel.lowest_mm[a]), format_exact(travel.highest_mm[a])),
+          range->at());
   }
   AXIOMETRY_TRY_VOID(members.finish());
   return travel;
@@ -75,8 +78,8 @@ Result<std::vector<std::pair<std::string, Vector3>>> places_from(const Value& va
 Result<double> uncertainty_in(JsonMembers& members, std::string_view name, double usual, const Value& at) {
   double value = usual;
   AXIOMETRY_TRY_VOID(members.take(name, value));
-  if (value >= 0.0 && value <= 1e6) return value;
-  return fail(fmt::format("found {} of {}, expected 0 or more", name, format_exact(value)), at.at());
+  if (value >= 0.0 && value <= 1e4) return value;
+  return fail(fmt::format("found {} of {}, expected 0 to 10000", name, format_exact(value)), at.at());
 }
 
 Result<void> take_instrument(const Value& value, MachineModel& machine) {
@@ -132,8 +135,10 @@ Result<MachineFile> machine_from(const Value& value) {
     AXIOMETRY_TRY_VOID(take_instrument(*instrument, machine));
   AXIOMETRY_TRY(const double repeatability, uncertainty_in(members, "repeatability_um", 0.0, value));
   machine.repeatability = Length::um(repeatability);
-  if (!(machine.sigma_um(1000.0) > 0.0))
-    return fail("found instrument and machine without any uncertainty, expected one above 0 to weigh by", value.at());
+  constexpr double sigma_least_um = 1e-6;
+  if (!(machine.sigma_um(1000.0) >= sigma_least_um))
+    return fail("found instrument and machine without any uncertainty, expected one of at least 1e-6 µm to weigh by",
+                value.at());
   if (const Value* points = members.optional("functional_point_mm"))
     AXIOMETRY_TRY_VOID(take_functional_points(*points, machine));
   AXIOMETRY_TRY(const std::vector<std::string> others, members.others());

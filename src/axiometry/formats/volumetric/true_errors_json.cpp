@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -28,8 +30,11 @@ constexpr double beyond_share = 0.05;
 /// Members that identify writes beside what is wanted are passed over.
 Result<double> member_number(const Value& value, std::string_view name, std::string_view of) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, std::string(of)));
-  AXIOMETRY_TRY(const Value* number, members.required(name));
-  return number_in(*number, name);
+  AXIOMETRY_TRY(const Value* member, members.required(name));
+  AXIOMETRY_TRY(const double number, number_in(*member, name));
+  constexpr double most = 1e6;  // a metre
+  if (std::abs(number) <= most) return number;
+  return fail(fmt::format("found {} of {}, expected at most 1e6", name, number), member->at());
 }
 
 Result<TrueCurve> curve_from(const Value& value, ErrorMotion error, const TravelBox& travel) {

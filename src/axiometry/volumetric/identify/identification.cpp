@@ -34,7 +34,7 @@ std::vector<IdentifiedStation> stations_of(const Identifier& done, const Volumet
     stations.push_back(station);
   }
   for (std::size_t i = 0; i < lengths.readings.size(); ++i) {
-    if (done.set_aside()[i]) continue;
+    if (done.set_aside()[i] || done.is_copy(i)) continue;
     IdentifiedStation& station = stations[unknowns.stretches[unknowns.stretch_of[i]].virtual_station];
     const double v = done.fit().residuals_um[i], z = v / done.sigmas_um()[i];
     ++station.readings;

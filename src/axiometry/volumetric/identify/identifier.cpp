@@ -236,7 +236,7 @@ bool Identifier::set_aside_beyond_limit() {
   const double limit = outlier_limit(stated.size()) * robust_scale(all, fit_->residuals_um);
   bool changed = false;
   for (std::size_t i = 0; i < aside_.size(); ++i) {
-    const bool is_beyond = std::abs(fit_->residuals_um[i]) > limit * sigmas_[i];
+    const bool is_beyond = !is_copy_[i] && std::abs(fit_->residuals_um[i]) > limit * sigmas_[i];
     changed = changed || is_beyond != aside_[i];
     aside_[i] = is_beyond;
     weights_[i] = is_beyond ? 0.0 : stated[i];

@@ -32,7 +32,8 @@ class Identifier {
   const TravelBox& observed() const { return observed_; }
   const std::vector<double>& weights() const { return weights_; }
   bool drift() const { return drift_; }
-  std::size_t count() const;   ///< of readings that are used
+  std::size_t count() const;  ///< of readings that are used
+  bool is_copy(std::size_t reading) const { return is_copy_[reading]; }
   std::size_t copies() const;  ///< readings that are written twice
   Problem problem() const;
 
