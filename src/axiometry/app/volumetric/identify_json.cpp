@@ -4,6 +4,7 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/volumetric/identify_lengths.h"
+#include "axiometry/app/volumetric/rank_json.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
@@ -81,16 +82,6 @@ Value gauge_value(const ErrorModel& model) {
   return gauge;
 }
 
-Value rank_value(const VolumetricRank& rank) {
-  Value value = Value::object();
-  value.add("unknowns", rank.unknowns);
-  value.add("errors", rank.errors);
-  value.add("rank", rank.unknowns - rank.null_directions);
-  value.add("null_directions", rank.null_directions);
-  value.add("condition", rank.condition);
-  return value;
-}
-
 Value stations_value(const IdentifiedMachine& identified) {
   Value stations = Value::array();
   const Identification& found = identified.identification;
@@ -137,6 +128,16 @@ Value source_value(const IdentifiedMachine& identified) {
 
 }  // namespace
 
+Value to_json(const VolumetricRank& rank) {
+  Value value = Value::object();
+  value.add("unknowns", rank.unknowns);
+  value.add("errors", rank.errors);
+  value.add("rank", rank.unknowns - rank.null_directions);
+  value.add("null_directions", rank.null_directions);
+  value.add("condition", rank.condition);
+  return value;
+}
+
 Value to_json(const IdentifiedMachine& identified) {
   const Identification& found = identified.identification;
   const auto names = volumetric::error_names();
@@ -144,7 +145,7 @@ Value to_json(const IdentifiedMachine& identified) {
   root.add("source", source_value(identified));
   root.add("errors", errors_value(found.model));
   root.add("gauge", gauge_value(found.model));
-  root.add("rank", rank_value(found.rank));
+  root.add("rank", to_json(found.rank));
   Value& unseen = root.add("unseen", Value::array());
   for (const std::size_t e : found.model.unseen_errors()) unseen.push(names[e]);
   root.add("chi2_per_dof", found.degrees_of_freedom > 0 ? Value(found.chi_squared_per_dof()) : Value());

@@ -8,6 +8,7 @@
 
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/result_json.h"
+#include "axiometry/app/volumetric/rank_json.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/machine_json.h"
@@ -28,16 +29,6 @@ using volumetric::VolumetricFinding;
 Value or_nothing(const std::optional<double>& number) { return number ? Value(*number) : Value(); }
 
 std::string or_dash(const std::optional<double>& number) { return number ? format_fixed(*number, 2) : "-"; }
-
-Value rank_of(const volumetric::VolumetricRank& rank) {
-  Value value = Value::object();
-  value.add("unknowns", rank.unknowns);
-  value.add("errors", rank.errors);
-  value.add("rank", rank.unknowns - rank.null_directions);
-  value.add("null_directions", rank.null_directions);
-  value.add("condition", rank.condition);
-  return value;
-}
 
 Value volume_value(const PlannedCalibration& planned) {
   Value volume = Value::object();
@@ -84,7 +75,7 @@ Value expectation_value(const PlannedCalibration& planned) {
     item.add("points", run.stops.size());
   }
   root.add("points", planned.expected.readings);
-  root.add("rank", rank_of(planned.expected.rank));
+  root.add("rank", to_json(planned.expected.rank));
   Value& unseen = root.add("unseen", Value::array());
   for (const std::size_t e : planned.expected.unseen) unseen.push(names[e]);
   Value& reasons = root.add("reasons", Value::array());
