@@ -19,44 +19,6 @@ using Value = std::optional<Deviation>;
 Value some(double x) { return Deviation::native(x); }
 double or_zero(Value x) { return x ? x->in_native() : 0.0; }
 
-/// Algebraic maximum and minimum of what it has seen.
-class Extremes {
- public:
-  void see(double x) {
-    max_ = std::max(max_, x);
-    min_ = std::min(min_, x);
-  }
-  void see(const Extremes& other) {
-    max_ = std::max(max_, other.max_);
-    min_ = std::min(min_, other.min_);
-  }
-  bool any() const { return max_ >= min_; }
-  Value range() const { return any() ? some(max_ - min_) : std::nullopt; }
-  Value maximum() const { return any() ? some(max_) : std::nullopt; }
-  double magnitude() const { return std::max(std::abs(max_), std::abs(min_)); }
-
- private:
-  double max_ = -std::numeric_limits<double>::infinity();
-  double min_ = std::numeric_limits<double>::infinity();
-};
-
-/// What one direction of approach contributes to the axis.
-struct DirectionExtremes {
-  Extremes means;       // x̄_i
-  Extremes boundaries;  // x̄_i ± 2 s_i
-  Extremes R;           // R_i of this direction
-
-  void see(Value mean, Value s, Value repeatability) {
-    if (!mean) return;
-    const double band = coverage_factor * or_zero(s);
-    means.see(mean->in_native());
-    boundaries.see(mean->in_native() + band);
-    boundaries.see(mean->in_native() - band);
-    if (repeatability) R.see(repeatability->in_native());
-  }
-  Value A() const { return R.any() ? boundaries.range() : std::nullopt; }
-};
-
 /// 3.20 with 0 for a term that does not exist.
 double repeatability_bound(const PositionResult& p) {
   const double both =
@@ -94,6 +56,73 @@ void check_ordering(const AxisParameters& p, double boundary_magnitude, std::siz
 
 }  // namespace
 
+void AxisExtremes::DirectionExtremes::see(Value mean, Value s, Value repeatability) {
+  if (!mean) return;
+  const double band = coverage_factor * or_zero(s);
+  means.see(mean->in_native());
+  boundaries.see(mean->in_native() + band);
+  boundaries.see(mean->in_native() - band);
+  if (repeatability) R.see(repeatability->in_native());
+}
+
+void AxisExtremes::DirectionExtremes::see(const DirectionExtremes& other) {
+  means.see(other.means);
+  boundaries.see(other.boundaries);
+  R.see(other.R);
+}
+
+Value AxisExtremes::DirectionExtremes::A() const { return R.any() ? boundaries.range() : std::nullopt; }
+
+void AxisExtremes::see(const PositionResult& p) {
+  ++count_;
+  up_.see(p.mean_up, p.s_up, p.R_up);
+  down_.see(p.mean_down, p.s_down, p.R_down);
+  R_.see(repeatability_bound(p));
+  if (!p.reversal) return;
+  means_.see(p.mean->in_native());
+  B_.see(std::abs(p.reversal->in_native()));
+  reversal_sum_ += p.reversal->in_native();
+  ++reversal_count_;
+}
+
+void AxisExtremes::see(const AxisExtremes& other) {
+  count_ += other.count_;
+  up_.see(other.up_);
+  down_.see(other.down_);
+  R_.see(other.R_);
+  means_.see(other.means_);
+  B_.see(other.B_);
+  reversal_sum_ += other.reversal_sum_;
+  reversal_count_ += other.reversal_count_;
+}
+
+AxisParameters AxisExtremes::parameters() const {
+  Extremes both_means = up_.means;
+  both_means.see(down_.means);
+  Extremes both_boundaries = up_.boundaries;
+  both_boundaries.see(down_.boundaries);
+  const bool both_directions = up_.means.any() && down_.means.any();
+  const bool both_repeat = up_.R.any() && down_.R.any();
+
+  AxisParameters result;
+  result.E_up = up_.means.range();
+  result.E_down = down_.means.range();
+  result.A_up = up_.A();
+  result.A_down = down_.A();
+  result.R_up = up_.R.maximum();
+  result.R_down = down_.R.maximum();
+  if (both_directions) result.E = both_means.range();
+  if (both_repeat) result.A = both_boundaries.range();
+  if (both_repeat && reversal_count_ > 0) result.R = R_.maximum();
+  if (reversal_count_ > 0) {
+    result.M = means_.range();
+    result.B = B_.maximum();
+    result.B_mean = some(reversal_sum_ / static_cast<double>(reversal_count_));
+  }
+  check_ordering(result, both_boundaries.magnitude(), count_);
+  return result;
+}
+
 const ParameterInfo* find_parameter(std::string_view name) {
   const auto found = std::ranges::find_if(parameters, [&](const auto& p) { return p.key == name || p.symbol == name; });
   return found == std::end(parameters) ? nullptr : found;
@@ -104,69 +133,58 @@ PositionResult with_estimators(PositionResult position, Value s_up, Value s_down
   return position;
 }
 
+PositionResult evaluate_position(const Position& target, std::span<const double> up_runs,
+                                 std::span<const double> down_runs) {
+  const numeric::Moments up = numeric::moments(up_runs);
+  const numeric::Moments down = numeric::moments(down_runs);
+  PositionResult p;
+  p.target = target;
+  p.count_up = up.count;
+  p.count_down = down.count;
+  if (up.count > 0) p.mean_up = some(up.mean);
+  if (down.count > 0) p.mean_down = some(down.mean);
+  if (up.count > 0 && down.count > 0) {
+    p.mean = some((up.mean + down.mean) / 2.0);
+    p.reversal = some(up.mean - down.mean);
+  }
+  set_estimators(p, up.count > 1 ? some(up.standard_deviation) : std::nullopt,
+                 down.count > 1 ? some(down.standard_deviation) : std::nullopt);
+  return p;
+}
+
 std::vector<PositionResult> evaluate_positions(const Series& series) {
   std::vector<PositionResult> positions(series.target_count());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const numeric::Moments up = numeric::moments(series.cell(i, Direction::up));
-    const numeric::Moments down = numeric::moments(series.cell(i, Direction::down));
-    PositionResult& p = positions[i];
-    p.target = series.targets()[i];
-    p.count_up = up.count;
-    p.count_down = down.count;
-    if (up.count > 0) p.mean_up = some(up.mean);
-    if (down.count > 0) p.mean_down = some(down.mean);
-    if (up.count > 0 && down.count > 0) {
-      p.mean = some((up.mean + down.mean) / 2.0);
-      p.reversal = some(up.mean - down.mean);
-    }
-    set_estimators(p, up.count > 1 ? some(up.standard_deviation) : std::nullopt,
-                   down.count > 1 ? some(down.standard_deviation) : std::nullopt);
-  }
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    positions[i] =
+        evaluate_position(series.targets()[i], series.cell(i, Direction::up), series.cell(i, Direction::down));
   return positions;
 }
 
 AxisParameters evaluate_axis(std::span<const PositionResult> positions) {
-  DirectionExtremes up;
-  DirectionExtremes down;
-  Extremes means;
-  Extremes R;
-  Extremes B;
-  double reversal_sum = 0.0;
-  std::size_t reversal_count = 0;
-  for (const PositionResult& p : positions) {
-    up.see(p.mean_up, p.s_up, p.R_up);
-    down.see(p.mean_down, p.s_down, p.R_down);
-    R.see(repeatability_bound(p));
-    if (!p.reversal) continue;
-    means.see(p.mean->in_native());
-    B.see(std::abs(p.reversal->in_native()));
-    reversal_sum += p.reversal->in_native();
-    ++reversal_count;
-  }
-  Extremes both_means = up.means;
-  both_means.see(down.means);
-  Extremes both_boundaries = up.boundaries;
-  both_boundaries.see(down.boundaries);
-  const bool both_directions = up.means.any() && down.means.any();
-  const bool both_repeat = up.R.any() && down.R.any();
+  AxisExtremes axis;
+  for (const PositionResult& p : positions) axis.see(p);
+  return axis.parameters();
+}
 
-  AxisParameters result;
-  result.E_up = up.means.range();
-  result.E_down = down.means.range();
-  result.A_up = up.A();
-  result.A_down = down.A();
-  result.R_up = up.R.maximum();
-  result.R_down = down.R.maximum();
-  if (both_directions) result.E = both_means.range();
-  if (both_repeat) result.A = both_boundaries.range();
-  if (both_repeat && reversal_count > 0) result.R = R.maximum();
-  if (reversal_count > 0) {
-    result.M = means.range();
-    result.B = B.maximum();
-    result.B_mean = some(reversal_sum / static_cast<double>(reversal_count));
+AxisWithoutOne::AxisWithoutOne(std::span<const PositionResult> positions)
+    : before_(positions.size()), after_(positions.size()) {
+  AxisExtremes seen;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    before_[i] = seen;
+    seen.see(positions[i]);
   }
-  check_ordering(result, both_boundaries.magnitude(), positions.size());
-  return result;
+  seen = {};
+  for (std::size_t i = positions.size(); i-- > 0;) {
+    after_[i] = seen;
+    seen.see(positions[i]);
+  }
+}
+
+AxisParameters AxisWithoutOne::with(std::size_t i, const PositionResult& instead) const {
+  AxisExtremes axis = before_[i];
+  axis.see(instead);
+  axis.see(after_[i]);
+  return axis.parameters();
 }
 
 Evaluation evaluate(const Series& series) {

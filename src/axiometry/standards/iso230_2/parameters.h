@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "axiometry/model/series.h"
+#include "axiometry/standards/iso230_2/axis_extremes.h"
 
 /// ISO 230-2:2014, clauses 3 and 6: positioning accuracy and repeatability of one NC axis.
 ///
@@ -128,8 +129,23 @@ Evaluation evaluate(const Series& series);
 /// The first half of evaluate(): means, s_i, B_i and R_i of every target.
 std::vector<PositionResult> evaluate_positions(const Series& series);
 
+/// The same at one target, from the runs of both directions (native units, NaN where a reading is missing).
+PositionResult evaluate_position(const Position& target, std::span<const double> up, std::span<const double> down);
+
 /// The second half: the parameters of the axis from its positions.
 AxisParameters evaluate_axis(std::span<const PositionResult> positions);
+
+/// The parameters of an axis with one of its positions exchanged for another, in a time that does not grow with the
+/// positions: what a single reading does to the axis is asked once for each outlier.
+class AxisWithoutOne {
+ public:
+  explicit AxisWithoutOne(std::span<const PositionResult> positions);
+  /// As evaluate_axis() with `instead` at position i; B̄ within the rounding of its sum.
+  AxisParameters with(std::size_t i, const PositionResult& instead) const;
+
+ private:
+  std::vector<AxisExtremes> before_, after_;  // of all positions before, and after, each
+};
 
 /// The position with other estimators s_i↑ and s_i↓, R_i following 3.19 and 3.20. A.10 corrects so.
 PositionResult with_estimators(PositionResult position, std::optional<Deviation> s_up, std::optional<Deviation> s_down);

@@ -79,6 +79,18 @@ TEST(Evaluate, SurvivesTheLargestReadings) {
   EXPECT_DOUBLE_EQ(p.R->in_native(), 2e9);
 }
 
+TEST(AxisWithoutOne, GivesWhatAnEvaluationOfTheSeriesWithoutTheReadingGives) {
+  const std::vector<testing_support::RunDeviations> down{{2, 3, 4}, {1, 9, 2}};
+  const std::vector<PositionResult> positions =
+      evaluate_positions(make_series({0, 1, 2}, {{1, 2, 40}, {7, 8, 1}, {2, 2, 3}}, down));
+  const AxisWithoutOne axis(positions);
+  const Evaluation without = evaluate(make_series({0, 1, 2}, {{1, 2, none}, {7, 8, 1}, {2, 2, 3}}, down));
+  const AxisParameters exchanged = axis.with(2, without.positions[2]);
+  for (const ParameterInfo& parameter : parameters)
+    EXPECT_EQ(exchanged.*parameter.member, without.parameters.*parameter.member) << parameter.key;
+  EXPECT_NE(exchanged.A, evaluate_axis(positions).A);
+}
+
 TEST(WithEstimators, FollowsThreeNineteenAndThreeTwenty) {
   PositionResult p = evaluate(make_series({0, 1}, {{0, 0}, {1, 1}}, {{3, 3}, {4, 4}})).positions[0];
   p = with_estimators(p, Deviation::native(0.5), Deviation::native(2.0));

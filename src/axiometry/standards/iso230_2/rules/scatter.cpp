@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
@@ -43,7 +45,18 @@ std::string consequence(const Case& c, const AxisParameters& without, std::strin
   return fmt::format("without {} {}", of, text);
 }
 
-Finding outlier_finding(const Case& c, const OutlyingReading& outlier) {
+/// The position of an outlier as it would be without it.
+PositionResult position_without(const Series& series, const OutlyingReading& outlier) {
+  const std::span<const double> readings = series.cell(outlier.target, outlier.direction);
+  std::vector<double> others(readings.begin(), readings.end());
+  others[outlier.run] = std::numeric_limits<double>::quiet_NaN();
+  const Position& target = series.targets()[outlier.target];
+  return outlier.direction == Direction::up
+             ? evaluate_position(target, others, series.cell(outlier.target, Direction::down))
+             : evaluate_position(target, series.cell(outlier.target, Direction::up), others);
+}
+
+Finding outlier_finding(const Case& c, const OutlyingReading& outlier, const AxisParameters& without) {
   const double distance = outlier.distance.in_native();
   return note(
       "3.18",
@@ -52,7 +65,7 @@ Finding outlier_finding(const Case& c, const OutlyingReading& outlier) {
                   target_text(c, outlier.target), arrow(outlier.direction), outlier.run + 1,
                   deviation_text(c, outlier.deviation.in_native()), deviation_text(c, std::abs(distance)),
                   distance > 0.0 ? "above" : "below", chance_text(outlier.p),
-                  consequence(c, evaluate(without_reading(c.series, outlier)).parameters, "it")));
+                  consequence(c, without, "it")));
 }
 
 /// The positions without those of the part that scatters more, for R of the rest.
@@ -136,7 +149,11 @@ Finding shifts_finding(const Case& c, const RunShifts& shifts) {
 std::vector<Finding> scatter_findings(const Case& c) {
   const ScatterStudy study = scatter_study(c.series);
   std::vector<Finding> findings;
-  for (const OutlyingReading& outlier : study.outliers) findings.push_back(outlier_finding(c, outlier));
+  if (!study.outliers.empty()) {
+    const AxisWithoutOne axis(evaluate_positions(c.series));
+    for (const OutlyingReading& outlier : study.outliers)
+      findings.push_back(outlier_finding(c, outlier, axis.with(outlier.target, position_without(c.series, outlier))));
+  }
   if (study.uneven) findings.push_back(uneven_finding(c, *study.uneven));
   if (study.shifts) findings.push_back(shifts_finding(c, *study.shifts));
   return findings;

@@ -351,9 +351,4 @@ Series without_shifts(const Series& series) {
   return series_of(series, tables);
 }
 
-Series without_reading(const Series& series, const OutlyingReading& reading) {
-  Tables tables = cleaned(tables_of(series), {reading}, series.run_count());
-  return series_of(series, tables);
-}
-
 }  // namespace axiometry::iso230_2

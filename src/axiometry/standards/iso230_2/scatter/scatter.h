@@ -67,7 +67,4 @@ inline ScatterStudy scatter_study(const Series& series) { return scatter_study(s
 /// The series without the shifts of its runs, for information: what R would be without them.
 Series without_shifts(const Series& series);
 
-/// The series without one reading, for information. Contract: its target has another one.
-Series without_reading(const Series& series, const OutlyingReading& reading);
-
 }  // namespace axiometry::iso230_2
