@@ -123,6 +123,38 @@ TEST(Identify, GivesNoNumberForWhatOneToolCannotTell) {
   EXPECT_THAT(unseen->message, HasSubstr("the same tool point"));
 }
 
+/// Straight lines between nodes, and polynomials of a low degree, cannot bend as that what one tool cannot tell.
+TEST(Identify, TakesTheShapeOfItsCurvesForNothingThatWasMeasured) {
+  TrueMachine machine("FXYZ", 5);
+  machine.model.tools.resize(1);
+  const VolumetricLengths lengths = measured(machine, four_stations(), {.points = 150});
+  for (const auto& [curves, size] : {std::pair(CurveKind::nodes, 5), {CurveKind::legendre, 2}}) {
+    IdentifyOptions options = with_spans(static_cast<std::size_t>(size));
+    options.curves = curves;
+    const auto result = identify(machine.model, lengths, options);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_THAT(unseen_names(*result), testing::ElementsAre("ECY", "EXZ", "EYZ", "EAZ", "EBZ", "ECZ", "B0Z", "A0Z"))
+        << curve_kind_name(curves);
+    EXPECT_FALSE(result->model.motion(*error_motion_named("EAZ"), -200.0));
+    EXPECT_TRUE(result->model.motion(*error_motion_named("EXX"), 200.0));
+    EXPECT_FALSE(result->model.at({300.0, 200.0, -100.0}, {0.0, 0.0, -300.0}).is_whole());
+    EXPECT_NE(finding(*result, "volumetric-unseen-errors"), nullptr);
+  }
+}
+
+TEST(Identify, GivesAllNumbersOfCoarseCurvesWhereThreeToolsTellThem) {
+  TrueMachine machine("XFYZ", 5);
+  const VolumetricLengths lengths = measured(machine, four_stations(), {.points = 80});
+  for (const auto& [curves, size] : {std::pair(CurveKind::nodes, 6), {CurveKind::legendre, 2}}) {
+    IdentifyOptions options = with_spans(static_cast<std::size_t>(size));
+    options.curves = curves;
+    const auto result = identify(machine.model, lengths, options);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_THAT(unseen_names(*result), testing::IsEmpty());
+    EXPECT_EQ(result->rank.null_directions, 0u);
+  }
+}
+
 TEST(Identify, SaysThatTwoStationsAreTooFew) {
   TrueMachine machine("FXYZ", 5);
   auto stations = four_stations();

@@ -12,6 +12,7 @@
 #include "axiometry/volumetric/field/unseen_reasons.h"
 #include "axiometry/volumetric/identify/common_scale.h"
 #include "axiometry/volumetric/identify/linear_solution.h"
+#include "axiometry/volumetric/identify/shape_rank.h"
 
 namespace axiometry::volumetric {
 namespace {
@@ -141,6 +142,7 @@ std::vector<std::string> reasons_of(const MachineModel& machine, std::span<const
 struct Solved {
   LinearSolution solution;
   ErrorModel model;
+  std::size_t null_directions = 0;
 };
 
 Result<Solved> solve(const MachineModel& machine, std::span<const Visit> visits, const ExpectOptions& options) {
@@ -169,9 +171,13 @@ Result<Solved> solve(const MachineModel& machine, std::span<const Visit> visits,
   LinearSolution solution = detail::linear_solution(problem, state, detail::normal_equations(problem, seen));
   std::vector<double> covariance = solution.coefficient_covariance();
   detail::add_common_scale(problem, state, seen.beams, solution, covariance);
+  std::vector<std::vector<double>> unseen = solution.unseen();
+  const auto by_shape = detail::told_by_shape_alone(problem, state);
+  unseen.insert(unseen.end(), by_shape.begin(), by_shape.end());
+  const std::size_t nulls = std::max(solution.null_directions(), by_shape.size());
   ErrorModel model(
-      {machine, coefficients, state.coefficients, std::move(covariance), solution.unseen(), machine.travel});
-  return Solved{std::move(solution), std::move(model)};
+      {machine, coefficients, state.coefficients, std::move(covariance), std::move(unseen), machine.travel});
+  return Solved{std::move(solution), std::move(model), nulls};
 }
 
 }  // namespace
@@ -179,7 +185,7 @@ Result<Solved> solve(const MachineModel& machine, std::span<const Visit> visits,
 Result<Expectation> expect(const MachineModel& machine, std::span<const Visit> visits, const ExpectOptions& options) {
   AXIOMETRY_TRY(const Solved solved, solve(machine, visits, options));
   Expectation expected;
-  expected.rank = {solved.solution.unknowns(), solved.model.coefficients().free(), solved.solution.null_directions(),
+  expected.rank = {solved.solution.unknowns(), solved.model.coefficients().free(), solved.null_directions,
                    solved.solution.condition()};
   expected.readings = visits.size();
   expected.unseen = solved.model.unseen_errors();
@@ -204,7 +210,7 @@ double expected_score(const MachineModel& machine, std::span<const Visit> visits
       for (std::size_t k = 0; k < 3; ++k) sum += field.covariance_um2[k][k];
       count += 1.0;
     }
-  return std::sqrt(sum / count) + per_null_um * static_cast<double>(solved->solution.null_directions());
+  return std::sqrt(sum / count) + per_null_um * static_cast<double>(solved->null_directions);
 }
 
 }  // namespace axiometry::volumetric
