@@ -164,13 +164,12 @@ Result<void> Identifier::choose_first_sizes() {
 }
 
 Result<Coefficients> Identifier::coefficients_of(const Sizes& sizes) const {
-  const auto basis = [&](std::size_t a) {
-    return CurveBasis::make(options_.curves, domains_[a].lower_mm, domains_[a].upper_mm, sizes[a]);
-  };
-  AXIOMETRY_TRY(const CurveBasis x, basis(0));
-  AXIOMETRY_TRY(const CurveBasis y, basis(1));
-  AXIOMETRY_TRY(const CurveBasis z, basis(2));
-  return Coefficients({x, y, z}, options_.reversal);
+  TravelBox ranges;
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    ranges.lowest_mm[a] = domains_[a].lower_mm;
+    ranges.highest_mm[a] = domains_[a].upper_mm;
+  }
+  return Coefficients::make(options_.curves, ranges, sizes, options_.reversal);
 }
 
 Result<void> Identifier::take_sizes(const Sizes& sizes) {

@@ -30,17 +30,6 @@ double place_of(const TravelBox& travel, std::size_t axis, std::size_t k, std::s
   return travel.lowest_mm[axis] + share * (travel.highest_mm[axis] - travel.lowest_mm[axis]);
 }
 
-Result<Coefficients> coefficients_of(const MachineModel& machine, const ExpectOptions& options) {
-  const auto basis = [&](std::size_t a) {
-    return CurveBasis::make(options.curves, machine.travel.lowest_mm[a], machine.travel.highest_mm[a],
-                            options.sizes[a]);
-  };
-  AXIOMETRY_TRY(const CurveBasis x, basis(0));
-  AXIOMETRY_TRY(const CurveBasis y, basis(1));
-  AXIOMETRY_TRY(const CurveBasis z, basis(2));
-  return Coefficients({x, y, z}, Reversal::none);
-}
-
 Result<void> check_visits(const MachineModel& machine, std::span<const Visit> visits) {
   if (machine.stations.empty()) return fail("found no station, expected at least one");
   if (visits.empty()) return fail("found no points, expected some of each station and tool");
@@ -147,7 +136,8 @@ struct Solved {
 
 Result<Solved> solve(const MachineModel& machine, std::span<const Visit> visits, const ExpectOptions& options) {
   AXIOMETRY_TRY_VOID(check_visits(machine, visits));
-  AXIOMETRY_TRY(const Coefficients coefficients, coefficients_of(machine, options));
+  AXIOMETRY_TRY(const Coefficients coefficients, 
+                Coefficients::make(options.curves, machine.travel, options.sizes, Reversal::none));
   std::vector<VolumetricReading> readings;
   std::vector<double> weights;
   std::vector<Vector3> tools_mm;
