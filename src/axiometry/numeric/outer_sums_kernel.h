@@ -66,8 +66,7 @@ void add(PiecedRow row, double* matrix, size_t columns) {
   for (; k + lanes<Doubles> <= count; k += lanes<Doubles>)
     store(to + k, load<Doubles>(to + k) + ((f0 * load<Doubles>(v0 + k) + f1 * load<Doubles>(v1 + k)) +
                                            (f2 * load<Doubles>(v2 + k) + f3 * load<Doubles>(v3 + k))));
-  for (; k < count; ++k)
-    to[k] += (factors[0] * v0[k] + factors[1] * v1[k]) + (factors[2] * v2[k] + factors[3] * v3[k]);
+  for (; k < count; ++k) to[k] += (factors[0] * v0[k] + factors[1] * v1[k]) + (factors[2] * v2[k] + factors[3] * v3[k]);
 }
 
 void add_four(const PiecedRow* rows, double* matrix, size_t columns) {

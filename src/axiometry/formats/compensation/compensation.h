@@ -25,7 +25,8 @@ struct Compensation {
   std::string_view takes;    ///< "all 21 errors", "positioning"
   bool of_one_tool = false;  ///< whether it needs one
   std::string_view manual;   ///< Markdown: what it assumes, what is verified and what inferred
-  /// The file says what a positive number does, and what error the table leaves. Fails where the lengths do not tell an error that it needs.
+  /// The file says what a positive number does, and what error the table leaves. Fails where the lengths do not tell an
+  /// error that it needs.
   Result<std::string> (*write)(const CompensationRequest& request);
 };
 

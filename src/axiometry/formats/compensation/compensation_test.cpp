@@ -22,7 +22,8 @@ using volumetric::ErrorModel;
 using volumetric::testing::known_identification;
 using volumetric::testing::known_machine;
 
-/// Only EXX, a straight line of 20 µm/m, and C0Y of 10 µrad; with reversal EXX is 3 µm more upwards, and less downwards.
+/// Only EXX, a straight line of 20 µm/m, and C0Y of 10 µrad; with reversal EXX is 3 µm more upwards, and less
+/// downwards.
 ErrorModel scale_and_squareness(volumetric::Reversal reversal = volumetric::Reversal::none) {
   const auto basis = [](double low, double high) { return *CurveBasis::make(CurveKind::nodes, low, high, 1); };
   const Coefficients coefficients({basis(0, 1000), basis(0, 600), basis(-500, 0)}, reversal);

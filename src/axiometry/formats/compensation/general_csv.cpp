@@ -32,7 +32,8 @@ lines between the rows.
 Result<std::string> write_general(const CompensationRequest& request) {
   const volumetric::ErrorModel& model = request.model;
   AXIOMETRY_TRY_VOID(check_all_told(model));
-  std::string text = "# All 21 errors after ISO 230-1, um and urad\n" + compensation_head(model, "#", TableDirections::each);
+  std::string text =
+      "# All 21 errors after ISO 230-1, um and urad\n" + compensation_head(model, "#", TableDirections::each);
   text +=
       "# A positive number: the tool, relative to the workpiece, stands too far along (is turned too far about) the\n"
       "# positive axis, actual less commanded. A control that adds what stands here would double the error.\n"

@@ -66,8 +66,8 @@ Result<std::string> write_twincat(const CompensationRequest& request) {
     order += "XYZ"[a];
     if (chain.carries_workpiece(a)) workpiece += "XYZ"[a];
   }
-  std::string text =
-      "// Volumetric errors for ISG kernels and TwinCAT CNC (TF5280), mm and rad\n" + compensation_head(model, "//", TableDirections::means);
+  std::string text = "// Volumetric errors for ISG kernels and TwinCAT CNC (TF5280), mm and rad\n" +
+                     compensation_head(model, "//", TableDirections::means);
   fmt::format_to(
       std::back_inserter(text),
       "// chain, workpiece to tool: {}; workpiece_axes: {}\n"

@@ -64,8 +64,7 @@ std::optional<TableEffect> effect_of_all_errors(const ErrorModel& model, Vector3
 double half_reversal_um(const ErrorModel& model, Vector3 tool_mm) {
   if (model.coefficients().reversal() == Reversal::none) return 0.0;
   const auto displacement = [&](Vector3 q, Approaches approaches) {
-    return BeamRow(model.coefficients(), model.machine(), q, tool_mm, approaches)
-        .displacement_um(model.parts().values);
+    return BeamRow(model.coefficients(), model.machine(), q, tool_mm, approaches).displacement_um(model.parts().values);
   };
   double most = 0.0;
   constexpr std::size_t n = places_least;

@@ -155,6 +155,31 @@ TEST(Identify, GivesAllNumbersOfCoarseCurvesWhereThreeToolsTellThem) {
   }
 }
 
+TEST(Identify, SaysWhereNumbersAreInches) {
+  TrueMachine machine("XFYZ", 5);
+  const VolumetricLengths lengths = measured(machine, four_stations());
+  VolumetricLengths in_inches = lengths;
+  for (VolumetricReading& reading : in_inches.readings) reading.length_mm /= 25.4;
+  const auto refused = identify(machine.model, in_inches, with_spans(4));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("fit when the lengths are read as inches"));
+
+  MachineModel small = machine.model;
+  small.travel = {1.0 / 25.4 * small.travel.lowest_mm, 1.0 / 25.4 * small.travel.highest_mm};
+  for (Tool& tool : small.tools) tool.offset_mm = 1.0 / 25.4 * tool.offset_mm;
+  VolumetricLengths positions = lengths;
+  for (VolumetricReading& reading : positions.readings) reading.axes_mm = 1.0 / 25.4 * reading.axes_mm;
+  const auto mixed = identify(small, positions, with_spans(4));
+  ASSERT_FALSE(mixed);
+  EXPECT_THAT(mixed.error().message, HasSubstr("fit when the positions and tools are read as inches"));
+
+  for (VolumetricReading& reading : positions.readings) reading.length_mm /= 25.4;
+  const auto all = identify(small, positions, with_spans(4));
+  ASSERT_TRUE(all) << all.error().message;
+  ASSERT_NE(finding(*all, "volumetric-small-machine"), nullptr);
+  EXPECT_THAT(finding(*all, "volumetric-small-machine")->message, HasSubstr("39.4, 23.6 and 19.7 mm"));
+}
+
 TEST(Identify, SaysThatTwoStationsAreTooFew) {
   TrueMachine machine("FXYZ", 5);
   auto stations = four_stations();

@@ -189,10 +189,10 @@ std::size_t LinearSolution::null_directions() const { return static_cast<std::si
 double LinearSolution::condition() const {
   const Factors& f = *factors_;
   const Index n = f.scaled.matrix.rows();  // null directions have 1, which is between the others
-  const double most = largest_eigenvalue(n, [&](const VectorXd& v) -> VectorXd {
-    return f.cholesky.matrixL() * (f.cholesky.matrixU() * v);
-  });
-  const double least_inverse = largest_eigenvalue(n, [&](const VectorXd& v) -> VectorXd { return f.cholesky.solve(v); });
+  const double most = largest_eigenvalue(
+      n, [&](const VectorXd& v) -> VectorXd { return f.cholesky.matrixL() * (f.cholesky.matrixU() * v); });
+  const double least_inverse =
+      largest_eigenvalue(n, [&](const VectorXd& v) -> VectorXd { return f.cholesky.solve(v); });
   return std::sqrt(most * least_inverse);
 }
 

@@ -57,7 +57,8 @@ std::vector<double> taken_over(const Coefficients& judging, const std::vector<do
   std::vector<double> raw(own.raw(), 0.0);
   for (std::size_t a = 0; a < axis_count; ++a)
     for (std::size_t m = 0; m < motion_count; ++m) {
-      take_curve(judging.basis(a), direction.data() + judging.curve(a) + m, own.basis(a), raw.data() + own.curve(a) + m);
+      take_curve(judging.basis(a), direction.data() + judging.curve(a) + m, own.basis(a),
+                 raw.data() + own.curve(a) + m);
       if (own.reversal() == Reversal::constant) raw[own.half(a) + m] = direction[judging.half(a) + m];
       if (own.reversal() == Reversal::curves)
         take_curve(judging.basis(a), direction.data() + judging.half(a) + m, own.basis(a),
@@ -79,8 +80,8 @@ std::vector<std::vector<double>> told_by_shape_alone(const Problem& problem, con
   const Coefficients judging({judging_basis(problem, 0), judging_basis(problem, 1), judging_basis(problem, 2)},
                              own.reversal());
   const Unknowns unknowns = with_coefficients(problem.unknowns, judging.raw());
-  const Problem judged{problem.machine,  judging,            unknowns,        problem.readings,
-                       problem.tools_mm, problem.approaches, problem.weights, problem.threads};
+  const Problem judged{problem.machine,    judging,         unknowns,       problem.readings, problem.tools_mm,
+                       problem.approaches, problem.weights, problem.threads};
   State at = with_stations_joined(judged, state);
   at.coefficients.assign(judging.raw(), 0.0);
   NormalEquations equations = normal_equations(judged, sights(judged, at));

@@ -136,7 +136,7 @@ struct Solved {
 
 Result<Solved> solve(const MachineModel& machine, std::span<const Visit> visits, const ExpectOptions& options) {
   AXIOMETRY_TRY_VOID(check_visits(machine, visits));
-  AXIOMETRY_TRY(const Coefficients coefficients, 
+  AXIOMETRY_TRY(const Coefficients coefficients,
                 Coefficients::make(options.curves, machine.travel, options.sizes, Reversal::none));
   std::vector<VolumetricReading> readings;
   std::vector<double> weights;
