@@ -16,9 +16,9 @@ constexpr std::string_view axis_manual =
 position, on the line through the middle of the volume with one tool, which is what serves the whole volume best.
 
 Where errors differ by direction, the deviations of each stand behind their means (up: the axis came to rest moving to
-larger positions). Its head says how large the error of the tool point was and how large it stays: straightness, squareness and what
-rotations do away from the middle remain. A positive number: the axis goes too far; to compensate, it is taken away.
-What a certain control wants beside (intervals, increments, its sign) is not said here.
+larger positions). The head says how large the error of the tool point was and how large it stays: straightness,
+squareness and what rotations do away from the middle remain. A positive number: the axis goes too far; to compensate,
+it is taken away. What a certain control wants beside (intervals, increments, its sign) is not said here.
 )";
 
 Result<std::string> write_axis(const CompensationRequest& request) {

@@ -13,7 +13,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr std::string_view least_machine =
-    R"("chain": "XFYZ", "travel_mm": {"X": [0, 1000], "Y": [0, 600], "Z": [-500, 0]}, "tools_mm": {"T1": [0, 0, -150]})";
+    R"("chain": "XFYZ", "travel_mm": {"X": [0, 1000], "Y": [0, 600], "Z": [-500, 0]},
+       "tools_mm": {"T1": [0, 0, -150]})";
 
 std::string with(std::string_view more) { return "{" + std::string(least_machine) + std::string(more) + "}"; }
 
