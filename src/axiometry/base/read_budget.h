@@ -33,7 +33,7 @@ inline constexpr std::size_t json_values = 4'000'000;
 /// Records of one list of the metadata: instruments, sensors. Each line that states one is put behind all before it.
 inline constexpr std::size_t records = 256;
 
-/// Points by which a station is located: each takes half a millisecond of several solutions.
+/// Points by which a station is located: each takes up to a tenth of a millisecond, of several solutions.
 inline constexpr std::size_t location_points = 10'000;
 
 /// The largest run number of any format.

@@ -13,6 +13,10 @@ constexpr Phrase rows[] = {
      "alle Längen haben denselben Werkzeugpunkt, sodass eine Drehung einer Achse, hinter der nur das Werkzeug liegt, "
      "nicht von deren Geradheit zu unterscheiden ist; drei Werkzeuge, deren Punkte ein Dreieck bilden, bestimmen alles "
      "(ein kurzes, ein langes und eines daneben)"},
+    {"all stations stand at nearly one height; one that stands higher or lower tells rotations about the horizontal "
+     "axes better",
+     "alle Stationen stehen auf fast einer Höhe; eine, die höher oder tiefer steht, bestimmt Drehungen um die "
+     "waagerechten Achsen besser"},
     {"all stations stand {0#} from where they were said to: they are stated in another frame than the positions of the "
      "axes, or a tool offset is wrong",
      "alle Stationen stehen um {0} neben dem angegebenen Ort: Sie sind in einem anderen Koordinatensystem angegeben "
@@ -41,6 +45,14 @@ constexpr Phrase rows[] = {
      "Einheiten vertauscht?"},
     {"found all readings at one place of {0=}, expected them spread over its travel",
      "alle Messwerte an einem Ort von {0} gefunden, erwartet über den Verfahrweg verteilt"},
+    {"found lengths of station {0=} with tool {1=} that fit when the lengths are read as inches, expected all numbers "
+     "in mm, or their unit in the head",
+     "Längen von Station {0} mit Werkzeug {1} gefunden, die passen, wenn die Längen als Zoll gelesen werden, erwartet "
+     "alle Zahlen in mm oder ihre Einheit im Kopf"},
+    {"found lengths of station {0=} with tool {1=} that fit when the positions and tools are read as inches, expected "
+     "all numbers in mm, or their unit in the head",
+     "Längen von Station {0} mit Werkzeug {1} gefunden, die passen, wenn Positionen und Werkzeuge als Zoll gelesen "
+     "werden, erwartet alle Zahlen in mm oder ihre Einheit im Kopf"},
     {"found lengths with tool {0=}, expected a tool of the machine: {1=}",
      "Längen mit dem Werkzeug {0} gefunden, erwartet ein Werkzeug der Maschine: {1}"},
     {"found no errors and stations that fit the lengths in {0#} steps, expected lengths, tools and positions that "
@@ -53,6 +65,11 @@ constexpr Phrase rows[] = {
      "curves",
      "{0} Längen für {1} Unbekannte gefunden, erwartet mehr Längen als Unbekannte: mehr Punkte messen oder einfachere "
      "Kurven verlangen"},
+    {"from station {0=} only {1#} of {2#} points are in sight and in reach with tool {3=}: range, elevation, "
+     "incidence, "
+     "the safe radius or an obstacle hides the others",
+     "von Station {0} sind nur {1} von {2} Punkten mit Werkzeug {3} sichtbar und erreichbar: Reichweite, Elevation, "
+     "Einfall, der sichere Radius oder ein Hindernis verdecken die übrigen"},
     {"lengths from {0#} station leave ways in which the machine can bend without changing one of them; three stations "
      "are the least, four or more are better",
      "Längen von {0} Station lassen Verformungen der Maschine offen, die keine von ihnen ändern; drei Stationen sind "
@@ -70,6 +87,10 @@ constexpr Phrase rows[] = {
      "Maschine, "
      "ist nichts gesagt: Er würde in den Steigungen von EXX, EYY und EZZ erscheinen, deren Unsicherheiten ihn nicht "
      "enthalten (scale_u_um_per_m in der Datei der Maschine)"},
+    {"on {0#} way between points the beam is lost and must be found again, which begins a segment",
+     "auf {0} Weg zwischen Punkten geht der Strahl verloren und muss neu gefunden werden, womit ein Segment beginnt"},
+    {"on {0#} ways between points the beam is lost and must be found again, which begins a segment",
+     "auf {0} Wegen zwischen Punkten geht der Strahl verloren und muss neu gefunden werden, womit ein Segment beginnt"},
     {"passed over the member {0=} of the machine's file", "das Element {0} der Datei der Maschine übergangen"},
     {"passed over the members {0=} of the machine's file", "die Elemente {0} der Datei der Maschine übergangen"},
     {"reading {0#} of station {1=} with tool {2=}", "Messwert {0} von Station {1} mit Werkzeug {2}"},
@@ -117,6 +138,18 @@ constexpr Phrase rows[] = {
      "mixed up",
      "die Stationen stehen nur dann am angegebenen Ort, wenn {0}: Achsen oder Vorzeichen der Positionen oder der "
      "Stationen sind vertauscht"},
+    {"the tool points do not form a triangle: add a longer tool and one beside it, for example {0=} and {1=} mm",
+     "die Werkzeugpunkte bilden kein Dreieck: ein längeres Werkzeug und eines daneben hinzunehmen, zum Beispiel {0} "
+     "und "
+     "{1} mm"},
+    {"the tool points stand on one line: add a tool beside it, for example {0=} mm",
+     "die Werkzeugpunkte liegen auf einer Geraden: ein Werkzeug daneben hinzunehmen, zum Beispiel {0} mm"},
+    {"the travels of X, Y and Z are {0=}, {1=} and {2#}: are the numbers of the machine's file in inches? all of them "
+     "are read as mm",
+     "die Verfahrwege von X, Y und Z sind {0}, {1} und {2}: Sind die Zahlen der Datei der Maschine Zoll? Alle werden "
+     "als mm gelesen"},
+    {"these stations, tools and points will not tell {0=}; {1}",
+     "diese Stationen, Werkzeuge und Punkte bestimmen {0} nicht; {1}"},
     {"where stations stand differs between tools {0=} and {1=} by {2#}, and not alike for all stations: the instrument "
      "was moved between the tools, or stations are mixed up",
      "der Ort der Stationen unterscheidet sich zwischen den Werkzeugen {0} und {1} um {2}, und nicht für alle "
@@ -136,6 +169,10 @@ constexpr Phrase rows[] = {
      "{0} Zeile ist in jeder Zelle die Kopie einer früheren und zählt einmal"},
     {"{0#} rows are copies of earlier ones in every cell, and count once",
      "{0} Zeilen sind in jeder Zelle Kopien früherer und zählen einmal"},
+    {"{0#} station leaves little to see a wrong one by; four or more are usual",
+     "{0} Station lässt eine falsche kaum erkennen; vier oder mehr sind üblich"},
+    {"{0#} stations leave little to see a wrong one by; four or more are usual",
+     "{0} Stationen lassen eine falsche kaum erkennen; vier oder mehr sind üblich"},
     {"{0} ran the other way", "{0} andersherum lief"},
     {"{0} was read at {1#} places only: its curves go through what was read there, nothing shows what they are "
      "between, "

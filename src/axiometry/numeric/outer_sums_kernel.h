@@ -56,9 +56,43 @@ void add(PiecedRow row, double* matrix, size_t columns) {
   }
 }
 
+/// to += Σ factor · values of four rows.
+[[gnu::always_inline]] inline void add_four_times(const double* factors, const double* const* values, size_t begin,
+                                                  size_t count, double* to) {
+  const Doubles f0 = all<Doubles>(factors[0]), f1 = all<Doubles>(factors[1]), f2 = all<Doubles>(factors[2]),
+                f3 = all<Doubles>(factors[3]);
+  const double *v0 = values[0], *v1 = values[1], *v2 = values[2], *v3 = values[3];
+  size_t k = begin;
+  for (; k + lanes<Doubles> <= count; k += lanes<Doubles>)
+    store(to + k, load<Doubles>(to + k) + ((f0 * load<Doubles>(v0 + k) + f1 * load<Doubles>(v1 + k)) +
+                                           (f2 * load<Doubles>(v2 + k) + f3 * load<Doubles>(v3 + k))));
+  for (; k < count; ++k) to[k] += (factors[0] * v0[k] + factors[1] * v1[k]) + (factors[2] * v2[k] + factors[3] * v3[k]);
+}
+
+void add_four(const PiecedRow* rows, double* matrix, size_t columns) {
+  for (size_t p = 0; p < rows[0].count; ++p) {
+    const RowPiece own = rows[0].pieces[p];
+    for (size_t i = 0; i < own.count; ++i) {
+      double factors[4];
+      for (size_t n = 0; n < 4; ++n) factors[n] = rows[n].weight * rows[n].pieces[p].values[i];
+      double* const to = matrix + (own.first + i) * columns;
+      for (size_t r = p; r < rows[0].count; ++r) {
+        const RowPiece& other = rows[0].pieces[r];
+        const double* values[4];
+        for (size_t n = 0; n < 4; ++n) values[n] = rows[n].pieces[r].values;
+        const size_t begin = r == p ? i / lanes<Doubles> * lanes<Doubles> : 0;
+        if (other.count == usual)
+          add_four_times(factors, values, begin, usual, to + other.first);
+        else
+          add_four_times(factors, values, begin, other.count, to + other.first);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 extern const OuterSumsKernel outer_sums_kernel;
-const OuterSumsKernel outer_sums_kernel = {add};
+const OuterSumsKernel outer_sums_kernel = {add, add_four};
 
 }  // namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET

@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/volumetric/findings_json.h"
+#include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
-#include "axiometry/formats/volumetric/volumetric_result_json.h"
 
 namespace axiometry::app {
 namespace {
@@ -31,20 +33,16 @@ Result<void> check_inside(const ErrorModel& model, const formats::VolumePoint& p
   return {};
 }
 
-Result<Vector3> tool_of(const ErrorModel& model, const formats::VolumePoint& point) {
-  const auto& tools = model.machine().tools;
-  if (point.tool.empty() && tools.size() == 1) return tools.front().offset_mm;
-  if (const auto tool = model.machine().tool_named(point.tool)) return tools[*tool].offset_mm;
-  std::string known;
-  for (const volumetric::Tool& t : tools) known += (known.empty() ? "" : ", ") + t.name;
-  return fail(fmt::format("found the tool {}, expected one of {}", text::quoted(point.tool), known), {point.line, 0});
+Result<Vector3> tool_at(const ErrorModel& model, const formats::VolumePoint& point) {
+  const auto tool = tool_of_model(model, point.tool);
+  if (!tool) return fail(tool.error().message, {point.line, 0});
+  return model.machine().tools[*tool].offset_mm;
 }
 
 }  // namespace
 
 Result<Value> field_at_points(const FieldRequest& request) {
-  AXIOMETRY_TRY(const std::string result_bytes, whole_file(request.result));
-  AXIOMETRY_TRY(const ErrorModel model, in_file(formats::read_error_model(result_bytes), request.result));
+  AXIOMETRY_TRY(const ErrorModel model, model_of_result(request.result));
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.points));
   AXIOMETRY_TRY(const formats::VolumePoints file, in_file(formats::read_volume_points(bytes), request.points));
   Value root = Value::object();
@@ -53,7 +51,7 @@ Result<Value> field_at_points(const FieldRequest& request) {
   for (const formats::VolumePoint& point : file.points) {
     if (auto inside = check_inside(model, point); !inside)
       return in_file(Result<Value>(std::unexpected(inside.error())), request.points);
-    AXIOMETRY_TRY(const Vector3 tool, in_file(tool_of(model, point), request.points));
+    AXIOMETRY_TRY(const Vector3 tool, in_file(tool_at(model, point), request.points));
     const FieldValue field = model.at(point.axes_mm, tool);
     if (!field.is_whole()) ++incomplete;
     Value& item = points.push(Value::object());
@@ -68,19 +66,13 @@ Result<Value> field_at_points(const FieldRequest& request) {
       for (std::size_t k = 0; k < 3; ++k)
         covariance.push(field.error_um[i] && field.error_um[k] ? Value(field.covariance_um2[i][k]) : Value());
   }
-  Value& findings = root.add("findings", Value::array());
-  const auto tell = [&](const char* id, std::string message, bool serious) {
-    Value& item = findings.push(Value::object());
-    item.add("id", id);
-    item.add("severity", serious ? "serious" : "note");
-    item.add("message", std::move(message));
-  };
+  std::vector<volumetric::VolumetricFinding> findings;
   if (incomplete > 0)
-    tell("volumetric-unseen-errors",
-         fmt::format("at {} of {} points the lengths do not tell all components, which are left empty", incomplete,
-                     file.points.size()),
-         true);
-  for (const std::string& remark : file.remarks) tell("volumetric-passed-over", remark, false);
+    findings.push_back({"volumetric-unseen-errors", true,
+                        fmt::format("at {} of {} points the lengths do not tell all components, which are left empty",
+                                    incomplete, file.points.size())});
+  for (const std::string& remark : file.remarks) findings.push_back({"volumetric-passed-over", false, remark});
+  root.add("findings", findings_value(findings));
   return root;
 }
 

@@ -7,11 +7,15 @@
 #include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "axiometry/app/files/source.h"
+#include "axiometry/app/volumetric/findings_json.h"
 #include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
+#include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 #include "axiometry/report/volumetric.h"
 #include "axiometry/volumetric/field/field_rows.h"
 
@@ -94,22 +98,20 @@ Experiment present(const FieldVolume& volume, const report::Options& options) {
   observed.add("highest", vector_value(volume.model.observed().highest_mm));
   Value& tools = root.add("tools", Value::array());
   for (const ToolField& field : volume.fields) tools.push(tool_value(volume, field));
-  Value& findings = root.add("findings", Value::array());
-  if (const std::size_t count = untold(volume); count > 0) {
-    Value& item = findings.push(Value::object());
-    item.add("id", "volumetric-unseen-errors");
-    item.add("severity", "serious");
-    item.add("message", fmt::format("with {} of {} tools the lengths do not tell the error of the tool point, and no "
+  std::vector<volumetric::VolumetricFinding> findings;
+  if (const std::size_t count = untold(volume); count > 0)
+    findings.push_back({"volumetric-unseen-errors", true,
+                        fmt::format("with {} of {} tools the lengths do not tell the error of the tool point, and no "
                                     "number is given for it",
-                                    count, volume.fields.size()));
-  }
+                                    count, volume.fields.size())});
+  root.add("findings", findings_value(findings));
   return {report::compose(report::VolumeFieldSubject{volume.model, volume.fields, base_name(volume.request.result)},
                           options),
           std::move(root)};
 }
 
 std::string field_csv(const FieldVolume& volume) {
-  std::string text = "tool,x_mm,y_mm,z_mm,dx_um,dy_um,dz_um,ux_um,uy_um,uz_um\n";
+  std::string table = "tool,x_mm,y_mm,z_mm,dx_um,dy_um,dz_um,ux_um,uy_um,uz_um\n";
   const std::size_t n = volume.request.nodes;
   const auto share = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(n - 1); };
   for (const volumetric::Tool& tool : volume.model.machine().tools)
@@ -117,14 +119,14 @@ std::string field_csv(const FieldVolume& volume) {
       const Vector3 q =
           volumetric::place_in(volume.model.observed(), {share(k % n), share(k / n % n), share(k / n / n)});
       const volumetric::FieldValue value = volume.model.at(q, tool.offset_mm);
-      fmt::format_to(std::back_inserter(text), "{},{},{},{}", tool.name, format_exact(q.x), format_exact(q.y),
-                     format_exact(q.z));
-      for (const auto& error : value.error_um) text += error ? fmt::format(",{:.4f}", *error) : std::string(",");
+      fmt::format_to(std::back_inserter(table), "{},{},{},{}", formats::name_cell(text::no_formula(tool.name)),
+                     format_exact(q.x), format_exact(q.y), format_exact(q.z));
+      for (const auto& error : value.error_um) table += error ? fmt::format(",{:.4f}", *error) : std::string(",");
       for (std::size_t a = 0; a < 3; ++a)
-        text += value.error_um[a] ? fmt::format(",{:.4f}", std::sqrt(value.covariance_um2[a][a])) : std::string(",");
-      text += '\n';
+        table += value.error_um[a] ? fmt::format(",{:.4f}", std::sqrt(value.covariance_um2[a][a])) : std::string(",");
+      table += '\n';
     }
-  return text;
+  return table;
 }
 
 }  // namespace axiometry::app

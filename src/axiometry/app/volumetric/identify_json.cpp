@@ -3,6 +3,7 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/results/result_json.h"
+#include "axiometry/app/volumetric/findings_json.h"
 #include "axiometry/app/volumetric/identify_lengths.h"
 #include "axiometry/app/volumetric/rank_json.h"
 #include "axiometry/formats/text/json_members.h"
@@ -29,7 +30,6 @@ using volumetric::motion_count;
 using volumetric::Reversal;
 using volumetric::SetAside;
 using volumetric::Squareness;
-using volumetric::VolumetricFinding;
 using volumetric::VolumetricRank;
 using volumetric::VolumetricReading;
 
@@ -168,13 +168,7 @@ Value to_json(const IdentifiedMachine& identified) {
     item.add("jump_um", b.jump_um);
   }
   root.add("drift", found.drift);
-  Value& findings = root.add("findings", Value::array());
-  for (const VolumetricFinding& f : found.findings) {
-    Value& item = findings.push(Value::object());
-    item.add("id", f.id);
-    item.add("severity", f.serious ? "serious" : "note");
-    item.add("message", f.message);
-  }
+  root.add("findings", findings_value(found.findings));
   root.add("model", formats::error_model_value(found.model));
   return root;
 }

@@ -8,10 +8,13 @@
 
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/result_json.h"
+#include "axiometry/app/volumetric/findings_json.h"
 #include "axiometry/app/volumetric/rank_json.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/machine_json.h"
+#include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
 
 namespace axiometry::app {
@@ -88,29 +91,24 @@ Value expectation_value(const PlannedCalibration& planned) {
     item.add("u_max", or_nothing(expected.u_most));
   }
   root.add("volume", volume_value(planned));
-  Value& findings = root.add("findings", Value::array());
-  for (const VolumetricFinding& f : planned.findings) {
-    Value& item = findings.push(Value::object());
-    item.add("id", f.id);
-    item.add("severity", f.serious ? "serious" : "note");
-    item.add("message", f.message);
-  }
+  root.add("findings", findings_value(planned.findings));
   root.add("program", program_to_json());
   return root;
 }
 
 std::string planned_points_csv(const CalibrationPlan& plan) {
-  std::string text = "station,tool,segment,x_mm,y_mm,z_mm,length_mm\n";
+  std::string table = "station,tool,segment,x_mm,y_mm,z_mm,length_mm\n";
   for (const PlannedRun& run : plan.runs) {
     std::size_t segment = 1;
     for (const volumetric::PlannedStop& stop : run.stops) {
       if (!stop.beam_kept) ++segment;
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},\n", plan.machine.stations[run.station].name,
-                     plan.machine.tools[run.tool].name, segment, format_exact(stop.axes_mm.x),
-                     format_exact(stop.axes_mm.y), format_exact(stop.axes_mm.z));
+      fmt::format_to(std::back_inserter(table), "{},{},{},{},{},{},\n",
+                     formats::name_cell(text::no_formula(plan.machine.stations[run.station].name)),
+                     formats::name_cell(text::no_formula(plan.machine.tools[run.tool].name)), segment,
+                     format_exact(stop.axes_mm.x), format_exact(stop.axes_mm.y), format_exact(stop.axes_mm.z));
     }
   }
-  return text;
+  return table;
 }
 
 std::string expectation_text(const PlannedCalibration& planned) {

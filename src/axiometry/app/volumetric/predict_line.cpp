@@ -11,6 +11,7 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/volumetric/field_volume.h"
+#include "axiometry/app/volumetric/findings_json.h"
 #include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -239,13 +240,7 @@ Experiment present(const PredictedTest& test, const report::Options& options) {
       item.add("normalised", c.normalised[k]);
     }
   }
-  Value& findings = root.add("findings", Value::array());
-  for (const volumetric::VolumetricFinding& f : test.findings) {
-    Value& item = findings.push(Value::object());
-    item.add("id", f.id);
-    item.add("severity", f.serious ? "serious" : "note");
-    item.add("message", f.message);
-  }
+  root.add("findings", findings_value(test.findings));
   return {
       report::compose(report::PredictedTestSubject{test.model, test.predicted, test.comparison, test.findings, tool,
                                                    base_name(test.request.result), base_name(test.request.measured)},

@@ -10,6 +10,16 @@
 #include "axiometry/volumetric/field/unseen_reasons.h"
 
 namespace axiometry::formats {
+namespace {
+
+/// On one line, whatever it holds.
+std::string on_one_line(std::string_view name) {
+  std::string line;
+  for (const char c : name) line += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  return line;
+}
+
+}  // namespace
 
 Result<const Compensation*> compensation_named(std::string_view id) {
   std::string known;
@@ -31,18 +41,42 @@ Result<void> check_all_told(const volumetric::ErrorModel& model) {
 
 std::string position_text(double position_mm) { return format_exact(std::round(1e6 * position_mm) / 1e6); }
 
-std::string compensation_head(const volumetric::ErrorModel& model, std::string_view mark) {
+std::string compensation_head(const volumetric::ErrorModel& model, std::string_view mark, TableDirections directions) {
   std::string text;
   const auto line = [&](std::string_view words) { text += fmt::format("{} {}\n", mark, words); };
-  std::string name;  // one line, whatever it holds
-  for (const char c : model.machine().name) name += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  if (!name.empty()) line("Machine: " + name);
+  if (!model.machine().name.empty()) line("Machine: " + on_one_line(model.machine().name));
   line(fmt::format("Kinematic chain, workpiece to tool, F the foundation: {}", model.machine().chain.text()));
   for (std::size_t a = 0; a < volumetric::axis_count; ++a)
     line(fmt::format("{} was observed from {} to {} mm", "XYZ"[a], position_text(model.observed().lowest_mm[a]),
                      position_text(model.observed().highest_mm[a])));
   if (model.coefficients().reversal() != volumetric::Reversal::none)
-    line("The errors differ by direction; these are the means of both.");
+    line(directions == TableDirections::means
+             ? "The errors differ by direction; these are the means of both."
+             : "The errors differ by direction: up is where the axis came to rest moving to larger positions.");
+  return text;
+}
+
+std::string effect_text(const volumetric::ErrorModel& model, std::string_view mark, const volumetric::Tool& tool,
+                        const volumetric::TableEffect& effect, TableDirections directions) {
+  const auto sizes = [](const volumetric::FieldSizes& s) {
+    return fmt::format("largest {:.2f}, 95 % {:.2f}, mean {:.2f}", s.largest.value, s.percent_95, s.mean);
+  };
+  std::string text = fmt::format(
+      "{0} Error of the tool point without rigid motion, tool {1}, um:\n{0}   before {2}\n"
+      "{0}   with these tables, predicted, {3}\n",
+      mark, on_one_line(tool.name), sizes(effect.before), sizes(effect.after));
+  if (directions == TableDirections::means && model.coefficients().reversal() != volumetric::Reversal::none)
+    text += fmt::format("{}   and half of what the directions differ by, up to {:.2f}\n", mark,
+                        volumetric::half_reversal_um(model, tool.offset_mm));
+  return text;
+}
+
+std::string effects_of_all_errors(const CompensationRequest& request, std::string_view mark,
+                                  TableDirections directions) {
+  std::string text;
+  for (const volumetric::Tool& tool : request.model.machine().tools)
+    if (const auto effect = volumetric::effect_of_all_errors(request.model, tool.offset_mm, request.nodes))
+      text += effect_text(request.model, mark, tool, *effect, directions);
   return text;
 }
 

@@ -8,6 +8,7 @@
 
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/field/error_model.h"
+#include "axiometry/volumetric/field/table_effect.h"
 
 /// Tables by which controls compensate the errors of a machine, a file for each kind.
 namespace axiometry::formats {
@@ -24,7 +25,8 @@ struct Compensation {
   std::string_view takes;    ///< "all 21 errors", "positioning"
   bool of_one_tool = false;  ///< whether it needs one
   std::string_view manual;   ///< Markdown: what it assumes, what is verified and what inferred
-  /// The file says what a positive number does. Fails where the lengths do not tell an error that it needs.
+  /// The file says what a positive number does, and what error the table leaves. Fails where the lengths do not tell an
+  /// error that it needs.
   Result<std::string> (*write)(const CompensationRequest& request);
 };
 
@@ -40,7 +42,19 @@ Result<void> check_all_told(const volumetric::ErrorModel& model);
 /// mm to the nanometre, without idle zeros.
 std::string position_text(double position_mm);
 
+/// Whether tables hold means of both directions, or each direction where the errors differ.
+enum class TableDirections { means, each };
+
 /// Lines behind `mark` that all tables begin with: machine, chain, range, directions.
-std::string compensation_head(const volumetric::ErrorModel& model, std::string_view mark);
+std::string compensation_head(const volumetric::ErrorModel& model, std::string_view mark, TableDirections directions);
+
+/// A line behind `mark` that says how large the error of the tool point is with a tool, and how large the tables leave
+/// it: of means, what of the directions stays beside.
+std::string effect_text(const volumetric::ErrorModel& model, std::string_view mark, const volumetric::Tool& tool,
+                        const volumetric::TableEffect& effect, TableDirections directions);
+
+/// The same of every tool, for tables of all errors at so many positions. Contract: check_all_told().
+std::string effects_of_all_errors(const CompensationRequest& request, std::string_view mark,
+                                  TableDirections directions);
 
 }  // namespace axiometry::formats

@@ -22,15 +22,17 @@ using volumetric::ErrorModel;
 using volumetric::testing::known_identification;
 using volumetric::testing::known_machine;
 
-/// Only EXX, a straight line of 20 µm/m, and C0Y of 10 µrad.
-ErrorModel scale_and_squareness() {
+/// Only EXX, a straight line of 20 µm/m, and C0Y of 10 µrad; with reversal EXX is 3 µm more upwards, and less
+/// downwards.
+ErrorModel scale_and_squareness(volumetric::Reversal reversal = volumetric::Reversal::none) {
   const auto basis = [](double low, double high) { return *CurveBasis::make(CurveKind::nodes, low, high, 1); };
-  const Coefficients coefficients({basis(0, 1000), basis(0, 600), basis(-500, 0)}, volumetric::Reversal::none);
+  const Coefficients coefficients({basis(0, 1000), basis(0, 600), basis(-500, 0)}, reversal);
   const std::size_t n = coefficients.raw();
   std::vector<double> values(n, 0.0), covariance(n * n, 0.0);
   values[coefficients.curve(0)] = -10.0;
   values[coefficients.curve(0) + volumetric::motion_count] = 10.0;
   values[coefficients.squareness()] = 10.0;
+  if (reversal == volumetric::Reversal::constant) values[coefficients.half(0)] = 3.0;
   auto machine = known_machine();
   machine.name = "Mill\n1";
   return ErrorModel({machine, coefficients, values, covariance, {}, machine.travel});
@@ -50,6 +52,7 @@ TEST(Compensation, OfEveryTableSaysWhatAPositiveNumberDoes) {
     EXPECT_THAT(text, HasSubstr("A positive number: ")) << table->id;
     EXPECT_THAT(text, HasSubstr("Machine: Mill 1\n")) << table->id;
     EXPECT_THAT(text, HasSubstr("XFYZ")) << table->id;
+    EXPECT_THAT(text, HasSubstr("with these tables, predicted, largest ")) << table->id;
   }
   EXPECT_THAT(compensation_named("fanuc").error().message, HasSubstr("expected one of axis-csv, general-csv"));
 }
@@ -84,16 +87,40 @@ TEST(Compensation, OfSingleAxesSaysWhatStays) {
   EXPECT_NEAR(tables->axes[1][2].deviation.value, 0.0, 1e-9) << "squareness is no positioning";
   // The scale goes, and of squareness the shear stays that no rotation takes away.
   const double turned = 10.0 * 600 * 600 / (1000.0 * 1000 + 600 * 600);
-  EXPECT_NEAR(tables->after.largest.value, std::hypot((10 - turned) * 0.3, turned * 0.5), 1e-9);
-  EXPECT_GT(tables->before.largest.value, tables->after.largest.value + 5.0);
+  EXPECT_NEAR(tables->effect.after.largest.value, std::hypot((10 - turned) * 0.3, turned * 0.5), 1e-9);
+  EXPECT_GT(tables->effect.before.largest.value, tables->effect.after.largest.value + 5.0);
   EXPECT_THAT(written("axis-csv", scale_and_squareness()), HasSubstr("\nX,1000,10.0000,0.0000\n"));
+}
+
+TEST(Compensation, OfEachDirectionWhereTheErrorsDiffer) {
+  const ErrorModel model = scale_and_squareness(volumetric::Reversal::constant);
+  const std::string axes = written("axis-csv", model);
+  EXPECT_THAT(axes, HasSubstr("axis,position_mm,deviation_um,u_um,up_um,up_u_um,down_um,down_u_um\n"));
+  EXPECT_THAT(axes, HasSubstr("\nX,1000,10.0000,0.0000,13.0000,0.0000,7.0000,0.0000\n"));
+  EXPECT_THAT(axes, HasSubstr("half of what the directions differ by, up to 3.00\n"));
+  const std::string general = written("general-csv", model);
+  EXPECT_THAT(general, HasSubstr("\ndirection,X_mm,EXX_um"));
+  EXPECT_THAT(general, HasSubstr("\nup,0,-7.0000,"));
+  EXPECT_THAT(general, HasSubstr("\ndown,1000,7.0000,"));
+  EXPECT_THAT(general, ::testing::Not(HasSubstr("half of what")));
+  EXPECT_THAT(written("twincat-cnc", model), HasSubstr("half of what the directions differ by, up to 3.00\n"));
+}
+
+TEST(Compensation, OfAllErrorsLeavesWhatStraightLinesLeaveBetweenTheirPositions) {
+  const auto found = known_identification(known_machine(), 80);
+  const auto coarse = volumetric::effect_of_all_errors(found.model, {0, 0, -150}, 5);
+  const auto fine = volumetric::effect_of_all_errors(found.model, {0, 0, -150}, 41);
+  ASSERT_TRUE(coarse && fine);
+  EXPECT_GT(coarse->after.largest.value, 10.0 * fine->after.largest.value);
+  EXPECT_GT(fine->after.largest.value, 0.0) << "looked at between the positions";
+  EXPECT_LT(coarse->after.largest.value, coarse->before.largest.value);
 }
 
 TEST(Compensation, LeavesLessOfARealFieldThanNone) {
   const auto found = known_identification(known_machine(), 80);
   const auto tables = volumetric::axis_tables(found.model, {0, 0, -150}, 41);
   ASSERT_TRUE(tables);
-  EXPECT_LT(tables->after.mean, tables->before.mean);
+  EXPECT_LT(tables->effect.after.mean, tables->effect.before.mean);
 }
 
 TEST(Compensation, RefusesErrorsThatTheLengthsDoNotTell) {

@@ -23,16 +23,24 @@ constexpr std::string_view general_manual =
 their six error motions, then the three squareness errors, the same in every row. Displacements in µm, rotations and
 squareness in µrad, names after ISO 230-1. A positive number: the tool, seen from the workpiece, stands too far along
 (or is turned too far about) the positive axis. To compensate, it is taken away.
+
+Where errors differ by direction, the rows come twice, behind the word `up` or `down`: an axis came to rest moving to
+larger positions, or to smaller ones. The head says what error of the tool point is left where a program draws straight
+lines between the rows.
 )";
 
 Result<std::string> write_general(const CompensationRequest& request) {
   const volumetric::ErrorModel& model = request.model;
   AXIOMETRY_TRY_VOID(check_all_told(model));
-  std::string text = "# All 21 errors after ISO 230-1, um and urad\n" + compensation_head(model, "#");
+  std::string text =
+      "# All 21 errors after ISO 230-1, um and urad\n" + compensation_head(model, "#", TableDirections::each);
   text +=
       "# A positive number: the tool, relative to the workpiece, stands too far along (is turned too far about) the\n"
       "# positive axis, actual less commanded. A control that adds what stands here would double the error.\n"
       "# Means of all motions are 0 and straightness is level: constants are a place of the whole machine.\n";
+  text += effects_of_all_errors(request, "#", TableDirections::each);
+  const bool has_directions = model.coefficients().reversal() != volumetric::Reversal::none;
+  if (has_directions) text += "direction,";
   std::array<std::vector<CurveNode>, axis_count * motion_count> curves;
   for (std::size_t a = 0; a < axis_count; ++a) {
     text += fmt::format("{}{}_mm", a == 0 ? "" : ",", "XYZ"[a]);
@@ -44,16 +52,25 @@ Result<std::string> write_general(const CompensationRequest& request) {
   }
   for (const std::string_view name : volumetric::squareness_names) text += fmt::format(",{}_urad", name);
   text += '\n';
-  for (std::size_t k = 0; k < request.nodes; ++k) {
-    for (std::size_t a = 0; a < axis_count; ++a) {
-      text += fmt::format("{}{}", a == 0 ? "" : ",", position_text(curves[a * motion_count][k].position_mm));
-      for (std::size_t m = 0; m < motion_count; ++m)
-        fmt::format_to(std::back_inserter(text), ",{:.4f}", curves[a * motion_count + m][k].mean.value);
+  const auto add_rows = [&](std::string_view before, const auto& value_of) {
+    for (std::size_t k = 0; k < request.nodes; ++k) {
+      text += before;
+      for (std::size_t a = 0; a < axis_count; ++a) {
+        text += fmt::format("{}{}", a == 0 ? "" : ",", position_text(curves[a * motion_count][k].position_mm));
+        for (std::size_t m = 0; m < motion_count; ++m)
+          fmt::format_to(std::back_inserter(text), ",{:.4f}", value_of(curves[a * motion_count + m][k]).value);
+      }
+      for (std::size_t s = 0; s < volumetric::squareness_names.size(); ++s)
+        fmt::format_to(std::back_inserter(text), ",{:.4f}", model.squareness(static_cast<Squareness>(s))->value);
+      text += '\n';
     }
-    for (std::size_t s = 0; s < volumetric::squareness_names.size(); ++s)
-      fmt::format_to(std::back_inserter(text), ",{:.4f}", model.squareness(static_cast<Squareness>(s))->value);
-    text += '\n';
+  };
+  if (!has_directions) {
+    add_rows("", [](const CurveNode& node) { return node.mean; });
+    return text;
   }
+  add_rows("up,", [](const CurveNode& node) { return *node.up; });
+  add_rows("down,", [](const CurveNode& node) { return *node.down; });
   return text;
 }
 

@@ -66,8 +66,8 @@ Result<std::string> write_twincat(const CompensationRequest& request) {
     order += "XYZ"[a];
     if (chain.carries_workpiece(a)) workpiece += "XYZ"[a];
   }
-  std::string text =
-      "// Volumetric errors for ISG kernels and TwinCAT CNC (TF5280), mm and rad\n" + compensation_head(model, "//");
+  std::string text = "// Volumetric errors for ISG kernels and TwinCAT CNC (TF5280), mm and rad\n" +
+                     compensation_head(model, "//", TableDirections::means);
   fmt::format_to(
       std::back_inserter(text),
       "// chain, workpiece to tool: {}; workpiece_axes: {}\n"
@@ -77,6 +77,7 @@ Result<std::string> write_twincat(const CompensationRequest& request) {
       "// Verified: layout, names, units. Inferred: the sign that the control expects (negate) and that\n"
       "// squareness may stand as a constant column. Measure a line again: a doubled error means the sign.\n",
       order, workpiece.empty() ? "none" : workpiece);
+  text += effects_of_all_errors(request, "//", TableDirections::means);
   for (std::size_t a = 0; a < volumetric::axis_count; ++a) {
     if (a > 0) text += "#\n";
     write_table(text, model, a, request.nodes);

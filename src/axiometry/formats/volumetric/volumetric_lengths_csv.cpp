@@ -42,12 +42,12 @@ void add_remarks(const NamedColumns& columns, const DecodedText& decoded, std::v
   for (const SourceRemark& remark : encoding_remarks(decoded)) remarks.push_back(remark.message);
 }
 
+}  // namespace
+
 /// A row that begins with # would be a comment.
 std::string name_cell(const std::string& name) {
   return name.starts_with('#') && !name.contains('"') ? '"' + name + '"' : text::csv_cell(name);
 }
-
-}  // namespace
 
 Result<VolumetricLengths> read_volumetric_lengths(std::string_view bytes) {
   AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));

@@ -17,6 +17,9 @@ namespace axiometry::formats {
 /// missing lengths as in read_ranges(), and so are the failures.
 Result<volumetric::VolumetricLengths> read_volumetric_lengths(std::string_view bytes);
 
+/// A name as a cell of such tables: quoted where it must be, also where a row would begin as a comment.
+std::string name_cell(const std::string& name);
+
 std::string write_volumetric_lengths(const volumetric::VolumetricLengths& lengths);
 
 /// A place of the axes, and the tool there.

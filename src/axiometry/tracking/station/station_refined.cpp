@@ -131,6 +131,51 @@ class Descent {
   double radius_;
 };
 
+/// Of many points as many as show where minima are.
+constexpr std::size_t points_for_starts = 200;
+constexpr double hopeless = 100.0;  // times as large a χ² of these is no minimum that all points make the best
+
+struct Some {
+  std::vector<LocationPoint> points;
+  std::vector<double> shape;
+};
+
+/// Evenly, but in step with no grid (multiples of the golden section), and where the shape begins or ends.
+Some some_of(std::span<const LocationPoint> points, std::span<const double> shape) {
+  constexpr double golden = 0.61803398874989485;
+  const double share = static_cast<double>(points_for_starts) / static_cast<double>(points.size());
+  Some some;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_edge = !shape.empty() && i > 0 && shape[i] != shape[i - 1];
+    const double turns = golden * static_cast<double>(i);
+    if (turns - std::floor(turns) >= share && !is_edge) continue;
+    some.points.push_back(points[i]);
+    if (!shape.empty()) some.shape.push_back(shape[i]);
+  }
+  return some;
+}
+
+/// The different minima from all starts, the smallest χ² first.
+std::vector<Minimum> minima_from(std::span<const LocationPoint> points, const StationOptions& options,
+                                 std::span<const Vector3> starts, std::span<const double> shape) {
+  const double radius = radius_of(points, centre_of(points));
+  std::vector<Minimum> minima;
+  for (const Vector3& start : starts) {
+    const Minimum found = refine(points, options, start, shape);
+    if (!is_finite(found.station_mm) || !std::isfinite(found.chi_squared)) continue;
+    const auto same = std::ranges::find_if(
+        minima, [&](const Minimum& m) { return distance(m.station_mm, found.station_mm) < 1e-4 * radius; });
+    if (same == minima.end())
+      minima.push_back(found);
+    else if (found.chi_squared < same->chi_squared)
+      *same = found;
+  }
+  std::ranges::stable_sort(minima, [](const Minimum& a, const Minimum& b) {
+    return a.converged != b.converged ? a.converged : a.chi_squared < b.chi_squared;
+  });
+  return minima;
+}
+
 }  // namespace
 
 double length_sigma_mm(const StationOptions& options, double distance_mm) {
@@ -179,22 +224,14 @@ std::vector<Vector3> starts_around(std::span<const LocationPoint> points, std::s
 
 std::vector<Minimum> refine_from_all(std::span<const LocationPoint> points, const StationOptions& options,
                                      std::span<const Vector3> starts, std::span<const double> shape) {
-  const double radius = radius_of(points, centre_of(points));
-  std::vector<Minimum> minima;
-  for (const Vector3& start : starts) {
-    const Minimum found = refine(points, options, start, shape);
-    if (!is_finite(found.station_mm) || !std::isfinite(found.chi_squared)) continue;
-    const auto same = std::ranges::find_if(
-        minima, [&](const Minimum& m) { return distance(m.station_mm, found.station_mm) < 1e-4 * radius; });
-    if (same == minima.end())
-      minima.push_back(found);
-    else if (found.chi_squared < same->chi_squared)
-      *same = found;
-  }
-  std::ranges::stable_sort(minima, [](const Minimum& a, const Minimum& b) {
-    return a.converged != b.converged ? a.converged : a.chi_squared < b.chi_squared;
-  });
-  return minima;
+  if (points.size() <= 2 * points_for_starts) return minima_from(points, options, starts, shape);
+  const Some some = some_of(points, shape);
+  const std::vector<Minimum> rough = minima_from(some.points, options, starts, some.shape);
+  std::vector<Vector3> promising;
+  for (const Minimum& m : rough)
+    if (m.chi_squared <= hopeless * (rough.front().chi_squared + static_cast<double>(some.points.size())))
+      promising.push_back(m.station_mm);
+  return minima_from(points, options, promising.empty() ? starts : promising, shape);
 }
 
 RefinedSolution describe(std::span<const LocationPoint> points, const StationOptions& options, const Minimum& minimum) {

@@ -264,6 +264,18 @@ TEST(Station, PointsOnAPlaneLeaveTwoStations) {
   EXPECT_FALSE(near.is_serious()) << messages(near);
 }
 
+/// Of thousands only some show where minima are; what is found is that of all.
+TEST(Station, ThousandsOfPointsOnAPlaneLeaveTwoStationsAsWell) {
+  std::vector<Vector3> grid;
+  for (int i = 0; i < 70; ++i)
+    for (int k = 0; k < 70; ++k) grid.push_back({100.0 + 12.0 * i, 50.0 + 10.0 * k, 600.0});
+  const auto location = located(measured(grid));
+  expect_near(location.refined.station_mm, station, 1e-6);
+  ASSERT_TRUE(location.refined.mirror_mm);
+  expect_near(*location.refined.mirror_mm, {station.x, station.y, 1200 - station.z}, 1e-6);
+  EXPECT_EQ(location.refined.residuals_mm.size(), grid.size());
+}
+
 TEST(Station, APlaneOfMicrometresIsCriticalAsWell) {
   std::vector<Vector3> flat = {{100, 100, 600.001}, {900, 150, 599.999}, {850, 700, 600.001},
                                {120, 650, 600},     {500, 300, 599.999}, {400, 800, 600}};

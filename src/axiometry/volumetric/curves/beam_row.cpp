@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/volumetric/curves/beam_row.h"
 
+#include <algorithm>
+
 namespace axiometry::volumetric {
 
 BeamRow::BeamRow(const Coefficients& coefficients, const MachineModel& machine, Vector3 axes_mm, Vector3 tool_mm,
@@ -18,7 +20,11 @@ BeamRow::BeamRow(const Coefficients& coefficients, const MachineModel& machine, 
     if (approaches[a] == 0.0) continue;
     Source& source = sources_[source_count_++];
     source = sources_[a];
-    if (coefficients.reversal() == Reversal::constant) source.active = {0, 1, {1.0}};
+    if (coefficients.reversal() == Reversal::constant) {
+      source.active.first = 0;
+      source.active.count = 1;
+      source.active.values[0] = 1.0;
+    }
     for (std::size_t k = 0; k < source.active.count; ++k) source.active.values[k] *= approaches[a];
     add_piece(coefficients.half(a) + source.active.first * motion_count, source.active.count * motion_count);
   }
@@ -29,18 +35,51 @@ void BeamRow::add_piece(std::size_t first, std::size_t count) {
   value_count_ += count;
 }
 
+std::array<double, motion_count> BeamRow::plucker(Vector3 u, Vector3 lever_m) {
+  const Vector3 turn = cross(lever_m, u);
+  return {u.x, u.y, u.z, turn.x, turn.y, turn.z};
+}
+
+Vector3 BeamRow::displacement_um(std::span<const double> raw) const {
+  const double* square = raw.data() + pieces_[axis_count].first;
+  Vector3 sum{-square[0] * axes_m_.y + square[1] * axes_m_.z, -square[2] * axes_m_.z, 0.0};
+  for (std::size_t s = 0; s < source_count_; ++s) {
+    const ActiveFunctions& active = sources_[s].active;
+    const double* from = raw.data() + place(s);
+    std::array<double, motion_count> e{};
+    for (std::size_t k = 0; k < active.count; ++k, from += motion_count) {
+      const double value = active.values[k];
+      for (std::size_t m = 0; m < motion_count; ++m) e[m] += value * from[m];
+    }
+    sum += Vector3{e[0], e[1], e[2]} + cross({e[3], e[4], e[5]}, sources_[s].lever_m);
+  }
+  return sum;
+}
+
+void BeamRow::add_times(Vector3 u, double factor, std::span<double> sum) const {
+  for (std::size_t s = 0; s < source_count_; ++s) {
+    const ActiveFunctions& active = sources_[s].active;
+    std::array<double, motion_count> p = plucker(u, sources_[s].lever_m);
+    for (double& x : p) x *= factor;
+    double* to = sum.data() + place(s);
+    for (std::size_t k = 0; k < active.count; ++k, to += motion_count) {
+      const double value = active.values[k];
+      for (std::size_t m = 0; m < motion_count; ++m) to[m] += value * p[m];
+    }
+  }
+  const std::array<double, 3> square = squareness(u);
+  double* to = sum.data() + pieces_[axis_count].first;
+  for (std::size_t k = 0; k < square.size(); ++k) to[k] += factor * square[k];
+}
+
 void BeamRow::along(Vector3 u) {
   double* value = values_.data();
   for (std::size_t s = 0; s < source_count_; ++s) {
     if (s == axis_count) value += 3;
-    const Vector3 turn = cross(sources_[s].lever_m, u);
-    const double plucker[motion_count] = {u.x, u.y, u.z, turn.x, turn.y, turn.z};
+    const std::array<double, motion_count> p = plucker(u, sources_[s].lever_m);
     for (std::size_t k = 0; k < sources_[s].active.count; ++k)
-      for (const double p : plucker) *value++ = sources_[s].active.values[k] * p;
-    if (s + 1 != axis_count) continue;
-    value[0] = -u.x * axes_m_.y;
-    value[1] = u.x * axes_m_.z;
-    value[2] = -u.y * axes_m_.z;
+      for (std::size_t m = 0; m < motion_count; ++m) *value++ = sources_[s].active.values[k] * p[m];
+    if (s + 1 == axis_count) std::ranges::copy(squareness(u), value);
   }
 }
 

@@ -24,6 +24,11 @@ class BeamRow {
   BeamRow(const BeamRow&) = delete;
   BeamRow& operator=(const BeamRow&) = delete;
 
+  /// What raw coefficients make of the tool point, µm.
+  Vector3 displacement_um(std::span<const double> raw_coefficients) const;
+  /// Adds factor · the row of a direction: of one use less work than along().
+  void add_times(Vector3 direction, double factor, std::span<double> sum) const;
+
   /// Turns the row into that of another direction of length 1 (at first: of none).
   void along(Vector3 direction);
 
@@ -37,6 +42,15 @@ class BeamRow {
     Vector3 lever_m;
   };
   void add_piece(std::size_t first, std::size_t count);
+  std::size_t place(std::size_t source) const {  ///< raw, of its first coefficient
+    return pieces_[source < axis_count ? source : source + 1].first;
+  }
+  /// Plücker coordinates of a beam through the tool point.
+  static std::array<double, motion_count> plucker(Vector3 direction, Vector3 lever_m);
+  /// Of C0Y, B0Z and A0Z.
+  std::array<double, 3> squareness(Vector3 direction) const {
+    return {-direction.x * axes_m_.y, direction.x * axes_m_.z, -direction.y * axes_m_.z};
+  }
 
   std::array<Source, 2 * axis_count> sources_;
   std::size_t source_count_ = 0;

@@ -29,6 +29,17 @@ Coefficients::Coefficients(std::array<CurveBasis, axis_count> bases, Reversal re
     if (!removed[k]) free_.push_back(k);
 }
 
+Result<Coefficients> Coefficients::make(CurveKind kind, const TravelBox& ranges,
+                                        std::array<std::size_t, axis_count> sizes, Reversal reversal) {
+  const auto basis = [&](std::size_t a) {
+    return CurveBasis::make(kind, ranges.lowest_mm[a], ranges.highest_mm[a], sizes[a]);
+  };
+  AXIOMETRY_TRY(const CurveBasis x, basis(0));
+  AXIOMETRY_TRY(const CurveBasis y, basis(1));
+  AXIOMETRY_TRY(const CurveBasis z, basis(2));
+  return Coefficients({x, y, z}, reversal);
+}
+
 std::size_t Coefficients::half_functions(std::size_t axis) const {
   switch (reversal_) {
     case Reversal::none: return 0;

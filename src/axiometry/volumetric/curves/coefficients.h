@@ -25,6 +25,9 @@ using Approaches = std::array<double, axis_count>;
 class Coefficients {
  public:
   Coefficients(std::array<CurveBasis, axis_count> bases, Reversal reversal);
+  /// Of curves of one kind over ranges of the axes. Fails as CurveBasis::make().
+  static Result<Coefficients> make(CurveKind kind, const TravelBox& ranges, std::array<std::size_t, axis_count> sizes,
+                                   Reversal reversal);
 
   const CurveBasis& basis(std::size_t axis) const { return bases_[axis]; }
   Reversal reversal() const { return reversal_; }

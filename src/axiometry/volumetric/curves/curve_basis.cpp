@@ -14,7 +14,9 @@ namespace {
 /// The four uniform cubic B-splines of a span at 0 ≤ t ≤ 1 (outside: their continuation).
 ActiveFunctions cubic(std::size_t span, double t) {
   const double s = 1.0 - t;
-  ActiveFunctions f{span, 4, {}};
+  ActiveFunctions f;
+  f.first = span;
+  f.count = 4;
   constexpr double sixth = 1.0 / 6.0;
   f.values[0] = sixth * (s * s * s);
   f.values[1] = sixth * (3.0 * t * t * t - 6.0 * t * t + 4.0);
@@ -25,7 +27,8 @@ ActiveFunctions cubic(std::size_t span, double t) {
 
 /// By (k + 1) P_{k+1} = (2k + 1) x P_k − k P_{k−1}.
 ActiveFunctions legendre(std::size_t degree, double x) {
-  ActiveFunctions f{0, degree + 1, {}};
+  ActiveFunctions f;
+  f.count = degree + 1;
   f.values[0] = 1.0;
   f.values[1] = x;
   for (std::size_t k = 1; k < degree; ++k) {
@@ -64,15 +67,20 @@ Result<CurveBasis> CurveBasis::make(CurveKind kind, double lower_mm, double uppe
   return basis;
 }
 
+std::size_t CurveBasis::first_active(double position_mm) const {
+  if (kind_ == CurveKind::legendre) return 0;
+  const double last = static_cast<double>(size_) - 1.0;
+  return static_cast<std::size_t>(std::clamp(std::floor(spans_along(position_mm)), 0.0, last));
+}
+
 ActiveFunctions CurveBasis::at(double position_mm) const {
   if (kind_ == CurveKind::legendre) return legendre(size_, (2.0 * position_mm - lower_ - upper_) / (upper_ - lower_));
-  const double spans = static_cast<double>(size_);
-  const double along = (position_mm - lower_) * spans_per_mm_;
-  const double span = std::clamp(std::floor(along), 0.0, spans - 1.0);
-  const auto first = static_cast<std::size_t>(span);
-  const double t = along - span;
+  const std::size_t first = first_active(position_mm);
+  const double t = spans_along(position_mm) - static_cast<double>(first);
   if (kind_ == CurveKind::spline) return cubic(first, t);
-  ActiveFunctions f{first, 2, {}};
+  ActiveFunctions f;
+  f.first = first;
+  f.count = 2;
   f.values[0] = 1.0 - t;
   f.values[1] = t;
   return f;

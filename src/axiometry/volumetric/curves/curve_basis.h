@@ -19,12 +19,12 @@ enum class CurveKind {
 /// "b-spline", "legendre", "nodes".
 std::string_view curve_kind_name(CurveKind kind);
 
-/// The functions that are not 0 at a position: `count` of them from `first` on.
+/// The functions that are not 0 at a position: `count` of them from `first` on; values behind these are not set.
 struct ActiveFunctions {
   static constexpr std::size_t most = 16;
   std::size_t first = 0;
   std::size_t count = 0;
-  std::array<double, most> values{};
+  std::array<double, most> values;
 };
 
 class CurveBasis {
@@ -42,6 +42,9 @@ class CurveBasis {
   /// At a position; outside of [lower, upper] what the nearest span continues to.
   ActiveFunctions at(double position_mm) const;
 
+  /// `first` of at().
+  std::size_t first_active(double position_mm) const;
+
   /// ∫ B_k dq / (upper − lower), of each function.
   std::vector<double> means() const;
   /// ∫ B_k x dq / (upper − lower) with x = (2q − lower − upper)/(upper − lower), from −1 to 1.
@@ -51,6 +54,7 @@ class CurveBasis {
 
  private:
   CurveBasis() = default;
+  double spans_along(double position_mm) const { return (position_mm - lower_) * spans_per_mm_; }
   template <typename Weight>
   std::vector<double> integrals(Weight weight) const;
 

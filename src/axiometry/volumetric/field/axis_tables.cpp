@@ -10,8 +10,6 @@
 namespace axiometry::volumetric {
 namespace {
 
-constexpr std::size_t residual_nodes = 11;
-
 double between(const std::vector<AxisTableNode>& table, double position) {
   const auto above = std::ranges::upper_bound(table, position, {}, &AxisTableNode::position_mm);
   if (above == table.begin()) return table.front().deviation.value;
@@ -25,9 +23,7 @@ double between(const std::vector<AxisTableNode>& table, double position) {
 
 std::optional<AxisTables> axis_tables(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) {
   AXIOMETRY_CONTRACT(nodes >= 2);
-  const auto before = volume_statistics(model, tool_mm, residual_nodes).without_rigid_motion;
-  if (!before) return std::nullopt;
-  AxisTables tables{.axes = {}, .before = *before, .after = {}};
+  AxisTables tables;
   const Vector3 middle = place_in(model.observed(), {0.5, 0.5, 0.5});
   for (std::size_t a = 0; a < axis_count; ++a) {
     const auto line = predict_line(model, axis_line(model, a, middle, tool_mm, nodes));
@@ -35,11 +31,15 @@ std::optional<AxisTables> axis_tables(const ErrorModel& model, Vector3 tool_mm, 
     for (std::size_t k = 0; k < nodes; ++k)
       tables.axes[a].push_back(
           {line->line.positions_mm[k],
-           {0.5 * (line->up[k].value + line->down[k].value), std::max(line->up[k].u, line->down[k].u)}});
+           {0.5 * (line->up[k].value + line->down[k].value), std::max(line->up[k].u, line->down[k].u)},
+           line->up[k],
+           line->down[k]});
   }
-  tables.after = sizes_without_rigid_motion(model, tool_mm, residual_nodes, [&](Vector3 q) {
+  const auto effect = table_effect(model, tool_mm, nodes, [&](Vector3 q) {
     return Vector3{between(tables.axes[0], q.x), between(tables.axes[1], q.y), between(tables.axes[2], q.z)};
   });
+  if (!effect) return std::nullopt;
+  tables.effect = *effect;
   return tables;
 }
 

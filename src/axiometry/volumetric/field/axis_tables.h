@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "axiometry/volumetric/field/volume_statistics.h"
+#include "axiometry/volumetric/field/table_effect.h"
 
 /// What can be done where a control compensates the positioning of each axis alone.
 namespace axiometry::volumetric {
@@ -14,11 +14,12 @@ namespace axiometry::volumetric {
 struct AxisTableNode {
   double position_mm = 0.0;
   Estimate deviation;  ///< along the axis, less its mean, µm; of both directions
+  Estimate up, down;   ///< less the same mean; alike where the errors do not differ by direction
 };
 
 struct AxisTables {
   std::array<std::vector<AxisTableNode>, axis_count> axes;
-  FieldSizes before, after;  ///< of the whole field without rigid motion; `after` has no uncertainties
+  TableEffect effect;
 };
 
 /// On lines through the middle of the volume: levers grow in proportion to the other axes' positions, so that no other

@@ -8,13 +8,6 @@
 #include "axiometry/base/contract.h"
 
 namespace axiometry::volumetric {
-namespace {
-
-/// The share of a row in what is unseen above which the number has no meaning: rounding leaves 1e-9 of directions that
-/// are found by eigenvalues, and a tool that is 1 mm off the spindle makes shares of 1e-3.
-constexpr double told_most = 1e-6;
-
-}  // namespace
 
 ErrorModel::ErrorModel(Parts parts) : parts_(std::move(parts)) {
   const std::size_t n = parts_.coefficients.raw();

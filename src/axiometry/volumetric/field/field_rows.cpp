@@ -51,7 +51,6 @@ Estimate estimate_of(const ErrorModel& model, std::span<const double> row) {
 }
 
 bool is_told(const ErrorModel& model, std::span<const double> row, double size) {
-  constexpr double told_most = 1e-6;  // as in error_model.cpp
   return std::ranges::all_of(model.parts().unseen, [&](const std::vector<double>& direction) {
     return std::abs(product(row, direction)) <= told_most * size;
   });

@@ -76,8 +76,8 @@ class VolumeGrid {
       std::vector<Vector3> field = field_of(direction);
       if (but_for_rotation) field = without(std::move(field));
       const Vector3 mean = but_for_rotation ? Vector3{} : rigid_motion(field).translation;
-      constexpr double told_most = 1e-5;
-      if (std::ranges::any_of(field, [&](Vector3 f) { return norm(f - mean) > told_most; })) return false;
+      constexpr double moved_most = 1e-5;
+      if (std::ranges::any_of(field, [&](Vector3 f) { return norm(f - mean) > moved_most; })) return false;
     }
     return true;
   }

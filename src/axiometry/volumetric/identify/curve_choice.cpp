@@ -40,7 +40,13 @@ std::array<CurveDomain, axis_count> curve_domains(const TravelBox& travel, const
   return domains;
 }
 
-std::size_t different_places(std::vector<double> positions) {
+std::size_t different_places(std::vector<double> positions, std::size_t enough) {
+  const std::size_t some = 16 * enough;
+  if (positions.size() > 2 * some) {
+    std::vector<double> few;
+    for (std::size_t k = 0; k < some; ++k) few.push_back(positions[k * positions.size() / some]);
+    if (different_places(std::move(few), enough) == enough) return enough;
+  }
   std::ranges::sort(positions);
   constexpr double apart_mm = 0.01;
   std::size_t count = 0;
@@ -50,11 +56,12 @@ std::size_t different_places(std::vector<double> positions) {
     ++count;
     last = q;
   }
-  return count;
+  return std::min(count, enough);
 }
 
 std::vector<std::size_t> supported_sizes(CurveKind kind, const CurveDomain& domain, std::vector<double> positions) {
-  const std::size_t places = different_places(positions);
+  const std::size_t enough = places_for_function * (spline_sizes.back() + 3);
+  const std::size_t places = different_places(positions, enough);
   std::vector<std::size_t> sizes, interpolating;
   const auto take = [&](std::size_t size) {
     const std::size_t functions = functions_of(kind, size);

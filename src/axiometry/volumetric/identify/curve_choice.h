@@ -24,8 +24,8 @@ struct CurveDomain {
 };
 std::array<CurveDomain, axis_count> curve_domains(const TravelBox& travel, const TravelBox& observed);
 
-/// Positions that are not the same to 0.01 mm.
-std::size_t different_places(std::vector<double> positions_mm);
+/// How many positions are not the same to 0.01 mm, as far as that is fewer than `enough`, else `enough`.
+std::size_t different_places(std::vector<double> positions_mm, std::size_t enough);
 
 /// As many functions as places go through whatever was read, and nothing shows what lies between: half as many at most.
 inline constexpr std::size_t places_for_function = 2;

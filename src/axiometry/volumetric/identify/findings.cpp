@@ -118,8 +118,9 @@ void add_places(const Identifier& done, const VolumetricLengths& lengths, std::v
   for (std::size_t a = 0; a < axis_count; ++a) {
     std::vector<double> positions;
     for (const VolumetricReading& reading : lengths.readings) positions.push_back(reading.axes_mm[a]);
-    const std::size_t places = different_places(std::move(positions));
-    if (places >= places_for_function * done.coefficients().basis(a).functions()) continue;
+    const std::size_t enough = places_for_function * done.coefficients().basis(a).functions();
+    const std::size_t places = different_places(std::move(positions), enough);
+    if (places == enough) continue;
     findings.push_back({"volumetric-few-places", true,
                         fmt::format("{} was read at {} places only: its curves go through what was read there, nothing "
                                     "shows what they are between, and no uncertainty holds it",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,8 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
 /// mixed up, stations that stand elsewhere than was said or have moved. In setup_findings.cpp.
 void add_setup_findings(const Identifier& done, const MachineModel& machine, const VolumetricLengths& lengths,
                         const Identification& result, std::vector<VolumetricFinding>& findings);
+
+/// Travels so short that their numbers look like inches; all are read as millimetres.
+std::optional<VolumetricFinding> small_machine_finding(const MachineModel& machine);
 
 }  // namespace axiometry::volumetric::detail

@@ -7,6 +7,7 @@
 #include "axiometry/volumetric/identify/common_scale.h"
 #include "axiometry/volumetric/identify/findings.h"
 #include "axiometry/volumetric/identify/identifier.h"
+#include "axiometry/volumetric/identify/shape_rank.h"
 
 namespace axiometry::volumetric {
 namespace {
@@ -102,7 +103,10 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   const double factor = std::max(1.0, ratio);
   std::vector<double> covariance = times(fit.solution.coefficient_covariance(), factor);
   detail::add_common_scale(done.problem(), fit.state, fit.beams, fit.solution, covariance);
-  ErrorModel model({machine, done.coefficients(), fit.state.coefficients, std::move(covariance), fit.solution.unseen(),
+  std::vector<std::vector<double>> unseen = fit.solution.unseen();
+  const auto by_shape = detail::told_by_shape_alone(done.problem(), fit.state);
+  unseen.insert(unseen.end(), by_shape.begin(), by_shape.end());
+  ErrorModel model({machine, done.coefficients(), fit.state.coefficients, std::move(covariance), std::move(unseen),
                     done.observed()});
   Identification result{.model = std::move(model),
                         .stations = stations_of(done, lengths, factor),
@@ -113,8 +117,8 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
                         .breaks = breaks_of(done),
                         .chi_squared = fit.chi_squared,
                         .degrees_of_freedom = dof,
-                        .rank = {fit.solution.unknowns(), done.coefficients().free(), fit.solution.null_directions(),
-                                 fit.solution.condition()},
+                        .rank = {fit.solution.unknowns(), done.coefficients().free(),
+                                 std::max(fit.solution.null_directions(), by_shape.size()), fit.solution.condition()},
                         .iterations = fit.iterations,
                         .drift = done.drift(),
                         .findings = {}};

@@ -123,6 +123,63 @@ TEST(Identify, GivesNoNumberForWhatOneToolCannotTell) {
   EXPECT_THAT(unseen->message, HasSubstr("the same tool point"));
 }
 
+/// Straight lines between nodes, and polynomials of a low degree, cannot bend as that what one tool cannot tell.
+TEST(Identify, TakesTheShapeOfItsCurvesForNothingThatWasMeasured) {
+  TrueMachine machine("FXYZ", 5);
+  machine.model.tools.resize(1);
+  const VolumetricLengths lengths = measured(machine, four_stations(), {.points = 150});
+  for (const auto& [curves, size] : {std::pair(CurveKind::nodes, 5), {CurveKind::legendre, 2}}) {
+    IdentifyOptions options = with_spans(static_cast<std::size_t>(size));
+    options.curves = curves;
+    const auto result = identify(machine.model, lengths, options);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_THAT(unseen_names(*result), testing::ElementsAre("ECY", "EXZ", "EYZ", "EAZ", "EBZ", "ECZ", "B0Z", "A0Z"))
+        << curve_kind_name(curves);
+    EXPECT_FALSE(result->model.motion(*error_motion_named("EAZ"), -200.0));
+    EXPECT_TRUE(result->model.motion(*error_motion_named("EXX"), 200.0));
+    EXPECT_FALSE(result->model.at({300.0, 200.0, -100.0}, {0.0, 0.0, -300.0}).is_whole());
+    EXPECT_NE(finding(*result, "volumetric-unseen-errors"), nullptr);
+  }
+}
+
+TEST(Identify, GivesAllNumbersOfCoarseCurvesWhereThreeToolsTellThem) {
+  TrueMachine machine("XFYZ", 5);
+  const VolumetricLengths lengths = measured(machine, four_stations(), {.points = 80});
+  for (const auto& [curves, size] : {std::pair(CurveKind::nodes, 6), {CurveKind::legendre, 2}}) {
+    IdentifyOptions options = with_spans(static_cast<std::size_t>(size));
+    options.curves = curves;
+    const auto result = identify(machine.model, lengths, options);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_THAT(unseen_names(*result), testing::IsEmpty());
+    EXPECT_EQ(result->rank.null_directions, 0u);
+  }
+}
+
+TEST(Identify, SaysWhereNumbersAreInches) {
+  TrueMachine machine("XFYZ", 5);
+  const VolumetricLengths lengths = measured(machine, four_stations());
+  VolumetricLengths in_inches = lengths;
+  for (VolumetricReading& reading : in_inches.readings) reading.length_mm /= 25.4;
+  const auto refused = identify(machine.model, in_inches, with_spans(4));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("fit when the lengths are read as inches"));
+
+  MachineModel small = machine.model;
+  small.travel = {1.0 / 25.4 * small.travel.lowest_mm, 1.0 / 25.4 * small.travel.highest_mm};
+  for (Tool& tool : small.tools) tool.offset_mm = 1.0 / 25.4 * tool.offset_mm;
+  VolumetricLengths positions = lengths;
+  for (VolumetricReading& reading : positions.readings) reading.axes_mm = 1.0 / 25.4 * reading.axes_mm;
+  const auto mixed = identify(small, positions, with_spans(4));
+  ASSERT_FALSE(mixed);
+  EXPECT_THAT(mixed.error().message, HasSubstr("fit when the positions and tools are read as inches"));
+
+  for (VolumetricReading& reading : positions.readings) reading.length_mm /= 25.4;
+  const auto all = identify(small, positions, with_spans(4));
+  ASSERT_TRUE(all) << all.error().message;
+  ASSERT_NE(finding(*all, "volumetric-small-machine"), nullptr);
+  EXPECT_THAT(finding(*all, "volumetric-small-machine")->message, HasSubstr("39.4, 23.6 and 19.7 mm"));
+}
+
 TEST(Identify, SaysThatTwoStationsAreTooFew) {
   TrueMachine machine("FXYZ", 5);
   auto stations = four_stations();

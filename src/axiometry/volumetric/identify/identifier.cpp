@@ -89,16 +89,22 @@ Result<void> Identifier::check_readings() {
 /// Rows that are the same in every cell: one measurement, written twice.
 void Identifier::find_copies() {
   const auto& readings = lengths_.readings;
-  std::vector<std::size_t> order(readings.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto key = [&](std::size_t i) {
-    const VolumetricReading& r = readings[i];
-    return std::tuple(r.station, r.tool, r.segment, r.axes_mm.x, r.axes_mm.y, r.axes_mm.z, r.length_mm);
+  std::vector<std::pair<double, std::size_t>> order;  // few lengths are alike to the last digit: the rest only of these
+  order.reserve(readings.size());
+  for (std::size_t i = 0; i < readings.size(); ++i) order.emplace_back(readings[i].length_mm, i);
+  std::ranges::sort(order);
+  const auto key = [&](const std::pair<double, std::size_t>& entry) {
+    const VolumetricReading& r = readings[entry.second];
+    return std::tuple(r.station, r.tool, r.segment, r.axes_mm.x, r.axes_mm.y, r.axes_mm.z);
   };
-  std::ranges::stable_sort(order, {}, key);
   is_copy_.assign(readings.size(), false);
-  for (std::size_t k = 1; k < order.size(); ++k)
-    if (key(order[k]) == key(order[k - 1])) is_copy_[order[k]] = true;
+  for (auto begin = order.begin(); begin != order.end();) {
+    const auto end = std::find_if(begin, order.end(), [&](const auto& e) { return e.first != begin->first; });
+    if (end - begin > 1) std::stable_sort(begin, end, [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    for (auto at = std::next(begin); at != end; ++at)
+      if (key(*at) == key(*std::prev(at))) is_copy_[at->second] = true;
+    begin = end;
+  }
 }
 
 std::size_t Identifier::copies() const { return static_cast<std::size_t>(std::ranges::count(is_copy_, true)); }
@@ -158,13 +164,12 @@ Result<void> Identifier::choose_first_sizes() {
 }
 
 Result<Coefficients> Identifier::coefficients_of(const Sizes& sizes) const {
-  const auto basis = [&](std::size_t a) {
-    return CurveBasis::make(options_.curves, domains_[a].lower_mm, domains_[a].upper_mm, sizes[a]);
-  };
-  AXIOMETRY_TRY(const CurveBasis x, basis(0));
-  AXIOMETRY_TRY(const CurveBasis y, basis(1));
-  AXIOMETRY_TRY(const CurveBasis z, basis(2));
-  return Coefficients({x, y, z}, options_.reversal);
+  TravelBox ranges;
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    ranges.lowest_mm[a] = domains_[a].lower_mm;
+    ranges.highest_mm[a] = domains_[a].upper_mm;
+  }
+  return Coefficients::make(options_.curves, ranges, sizes, options_.reversal);
 }
 
 Result<void> Identifier::take_sizes(const Sizes& sizes) {

@@ -42,14 +42,12 @@ Result<Fit> least_squares(const Problem& problem, State state) {
   Sights seen = sights(problem, state);
   double chi = chi_squared(problem, seen.residuals_um);
   std::vector<Vector3> linearised_at = state.stations_mm;
-  NormalEquations equations = normal_equations(problem, seen);
-  LinearSolution solution = linear_solution(problem, state, equations);
-  std::vector<double> gradient_now = std::move(equations.gradient);
+  LinearSolution solution = linear_solution(problem, state, normal_equations(problem, seen));
   double before = 0.0;
   for (std::size_t step_number = 1; step_number <= steps_most; ++step_number) {
-    std::vector<double> step = solution.step(gradient_now);
+    std::vector<double> step = solution.step(seen.gradient);
     double decrease = 0.0;
-    for (std::size_t k = 0; k < step.size(); ++k) decrease += step[k] * gradient_now[k];
+    for (std::size_t k = 0; k < step.size(); ++k) decrease += step[k] * seen.gradient[k];
     const double size = std::sqrt(std::max(0.0, decrease));
     if (!std::isfinite(size)) break;
     const State from = state;
@@ -68,11 +66,7 @@ Result<Fit> least_squares(const Problem& problem, State state) {
                  step_number};
     if (is_far || (before > 0.0 && size > slow * before)) {
       linearised_at = state.stations_mm;
-      equations = normal_equations(problem, seen);
-      solution = linear_solution(problem, state, equations);
-      gradient_now = std::move(equations.gradient);
-    } else {
-      gradient_now = gradient(problem, seen.beams, seen.residuals_um);
+      solution = linear_solution(problem, state, normal_equations(problem, seen));
     }
     before = size;
   }

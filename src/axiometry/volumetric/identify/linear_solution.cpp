@@ -14,7 +14,8 @@ using Eigen::VectorXd;
 
 constexpr double null_most = 1e-8;
 
-/// Under the gauge, columns scaled to a unit diagonal.
+/// Under the gauge, columns scaled to a unit diagonal. Coefficients last: then the inverse of their block of the factor
+/// is all that their covariance needs.
 struct Scaled {
   std::vector<std::size_t> kept;  ///< columns under the gauge
   VectorXd scale;                 ///< 1/√ of the diagonal
@@ -26,8 +27,9 @@ Scaled scaled(const Coefficients& coefficients, NormalEquations equations) {
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < i; ++k) equations.matrix[i * n + k] = equations.matrix[k * n + i];
   coefficients.turn(equations.matrix, n);
-  Scaled s{coefficients.kept(), {}, {}};
+  Scaled s;
   for (std::size_t k = coefficients.raw(); k < n; ++k) s.kept.push_back(k);
+  s.kept.insert(s.kept.end(), coefficients.kept().begin(), coefficients.kept().end());
   const auto size = static_cast<Index>(s.kept.size());
   const auto place = [&](Index i) { return s.kept[static_cast<std::size_t>(i)]; };
   s.scale.resize(size);
@@ -40,6 +42,66 @@ Scaled scaled(const Coefficients& coefficients, NormalEquations equations) {
     for (Index k = 0; k < size; ++k)
       s.matrix(k, i) = s.scale[i] * s.scale[k] * equations.matrix[place(i) * n + place(k)];
   return s;
+}
+
+/// A lower triangle in place, by halves, of which what is 0 is left out.
+void invert_lower(Eigen::Ref<MatrixXd> l) {
+  constexpr Index small = 24;
+  const Index n = l.rows(), half = n / 2, rest = n - half;
+  if (n <= small) {
+    const MatrixXd inverse = l.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(n, n));
+    l = inverse;
+    return;
+  }
+  auto below = l.bottomLeftCorner(rest, half);
+  l.topLeftCorner(half, half).triangularView<Eigen::Lower>().solveInPlace<Eigen::OnTheRight>(below);
+  l.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>().solveInPlace(below);
+  below *= -1.0;
+  invert_lower(l.topLeftCorner(half, half));
+  invert_lower(l.bottomRightCorner(rest, rest));
+}
+
+/// Wᵀ W of a lower triangle.
+MatrixXd square_of_lower(const MatrixXd& w) {
+  constexpr Index rows = 32;
+  const Index n = w.rows();
+  MatrixXd square = MatrixXd::Zero(n, n);
+  for (Index first = 0; first < n; first += rows) {
+    const Index count = std::min(rows, n - first), columns = first + count;
+    square.topLeftCorner(columns, columns)
+        .selfadjointView<Eigen::Lower>()
+        .rankUpdate(w.block(first, 0, count, columns).transpose());
+  }
+  square.triangularView<Eigen::StrictlyUpper>() = square.transpose();
+  return square;
+}
+
+/// Of a symmetric matrix of n rows by which apply() multiplies, the eigenvalue that is largest, by Lanczos' method with
+/// full orthogonalisation. The residual is below 1e-6 of it, so that its error is about the square of that.
+template <typename Apply>
+double largest_eigenvalue(Index n, const Apply& apply) {
+  constexpr double residual_most = 1e-6;
+  constexpr Index looks_every = 8;
+  MatrixXd basis(n, n);
+  VectorXd diagonal(n), beside(n), v(n);
+  for (Index i = 0; i < n; ++i) v[i] = 1.0 + std::sin(1.0 + 2.0 * static_cast<double>(i));  // nothing's eigenvector
+  v.normalize();
+  for (Index k = 0;; ++k) {
+    basis.col(k) = v;
+    VectorXd next = apply(v);
+    diagonal[k] = v.dot(next);
+    const auto known = basis.leftCols(k + 1);
+    for (int twice = 0; twice < 2; ++twice) next -= (known * (known.transpose() * next)).eval();
+    beside[k] = next.norm();
+    const bool is_last = k + 1 == n || !(beside[k] > 1e-14 * std::abs(diagonal[0]));
+    if (is_last || (k + 1) % looks_every == 0) {
+      Eigen::SelfAdjointEigenSolver<MatrixXd> small;
+      small.computeFromTridiagonal(diagonal.head(k + 1), beside.head(k));
+      const double largest = small.eigenvalues()[k];
+      if (is_last || !(beside[k] * std::abs(small.eigenvectors()(k, k)) > residual_most * largest)) return largest;
+    }
+    v = next / beside[k];
+  }
 }
 
 }  // namespace
@@ -67,12 +129,21 @@ struct LinearSolution::Factors {
   /// Free coefficients as raw ones, other columns as they are.
   std::vector<double> raw_of(const VectorXd& part) const {
     const std::size_t free = coefficients.free();
-    std::vector<double> raw = coefficients.raw_of({part.data(), free});
+    const std::size_t others = scaled.kept.size() - free;
+    std::vector<double> raw = coefficients.raw_of({part.data() + others, free});
     raw.resize(raw_columns, 0.0);
-    for (std::size_t k = free; k < scaled.kept.size(); ++k) raw[scaled.kept[k]] = part[static_cast<Index>(k)];
+    for (std::size_t k = 0; k < others; ++k) raw[scaled.kept[k]] = part[static_cast<Index>(k)];
     return raw;
   }
-  /// Columns of the inverse of the scaled matrix: of S + N Nᵀ it is that and N Nᵀ.
+  /// Of the inverse of the scaled matrix the last rows and columns. The inverse of S + N Nᵀ is that and N Nᵀ.
+  MatrixXd inverse_end(Index count) const {
+    MatrixXd w = cholesky.matrixLLT().bottomRightCorner(count, count).triangularView<Eigen::Lower>();
+    invert_lower(w);
+    MatrixXd inverse = square_of_lower(w);
+    if (nulls.cols() > 0) inverse -= nulls.bottomRows(count) * nulls.bottomRows(count).transpose();
+    return inverse;
+  }
+  /// Columns of it.
   MatrixXd inverse_columns(Index first, Index count) const {
     MatrixXd columns = MatrixXd::Zero(scaled.matrix.rows(), count);
     columns.middleRows(first, count).setIdentity();
@@ -117,9 +188,12 @@ std::size_t LinearSolution::null_directions() const { return static_cast<std::si
 
 double LinearSolution::condition() const {
   const Factors& f = *factors_;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(f.cholesky.reconstructedMatrix(), Eigen::EigenvaluesOnly);
-  const VectorXd& values = solver.eigenvalues();  // null directions have 1, which is between the others
-  return std::sqrt(values[values.size() - 1] / values[0]);
+  const Index n = f.scaled.matrix.rows();  // null directions have 1, which is between the others
+  const double most = largest_eigenvalue(
+      n, [&](const VectorXd& v) -> VectorXd { return f.cholesky.matrixL() * (f.cholesky.matrixU() * v); });
+  const double least_inverse =
+      largest_eigenvalue(n, [&](const VectorXd& v) -> VectorXd { return f.cholesky.solve(v); });
+  return std::sqrt(most * least_inverse);
 }
 
 std::vector<double> LinearSolution::step(std::vector<double> raw_gradient) const {
@@ -131,11 +205,12 @@ std::vector<double> LinearSolution::step(std::vector<double> raw_gradient) const
 std::vector<double> LinearSolution::coefficient_covariance() const {
   const Factors& f = *factors_;
   const auto free = static_cast<Index>(f.coefficients.free());
-  const MatrixXd columns = f.inverse_columns(0, free);
+  const MatrixXd inverse = f.inverse_end(free);
+  const VectorXd scale = f.scaled.scale.tail(free);
   std::vector<double> covariance(f.coefficients.free() * f.coefficients.free());
   for (Index i = 0; i < free; ++i)
     for (Index k = 0; k < free; ++k)
-      covariance[static_cast<std::size_t>(i * free + k)] = f.scaled.scale[i] * f.scaled.scale[k] * columns(k, i);
+      covariance[static_cast<std::size_t>(i * free + k)] = scale[i] * scale[k] * inverse(k, i);
   std::vector<double> raw = f.coefficients.raw_covariance(covariance);
   for (std::size_t i = 0; i < f.coefficients.raw(); ++i) {
     double& variance = raw[i * f.coefficients.raw() + i];
@@ -146,7 +221,7 @@ std::vector<double> LinearSolution::coefficient_covariance() const {
 
 Matrix3 LinearSolution::block(std::size_t column) const {
   const Factors& f = *factors_;
-  const auto first = static_cast<Index>(std::ranges::lower_bound(f.scaled.kept, column) - f.scaled.kept.begin());
+  const auto first = static_cast<Index>(std::ranges::find(f.scaled.kept, column) - f.scaled.kept.begin());
   const MatrixXd columns = f.inverse_columns(first, 3);
   Matrix3 block;
   for (Index i = 0; i < 3; ++i)

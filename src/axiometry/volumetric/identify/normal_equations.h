@@ -28,20 +28,20 @@ struct Problem {
 /// Symmetric, by rows, only its upper triangle filled.
 struct NormalEquations {
   std::size_t columns = 0;
-  std::vector<double> matrix;    ///< Σ w a aᵀ
-  std::vector<double> gradient;  ///< Σ w a v
+  std::vector<double> matrix;  ///< Σ w a aᵀ
 };
 
 /// All that a state says of the readings.
 struct Sights {
   std::vector<double> residuals_um;  ///< v_i: measured less predicted
   std::vector<Vector3> beams;        ///< u_i
+  std::vector<double> gradient;      ///< Σ w a v
 };
 Sights sights(const Problem& problem, const State& state);
 
 NormalEquations normal_equations(const Problem& problem, const Sights& sights);
 
-/// Σ w a v alone, of any v: a small part of the work.
+/// Σ w a v of any v.
 std::vector<double> gradient(const Problem& problem, std::span<const Vector3> beams, std::span<const double> v);
 
 /// Every station at the mean of its places with several tools, where these are alike to 20 mm: only there is what one

@@ -13,10 +13,11 @@
 namespace axiometry::volumetric::detail {
 namespace {
 
-constexpr double offset_told_mm = 0.5;     // reflectors are set up to this
-constexpr double offset_serious_mm = 5.0;  // times 50 µrad: a quarter of a micrometre
-constexpr double place_told_mm = 50.0;     // where a station is said to stand is often read off a tape
-constexpr double moved_statistic = 45.0;   // χ² of four unknowns: by chance once in 10⁸
+constexpr double offset_told_mm = 0.5;          // reflectors are set up to this
+constexpr double offset_serious_mm = 5.0;       // times 50 µrad: a quarter of a micrometre
+constexpr double place_told_mm = 50.0;          // where a station is said to stand is often read off a tape
+constexpr double looks_like_inches_mm = 120.0;  // 3 m are 118 inches, and nobody calibrates a volume so small
+constexpr double moved_statistic = 45.0;        // χ² of four unknowns: by chance once in 10⁸
 
 /// Axes exchanged or turned round: what a file with mixed-up columns or signs does.
 struct Mixing {
@@ -210,8 +211,19 @@ void add_moved(const Identifier& done, const VolumetricLengths& lengths, std::ve
 
 }  // namespace
 
+std::optional<VolumetricFinding> small_machine_finding(const MachineModel& machine) {
+  const Vector3 travel = machine.travel.highest_mm - machine.travel.lowest_mm;
+  if (std::max({travel.x, travel.y, travel.z}) > looks_like_inches_mm) return std::nullopt;
+  return VolumetricFinding{
+      "volumetric-small-machine", false,
+      fmt::format("the travels of X, Y and Z are {:.1f}, {:.1f} and {:.1f} mm: are the numbers of the machine's file "
+                  "in inches? all of them are read as mm",
+                  travel.x, travel.y, travel.z)};
+}
+
 void add_setup_findings(const Identifier& done, const MachineModel& machine, const VolumetricLengths& lengths,
                         const Identification& result, std::vector<VolumetricFinding>& findings) {
+  if (const auto small = small_machine_finding(machine)) findings.push_back(*small);
   add_tool_offsets(machine, lengths, result, findings);
   add_places(machine, lengths, result, findings);
   add_moved(done, lengths, findings);

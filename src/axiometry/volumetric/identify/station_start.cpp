@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string_view>
 
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/median.h"
@@ -22,6 +24,8 @@ constexpr std::size_t sights_most = 1000;
 constexpr std::size_t points_most = 200;  // enough to find a place; all readings refine it
 constexpr double usual_error_mm = 0.03;   // of a machine before it is known
 constexpr double huber = 1.5;             // standard deviations
+constexpr double no_machine_errs_mm = 1.0;
+constexpr double usual_misfit_mm = 0.1;  // at most, where units are right
 
 struct Sight {
   Vector3 reflector_mm;
@@ -61,6 +65,35 @@ std::vector<Vector3> places(std::span<const LocationPoint> points) {
 bool fit_reversed(std::vector<LocationPoint> points) {
   for (LocationPoint& p : points) p.length_difference_mm = -p.length_difference_mm;
   return !places(points).empty();
+}
+
+/// Median of the residuals' sizes beside their median: what a few wrong lengths do not move.
+double misfit_mm(std::span<const LocationPoint> points, Vector3 station) {
+  std::vector<double> residuals;
+  for (const LocationPoint& p : points) residuals.push_back(distance(p.at_mm, station) - p.length_difference_mm);
+  const double middle = numeric::median(residuals);
+  for (double& r : residuals) r = std::abs(r - middle);
+  return numeric::median(std::move(residuals));
+}
+
+double least_misfit_mm(std::span<const LocationPoint> points, std::span<const Vector3> places) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector3& place : places) least = std::min(least, misfit_mm(points, place));
+  return least;
+}
+
+/// Whether lengths, or else positions, are inches, of which the other is read as mm.
+std::optional<std::string_view> in_inches(std::vector<LocationPoint> points, double misfit) {
+  constexpr double inch_mm = 25.4, clearly = 0.01;
+  if (misfit < no_machine_errs_mm) return std::nullopt;
+  const auto fits = [&](double factor) {
+    std::vector<LocationPoint> other = points;
+    for (LocationPoint& p : other) p.length_difference_mm *= factor;
+    return least_misfit_mm(other, places(other)) < std::min(clearly * misfit, usual_misfit_mm);
+  };
+  if (fits(inch_mm)) return "lengths";
+  if (fits(1.0 / inch_mm)) return "positions and tools";
+  return std::nullopt;
 }
 
 /// Of one virtual station: its place and the dead paths of its stretches, by least squares that heed outliers less.
@@ -192,6 +225,11 @@ Result<State> start_state(const Problem& problem, const VolumetricLengths& names
                       "at least {}, to find where it stands",
                       points.size(), text::quoted(station), text::quoted(tool), readings_least));
     const std::vector<Vector3> found = places(points);
+    if (const auto what = in_inches(points, least_misfit_mm(points, found)))
+      return fail(
+          fmt::format("found lengths of station {} with tool {} that fit when the {} are read as inches, expected all "
+                      "numbers in mm, or their unit in the head",
+                      text::quoted(station), text::quoted(tool), *what));
     if (found.empty() && fit_reversed(points))
       return fail(
           fmt::format("found lengths of station {} with tool {} that fit with the other sign, expected lengths that "

@@ -12,6 +12,7 @@
 #include "axiometry/volumetric/field/unseen_reasons.h"
 #include "axiometry/volumetric/identify/common_scale.h"
 #include "axiometry/volumetric/identify/linear_solution.h"
+#include "axiometry/volumetric/identify/shape_rank.h"
 
 namespace axiometry::volumetric {
 namespace {
@@ -27,17 +28,6 @@ constexpr std::size_t field_places = 7;  // along each axis
 double place_of(const TravelBox& travel, std::size_t axis, std::size_t k, std::size_t count) {
   const double share = static_cast<double>(k) / static_cast<double>(count - 1);
   return travel.lowest_mm[axis] + share * (travel.highest_mm[axis] - travel.lowest_mm[axis]);
-}
-
-Result<Coefficients> coefficients_of(const MachineModel& machine, const ExpectOptions& options) {
-  const auto basis = [&](std::size_t a) {
-    return CurveBasis::make(options.curves, machine.travel.lowest_mm[a], machine.travel.highest_mm[a],
-                            options.sizes[a]);
-  };
-  AXIOMETRY_TRY(const CurveBasis x, basis(0));
-  AXIOMETRY_TRY(const CurveBasis y, basis(1));
-  AXIOMETRY_TRY(const CurveBasis z, basis(2));
-  return Coefficients({x, y, z}, Reversal::none);
 }
 
 Result<void> check_visits(const MachineModel& machine, std::span<const Visit> visits) {
@@ -141,11 +131,13 @@ std::vector<std::string> reasons_of(const MachineModel& machine, std::span<const
 struct Solved {
   LinearSolution solution;
   ErrorModel model;
+  std::size_t null_directions = 0;
 };
 
 Result<Solved> solve(const MachineModel& machine, std::span<const Visit> visits, const ExpectOptions& options) {
   AXIOMETRY_TRY_VOID(check_visits(machine, visits));
-  AXIOMETRY_TRY(const Coefficients coefficients, coefficients_of(machine, options));
+  AXIOMETRY_TRY(const Coefficients coefficients,
+                Coefficients::make(options.curves, machine.travel, options.sizes, Reversal::none));
   std::vector<VolumetricReading> readings;
   std::vector<double> weights;
   std::vector<Vector3> tools_mm;
@@ -169,9 +161,13 @@ Result<Solved> solve(const MachineModel& machine, std::span<const Visit> visits,
   LinearSolution solution = detail::linear_solution(problem, state, detail::normal_equations(problem, seen));
   std::vector<double> covariance = solution.coefficient_covariance();
   detail::add_common_scale(problem, state, seen.beams, solution, covariance);
+  std::vector<std::vector<double>> unseen = solution.unseen();
+  const auto by_shape = detail::told_by_shape_alone(problem, state);
+  unseen.insert(unseen.end(), by_shape.begin(), by_shape.end());
+  const std::size_t nulls = std::max(solution.null_directions(), by_shape.size());
   ErrorModel model(
-      {machine, coefficients, state.coefficients, std::move(covariance), solution.unseen(), machine.travel});
-  return Solved{std::move(solution), std::move(model)};
+      {machine, coefficients, state.coefficients, std::move(covariance), std::move(unseen), machine.travel});
+  return Solved{std::move(solution), std::move(model), nulls};
 }
 
 }  // namespace
@@ -179,7 +175,7 @@ Result<Solved> solve(const MachineModel& machine, std::span<const Visit> visits,
 Result<Expectation> expect(const MachineModel& machine, std::span<const Visit> visits, const ExpectOptions& options) {
   AXIOMETRY_TRY(const Solved solved, solve(machine, visits, options));
   Expectation expected;
-  expected.rank = {solved.solution.unknowns(), solved.model.coefficients().free(), solved.solution.null_directions(),
+  expected.rank = {solved.solution.unknowns(), solved.model.coefficients().free(), solved.null_directions,
                    solved.solution.condition()};
   expected.readings = visits.size();
   expected.unseen = solved.model.unseen_errors();
@@ -204,7 +200,7 @@ double expected_score(const MachineModel& machine, std::span<const Visit> visits
       for (std::size_t k = 0; k < 3; ++k) sum += field.covariance_um2[k][k];
       count += 1.0;
     }
-  return std::sqrt(sum / count) + per_null_um * static_cast<double>(solved->solution.null_directions());
+  return std::sqrt(sum / count) + per_null_um * static_cast<double>(solved->null_directions);
 }
 
 }  // namespace axiometry::volumetric

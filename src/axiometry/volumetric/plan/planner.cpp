@@ -10,6 +10,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/tracking/geometry/visibility.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
+#include "axiometry/volumetric/identify/findings.h"
 #include "axiometry/volumetric/plan/point_set.h"
 
 namespace axiometry::volumetric {
@@ -76,6 +77,7 @@ std::vector<VolumetricFinding> findings_of(const PlannedCalibration& planned, st
   add_unseen(planned.expected, findings);
   if (const std::string advice = tool_advice(planned.plan.machine); !advice.empty())
     findings.push_back({"volumetric-add-tool", false, advice});
+  if (const auto small = detail::small_machine_finding(planned.plan.machine)) findings.push_back(*small);
   add_stations(planned.plan, findings);
   add_stops(planned.plan, points, findings);
   std::ranges::stable_partition(findings, &VolumetricFinding::serious);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/volumetric/findings_json.h"
+
+namespace axiometry::app {
+
+json::Value findings_value(std::span<const volumetric::VolumetricFinding> findings) {
+  json::Value list = json::Value::array();
+  for (const volumetric::VolumetricFinding& f : findings) {
+    json::Value& item = list.push(json::Value::object());
+    item.add("id", f.id);
+    item.add("severity", f.serious ? "serious" : "note");
+    item.add("message", f.message);
+  }
+  return list;
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "axiometry/base/json.h"
+#include "axiometry/volumetric/identify/identification.h"
+
+namespace axiometry::app {
+
+/// [{"id", "severity": "serious" or "note", "message"}], in order: docs/results.md, "findings".
+json::Value findings_value(std::span<const volumetric::VolumetricFinding> findings);
+
+}  // namespace axiometry::app

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/volumetric/true_errors_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace axiometry::formats {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr TravelBox small_travel = {{0, 0, -500}, {1000, 600, 0}};
+
+std::string refusal_of_errors(std::string_view text) {
+  const auto errors = read_true_errors(text, small_travel);
+  return errors ? "none" : errors.error().to_string();
+}
+
+TEST(TrueErrorsJson, AreReadBackAsTheyAreWritten) {
+  const volumetric::TrueErrors drawn = volumetric::drawn_errors(small_travel, {}, {.seed = 4});
+  json::Value file = json::Value::object();
+  file.add("errors", true_errors_value(drawn));
+  const auto read = read_true_errors(json::dump(file), small_travel);
+  ASSERT_TRUE(read) << read.error().to_string();
+  EXPECT_EQ(json::dump(true_errors_value(*read)), json::dump(true_errors_value(drawn)));
+}
+
+TEST(TrueErrorsJson, AreNothingWhereTheFileHasNone) {
+  const auto read = read_true_errors(
+      R"({"errors": {"EXX": [{"position": 0, "value": 1}, {"position": 1000, "value": 3}]}})", small_travel);
+  ASSERT_TRUE(read) << read.error().to_string();
+  const volumetric::ErrorValues at = read->at({500, 100, -100});
+  EXPECT_DOUBLE_EQ(at.motions[0][0], 2.0);
+  EXPECT_DOUBLE_EQ(at.motions[1][1], 0.0);
+  EXPECT_DOUBLE_EQ(at.squareness_urad[0], 0.0);
+}
+
+TEST(TrueErrorsJson, RefuseWhatIsNoErrorOfTheMachine) {
+  EXPECT_THAT(refusal_of_errors("{}"), HasSubstr("errors"));
+  EXPECT_THAT(refusal_of_errors(R"({"errors": {"EXQ": []}})"), HasSubstr("found the error \"EXQ\""));
+  EXPECT_THAT(refusal_of_errors(R"({"errors": {"EXX": []}})"), HasSubstr("found no value of EXX"));
+  EXPECT_THAT(
+      refusal_of_errors(R"({"errors": {"EXX": [{"position": 300, "value": 1}, {"position": 1000, "value": 3}]}})"),
+      HasSubstr("found EXX from 300 to 1000 mm, expected it over the travel of 0 to 1000 mm"));
+  EXPECT_THAT(refusal_of_errors(R"({"errors": {"C0Y": {"value": 1e7}}})"), HasSubstr("expected at most 1e6"));
+}
+
+}  // namespace
+}  // namespace axiometry::formats
