@@ -88,6 +88,20 @@ def seeds(program, folder):
     identify = ["volumetric", "identify", "-q", "--json", "-"]
     yield "volumetric lengths", identify + ["@", "--machine", str(volume / "machine.json")], (volume / "lengths.csv").read_bytes()
     yield "machine", identify + [str(volume / "lengths.csv"), "--machine", "@"], (volume / "machine.json").read_bytes()
+    made = {name: folder / name for name in ("volume.json", "truth.json", "found.json", "run.csv")}
+    subprocess.run([program, "volumetric", "plan", "--machine", str(volume / "machine.json"), "--points", "12", "--out", str(made["volume.json"]), "-q"], capture_output=True)
+    simulated = [program, "volumetric", "simulate", "--plan", str(made["volume.json"]), "-q"]
+    subprocess.run(simulated + ["--truth", str(made["truth.json"]), "--rate", "20", "--recording", str(made["run.csv"])], capture_output=True, check=True)
+    subprocess.run([program] + identify[:2] + [str(volume / "lengths.csv"), "--machine", str(volume / "machine.json"), "--out", str(made["found.json"])], capture_output=True)
+    yield "volumetric plan", ["volumetric", "simulate", "--plan", "@", "--lengths", "-"], made["volume.json"].read_bytes()
+    yield "volumetric plan recorded", ["volumetric", "simulate", "--plan", "@", "--rate", "0.001", "--recording", str(folder / "recorded.csv"), "-q"], made["volume.json"].read_bytes()
+    yield "volumetric plan programmed", ["nc", "@", "--part", "1", "--dialect", "linuxcnc", "--out", "-"], made["volume.json"].read_bytes()
+    yield "volumetric recording", identify + ["@", "--plan", str(made["volume.json"])], made["run.csv"].read_bytes()
+    yield "volumetric recording's plan", identify + [str(made["run.csv"]), "--plan", "@"], made["volume.json"].read_bytes()
+    yield "volumetric truth", ["volumetric", "simulate", "--machine", str(volume / "machine.json"), "--station", "100,80,-700", "--points", "5", "--errors", "@", "--lengths", "-"], made["truth.json"].read_bytes()
+    yield "volumetric result", ["volumetric", "field", "@", "--at", str(volume / "points.csv"), "-q"], made["found.json"].read_bytes()
+    yield "volume points", ["volumetric", "field", str(made["found.json"]), "--at", "@", "-q"], (volume / "points.csv").read_bytes()
+    yield "machine planned", ["volumetric", "plan", "--machine", "@", "--points", "12", "--out", "-", "-q"], (volume / "machine.json").read_bytes()
     yield "kept", ["store", "add", "@", "--store", str(folder / "kept.db")], (ROOT / "examples" / "iso230-2-table2.csv").read_bytes()
     subprocess.run([program, "store", "add", table2, "--store", str(folder / "made.db")], capture_output=True, check=True)
     yield "verified", ["store", "verify", "@"], (folder / "made.db").read_bytes()

@@ -9,9 +9,6 @@
 #include "axiometry/formats/tracking/ranges_csv.h"
 #include "axiometry/formats/tracking/station_json.h"
 #include "axiometry/formats/tracking/tracking_lengths_csv.h"
-#include "axiometry/formats/volumetric/machine_json.h"
-#include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
-#include "axiometry/formats/volumetric/volumetric_result_json.h"
 #include "described.h"
 
 using namespace axiometry;
@@ -50,16 +47,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   sound(formats::read_station(bytes));
   if (const auto lengths = formats::read_tracking_lengths(bytes, seven_lines()); sound(lengths))
     AXIOMETRY_CONTRACT(!lengths->rows.empty());
-  if (const auto machine = formats::read_machine(bytes); sound(machine)) {
-    const std::string written = json::dump(formats::machine_value(machine->machine));
-    const auto again = formats::read_machine(written);
-    AXIOMETRY_CONTRACT(again && json::dump(formats::machine_value(again->machine)) == written);
-  }
-  if (const auto lengths = formats::read_volumetric_lengths(bytes); sound(lengths)) {
-    const auto again = formats::read_volumetric_lengths(formats::write_volumetric_lengths(*lengths));
-    AXIOMETRY_CONTRACT(again && again->readings.size() == lengths->readings.size());
-  }
-  sound(formats::read_volume_points(bytes));
-  sound(formats::read_error_model(bytes));
   return 0;
 }

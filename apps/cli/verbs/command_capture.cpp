@@ -6,11 +6,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 #include "cli/flags/verb.h"
 
-#include "axiometry/app/live/capture_run.h"
+#include "axiometry/app/live/length_run.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/tracking/tracking_plan.h"
+#include "axiometry/app/volumetric/plan_volume.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -21,6 +23,8 @@
 
 namespace axiometry::cli {
 namespace {
+
+constexpr std::size_t standstills_to_warn = 12;
 
 struct CaptureArguments {
   app::CaptureOptions options;
@@ -108,28 +112,60 @@ void print_end(const app::CaptureOutcome& outcome, const app::CaptureRun& run) {
              run.out.empty() || run.out == "-" ? "" : fmt::format("; {}", report::printable(run.out)));
 }
 
-/// The lines of a tracking plan.
-int capture_lengths(const CaptureArguments& arguments) {
-  const auto& [options, run, give_up, quiet] = arguments;
-  const InterruptGuard guard;
-  Display display(quiet || run.out == "-", nullptr);
-  const app::CaptureObserver observer{
+/// What is told while lengths come: which stop one belongs to is certain only at the end.
+app::CaptureObserver length_observer(Display& display) {
+  return {
       .reading = {},
       .event = {},
-      .notice = [&](const std::string& text) { display.notice(text); },
-      .now = [&](const auto& session) { display.now(session); },
+      .notice = [&display](const std::string& text) { display.notice(text); },
+      .now = [&display](const auto& session) { display.now(session); },
       .stopped = [] { return InterruptGuard::interrupted(); },
       .abandoned = {},
   };
-  const auto outcome = app::run_length_capture(run, options, observer);
+}
+
+void print_lengths(const CaptureArguments& arguments, const std::vector<std::string>& notes, std::size_t found,
+                   std::size_t planned) {
+  if (arguments.quiet || arguments.run.out == "-") return;
+  for (const std::string& note : notes) fmt::print("{}\n", report::printable(note));
+  if (!arguments.run.out.empty())
+    fmt::print("{} of {} lengths; {}\n", found, planned, report::printable(arguments.run.out));
+}
+
+/// The lines of a tracking plan.
+int capture_lengths(const CaptureArguments& arguments) {
+  const InterruptGuard guard;
+  Display display(arguments.quiet || arguments.run.out == "-", nullptr);
+  const auto outcome = app::run_length_capture(arguments.run, arguments.options, length_observer(display));
   display.clear();
   if (!outcome) return failed(outcome.error());
-  if (!quiet && run.out != "-") {
-    for (const std::string& note : outcome->lengths.notes) fmt::print("{}\n", report::printable(note));
-    if (!run.out.empty())
-      fmt::print("{} of {} lengths; {}\n", outcome->lengths.readings.size(), outcome->lengths.approaches,
-                 report::printable(run.out));
-  }
+  const app::CapturedLengths& lengths = outcome->lengths;
+  print_lengths(arguments, lengths.notes, lengths.readings.size(), lengths.approaches);
+  return outcome->stopped ? exit_interrupted : exit_done;
+}
+
+/// A part of a volumetric plan.
+int capture_part(const CaptureArguments& arguments) {
+  const InterruptGuard guard;
+  Display display(arguments.quiet || arguments.run.out == "-", nullptr);
+  app::CaptureObserver observer = length_observer(display);
+  bool warned = false;
+  observer.now = [&](const app::CaptureSession& session) {
+    const std::size_t standstills = session.stops()->matcher().standstills().size();
+    if (!warned && standstills >= standstills_to_warn && 3 * session.taken() < standstills) {
+      display.notice(
+          fmt::format("{} standstills and {} at points of this part: is it the right part, and the lengths "
+                      "in the right unit?",
+                      standstills, session.taken()));
+      warned = true;
+    }
+    display.now(session);
+  };
+  const auto outcome = app::run_part_capture(arguments.run, arguments.options, observer);
+  display.clear();
+  if (!outcome) return failed(outcome.error());
+  const app::PartLengths& lengths = outcome->lengths;
+  print_lengths(arguments, lengths.notes, lengths.lengths.readings.size(), lengths.planned);
   return outcome->stopped ? exit_interrupted : exit_done;
 }
 
@@ -137,7 +173,10 @@ int capture(const CaptureArguments& arguments) {
   const auto of_lines = app::is_tracking_plan_file(arguments.options.plan);
   if (!of_lines) return failed(of_lines.error());
   if (*of_lines) return capture_lengths(arguments);
-  const auto plan = app::load_plan(arguments.options.plan, arguments.options.part);
+  const auto of_volume = app::is_volumetric_plan_file(arguments.options.plan);
+  if (!of_volume) return failed(of_volume.error());
+  if (*of_volume) return capture_part(arguments);
+  const auto plan = app::load_plan(arguments.options.plan, arguments.options.part.value_or(1));
   if (!plan) return failed(plan.error());
   const InterruptGuard guard;
   Display display(arguments.quiet || arguments.run.out == "-", &*plan);
@@ -191,7 +230,7 @@ void add_capture(const Verb& program, int& exit_code) {
       ->required();
   verb->add_option("--out", run.out,
                    "Test as JSON, a whole file after every reading; - writes it once, at the end. Of the lines of a "
-                   "tracking plan the table of lengths, at the end")
+                   "tracking plan, or a part of a volumetric plan, the table of lengths, at the end")
       ->type_name("FILE");
   Flag raw = verb->add_option("--raw", run.raw,
                               "File for every byte of a live stream as it came (the name of --out and .raw); "
@@ -217,6 +256,7 @@ void add_capture(const Verb& program, int& exit_code) {
   axiometry capture --plan x.plan.json --from tcp://192.168.1.20:5000 --resume x.json.raw --out x.json
   axiometry capture --plan x.plan.json --from x.json.raw --out again.json
   axiometry capture --plan lines.json --from tcp://192.168.1.20:5000 --out lengths.csv    lines of a tracking plan
+  axiometry capture --plan plan.json --part 2 --from tcp://192.168.1.20:5000 --out S1_T2.csv  part of a volumetric plan
 
 Ends when every approach has come, when the stream ends, or with Ctrl-C (exit code 130); what has come is kept.)");
 }

@@ -13,6 +13,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
+#include "cli/flags/capture_flags.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/verb.h"
@@ -33,14 +34,17 @@ constexpr const char* examples =
 stand), length_mm and, where a beam was broken, segment; rows in the order of measurement. The machine's file
 holds at least
 {"chain": "XFYZ", "travel_mm": {"X": [0, 1000], "Y": [0, 600], "Z": [-500, 0]}, "tools_mm": {"T1": [0, 0, -150]}}.
+Or LENGTHS are continuous recordings of time and length, with the plan that was driven: one of each part, or one of all
+in succession. Which part one is is told by its lengths, or said in order: --parts 1,2,5-8.
 Exit code 3: the result should not be used as it is, a finding says why.
 Examples:
   axiometry volumetric identify lengths.csv --machine machine.json --out result.json --report volume.pdf
-  axiometry volumetric identify lengths.csv --machine machine.json --spans 8 --reversal constant --json -)";
+  axiometry volumetric identify lengths.csv --machine machine.json --spans 8 --reversal constant --json -
+  axiometry volumetric identify run1.csv run2.csv --plan plan.json --lengths-out lengths.csv --out result.json)";
 
 struct Arguments {
   app::IdentifyRequest request;
-  std::string out, residuals;
+  std::string out, residuals, lengths_out;
   ExperimentArguments outputs;
 };
 
@@ -117,11 +121,14 @@ void add_model(const Verb& verb, IdentifyOptions& options) {
 }
 
 int run(Arguments& arguments) {
-  const std::vector<app::InputFile> inputs = {{arguments.request.lengths, false}, {arguments.request.machine, false}};
+  std::vector<app::InputFile> inputs;
+  for (const std::string& file : arguments.request.lengths.files) inputs.push_back({file, false});
+  for (const std::string& file : {arguments.request.machine, arguments.request.plan})
+    if (!file.empty()) inputs.push_back({file, false});
   app::OutputNames& names = arguments.outputs.outputs;
   names.inputs = app::InputFiles(inputs);
   if (const auto spared = app::check_inputs_spared(names); !spared) return failed(spared.error(), exit_usage);
-  for (const std::string& file : {arguments.out, arguments.residuals})
+  for (const std::string& file : {arguments.out, arguments.residuals, arguments.lengths_out})
     if (const auto spared = names.inputs.check_spared(file); !file.empty() && !spared)
       return failed(spared.error(), exit_usage);
   const auto identified = app::identify_lengths(arguments.request);
@@ -132,6 +139,9 @@ int run(Arguments& arguments) {
       return failed(written.error());
   if (!arguments.residuals.empty())
     if (const auto written = app::write_file(arguments.residuals, app::residuals_csv(*identified)); !written)
+      return failed(written.error());
+  if (!arguments.lengths_out.empty())
+    if (const auto written = app::write_file(arguments.lengths_out, app::gathered_table(*identified)); !written)
       return failed(written.error());
   if (const int code = finish_experiment(presented, arguments.outputs); code != exit_done) return code;
   return std::ranges::any_of(identified->identification.findings, &volumetric::VolumetricFinding::serious)
@@ -145,10 +155,25 @@ void add_volumetric_identify(const Verb& volumetric, int& exit_code) {
   Verb verb = volumetric.add_subcommand("identify", "Find the 21 errors from measured lengths");
   verb->footer(examples);
   auto arguments = std::make_shared<Arguments>();
-  verb->add_option("LENGTHS", arguments->request.lengths, "Lengths as CSV, or - for the standard input")->required();
-  verb->add_option("--machine", arguments->request.machine, "The machine, its tools and the instrument, as JSON")
-      ->type_name("FILE")
+  app::LengthsRequest& lengths = arguments->request.lengths;
+  verb->add_option("LENGTHS", lengths.files,
+                   "Lengths as CSV, or continuous recordings of them with their plan, or - for the standard input")
       ->required();
+  verb->add_option("--machine", arguments->request.machine,
+                   "The machine, its tools and the instrument, as JSON (those of the plan)")
+      ->type_name("FILE");
+  verb->add_option("--plan", arguments->request.plan, "The plan of 'volumetric plan' that was driven")
+      ->type_name("FILE");
+  add_read(*verb, {"--parts", "N,N,…", "Part of the plan that each recording is, in their order, or 1-4 of several"},
+           [&lengths](const std::string& text) -> Result<void> {
+             for (const std::string_view part : text::split(text, ',')) {
+               AXIOMETRY_TRY(const app::PartRange parts, app::parse_part_range(part));
+               lengths.parts.push_back(parts);
+             }
+             return {};
+           });
+  verb->add_flag("--reversed", lengths.recording.matcher.reversed,
+                 "The lengths shown by a recording fall where the reflector recedes");
   add_model(*verb, arguments->request.options);
   verb->add_option("--out", arguments->out, "The result to FILE, for field, export and predictions")
       ->type_name("FILE")
@@ -156,8 +181,14 @@ void add_volumetric_identify(const Verb& volumetric, int& exit_code) {
   verb->add_option("--residuals", arguments->residuals, "Every reading with its residual, as CSV to FILE")
       ->type_name("FILE")
       ->group("Outputs");
+  verb->add_option("--lengths-out", arguments->lengths_out, "The lengths that were used, as CSV to FILE")
+      ->type_name("FILE")
+      ->group("Outputs");
+  add_length_recording_flags(*verb, lengths.recording);
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, &exit_code] {
+    if (arguments->request.machine.empty() && arguments->request.plan.empty())
+      throw UsageError("--machine", "found neither --machine nor --plan, expected one of them");
     check_experiment_outputs(arguments->outputs);
     exit_code = run(*arguments);
   });

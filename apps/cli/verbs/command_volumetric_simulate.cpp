@@ -31,6 +31,7 @@ Examples:
       --station -200,-150,-700 --station 1200,-150,-650 --station 500,800,-680 --points 150 --drift 2um \
       --outliers 5 --untold-breaks 1 --lengths lengths.csv
   axiometry volumetric simulate --plan plan.json --lengths lengths.csv
+  axiometry volumetric simulate --plan plan.json --drift 2um --recording 'run{part}.csv' --truth truth.json
   axiometry volumetric simulate --machine machine.json --trials 200 --json coverage.json)";
 
 struct Arguments {
@@ -109,8 +110,10 @@ void add_faults(const Verb& verb, volumetric::SimulatedFaults& faults) {
 }
 
 int run_trials(const Arguments& a) {
-  if (!a.files.lengths.empty() || !a.files.truth.empty())
-    throw UsageError("--trials", "lengths and truth are those of one trial: leave --lengths and --truth out");
+  if (!a.files.lengths.empty() || !a.files.truth.empty() || !a.files.recordings.empty())
+    throw UsageError("--trials",
+                     "lengths, recordings and truth are those of one trial: leave --lengths, --recording and --truth "
+                     "out");
   const auto coverage = app::coverage_of(a.request, a.trials);
   if (!coverage) return failed(coverage.error());
   if (!a.json.empty())
@@ -126,12 +129,16 @@ int run(const Arguments& a) {
   if (!a.json.empty()) throw UsageError("--json", "goes with --trials");
   const auto calibration = app::simulate_calibration(a.request);
   if (!calibration) return failed(calibration.error());
-  if (const auto written = app::write_simulated(*calibration, a.files); !written) return failed(written.error());
-  if (a.quiet || a.files.lengths == "-" || a.files.truth == "-") return exit_done;
+  const auto written = app::write_simulated(*calibration, a.files);
+  if (!written) return failed(written.error());
+  if (a.quiet || a.files.lengths == "-" || a.files.truth == "-" || a.files.recordings == "-") return exit_done;
   if (!a.files.lengths.empty())
     fmt::print("{}: {} lengths of {} stations and {} tools, seed {}\n", a.files.lengths,
                calibration->simulated.lengths.readings.size(), calibration->machine.stations.size(),
                calibration->machine.tools.size(), a.request.seed);
+  if (written->recordings > 0)
+    fmt::print("{}: {} recording{}, {} samples\n", a.files.recordings, written->recordings,
+               written->recordings == 1 ? "" : "s", written->samples);
   if (!a.files.truth.empty()) fmt::print("{}: the truth\n", a.files.truth);
   return exit_done;
 }
@@ -150,6 +157,27 @@ void add_volumetric_simulate(const Verb& volumetric, int& exit_code) {
   add_faults(*verb, arguments->request.faults);
   verb->add_option("--lengths", arguments->files.lengths, "Lengths as CSV, as identify reads them")
       ->type_name("FILE")
+      ->group("Outputs");
+  verb->add_option(
+          "--recording", arguments->files.recordings,
+          "What the instrument shows all the time, time and length, as .csv, .txt or .npy: one of each part of "
+          "the plan where the name has {part}, else one of all")
+      ->type_name("FILE")
+      ->group("Outputs");
+  add_read(*verb, {"--rate", "HZ", "Samples per second of --recording (100)"},
+           [arguments](const std::string& text) -> Result<void> {
+             const auto rate = parse_number(text);
+             if (!rate || !(*rate >= 0.001 && *rate <= 1e7))
+               return fail(fmt::format("found {}, expected 0.001 to 10000000 samples a second", text::quoted(text)));
+             arguments->request.recording.rate = *rate;
+             return {};
+           })
+      ->group("Outputs");
+  add_read(*verb, {"--sample-noise", "LENGTH", "Standard deviation of the noise of each sample of --recording (0.1um)"},
+           [arguments](const std::string& text) -> Result<void> {
+             AXIOMETRY_TRY(arguments->request.recording.sigma, sigma_of(text));
+             return {};
+           })
       ->group("Outputs");
   verb->add_option("--truth", arguments->files.truth, "What was true, as JSON")->type_name("FILE")->group("Outputs");
   add_count(*verb, {"--trials", "N", "Simulate and identify N times, and hold what is stated against what was true"},

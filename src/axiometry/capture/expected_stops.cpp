@@ -83,18 +83,20 @@ void StopPath::begin_segment(Vector3 station_mm) {
 
 LineStops line_stops(const TrackingPlan& plan) {
   LineStops lines;
-  lines.tolerance_mm = machine_mm;
-  lines.station_error_mm = station_error_of(plan.setup.station);
+  StopList& list = lines.list;
+  list.tolerance_mm = machine_mm;
+  list.direction_counts = true;
+  list.station_error_mm = station_error_of(plan.setup.station);
   double overrun = std::numeric_limits<double>::infinity(), dwell_s = overrun, feed = overrun;
   for (const TrackingLine& line : plan.lines) {
     overrun = std::min(overrun, line.plan.overrun.in_native());
     dwell_s = std::min(dwell_s, line.plan.dwell.in_s());
     feed = std::min(feed, line.plan.feed);
-    lines.tolerance_mm = std::min({lines.tolerance_mm, interval_of(line.plan) / 4.0, overrun / 4.0});
+    list.tolerance_mm = std::min({list.tolerance_mm, interval_of(line.plan) / 4.0, overrun / 4.0});
   }
   if (plan.lines.empty()) return lines;
-  lines.drive = {feed, Duration::s(dwell_s), overrun / 4.0};
-  StopPath path(plan.setup.station.position_mm, lines.drive.turn_mm);
+  list.drive = {feed, Duration::s(dwell_s), overrun / 4.0};
+  StopPath path(plan.setup.station.position_mm, list.drive.turn_mm);
   const Vector3 tool = plan.setup.tool_offset_mm;
   for (std::size_t k = 0; k < plan.lines.size(); ++k) {
     const Plan& of_line = plan.lines[k].plan;
@@ -108,7 +110,7 @@ LineStops line_stops(const TrackingPlan& plan) {
     }
     for (const Vector3 place : of_line.way_out_mm) path.go(place + tool);
   }
-  lines.stops = path.stops();
+  list.stops = path.stops();
   return lines;
 }
 

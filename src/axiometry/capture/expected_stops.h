@@ -38,6 +38,15 @@ struct StopDrive {
 /// standstill_options() of a plan with that feed and dwell.
 StandstillOptions standstill_options(const StopDrive& drive);
 
+/// Stops in the order in which they come, and what is known of them.
+struct StopList {
+  std::vector<ExpectedStop> stops = {};
+  StopDrive drive = {};
+  double tolerance_mm = 0.5;      ///< how far a change of length may be from the expected one, beside the rest
+  double station_error_mm = 5.0;  ///< how far a station may be from where it is said
+  bool direction_counts = false;  ///< a stop reached from the other side is none: its reading says the side
+};
+
 /// Expected stops of a way along straight lines, point by point.
 class StopPath {
  public:
@@ -69,13 +78,12 @@ struct LineStop {
   Approach approach;
 };
 
-/// What a tracking plan makes the reflector do, line by line: `stops` and `approaches` belong together.
+/// What a tracking plan makes the reflector do, line by line. Drive: shortest dwell, slowest feed, a quarter of the
+/// shortest overrun. Tolerance: 0.5 mm, a quarter of an interval of targets or of the overrun at most. The station may
+/// be off by 1 mm and four times its uncertainty, by 5 mm where that is not known.
 struct LineStops {
-  std::vector<ExpectedStop> stops;
-  std::vector<LineStop> approaches;
-  StopDrive drive;                ///< shortest dwell, slowest feed, a quarter of the shortest overrun
-  double tolerance_mm = 0.0;      ///< 0.5 mm, a quarter of an interval of targets or of the overrun at most
-  double station_error_mm = 0.0;  ///< 1 mm and four times the uncertainty of the station; 5 mm where that is not known
+  StopList list;
+  std::vector<LineStop> approaches;  ///< of each stop
 };
 
 /// Needs sound plans of lines in space (contract).

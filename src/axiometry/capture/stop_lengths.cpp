@@ -44,7 +44,8 @@ class Outcome {
     for (std::size_t k = 0; k < matches_.size(); ++k) {
       const StopMatch& m = matches_[k];
       if (m.begins_segment) {
-        lengths_.segments.push_back({++segment, m.stop, standstill(m).begin_s, m.untold});
+        lengths_.segments.push_back(
+            {++segment, m.stop, standstill(m).begin_s, m.untold, stops()[m.stop].begins_segment});
       }
       StopOutcome& outcome = lengths_.stops[m.stop];
       if (!long_enough(standstill(m)))
@@ -205,11 +206,15 @@ void StopListener::interrupt() {
   for (const Standstill& s : detector_.interrupt()) matcher_.take(s);
 }
 
-Result<StopLengths> StopListener::lengths() const {
-  StopLengths first = Outcome(matcher_).run();
-  AXIOMETRY_TRY_VOID(check_stop_fit(first, matcher_));
-  const StopMatcher refined = matched_again(matcher_, refined_stops(matcher_), matcher_.options().reversed);
-  if (refined.matched() < matcher_.matched()) return first;
+StopMatcher matched_to(const StopMatcher& heard, std::vector<ExpectedStop> stops) {
+  return matched_again(heard, std::move(stops), heard.options().reversed);
+}
+
+Result<StopLengths> stop_lengths(const StopMatcher& matcher) {
+  StopLengths first = Outcome(matcher).run();
+  AXIOMETRY_TRY_VOID(check_stop_fit(first, matcher));
+  const StopMatcher refined = matched_to(matcher, refined_stops(matcher));
+  if (refined.matched() < matcher.matched()) return first;
   return Outcome(refined).run();
 }
 

@@ -50,6 +50,7 @@ struct SegmentBegin {
   std::size_t stop = 0;     ///< its first
   double time_s = 0.0;      ///< when it came to rest there
   bool untold = false;      ///< only the lengths tell: neither are samples missing nor is another station expected
+  bool planned = false;     ///< that stop begins a segment anyway
 };
 
 struct StopLengths {
@@ -67,6 +68,15 @@ struct StopOptions {
   double fastest_mm_per_s = 500.0;          ///< of the reflector; a length that jumps by more is a broken beam
 };
 
+/// The same standstills, held against other stops: by cost() it can be told to which of both they rather belong.
+StopMatcher matched_to(const StopMatcher& heard, std::vector<ExpectedStop> stops);
+
+/// What every stop has. Fails where the standstills do not fit the stops: the other sign of the lengths fits far
+/// better; less than half of the standstills between first and last stop belong to one; many do not, and as many stops
+/// have none; or a fifth and more of the changes of length are none of the list.
+/// The stations are learned from the lengths (station_refining.h) and the standstills matched once more from there.
+Result<StopLengths> stop_lengths(const StopMatcher& matcher);
+
 /// Listens to a recording, some samples at a time: finds standstills (standstill.h) and where the beam was broken, and
 /// matches them. The result does not depend on how the recording is cut into pieces.
 class StopListener {
@@ -81,11 +91,8 @@ class StopListener {
   const StopMatcher& matcher() const { return matcher_; }
   std::optional<StandstillDetector::Now> now() const { return detector_.now(); }
 
-  /// What every stop has, as far as the recording has come. Fails where it does not fit the stops: the other sign of
-  /// the lengths fits far better; less than half of the standstills between first and last stop belong to one; many do
-  /// not, and as many stops have none; or a fifth and more of the changes of length are none of the list.
-  /// The stations are learned from the lengths (station_refining.h) and the standstills matched once more from there.
-  Result<StopLengths> lengths() const;
+  /// stop_lengths(), as far as the recording has come.
+  Result<StopLengths> lengths() const { return stop_lengths(matcher_); }
 
  private:
   BeamWatch::Sink sink();

@@ -31,6 +31,7 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_capture,
                                  german_tracking_requests,
                                  german_volumetric_findings,
+                                 german_volume_recordings,
                                  german_volume_report};
   return tables;
 }

@@ -135,9 +135,10 @@ constexpr Phrase rows[] = {
      "another dead path",
      "Linie {0}: vor {1} (bei {2}\u00a0s) fehlen Abtastwerte oder die Länge sprang: Die Längen von dort an haben eine "
      "andere Totstrecke"},
-    {"line {0=}: before {1} (at {2#} s) the lengths jump as no line of the plan does: the beam was broken, and the "
+    {"line {0=}: before {1} (at {2#} s) the lengths jump as on no way of the plan: the beam was broken, and the "
      "lengths from there on have another dead path",
-     "Linie {0}: vor {1} (bei {2}\u00a0s) springen die Längen wie keine Linie des Plans: Der Strahl war unterbrochen, "
+     "Linie {0}: vor {1} (bei {2}\u00a0s) springen die Längen wie auf keinem Weg des Plans: Der Strahl war "
+     "unterbrochen, "
      "und die Längen von dort an haben eine andere Totstrecke"},
     {"line {0=}: no length for {1} and {2#} others: {3}", "Linie {0}: keine Länge für {1} und {2} weitere: {3}"},
     {"line {0=}: no length for {1}: {2}", "Linie {0}: keine Länge für {1}: {2}"},
@@ -148,6 +149,18 @@ constexpr Phrase rows[] = {
     {"not seen: {0}", "nicht gesehen: {0}"},
     {"repeated: {0}", "wiederholt: {0}"},
     {"restarted: {0}", "neu begonnen: {0}"},
+    {"part {0#}: before {1} (at {2#} s) samples are missing or the length jumped: the lengths from there on have "
+     "another dead path",
+     "Teil {0}: vor {1} (bei {2}\u00a0s) fehlen Abtastwerte oder die Länge sprang: Die Längen von dort an haben eine "
+     "andere Totstrecke"},
+    {"part {0#}: before {1} (at {2#} s) the lengths jump as on no way of the plan: the beam was broken, and the "
+     "lengths from there on have another dead path",
+     "Teil {0}: vor {1} (bei {2}\u00a0s) springen die Längen wie auf keinem Weg des Plans: Der Strahl war "
+     "unterbrochen, und die Längen von dort an haben eine andere Totstrecke"},
+    {"part {0#}: no length for {1} and {2#} others: {3}", "Teil {0}: keine Länge für {1} und {2} weitere: {3}"},
+    {"part {0#}: no length for {1}: {2}", "Teil {0}: keine Länge für {1}: {2}"},
+    {"part {0#}: point {1#}: {2}", "Teil {0}: Punkt {1}: {2}"},
+    {"point {0#}", "Punkt {0}"},
     {"samples at rest scatter by {0#}, which leaves {1#} in a reading of a scatter between runs of {2#}: R and A hold "
      "the noise of the recording",
      "Abtastwerte im Stillstand streuen um {0}, was {1} in einem Messwert lässt, bei einer Streuung zwischen den "
@@ -169,15 +182,15 @@ constexpr Phrase rows[] = {
      "die Aufzeichnung ergab {0} der {1} Messwerte des Plans"},
     {"the recording has become as long as one may be: it ends here",
      "die Aufzeichnung ist so lang geworden, wie eine sein darf: Sie endet hier"},
-    {"the reflector rested where no approach of the plan was due, first at {0#} s; not used ({1#} in all)",
-     "der Reflektor stand still, wo keine Anfahrt des Plans an der Reihe war, zuerst bei {0}\u00a0s; nicht verwendet "
+    {"the reflector rested where no stop of the plan was due, first at {0#} s; not used ({1#} in all)",
+     "der Reflektor stand still, wo kein Halt des Plans an der Reihe war, zuerst bei {0}\u00a0s; nicht verwendet "
      "(insgesamt {1})"},
     {"the rest was too short", "der Stillstand war zu kurz"},
     {"the stream shows {0#} lost of {1#} samples", "der Datenstrom zeigt {0} verlorene von {1} Abtastwerten"},
     {"too short: {0}", "zu kurz: {0}"},
     {"unexpected: {0}", "unerwartet: {0}"},
-    {"what was there may as well belong to another approach that was not heard",
-     "was dort war, kann ebenso zu einer anderen Anfahrt gehören, die nicht gehört wurde"},
+    {"what was there may as well belong to another stop that was not heard",
+     "was dort war, kann ebenso zu einem anderen Halt gehören, der nicht gehört wurde"},
     {"when {0#} of the {1#} bytes of the recording arrived is not known",
      "wann {0} der {1} Bytes der Aufzeichnung ankamen, ist nicht bekannt"},
     {"wrong direction: {0}", "falsche Richtung: {0}"},

@@ -13,12 +13,21 @@
 /// Reports of volumetric calibrations.
 namespace axiometry::report {
 
+/// A file from which lengths came.
+struct VolumetricLengthsFile {
+  std::string file, sha256;
+  std::size_t lengths = 0;
+  std::string parts = {};   ///< of a continuous recording, "3" or "3–5"; empty for a table
+  std::size_t planned = 0;  ///< of a recording: stops of these parts
+};
+
 struct VolumetricSubject {
   const volumetric::MachineModel& machine;
   const volumetric::VolumetricLengths& lengths;
   const volumetric::Identification& found;
-  std::string lengths_file, lengths_sha256;
-  std::string machine_file, machine_sha256;
+  std::span<const VolumetricLengthsFile> lengths_files;
+  std::string machine_file, machine_sha256;  ///< the plan where the machine stands in it
+  std::string plan_file, plan_sha256;        ///< empty without one
 };
 
 /// Findings, squareness, how large each of the 18 functions is and how well it is known, with their curves, the error

@@ -8,6 +8,7 @@
 #include "axiometry/base/result.h"
 #include "axiometry/model/recording.h"
 #include "axiometry/model/tracking.h"
+#include "axiometry/simulation/reflector_way.h"
 #include "axiometry/simulation/tracked_machine.h"
 
 /// What a tracking interferometer shows all the time while the lines of a plan are driven: the continuous recording
@@ -21,43 +22,36 @@ namespace axiometry::simulation {
 
 class TrackedRecording {
  public:
-  /// At rest before the first move and after the last.
-  static constexpr double rest_s = 2.0;
-
   /// `lengths` are those that simulate_lengths() made of the same machine, tracker and plan. Fails on a rate outside
   /// 0.001 to 1e7 samples a second, and on more than 1e10 samples.
   static Result<TrackedRecording> make(const TrackedMachine& machine, const VirtualTracker& tracker,
                                        const TrackingPlan& plan, const SimulatedLengths& lengths, double rate,
                                        std::uint64_t seed);
 
-  std::size_t samples() const { return total_ - lost_; }  ///< that arrive
-  std::size_t lost() const { return lost_; }
-  double duration_s() const { return legs_.back().leave_s; }
+  std::size_t samples() const { return count_.arrived; }
+  std::size_t lost() const { return count_.lost; }
+  double duration_s() const { return way_.duration_s(); }
 
   /// All samples in their order; sample k at k/rate. Fails as the sink does.
   Result<void> record(const SampleSink& sink) const;
 
  private:
-  /// A way and the rest behind it.
-  struct Leg {
-    double begin_s = 0.0, arrive_s = 0.0, leave_s = 0.0;
-    Vector3 from, to;
-    bool is_lost = false;       // the beam, on three fifths of the way
-    double jump_mm = 0.0;       // of the length, in the middle of the way
+  /// What happens to the length on a leg.
+  struct LegLength {
+    double jump_mm = 0.0;       // in the middle of the way
     double dead_path_mm = 0.0;  // at its begin
   };
   TrackedRecording(const VirtualTracker& tracker, double rate, std::uint64_t seed)
       : tracker_(tracker), rate_(rate), seed_(seed) {}
-  void go(Vector3 to, double feed, double dwell_s);
   void break_beams(const std::vector<std::size_t>& stops);
-  static bool is_lost(const Leg& leg, double t_s);
-  double shown_mm(const Leg& leg, double t_s, double normal) const;
+  double shown_mm(const LegLength& leg, double share, Vector3 at, double normal) const;
 
   VirtualTracker tracker_;
   double rate_;
   std::uint64_t seed_;
-  std::vector<Leg> legs_;
-  std::size_t total_ = 0, lost_ = 0;
+  ReflectorWay way_;
+  std::vector<LegLength> lengths_;  // of each leg
+  ReflectorWay::Count count_;
 };
 
 }  // namespace axiometry::simulation

@@ -16,7 +16,6 @@
 #include "axiometry/app/live/recording_spared.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/recordings/raw_playing.h"
-#include "axiometry/app/tracking/tracking_plan.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/format.h"
 
@@ -62,12 +61,10 @@ class Run {
                           session_.matcher().result(), session_.samples(), session_.lost()};
   }
 
-  /// Of a session for the lines of that plan.
-  Result<LengthOutcome> lengths(const TrackingPlan& plan) {
+  /// All that came, whatever is to be made of it.
+  Result<HeardSource> heard() {
     AXIOMETRY_TRY_VOID(hear());
-    AXIOMETRY_TRY(CapturedLengths lengths, captured_lengths(plan, session_));
-    const std::string date = arrival_date(first_arrival_);
-    return LengthOutcome{session_.complete(), stopped_, std::move(lengths), session_.lost(), date};
+    return HeardSource{session_.complete(), stopped_, arrival_date(first_arrival_), std::move(session_)};
   }
 
  private:
@@ -371,20 +368,13 @@ auto from_source(const CaptureRun& run, const CaptureObserver& observer, Capture
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
                                    const CaptureObserver& observer) {
   AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
-  AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
+  AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part.value_or(1)));
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
   return from_source(run, observer, std::move(session), [](Run& reading) { return reading(); });
 }
 
-Result<LengthOutcome> run_length_capture(const CaptureRun& run, const CaptureOptions& options,
-                                         const CaptureObserver& observer) {
-  AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
-  AXIOMETRY_TRY(const TrackingPlan plan, read_tracking_plan_file(options.plan));
-  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(plan, options));
-  AXIOMETRY_TRY(LengthOutcome outcome,
-                from_source(run, observer, std::move(session), [&](Run& reading) { return reading.lengths(plan); }));
-  if (!run.out.empty()) AXIOMETRY_TRY_VOID(write_file(run.out, length_capture_table(outcome.lengths)));
-  return outcome;
+Result<HeardSource> hear_source(const CaptureRun& run, CaptureSession session, const CaptureObserver& observer) {
+  return from_source(run, observer, std::move(session), [](Run& reading) { return reading.heard(); });
 }
 
 Result<CaptureOutcome> run_live_capture(CaptureSession session, const LiveCapture& capture,

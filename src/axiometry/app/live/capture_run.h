@@ -9,7 +9,6 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/live/live_source.h"
 #include "axiometry/app/recordings/capture_session.h"
-#include "axiometry/app/recordings/length_capture.h"
 
 /// The use case "wait for the readings of a plan and keep them".
 namespace axiometry::app {
@@ -50,19 +49,18 @@ struct CaptureOutcome {
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
                                    const CaptureObserver& observer);
 
-struct LengthOutcome {
-  bool complete = false;  ///< the last approach has come
+/// What a source gave to a session.
+struct HeardSource {
+  bool complete = false;  ///< the last stop of the plan has come
   bool stopped = false;   ///< by the observer
-  CapturedLengths lengths;
-  std::size_t lost = 0;
-  std::string date;  ///< on which the first bytes of a live source arrived
+  std::string date;       ///< on which the first bytes of a live source arrived
+  CaptureSession session;
 };
 
-/// The same for the lines of a tracking plan: `out` is the table of lengths (length_capture_table()), written once, at
-/// the end; what came until then is in the raw file. Readings and events are not told while they come, because a later
-/// standstill may show that one belongs elsewhere; the observer's now() can ask how many there are.
-Result<LengthOutcome> run_length_capture(const CaptureRun& run, const CaptureOptions& options,
-                                         const CaptureObserver& observer);
+/// The same for stops of a tracking interferometer, without a file at its end; what came is in the raw file. Readings
+/// and events are not told while they come, because a later standstill may show that one belongs elsewhere; the
+/// observer's now() can ask how many there are.
+Result<HeardSource> hear_source(const CaptureRun& run, CaptureSession session, const CaptureObserver& observer);
 
 /// A live capture whose plan and stream are at hand.
 struct LiveCapture {

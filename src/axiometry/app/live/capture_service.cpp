@@ -209,14 +209,14 @@ Result<CaptureState> CaptureService::start(const CaptureWish& wish) {
   AXIOMETRY_TRY(const OwnOptions own, own_options(wish.options, source->kind));
   AXIOMETRY_TRY(const CaptureOptions options, capture_options_from(own.others));
   CaptureOrder order{.plan = wish.plan,
-                     .part = options.part,
+                     .part = options.part.value_or(1),
                      .walked = {},
                      .source = wish.source,
                      .layout = wish.layout.empty() ? options.stream : wish.layout,
                      .options = wish.options,
                      .actor = wish.actor,
                      .started = store::now_text()};
-  AXIOMETRY_TRY(order.walked, part_of(wish.whole, options.part));
+  AXIOMETRY_TRY(order.walked, part_of(wish.whole, options.part.value_or(1)));
   if (source->kind == CaptureSource::Kind::simulator && !own.seed) {
     std::erase_if(order.options, [](const auto& option) { return option.first == "seed"; });
     order.options.emplace_back("seed", fmt::format("{}", drawn_seed()));

@@ -87,9 +87,7 @@ Result<CaptureSession> CaptureSession::open(Plan plan, const CaptureOptions& opt
 }
 
 Result<CaptureSession> CaptureSession::open(const TrackingPlan& plan, const CaptureOptions& options) {
-  CaptureSession session;
-  AXIOMETRY_TRY_VOID(session.open_stream(options, AxisKind::linear));
-  if (options.part != 1 || options.matcher.zero_at_first_target || options.matcher.datum != Position{})
+  if (options.part || options.matcher.zero_at_first_target || options.matcher.datum != Position{})
     return fail(
         "found a part, a datum or a zero for a plan of lines, expected none: lengths have a dead path that is not "
         "known");
@@ -98,17 +96,23 @@ Result<CaptureSession> CaptureSession::open(const TrackingPlan& plan, const Capt
       return fail(
           fmt::format("the line {}: {}", text::quoted(line.id),
                       sound ? "found no place in space, expected its origin and direction" : sound.error().message));
-  capture::LineStops lines = capture::line_stops(plan);
-  if (lines.stops.empty()) return fail("found a plan without lines, expected at least one");
-  AXIOMETRY_TRY_VOID(check_settling(options, lines.drive.dwell));
-  capture::StopOptions stops{.drive = lines.drive, .matcher = {}};
-  stops.rest = rest_options(capture::standstill_options(lines.drive), options);
-  stops.matcher.tolerance_mm = options.matcher.window ? options.matcher.window->in_native() : lines.tolerance_mm;
-  stops.matcher.station_error_mm = lines.station_error_mm;
-  stops.matcher.direction_counts = true;
+  capture::StopList list = capture::line_stops(plan).list;
+  if (list.stops.empty()) return fail("found a plan without lines, expected at least one");
+  return open(std::move(list), options);
+}
+
+Result<CaptureSession> CaptureSession::open(capture::StopList list, const CaptureOptions& options) {
+  CaptureSession session;
+  AXIOMETRY_TRY_VOID(session.open_stream(options, AxisKind::linear));
+  AXIOMETRY_TRY_VOID(check_settling(options, list.drive.dwell));
+  capture::StopOptions stops{.drive = list.drive, .matcher = {}};
+  stops.rest = rest_options(capture::standstill_options(list.drive), options);
+  stops.matcher.tolerance_mm = options.matcher.window ? options.matcher.window->in_native() : list.tolerance_mm;
+  stops.matcher.station_error_mm = list.station_error_mm;
+  stops.matcher.direction_counts = list.direction_counts;
   stops.matcher.reversed = options.matcher.reversed;
-  stops.fastest_mm_per_s = std::max(slowest_limit_mm_per_s, feeds_of_limit * lines.drive.feed / 60.0);
-  session.stops_ = std::make_unique<capture::StopListener>(std::move(lines.stops), stops);
+  stops.fastest_mm_per_s = std::max(slowest_limit_mm_per_s, feeds_of_limit * list.drive.feed / 60.0);
+  session.stops_ = std::make_unique<capture::StopListener>(std::move(list.stops), stops);
   return session;
 }
 

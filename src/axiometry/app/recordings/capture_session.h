@@ -20,9 +20,10 @@ namespace axiometry::app {
 
 /// What a recording does not say itself.
 struct CaptureOptions {
-  std::string plan;      ///< file
-  std::size_t part = 1;  ///< 1 is the plan itself, 2 the first of its further plans
-  std::string stream;    ///< id of the layout; empty: recognised by content
+  std::string plan;  ///< file
+  std::optional<std::size_t>
+      part;            ///< 1 is the plan itself, 2 the first of its further plans; of a volumetric plan a run
+  std::string stream;  ///< id of the layout; empty: recognised by content
   formats::RecordingOptions recording;
   capture::MatcherOptions matcher;
   std::optional<Duration> rest_window;  ///< over what capture::standstill_options() derives from the plan
@@ -47,6 +48,8 @@ class CaptureSession {
   /// Lengths of the lines of a plan: `target_window` is how far a change of length may be from the expected one; zero,
   /// datum and part are refused. Readings are not handed on as they come: stops() knows them.
   static Result<CaptureSession> open(const TrackingPlan& plan, const CaptureOptions& options);
+  /// The same of any stops: no datum and no zero are looked at, since lengths have none.
+  static Result<CaptureSession> open(capture::StopList list, const CaptureOptions& options);
 
   /// Fails as the reader of the layout does; readings of what stood before that are made, and handed on by
   /// found_before(). `arrival_s` is nothing when it is never known, NaN when that of these bytes is not.

@@ -117,7 +117,8 @@ Result<void> put_zero(const std::string& word, CaptureOptions& o) {
 
 // The order is that of the help.
 constexpr CaptureOption capture_option_table[] = {
-    {"--part", "N", "Of a plan with further ones: 1 is the plan itself (1)", put_part},
+    {"--part", "N", "Of a plan with further ones: 1 is the plan itself (1); of a volumetric plan the station and tool",
+     put_part},
     {"--stream", "ID", "Layout of the stream instead of recognising it: umd, time-position, npy, camonitor",
      put_stream},
     {"--units-per-count", "MM", "mm or degrees per count, for streams of counts", put_units_per_count},

@@ -45,7 +45,7 @@ CaptureOptions options_of_source(const Source& source, CaptureOptions options) {
 }
 
 Result<Test> read_recording(Source& source, const CaptureOptions& options) {
-  AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part));
+  AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part.value_or(1)));
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options_of_source(source, options)));
   AXIOMETRY_TRY(std::string sha256, hear(source, session));
   AXIOMETRY_TRY(Test test, session.test());

@@ -119,10 +119,28 @@ void add_reading(Value& object, const IdentifiedMachine& identified, std::size_t
 
 Value source_value(const IdentifiedMachine& identified) {
   Value source = Value::object();
-  source.add("lengths", base_name(identified.request.lengths));
-  source.add("lengths_sha256", identified.lengths_sha256);
-  source.add("machine", base_name(identified.request.machine));
+  if (identified.files.size() == 1) {
+    source.add("lengths", identified.files.front().file);
+    source.add("lengths_sha256", identified.files.front().sha256);
+  }
+  Value& files = source.add("files", Value::array());
+  for (const LengthsFile& f : identified.files) {
+    Value& file = files.push(Value::object());
+    file.add("file", f.file);
+    file.add("sha256", f.sha256);
+    file.add("lengths", f.lengths);
+    if (f.layout.empty()) continue;
+    file.add("recording", f.layout);
+    file.add("first_part", f.parts.first);
+    file.add("last_part", f.parts.last);
+    file.add("stops", f.planned);
+  }
+  source.add("machine", base_name(identified.machine_file()));
   source.add("machine_sha256", identified.machine_sha256);
+  if (!identified.request.plan.empty()) {
+    source.add("plan", base_name(identified.request.plan));
+    source.add("plan_sha256", identified.plan_sha256);
+  }
   return source;
 }
 

@@ -3,53 +3,108 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/base/json.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/digest/sha256.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
+#include "axiometry/formats/volumetric/volumetric_plan_json.h"
 #include "axiometry/report/volumetric.h"
 
 namespace axiometry::app {
 namespace {
 
-/// 100 million readings of 40 bytes.
-constexpr std::size_t lengths_most_bytes = std::size_t{4} << 30;
+struct KnownMachine {
+  volumetric::MachineModel machine;
+  std::string sha256;  ///< of the file in which it stands
+  std::optional<volumetric::CalibrationPlan> plan;
+  std::string plan_sha256;
+  std::vector<std::string> remarks;
+};
+
+Result<KnownMachine> known_machine(const IdentifyRequest& request) {
+  if (request.machine.empty() && request.plan.empty())
+    return fail("found neither a machine nor a plan, expected --machine or --plan");
+  std::optional<volumetric::CalibrationPlan> plan;
+  std::string plan_sha256;
+  if (!request.plan.empty()) {
+    AXIOMETRY_TRY(const std::string bytes, whole_file(request.plan));
+    AXIOMETRY_TRY(plan, in_file(formats::read_volumetric_plan(bytes), request.plan));
+    plan_sha256 = sha256(bytes);
+  }
+  if (request.machine.empty()) {
+    volumetric::MachineModel machine = plan->machine;
+    return KnownMachine{std::move(machine), plan_sha256, std::move(plan), plan_sha256, {}};
+  }
+  AXIOMETRY_TRY(const std::string bytes, whole_file(request.machine));
+  AXIOMETRY_TRY(formats::MachineFile file, in_file(formats::read_machine(bytes), request.machine));
+  if (plan && json::dump(formats::machine_value(plan->machine)) != json::dump(formats::machine_value(file.machine)))
+    file.remarks.push_back(fmt::format("the machine of {} is not in all that of {}: the former was used",
+                                       text::quoted(base_name(request.machine)),
+                                       text::quoted(base_name(request.plan))));
+  return KnownMachine{std::move(file.machine), sha256(bytes), std::move(plan), std::move(plan_sha256),
+                      std::move(file.remarks)};
+}
+
+std::vector<report::VolumetricLengthsFile> report_files(const IdentifiedMachine& identified) {
+  std::vector<report::VolumetricLengthsFile> files;
+  for (const LengthsFile& f : identified.files)
+    files.push_back({f.file, f.sha256, f.lengths,
+                     f.layout.empty()                ? std::string()
+                     : f.parts.first == f.parts.last ? fmt::format("{}", f.parts.first)
+                                                     : fmt::format("{}–{}", f.parts.first, f.parts.last),
+                     f.planned});
+  return files;
+}
 
 }  // namespace
 
 Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request) {
-  AXIOMETRY_TRY(const std::string machine_bytes, whole_file(request.machine));
-  AXIOMETRY_TRY(formats::MachineFile machine, in_file(formats::read_machine(machine_bytes), request.machine));
-  AXIOMETRY_TRY(const std::string bytes, file_bytes(request.lengths, lengths_most_bytes));
-  AXIOMETRY_TRY(volumetric::VolumetricLengths lengths,
-                in_file(formats::read_volumetric_lengths(bytes), request.lengths));
-  AXIOMETRY_TRY(volumetric::Identification identification,
-                in_file(volumetric::identify(machine.machine, lengths, request.options), request.lengths));
-  const auto tell = [&](std::vector<std::string>& remarks) {
-    for (std::string& remark : remarks)
-      identification.findings.push_back({"volumetric-passed-over", false, std::move(remark)});
-  };
-  tell(machine.remarks);
-  tell(lengths.remarks);
+  AXIOMETRY_TRY(KnownMachine known, known_machine(request));
+  AXIOMETRY_TRY(GatheredLengths gathered, gather_lengths(request.lengths, known.plan ? &*known.plan : nullptr));
+  auto found = volumetric::identify(known.machine, gathered.lengths, request.options);
+  if (!found && request.lengths.files.size() == 1) found = in_file(std::move(found), request.lengths.files.front());
+  AXIOMETRY_TRY(volumetric::Identification identification, std::move(found));
+  for (std::string& remark : known.remarks)
+    identification.findings.push_back({"volumetric-passed-over", false, std::move(remark)});
+  std::ranges::move(gathered.findings, std::back_inserter(identification.findings));
   return IdentifiedMachine{request,
-                           sha256(bytes),
-                           sha256(machine_bytes),
-                           std::move(machine.machine),
-                           std::move(lengths),
+                           std::move(gathered.files),
+                           std::move(known.sha256),
+                           std::move(known.plan_sha256),
+                           std::move(known.machine),
+                           std::move(gathered.lengths),
                            std::move(identification)};
 }
 
 Experiment present(const IdentifiedMachine& identified, const report::Options& options) {
-  const report::VolumetricSubject subject{identified.machine,        identified.lengths,
-                                          identified.identification, base_name(identified.request.lengths),
-                                          identified.lengths_sha256, base_name(identified.request.machine),
-                                          identified.machine_sha256};
+  const std::vector<report::VolumetricLengthsFile> files = report_files(identified);
+  const std::string plan = identified.request.plan.empty() ? "" : base_name(identified.request.plan);
+  const report::VolumetricSubject subject{identified.machine,
+                                          identified.lengths,
+                                          identified.identification,
+                                          files,
+                                          base_name(identified.machine_file()),
+                                          identified.machine_sha256,
+                                          plan,
+                                          identified.plan_sha256};
   return {report::compose(subject, options), to_json(identified)};
+}
+
+std::string gathered_table(const IdentifiedMachine& identified) {
+  std::string text;
+  for (const LengthsFile& f : identified.files)
+    text += fmt::format("# {} (SHA-256 {}): {} lengths{}\n", f.file, f.sha256, f.lengths,
+                        f.layout.empty() ? "" : fmt::format(" of {} stops, out of a continuous recording", f.planned));
+  return text + formats::write_volumetric_lengths(identified.lengths);
 }
 
 std::string residuals_csv(const IdentifiedMachine& identified) {

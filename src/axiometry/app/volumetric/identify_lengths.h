@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "axiometry/app/results/experiment.h"
+#include "axiometry/app/volumetric/gathered_lengths.h"
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/identify/identification.h"
 
@@ -12,20 +13,27 @@
 namespace axiometry::app {
 
 struct IdentifyRequest {
-  std::string lengths;  ///< CSV, formats/volumetric/volumetric_lengths_csv.h; "-" is the standard input
-  std::string machine;  ///< JSON, formats/volumetric/machine_json.h
+  LengthsRequest lengths;
+  std::string machine = {};  ///< JSON, formats/volumetric/machine_json.h; empty: that of the plan
+  std::string plan = {};     ///< JSON, formats/volumetric/volumetric_plan_json.h; may be empty where a machine is named
   volumetric::IdentifyOptions options = {};
 };
 
 struct IdentifiedMachine {
   IdentifyRequest request;
-  std::string lengths_sha256, machine_sha256;
+  std::vector<LengthsFile> files;
+  std::string machine_sha256;  ///< of the file of the machine, or of the plan that has it
+  std::string plan_sha256;     ///< empty without a plan
   volumetric::MachineModel machine;
   volumetric::VolumetricLengths lengths;
+
+  /// The file in which the machine stands.
+  const std::string& machine_file() const { return request.machine.empty() ? request.plan : request.machine; }
   volumetric::Identification identification;  ///< its findings hold the remarks of the readers too
 };
 
-/// Fails as the files, and as volumetric::identify() does, with the file's name.
+/// Fails as the files, and as gather_lengths() and volumetric::identify() do, with the file's name, and without machine
+/// and plan. Of two machines that of its own file counts, and it is told where they differ.
 Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request);
 
 /// Keys: docs/results.md.
@@ -33,6 +41,9 @@ json::Value to_json(const IdentifiedMachine& identified);
 
 /// Report and JSON.
 Experiment present(const IdentifiedMachine& identified, const report::Options& options);
+
+/// The lengths that were used, as `volumetric identify` reads them; where they came from stands above as comments.
+std::string gathered_table(const IdentifiedMachine& identified);
 
 /// Each reading with its residual, as CSV.
 std::string residuals_csv(const IdentifiedMachine& identified);

@@ -15,6 +15,7 @@
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
+#include "axiometry/formats/volumetric/volumetric_plan_json.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
 
 namespace axiometry::app {
@@ -134,6 +135,11 @@ std::string expectation_text(const PlannedCalibration& planned) {
   for (const VolumetricFinding& f : planned.findings)
     fmt::format_to(out, "{}: {}\n", f.serious ? "serious" : "note", f.message);
   return text;
+}
+
+Result<bool> is_volumetric_plan_file(const std::string& file) {
+  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
+  return formats::is_volumetric_plan(bytes);
 }
 
 }  // namespace axiometry::app

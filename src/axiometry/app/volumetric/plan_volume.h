@@ -35,6 +35,9 @@ json::Value expectation_value(const volumetric::PlannedCalibration& planned);
 /// with an empty column length_mm.
 std::string planned_points_csv(const volumetric::CalibrationPlan& plan);
 
+/// Whether a file holds such a plan. Fails when it cannot be read.
+Result<bool> is_volumetric_plan_file(const std::string& file);
+
 /// What a terminal shows.
 std::string expectation_text(const volumetric::PlannedCalibration& planned);
 

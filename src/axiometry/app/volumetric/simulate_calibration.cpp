@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/recordings/raw_recording.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/base/text.h"
@@ -25,6 +28,7 @@ using volumetric::MachineModel;
 using volumetric::VolumetricReading;
 
 constexpr std::size_t simulated_readings_most = 1'000'000;
+constexpr std::string_view part_place = "{part}";
 
 /// Which of the readings in the table; 1 is the first below the header and the comment.
 void add_simulated_reading(Value& object, const SimulatedCalibration& calibration, std::size_t i) {
@@ -34,15 +38,72 @@ void add_simulated_reading(Value& object, const SimulatedCalibration& calibratio
   object.add("tool", calibration.machine.tools[reading.tool].name);
 }
 
-Result<void> check_simulate_names(const SimulateRequest& request, const SimulateFiles& files) {
-  if (files.lengths.empty() && files.truth.empty()) return fail("found no output, expected --lengths or --truth");
-  if (files.lengths == files.truth)
-    return fail(fmt::format("found the output {} twice, expected different names", text::quoted(files.truth)));
+/// A recording that is to be written: of which parts.
+struct NamedRecording {
+  std::string name;
+  PartRange parts;
+};
+
+Result<std::vector<NamedRecording>> recordings_of(const SimulatedCalibration& calibration, const std::string& name) {
+  std::vector<NamedRecording> recordings;
+  if (name.empty()) return recordings;
+  if (!calibration.plan) return fail("found recordings asked for without a plan, expected the ways of one (--plan)");
+  AXIOMETRY_TRY(const RawLayout layout, raw_layout_of(name));
+  if (layout == RawLayout::umd)
+    return fail(
+        fmt::format("found the recording {}, expected a file ending in .csv, .txt or .npy", text::quoted(name)));
+  const std::size_t parts = calibration.plan->runs.size();
+  const std::size_t at = name.find(part_place);
+  if (at == std::string::npos) return std::vector{NamedRecording{name, {1, parts}}};
+  for (std::size_t part = 1; part <= parts; ++part) {
+    if (calibration.plan->runs[part - 1].stops.empty()) continue;
+    std::string own = name;
+    own.replace(at, part_place.size(), fmt::format("{}", part));
+    recordings.push_back({std::move(own), {part, part}});
+  }
+  return recordings;
+}
+
+struct WrittenRecordings {
+  std::vector<RawRecording> files;  // not committed yet
+  std::size_t samples = 0;
+};
+
+Result<WrittenRecordings> write_recordings(const SimulatedCalibration& calibration,
+                                           const std::vector<NamedRecording>& names) {
+  WrittenRecordings written;
+  for (const NamedRecording& named : names) {
+    AXIOMETRY_TRY(const PartsRecording recording,
+                  PartsRecording::make(*calibration.plan, named.parts, calibration.errors, calibration.simulated,
+                                       calibration.request.recording, calibration.request.seed + named.parts.first));
+    RawSetting setting;
+    setting.samples = recording.samples();
+    setting.rate = calibration.request.recording.rate;
+    setting.lengths = true;
+    AXIOMETRY_TRY(RawRecording file, RawRecording::create(named.name, setting));
+    AXIOMETRY_TRY_VOID(recording.record([&](std::span<const Sample> some) { return file.write(some); }));
+    written.files.push_back(std::move(file));
+    written.samples += recording.samples();
+  }
+  return written;
+}
+
+Result<void> check_simulate_names(const SimulateRequest& request, const SimulateFiles& files,
+                                  const std::vector<NamedRecording>& recordings) {
+  std::vector<std::string> names;
+  for (const std::string& name : {files.lengths, files.truth})
+    if (!name.empty()) names.push_back(name);
+  for (const NamedRecording& recording : recordings) names.push_back(recording.name);
+  if (names.empty()) return fail("found no output, expected --lengths, --recording or --truth");
+  std::vector<std::string> sorted = names;
+  std::ranges::sort(sorted);
+  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
+    return fail(fmt::format("found the output {} twice, expected different names", text::quoted(*twice)));
   std::vector<InputFile> read = {{request.machine.empty() ? request.plan : request.machine, false}};
   if (!request.errors.empty()) read.push_back({request.errors, false});
   const InputFiles inputs(read);
-  for (const std::string& name : {files.lengths, files.truth})
-    if (!name.empty() && name != "-") AXIOMETRY_TRY_VOID(inputs.check_spared(name));
+  for (const std::string& name : names)
+    if (name != "-") AXIOMETRY_TRY_VOID(inputs.check_spared(name));
   return {};
 }
 
@@ -50,7 +111,8 @@ Result<SimulationInputs> machine_and_visits(std::string_view bytes, const Simula
   if (!request.plan.empty()) {
     AXIOMETRY_TRY(volumetric::CalibrationPlan plan, formats::read_volumetric_plan(bytes));
     std::vector<volumetric::Visit> visits = volumetric::visits_of(plan);
-    return SimulationInputs{std::move(plan.machine), false, {}, std::move(visits)};
+    MachineModel machine = plan.machine;
+    return SimulationInputs{std::move(machine), false, {}, std::move(visits), std::move(plan)};
   }
   AXIOMETRY_TRY(formats::MachineFile file, formats::read_machine(bytes));
   MachineModel& machine = file.machine;
@@ -63,7 +125,7 @@ Result<SimulationInputs> machine_and_visits(std::string_view bytes, const Simula
   if (request.points == 0 || request.points > simulated_readings_most / machine.stations.size() / machine.tools.size())
     return fail(fmt::format("found {} points of each station and tool, expected 1 to {} readings in all",
                             request.points, simulated_readings_most));
-  return SimulationInputs{std::move(file.machine), false, {}, {}};
+  return SimulationInputs{std::move(file.machine), false, {}, {}, {}};
 }
 
 }  // namespace
@@ -91,7 +153,8 @@ Result<SimulatedCalibration> simulate_calibration(const SimulateRequest& request
   const volumetric::Draw draw{request.seed, 0};
   AXIOMETRY_TRY(volumetric::SimulatedLengths simulated,
                 volumetric::simulate_lengths(inputs.machine, errors, inputs.visits_of(request), request.faults, draw));
-  return SimulatedCalibration{request, std::move(inputs.machine), std::move(errors), std::move(simulated)};
+  return SimulatedCalibration{request, std::move(inputs.machine), std::move(errors), std::move(simulated),
+                              std::move(inputs.plan)};
 }
 
 Value truth_value(const SimulatedCalibration& calibration) {
@@ -137,8 +200,9 @@ Value truth_value(const SimulatedCalibration& calibration) {
   return root;
 }
 
-Result<void> write_simulated(const SimulatedCalibration& calibration, const SimulateFiles& files) {
-  AXIOMETRY_TRY_VOID(check_simulate_names(calibration.request, files));
+Result<SimulatedSummary> write_simulated(const SimulatedCalibration& calibration, const SimulateFiles& files) {
+  AXIOMETRY_TRY(const std::vector<NamedRecording> recordings, recordings_of(calibration, files.recordings));
+  AXIOMETRY_TRY_VOID(check_simulate_names(calibration.request, files, recordings));
   std::vector<std::pair<std::string, std::string>> texts;
   if (!files.lengths.empty())
     texts.emplace_back(files.lengths, fmt::format("# Simulated, not measured; seed {}\n", calibration.request.seed) +
@@ -150,8 +214,10 @@ Result<void> write_simulated(const SimulatedCalibration& calibration, const Simu
     AXIOMETRY_TRY_VOID(output.write(text));
     outputs.push_back(std::move(output));
   }
+  AXIOMETRY_TRY(WrittenRecordings written, write_recordings(calibration, recordings));
+  for (RawRecording& file : written.files) AXIOMETRY_TRY_VOID(file.commit());
   for (OutputFile& output : outputs) AXIOMETRY_TRY_VOID(output.commit());
-  return {};
+  return SimulatedSummary{recordings.size(), written.samples};
 }
 
 }  // namespace axiometry::app

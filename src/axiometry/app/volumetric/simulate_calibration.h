@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "axiometry/app/volumetric/simulated_recording.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/simulate/coverage.h"
@@ -23,12 +25,14 @@ struct SimulateRequest {
   volumetric::SimulatedFaults faults = {};
   std::uint64_t seed = 1;
   std::size_t spans = 0;  ///< of curves in trials; 0: as identify chooses
+  RecordingNoise recording = {};
 };
 
 /// Empty names are not written; "-" is the standard output.
 struct SimulateFiles {
-  std::string lengths;  ///< CSV for `volumetric identify`
-  std::string truth;    ///< JSON
+  std::string lengths;     ///< CSV for `volumetric identify`
+  std::string recordings;  ///< ".csv", ".txt" or ".npy": one of each part where the name has "{part}", else one of all
+  std::string truth;       ///< JSON
 };
 
 struct SimulatedCalibration {
@@ -36,6 +40,7 @@ struct SimulatedCalibration {
   volumetric::MachineModel machine;
   volumetric::TrueErrors errors;
   volumetric::SimulatedLengths simulated;
+  std::optional<volumetric::CalibrationPlan> plan;  ///< that was asked for
 };
 
 /// What a request names, read: the machine with its stations, and its errors for a trial.
@@ -44,6 +49,7 @@ struct SimulationInputs {
   bool has_errors = false;  ///< whether a file stated them
   volumetric::TrueErrors errors;
   std::vector<volumetric::Visit> visits;  ///< of a plan
+  std::optional<volumetric::CalibrationPlan> plan;
 
   std::vector<volumetric::Visit> visits_of(const SimulateRequest& request) const {
     return visits.empty() ? volumetric::spread_visits(machine, request.points, {request.seed, 0}) : visits;
@@ -61,8 +67,14 @@ Result<SimulatedCalibration> simulate_calibration(const SimulateRequest& request
 /// The errors as they are and in the gauge of the identification, and all that went wrong.
 json::Value truth_value(const SimulatedCalibration& calibration);
 
-/// Writes all files or none. Fails on no output, on one name twice, and on a name that is an input's.
-Result<void> write_simulated(const SimulatedCalibration& calibration, const SimulateFiles& files);
+struct SimulatedSummary {
+  std::size_t recordings = 0;
+  std::size_t samples = 0;  ///< of all
+};
+
+/// Writes all files or none. Fails on no output, on one name twice, on a name that is an input's, and on recordings
+/// without a plan.
+Result<SimulatedSummary> write_simulated(const SimulatedCalibration& calibration, const SimulateFiles& files);
 
 /// The use case "whether the stated uncertainties are true": trials of the whole procedure.
 Result<volumetric::Coverage> coverage_of(const SimulateRequest& request, std::size_t trials);

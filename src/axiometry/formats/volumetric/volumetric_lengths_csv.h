@@ -22,6 +22,10 @@ std::string name_cell(const std::string& name);
 
 std::string write_volumetric_lengths(const volumetric::VolumetricLengths& lengths);
 
+/// Whether a file with this beginning holds a continuous recording of lengths (formats/recording.h), and not such a
+/// table: a layout of recordings recognises it, and its first line names neither station nor tool.
+bool is_volumetric_recording(std::string_view head);
+
 /// A place of the axes, and the tool there.
 struct VolumePoint {
   std::string tool;

@@ -66,7 +66,7 @@ class VolumetricComposition {
     document.running_head = translated(document.title, options_);
     document.running_status = document.edition;
     document.generator = fmt::format("Axiometry {}", version);
-    document.identity = {file_fact("Measured lengths", s_.lengths_file), file_fact("Machine", s_.machine_file)};
+    document.identity = {measured_fact(), file_fact("Machine", s_.machine_file)};
     document.status = {status()};
     document.sections = {result_section(),    findings_section(), squareness_section(),
                          motions_section(),   curves_section(),   station_section(),
@@ -80,6 +80,15 @@ class VolumetricComposition {
 
   Fact file_fact(std::string_view name, const std::string& file) const {
     return {plain(name), file == "-" ? text_cell("standard input") : verbatim_cell(file)};
+  }
+
+  bool has_recordings() const {
+    return std::ranges::any_of(s_.lengths_files, [](const VolumetricLengthsFile& f) { return !f.parts.empty(); });
+  }
+
+  Fact measured_fact() const {
+    if (s_.lengths_files.size() == 1) return file_fact("Measured lengths", s_.lengths_files.front().file);
+    return fact("Measured lengths", fmt::format("{} files", s_.lengths_files.size()));
   }
 
   Notice status() const {
@@ -240,10 +249,42 @@ class VolumetricComposition {
   }
 
   Section source() const {
-    Facts facts{"",
-                {file_fact("Lengths", s_.lengths_file), Fact{plain("SHA-256"), verbatim_cell(s_.lengths_sha256)},
-                 file_fact("Machine", s_.machine_file), Fact{plain("SHA-256"), verbatim_cell(s_.machine_sha256)}}};
-    return {"source", "Source", false, {std::move(facts)}};
+    Section section{"source", "Source", false, {}};
+    Facts facts{"", {}};
+    const bool as_table = s_.lengths_files.size() > 1 || has_recordings();
+    if (!as_table) add_file(facts, "Lengths", s_.lengths_files.front().file, s_.lengths_files.front().sha256);
+    add_file(facts, "Machine", s_.machine_file, s_.machine_sha256);
+    if (!s_.plan_file.empty() && s_.plan_file != s_.machine_file) add_file(facts, "Plan", s_.plan_file, s_.plan_sha256);
+    if (as_table) section.blocks.emplace_back(files_table());
+    section.blocks.emplace_back(std::move(facts));
+    return section;
+  }
+
+  void add_file(Facts& facts, std::string_view name, const std::string& file, const std::string& sha256) const {
+    facts.facts.push_back(file_fact(name, file));
+    facts.facts.push_back({plain("SHA-256"), verbatim_cell(sha256)});
+  }
+
+  Table files_table() const {
+    Table table;
+    table.columns = {{plain("Lengths"), Align::start, true},
+                     {plain("Kind"), Align::start},
+                     {plain("Part of the plan"), Align::start},
+                     {plain("Found"), Align::decimal},
+                     {plain("SHA-256"), Align::start, false, true}};
+    for (const VolumetricLengthsFile& f : s_.lengths_files)
+      table.rows.push_back(
+          {f.file == "-" ? text_cell("standard input") : verbatim_cell(f.file),
+           text_cell(f.parts.empty() ? "table" : "continuous recording"),
+           f.parts.empty() ? text_cell("–") : verbatim_cell(f.parts),
+           text_cell(f.parts.empty() ? fmt::format("{}", f.lengths) : fmt::format("{} of {}", f.lengths, f.planned)),
+           verbatim_cell(f.sha256)});
+    if (has_recordings())
+      table.notes.push_back(
+          plain("Lengths out of continuous recordings are means over the rests that were matched to the points of the "
+                "plan."));
+    table.dense = true;
+    return table;
   }
 
   const VolumetricSubject& s_;

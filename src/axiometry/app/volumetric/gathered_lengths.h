@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/recordings/capture_session.h"
+#include "axiometry/app/volumetric/part_stops.h"
+#include "axiometry/base/result.h"
+#include "axiometry/volumetric/identify/identification.h"
+#include "axiometry/volumetric/machine/volumetric_data.h"
+
+/// The lengths of a volumetric calibration out of one or several files, tables and continuous recordings.
+namespace axiometry::app {
+
+/// A file of lengths, as it was used.
+struct LengthsFile {
+  std::string file;
+  std::string sha256;
+  std::size_t lengths = 0;  ///< that it gave
+  std::string layout = {};  ///< of a continuous recording; empty for a table
+  PartRange parts = {};     ///< of a recording: of the plan
+  std::size_t planned = 0;  ///< of a recording: stops of these parts
+};
+
+struct GatheredLengths {
+  volumetric::VolumetricLengths lengths;
+  std::vector<LengthsFile> files;  ///< in the order in which they were named
+  std::vector<volumetric::VolumetricFinding> findings;
+};
+
+struct LengthsRequest {
+  std::vector<std::string> files;     ///< "-" is the standard input
+  std::vector<PartRange> parts = {};  ///< of the recordings, in their order; none: they are recognised
+  CaptureOptions recording = {};      ///< what a recording does not say itself
+};
+
+/// Reads all. Of several files each station and tool may come from one table alone, and each stop of the plan from one
+/// recording. Recordings need a plan (part_lengths.h); tables are held against it where there is one: rows of a station
+/// and tool at the points of another part are refused, those at no point of their part are told. Fails, with the file's
+/// name, as the readers do, on parts for more or fewer recordings than there are, and on a part that two recordings
+/// seem to hold unless it was said for both.
+Result<GatheredLengths> gather_lengths(const LengthsRequest& request, const volumetric::CalibrationPlan* plan);
+
+}  // namespace axiometry::app
