@@ -23,11 +23,15 @@ constexpr std::size_t lengths_most_bytes = std::size_t{4} << 30;
 }  // namespace
 
 Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request) {
-  AXIOMETRY_TRY(const std::string machine_bytes, whole_file(request.machine));
-  AXIOMETRY_TRY(formats::MachineFile machine, in_file(formats::read_machine(machine_bytes), request.machine));
-  AXIOMETRY_TRY(const std::string bytes, file_bytes(request.lengths, lengths_most_bytes));
+  AXIOMETRY_TRY(const std::string machine, whole_file(request.machine));
+  AXIOMETRY_TRY(const std::string lengths, file_bytes(request.lengths, lengths_most_bytes));
+  return identify_lengths(request, {.lengths = lengths, .machine = machine});
+}
+
+Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request, const IdentifyFiles& files) {
+  AXIOMETRY_TRY(formats::MachineFile machine, in_file(formats::read_machine(files.machine), request.machine));
   AXIOMETRY_TRY(volumetric::VolumetricLengths lengths,
-                in_file(formats::read_volumetric_lengths(bytes), request.lengths));
+                in_file(formats::read_volumetric_lengths(files.lengths), request.lengths));
   AXIOMETRY_TRY(volumetric::Identification identification,
                 in_file(volumetric::identify(machine.machine, lengths, request.options), request.lengths));
   const auto tell = [&](std::vector<std::string>& remarks) {
@@ -37,8 +41,8 @@ Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request) {
   tell(machine.remarks);
   tell(lengths.remarks);
   return IdentifiedMachine{request,
-                           sha256(bytes),
-                           sha256(machine_bytes),
+                           sha256(files.lengths),
+                           sha256(files.machine),
                            std::move(machine.machine),
                            std::move(lengths),
                            std::move(identification)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/app/results/experiment.h"
@@ -27,6 +28,13 @@ struct IdentifiedMachine {
 
 /// Fails as the files, and as volumetric::identify() does, with the file's name.
 Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request);
+
+/// Bytes that are at hand, under the names of the request, which no file is looked for under.
+struct IdentifyFiles {
+  std::string_view lengths;
+  std::string_view machine;
+};
+Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request, const IdentifyFiles& files);
 
 /// Keys: docs/results.md.
 json::Value to_json(const IdentifiedMachine& identified);

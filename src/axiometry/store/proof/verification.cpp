@@ -96,6 +96,7 @@ Result<void> Verifier::everything() {
   AXIOMETRY_TRY_VOID(verify_assets<Axis>(connection_, attested_, found_.problems));
   AXIOMETRY_TRY_VOID(verify_assets<Instrument>(connection_, attested_, found_.problems));
   AXIOMETRY_TRY_VOID(verify_assets<PlanRecord>(connection_, attested_, found_.problems));
+  AXIOMETRY_TRY_VOID(verify_assets<Calibration>(connection_, attested_, found_.problems));
   AXIOMETRY_TRY_VOID(tests());
   return documents();
 }
