@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// What may be done with a calibration: each makes a version, with its reason.
+import { useState } from 'preact/hooks';
+import { send } from '../../api/client';
+import type { KeptCalibration } from '../../api/types';
+import { CalibrationFields, type CalibrationWords } from '../../components/calibration_fields';
+import { Field } from '../../components/field';
+import { ReasonDialog } from '../test/reason_dialog';
+import { t } from './texts';
+
+interface Props { calibration: KeptCalibration; on_done: (calibration: KeptCalibration) => void; on_close: () => void }
+
+const path_of = ({ id }: KeptCalibration): string => `/api/calibrations/${id}`;
+
+const words_of = ({ title, machine, instrument, measured_on, notes }: KeptCalibration): CalibrationWords =>
+  ({ title, machine: machine?.id ?? null, instrument: instrument?.id ?? null, measured_on, notes });
+
+/** Only what was changed: an instrument that stays is not known anew. */
+function changes(before: CalibrationWords, now: CalibrationWords): Partial<CalibrationWords> {
+  const keys = Object.keys(now) as (keyof CalibrationWords)[];
+  return Object.fromEntries(keys.filter((key) => now[key] !== before[key]).map((key) => [key, now[key]]));
+}
+
+export function EditCalibration({ calibration, on_done, on_close }: Props) {
+  const [words, set_words] = useState(() => words_of(calibration));
+  const changed = changes(words_of(calibration), words);
+  const act = async (reason: string) => {
+    on_done(await send<KeptCalibration>('POST', `${path_of(calibration)}/versions`, { ...changed, base_version: calibration.version, reason }));
+  };
+  return (
+    <ReasonDialog title={t('edit_title')} action={t('save', { n: calibration.version + 1 })} close={on_close} act={act}
+      disabled={Object.keys(changed).length === 0 || words.title.trim() === ''}>
+      <CalibrationFields words={words} on_change={set_words} />
+    </ReasonDialog>
+  );
+}
+
+function options_in(text: string): object | null {
+  try {
+    const value: unknown = JSON.parse(text);
+    return typeof value === 'object' && value !== null && !Array.isArray(value) ? value : null;
+  } catch {
+    return null;
+  }
+}
+
+export function EvaluateAgain({ calibration, on_done, on_close }: Props) {
+  const [text, set_text] = useState(() => JSON.stringify(calibration.options, null, 2));
+  const options = options_in(text);
+  const act = async (reason: string) => {
+    on_done(await send<KeptCalibration>('POST', `${path_of(calibration)}/versions`, { options, base_version: calibration.version, reason }));
+  };
+  return (
+    <ReasonDialog title={t('again_title')} action={t('save', { n: calibration.version + 1 })} close={on_close} act={act} disabled={options === null}>
+      <p class="hint">{t('again_how')}</p>
+      <Field label={t('options')} fault={options === null ? t('not_json') : null}>
+        {(ids) => <textarea {...ids} class="calibration-options" rows={8} spellcheck={false} value={text} onInput={(event) => set_text(event.currentTarget.value)} />}
+      </Field>
+    </ReasonDialog>
+  );
+}
+
+export function WithdrawCalibration({ calibration, on_done, on_close }: Props) {
+  const to = calibration.withdrawn ? 'reinstate' : 'withdraw';
+  const act = async (reason: string) => { on_done(await send<KeptCalibration>('POST', `${path_of(calibration)}/${to}`, { reason })); };
+  return (
+    <ReasonDialog title={t(`${to}_title`)} action={t(to)} close={on_close} act={act}>
+      {to === 'withdraw' && <p class="hint">{t('withdraw_how')}</p>}
+    </ReasonDialog>
+  );
+}
