@@ -34,6 +34,7 @@ extern const std::span<const Phrase> german_capture;              ///< live capt
 extern const std::span<const Phrase> german_terminal;             ///< summaries in a terminal
 extern const std::span<const Phrase> german_requests;             ///< requests to the workbench
 extern const std::span<const Phrase> german_tracking_requests;    ///< and about a tracking interferometer
+extern const std::span<const Phrase> german_calibrations;         ///< calibrations in the archive
 extern const std::span<const Phrase>
     german_volume_report;  ///< volumetric calibrations: figures, field, predictions, tables
 

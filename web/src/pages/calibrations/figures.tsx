@@ -22,6 +22,7 @@ export function figure_name(parameter: string, of: string): string {
   if (volume) return t(volume, { of });
   const known = named.find((one) => one === parameter);
   if (known) return t(known);
+  if (/^E[XYZABC][XYZ]$/.test(parameter)) return `max |${parameter}|`;
   return of === '' ? parameter : `${parameter} (${of})`;
 }
 

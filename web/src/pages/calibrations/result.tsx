@@ -2,9 +2,9 @@
 // What a calibration has found. The 21 errors are shown in one place, ErrorTable, in a small way: what shows the whole
 // result of an identification may stand there instead, given `result`.
 import type { KeptCalibration, CalibrationFigure, TrackingEvaluation } from '../../api/types';
-import { sentence } from '../../components/findings';
 import { DataTable } from '../../components/table';
 import { fixed } from '../../numbers';
+import { TrackingFindings } from '../tracking/findings';
 import { Results } from '../tracking/results';
 import '../tracking.css';
 import { figure_text } from './figures';
@@ -29,7 +29,7 @@ export function CalibrationResult({ calibration }: { calibration: KeptCalibratio
       <VolumePanel figures={calibration.figures} />
       <section class="panel" aria-labelledby="calibration-findings">
         <header><h2 id="calibration-findings">{t('findings')}</h2></header>
-        <Findings findings={result.findings} />
+        <TrackingFindings findings={[...result.findings]} />
       </section>
       <section class="panel" aria-labelledby="calibration-errors">
         <header><h2 id="calibration-errors">{t('errors')}</h2></header>
@@ -48,7 +48,7 @@ function VolumePanel({ figures }: { figures: readonly CalibrationFigure[] }) {
   const figure = (parameter: string, of: string) => figures.find((one) => one.parameter === parameter && one.of === of);
   const unknowns = figure('unknowns', '');
   return (
-    <section class="panel" aria-labelledby="calibration-volume">
+    <section class="panel calibration-volume" aria-labelledby="calibration-volume">
       <header><h2 id="calibration-volume">{t('volume')}</h2><span class="quiet small">{t('volume_how')}</span></header>
       {tools.length > 0 && (
         <DataTable<string> caption={t('volume')} rows={tools} row_key={(tool) => tool} columns={[
@@ -69,15 +69,6 @@ function VolumePanel({ figures }: { figures: readonly CalibrationFigure[] }) {
         })}
       </dl>
     </section>
-  );
-}
-
-function Findings({ findings }: { findings: Identified['findings'] }) {
-  if (findings.length === 0) return <p class="quiet">{t('no_findings')}</p>;
-  return (
-    <ul class="finding-list">
-      {findings.map((finding, k) => <li key={k} class={finding.severity === 'serious' ? 'departure' : 'note'}><span>{sentence(finding.message)}</span></li>)}
-    </ul>
   );
 }
 

@@ -17,7 +17,7 @@ export function CalibrationTable({ rows, with_machine = true, order, on_order }:
     ...(with_machine ? [{ key: 'machine', head: t('machine'), cell: ({ machine }: CalibrationRow) => (machine ? <a href={`/machines/${machine.id}`}>{machine.name}</a> : absent) }] : []),
     { key: 'measured', head: t('measured'), order: 'measured', falling: true, class: 'number-text', cell: (row) => row.measured_on || absent },
     { key: 'headline', head: t('headline'), cell: (row) => <>{headline(row)}{row.serious > 0 && <> <span class="tag bad">{t('serious', { n: row.serious })}</span></>}</> },
-    ...(judged ? [{ key: 'verdict', head: t('verdict'), cell: ({ verdict }: CalibrationRow) => <VerdictMark verdict={verdict} /> }] : []),
+    ...(judged ? [{ key: 'verdict', head: t('verdict'), cell: ({ kind, verdict }: CalibrationRow) => (kind === 'lines' ? <VerdictMark verdict={verdict} /> : absent) }] : []),
   ];
   return <DataTable<CalibrationRow> caption={t('title')} columns={columns} rows={rows} row_key={(row) => row.id} order={order} {...(on_order ? { on_order } : {})} />;
 }
