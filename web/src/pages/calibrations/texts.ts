@@ -36,7 +36,7 @@ export const t = texts({
   reinstate_title: ['Reinstate this calibration', 'Diese Kalibrierung wieder aufnehmen'],
   edit_title: ['Edit this calibration', 'Diese Kalibrierung bearbeiten'],
   again_title: ['Evaluate again with other options', 'Mit anderen Optionen neu auswerten'],
-  again_how: ['The files stay; the result becomes a new version. The options are JSON as in docs/results.md.', 'Die Dateien bleiben; das Ergebnis wird eine neue Version. Die Optionen sind JSON wie in docs/results.md.'],
+  again_how: ['The files stay; the result becomes a new version. The options are JSON (keep-a-calibration.md).', 'Die Dateien bleiben; das Ergebnis wird eine neue Version. Die Optionen sind JSON (keep-a-calibration.md).'],
   options: ['Options', 'Optionen'],
   not_json: ['This is no JSON object.', 'Das ist kein JSON-Objekt.'],
   save: ['Save as version {n}', 'Als Version {n} speichern'],
