@@ -64,10 +64,11 @@ export const calibrations = {
     await shows(page.locator('main'), /Rank of unknowns\s*154 \/ 154/);
     await shows(page.locator('main'), /the beam was broken/);
     await page.getByRole('button', { name: 'Evaluate again' }).click();
-    await page.getByRole('dialog').getByLabel('Options').fill('{"spans": 3');
-    await shows(page.getByRole('dialog'), 'This is no JSON object');
-    await page.getByRole('dialog').getByLabel('Options').fill('{"spans": 5}');
+    await page.getByRole('dialog').getByLabel('Spans').fill('5, 6');
+    await shows(page.getByRole('dialog'), 'one, or three');
+    await page.getByRole('dialog').getByLabel('Spans').fill('5');
     await with_reason(page, 'Save as version 2', 'finer curves');
+    await shows(page.locator('main'), /Options: \{"spans":5\}/);
     await page.getByText('Versions (2)').click();
     await shows(page.locator('.history'), /finer curves/);
     await page.goto('/calibrations/1?version=1');

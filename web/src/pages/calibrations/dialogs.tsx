@@ -4,8 +4,8 @@ import { useState } from 'preact/hooks';
 import { send } from '../../api/client';
 import type { KeptCalibration } from '../../api/types';
 import { CalibrationFields, type CalibrationWords } from '../../components/calibration_fields';
-import { Field } from '../../components/field';
 import { ReasonDialog } from '../test/reason_dialog';
+import { OptionsFields, form_of, options_of, type Options, type OptionsForm } from './options';
 import { t } from './texts';
 
 interface Props { calibration: KeptCalibration; on_done: (calibration: KeptCalibration) => void; on_close: () => void }
@@ -35,27 +35,16 @@ export function EditCalibration({ calibration, on_done, on_close }: Props) {
   );
 }
 
-function options_in(text: string): object | null {
-  try {
-    const value: unknown = JSON.parse(text);
-    return typeof value === 'object' && value !== null && !Array.isArray(value) ? value : null;
-  } catch {
-    return null;
-  }
-}
-
 export function EvaluateAgain({ calibration, on_done, on_close }: Props) {
-  const [text, set_text] = useState(() => JSON.stringify(calibration.options, null, 2));
-  const options = options_in(text);
+  const [form, set_form] = useState<OptionsForm>(() => form_of(calibration.options as Options));
+  const options = options_of(calibration.kind, form);
   const act = async (reason: string) => {
     on_done(await send<KeptCalibration>('POST', `${path_of(calibration)}/versions`, { options, base_version: calibration.version, reason }));
   };
   return (
     <ReasonDialog title={t('again_title')} action={t('save', { n: calibration.version + 1 })} close={on_close} act={act} disabled={options === null}>
       <p class="hint">{t('again_how')}</p>
-      <Field label={t('options')} fault={options === null ? t('not_json') : null}>
-        {(ids) => <textarea {...ids} class="calibration-options" rows={8} spellcheck={false} value={text} onInput={(event) => set_text(event.currentTarget.value)} />}
-      </Field>
+      <OptionsFields kind={calibration.kind} form={form} on_change={set_form} />
     </ReasonDialog>
   );
 }
