@@ -64,7 +64,7 @@ def form(**parts):
     """A form of files, and of options without a file name."""
     text = ""
     for name, content in parts.items():
-        file = "" if name == "options" else f'; filename="{name}.x"'
+        file = "" if name in ("options", "about", "kind") else f'; filename="{name}.x"'
         text += f'--b\r\nContent-Disposition: form-data; name="{name}"{file}\r\n\r\n{content}\r\n'
     return (text + "--b--\r\n").encode()
 
@@ -73,6 +73,11 @@ WRONG_FORMS = [form(lengths="a"), form(plan="{}"), form(plan="{}", lengths="a"),
                form(options='{"foo": 1}'), form(options='{"tolerances": ["Q=1um"]}'), form(options='{"rule": "foo"}'),
                form(options='{"tolerances": ["A=1um", "A=2um"]}'), form(options='{"break_threshold_mm": 0}'),
                form(options='{"reversed": 1}'), form(options=json.dumps({"tolerances": ["A=1um"] * 300})), b""]
+WRONG_CALIBRATIONS = [form(kind="x"), form(kind="lines", lengths="a"), form(kind="lines", photo="a"), form(colour="red"),
+                      form(kind="volumetric", lengths="a"), form(about="{"), form(about='{"foo": 1}'),
+                      form(about='{"measured_on": "soon"}'), form(about='{"machine": "x"}'),
+                      *(form(kind="volumetric", lengths="a", machine="{}", options=options) for options in (
+                          '{"spans": 0}', '{"spans": [1]}', '{"curves": "x"}', '{"find_breaks": 1}', '{"foo": 1}'))]
 ENGLISH = re.compile(r"(?<![\w\"„'.-])(?:found|expected|the|of|with|and|one|not|no|is|are|must|some|twice|beside|from|to|by|"
                      r"whole|number|which|without|below|above|least|each|they|there|than)(?![\w\"“'.=-])")
 
@@ -112,6 +117,12 @@ def answers(program):
         for content in WRONG_FORMS:
             yield ask("POST", "/api/tracking/evaluation", content, **{"Content-Type": "multipart/form-data; boundary=b"})
         yield ask("POST", "/api/tracking/evaluation", b"a", **{"Content-Type": "text/csv"})
+        for content in WRONG_CALIBRATIONS:
+            yield ask("POST", "/api/calibrations", content, **{"Content-Type": "multipart/form-data; boundary=b"})
+        yield ask("POST", "/api/calibrations", b"a", **{"Content-Type": "text/csv"})
+        for path in ("/api/calibrations?kind=x", "/api/calibrations?order=x", "/api/calibrations/99",
+                     "/api/calibrations/1/comparison", "/api/calibrations/99/files/plan"):
+            yield ask("GET", path)
         for path in ("/api/tests/99", "/api/machines/99", "/api/nothing", "/api/tests?limit=abc", "/api/tests/1/report.docx"):
             yield ask("GET", path)
         for body in ({}, {"name": ""}, {"name": 5}, {"name": "x" * 5000}):

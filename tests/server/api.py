@@ -247,6 +247,32 @@ def tracking(play):
     play.expect(413, "POST", "/api/tracking/station", bytes(300 << 10), {"X-File-Name": "points.csv"})
 
 
+def calibrations(play):
+    """Kept with their files, evaluated again, compared, withdrawn and brought back."""
+    measured = pathlib.Path(__file__).resolve().parent.parent / "transcripts" / "volumetric.files"
+    lengths, machine = ((measured / name).read_bytes() for name in ("lengths.csv", "machine.json"))
+    sent = form((b'name="kind"', b"volumetric"), (b'name="about"', b'{"title": "before"}'), (b'name="options"', b'{"spans": 3}'),
+                (b'name="lengths"; filename="lengths.csv"', lengths), (b'name="machine"; filename="machine.json"', machine))
+    kept = play.expect(201, "POST", "/api/calibrations", *sent).json()
+    play.checks.that("its figures are of the volume", kept["figures"][0]["parameter"] == "volume_largest", kept["figures"])
+    first, path = kept["id"], f"/api/calibrations/{kept['id']}"
+    second = play.expect(201, "POST", "/api/calibrations", *sent).json()["id"]
+    play.checks.that("both are listed", play.expect(200, "GET", "/api/calibrations?kind=volumetric").json()["total"] == 2)
+    again = play.expect(201, "POST", f"{path}/versions", {"base_version": 1, "options": {"spans": 4}, "reason": "finer"}).json()
+    play.checks.that("a version more", again["version"] == 2 and len(again["versions"]) == 2, again["versions"])
+    play.expect(409, "POST", f"{path}/versions", {"base_version": 1, "title": "other"})
+    play.expect(422, "POST", f"{path}/versions", {"base_version": 2, "options": {"spans": 0}})
+    play.checks.that("its files are as they came", play.expect(200, "GET", f"{path}/files/lengths").body == lengths)
+    play.expect(200, "GET", f"{path}/report.pdf")
+    play.expect(200, "GET", f"{path}/report.json?version=1")
+    play.expect(200, "GET", f"{path}/comparison?with={second}")
+    play.expect(200, "POST", f"{path}/withdraw", {"reason": "wrong machine"})
+    play.expect(409, "POST", f"{path}/withdraw", {"reason": "wrong machine"})
+    play.expect(200, "POST", f"{path}/reinstate", {"reason": "it was the right one"})
+    play.checks.that("it is back", not play.expect(200, "GET", path).json()["withdrawn"])
+    play.expect(404, "GET", f"/api/calibrations/{first + 99}")
+
+
 def captures(play):
     if play.server.request("GET", "/api/sources").status == 404:
         return
@@ -286,6 +312,7 @@ def main():
             equipment(play)
             plans(play)
             tracking(play)
+            calibrations(play)
             captures(play)
             examples(play, program, folder)
             described = {(method.upper(), path) for path, operations in OPENAPI["paths"].items() for method in operations}

@@ -24,6 +24,7 @@ from served import Served  # noqa: E402
 
 LONGEST_S = 120  # for a few rows, whatever their numbers are
 VERIFIER = ROOT / "tools" / "verify_archive.py"
+MEASURED = ROOT / "tests" / "transcripts" / "tracking-evaluate.files"
 
 
 def heads_on_paper(archive):
@@ -52,14 +53,18 @@ def measured_file(folder, number):
 
 
 def make_archive(program, folder):
-    """An archive of three files, a withdrawn test, a plan and a report; and its seal."""
+    """An archive of three files, a withdrawn test, a withdrawn calibration, a plan and a report; and its seal."""
     archive, seal = folder / "good.db", folder / "good.seal"
     files = [measured_file(folder, number) for number in (1, 2, 3)]
     subprocess.run([program, "store", "add", *files, "--store", archive], check=True, stdout=subprocess.DEVNULL)
+    instrument = ["--of-machine", "1", "--instrument", "1"]
+    subprocess.run([program, "store", "calibrate", MEASURED / "lengths.csv", "--plan", MEASURED / "seven.json", *instrument,
+                    "--store", archive], check=True, stdout=subprocess.DEVNULL)
     with Served(program, archive) as server:
         for method, path, body, wanted in (
                 ("POST", "/api/tests/1/reports", {"extension": "html", "language": "en"}, 201),
                 ("POST", "/api/plans", {"title": "X 500", "axis": None, "request": PLAN}, 201),
+                ("POST", "/api/calibrations/1/withdraw", {"reason": "wrong plan"}, 200),
                 ("POST", "/api/tests/2/withdraw", {"reason": "wrong axis"}, 200)):
             answer = server.request(method, path, body)
             if answer.status != wanted:
@@ -165,7 +170,7 @@ def delete_last_test(path, with_lines=True):
         if not with_lines:
             return
         gone = database.execute("SELECT subject FROM audit WHERE id >= ?", (first,)).fetchall()
-        for table in ("document", "plan_version", "plan", "content", "instrument_version", "instrument", "axis_version", "axis",
+        for table in ("document", "calibration_version", "calibration", "plan_version", "plan", "content", "instrument_version", "instrument", "axis_version", "axis",
                       "machine_version", "machine"):
             record = table.removesuffix("_version")
             for subject, in gone:
@@ -215,6 +220,11 @@ CASES = [
                                                       "UPDATE test_search SET withdrawn = 0",
                                                       "UPDATE list_instrument SET withdrawn = 0")),
     Case("a machine", change("UPDATE machine_version SET serial_number = '7'")),
+    Case("a calibration's figures", change("UPDATE calibration_version SET figures = '[]' WHERE version = 1")),
+    Case("the files of a calibration", change("UPDATE calibration_version SET files = replace(files, 'seven', 'eight')")),
+    Case("a calibration that is no longer withdrawn", change("UPDATE calibration_version SET withdrawn = 0")),
+    Case("a calibration without its last version", change("DELETE FROM calibration_version WHERE version = 2",
+                                                          "UPDATE calibration SET latest = 1")),
     Case("a document", change("UPDATE document SET name = 'other.html'")),
     Case("a document more", change("INSERT INTO document SELECT id + 1, test, version, kind, name, media_type, language, "
                                    "content, size, at, actor, reason FROM document")),

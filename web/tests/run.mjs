@@ -6,6 +6,7 @@ import { accessibility } from './accessibility.mjs';
 import { answers } from './answers.mjs';
 import { audit } from './audit.mjs';
 import { calibration } from './calibration.mjs';
+import { calibrations } from './calibrations.mjs';
 import { capture } from './capture.mjs';
 import { claims } from './claims.mjs';
 import { conflict } from './conflict.mjs';
@@ -33,7 +34,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...tracking, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...claims, ...description, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...tracking, ...calibrations, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...claims, ...description, ...offline, ...timing };
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));

@@ -18,6 +18,7 @@
 #include "cli/archive_proof.h"
 #include "cli/failure.h"
 #include "cli/text/terminal.h"
+#include "cli/verbs/command_store_calibrations.h"
 #include "cli/verbs/commands.h"
 
 namespace axiometry::cli {
@@ -58,6 +59,7 @@ Result<int> info(const StoreArguments& arguments) {
                                                           {"instruments", counts.instruments},
                                                           {"plans", counts.plans},
                                                           {"tests", counts.tests},
+                                                          {"calibrations", counts.calibrations},
                                                           {"documents", counts.documents},
                                                           {"content_bytes", counts.content_bytes}};
   if (arguments.json) {
@@ -190,6 +192,8 @@ constexpr const char* examples = R"(Examples:
   axiometry store verify tests.db --head 17:3f2a9c0b1d2e4f56    the trail is still that of a report on paper
   axiometry store restore copy.db --store postgresql://archive@db.example/axiometry
   axiometry store add run1.csv run2.csv --store tests.db
+  axiometry store calibrate lengths.csv --plan seven.json --store tests.db      lines, with their files
+  axiometry store calibrate lengths.csv --machine machine.json --store tests.db the 21 errors
 
 Exit codes: 0 done, 2 bad input or output, 3 verify found problems.)";
 
@@ -261,6 +265,7 @@ void add_store(const Verb& program, int& exit_code) {
   add_verb(*verb, "add", "Put files of tests into the archive", exit_code, made, add)
       ->add_option("FILE", made->files, "Files of tests, in any format that is read")
       ->required();
+  add_store_calibrations(*verb, exit_code);
 }
 
 }  // namespace axiometry::cli

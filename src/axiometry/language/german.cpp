@@ -33,6 +33,8 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_volumetric_findings,
                                  german_volume_recordings,
                                  german_volume_report};
+                                 german_volume_report,
+                                 german_calibrations};
   return tables;
 }
 

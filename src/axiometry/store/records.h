@@ -82,4 +82,39 @@ struct PlanRecord {
   std::string content;  ///< SHA-256 of the plan's JSON
 };
 
+/// A file that a calibration was evaluated from; its bytes are a content.
+struct CalibrationFile {
+  std::string role;     ///< "lengths", "plan", "station" or "machine"
+  std::string name;     ///< as the user gave it, without folders
+  std::string content;  ///< SHA-256
+};
+
+/// A figure by which a calibration is known in a list, in the order in which they are shown.
+struct CalibrationFigure {
+  std::string parameter;  ///< "A", "volume_largest"
+  std::string of;         ///< a line of the plan, or a tool; empty: of the whole
+  double value = 0.0;
+  std::optional<double> u;  ///< standard uncertainty; absent where none was found
+  std::string unit;         ///< "um", "urad", or empty of a number
+};
+
+/// What a tracking interferometer found of a machine as a whole. Its result is a content, so that a list reads none.
+struct Calibration {
+  std::string kind;  ///< "lines": of a plan, each after ISO 230-2; or "volumetric": the 21 errors
+  std::string title;
+  std::optional<Id> machine;
+  std::optional<Id> instrument;
+  std::optional<int> instrument_version;  ///< as it was known then; present with `instrument`
+  std::string measured_on;                ///< as of a test
+  std::string notes;
+  bool withdrawn = false;  ///< kept, but out of lists
+  std::vector<CalibrationFile> files;
+  std::string program;  ///< "axiometry 0.1.0", which evaluated it
+  std::string options;  ///< JSON object: what the result depends on beside the files
+  std::string result;   ///< SHA-256 of the result document (JSON, docs/results.md)
+  std::string verdict;  ///< of all tolerances together; empty without any
+  int serious = 0;      ///< findings after which the result should not be used as it is
+  std::vector<CalibrationFigure> figures;
+};
+
 }  // namespace axiometry::store

@@ -97,6 +97,7 @@ AXIOMETRY_THING(Machine);
 AXIOMETRY_THING(Axis);
 AXIOMETRY_THING(Instrument);
 AXIOMETRY_THING(PlanRecord);
+AXIOMETRY_THING(Calibration);
 
 #undef AXIOMETRY_THING
 
@@ -124,6 +125,10 @@ Result<TestPage> Store::tests(const TestFilter& filter) const {
   return read([&](const Transaction& archive) { return archive.tests(filter); });
 }
 
+Result<CalibrationPage> Store::calibrations(const CalibrationFilter& filter) const {
+  return read([&](const Transaction& archive) { return archive.calibrations(filter); });
+}
+
 Result<std::vector<MachineTests>> Store::machine_tests(std::optional<Id> machine) const {
   return state_->read([&](Connection& connection) { return find_machine_tests(connection, machine); });
 }
@@ -134,14 +139,11 @@ Result<std::vector<TrendPoint>> Store::trend(Id axis, std::span<const std::strin
 }
 
 Result<std::string> Store::keep(const Content& content, const By& by) {
-  return state_->write([&](Connection& connection) -> Result<std::string> {
-    AXIOMETRY_TRY_VOID(keep_content(connection, content, change_now(by)));
-    return content.sha256;
-  });
+  return write([&](Transaction& archive) { return archive.keep(content, by); });
 }
 
 Result<Content> Store::content(const std::string& sha256) const {
-  return state_->read([&](Connection& connection) { return read_content(connection, sha256); });
+  return read([&](const Transaction& archive) { return archive.content(sha256); });
 }
 
 Result<Document> Store::add_document(const Document& document, std::string_view bytes, const By& by) {

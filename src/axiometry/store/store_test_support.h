@@ -53,6 +53,25 @@ inline Content content_of(const std::string& bytes, const std::string& name = "r
   return {sha256(bytes), name, "csv-long", bytes};
 }
 
+/// With everything that one may have, of the bytes "abc" and instrument 1 of new_test().
+inline Calibration new_calibration(const std::string& title) {
+  return {.kind = "volumetric",
+          .title = title,
+          .machine = 1,
+          .instrument = 1,
+          .instrument_version = 1,
+          .measured_on = "2014-05-16",
+          .notes = "after the crash",
+          .withdrawn = false,
+          .files = {{"lengths", "lengths.csv", sha256("abc")}, {"machine", "machine.json", sha256("abc")}},
+          .program = "axiometry 0.1.0",
+          .options = R"({"reversal":"none"})",
+          .result = sha256("abc"),
+          .verdict = "conforms",
+          .serious = 1,
+          .figures = {{"volume_largest", "T1", 0.1 + 0.2, {}, "um"}, {"chi2_per_dof", "", 1e-300, 0.5, ""}}};
+}
+
 /// Value of a result; a failure of the test, and of the process, where there is none.
 template <typename T>
 T must(Result<T> result) {
@@ -112,6 +131,10 @@ class BothStores : public testing::TestWithParam<std::string> {
     document.kind = Document::Kind::report;
     must(store->add_document(document, "report", by_anna));
     must(store->add(PlanRecord{"Plan", 1, sha256("abc")}, by_anna));
+    Calibration calibration = new_calibration("volume");
+    must(store->add(calibration, by_anna));
+    calibration.withdrawn = true;
+    must(store->change(1, 1, calibration, {"Ben", "wrong machine"}));
     return address;
   }
 

@@ -6,6 +6,7 @@
 #include "axiometry/store/kept/documents.h"
 #include "axiometry/store/kept/stated_assets.h"
 #include "axiometry/store/kept/test_list.h"
+#include "axiometry/store/kept/test_versions.h"
 
 namespace axiometry::store {
 
@@ -16,7 +17,7 @@ Result<Counts> Transaction::counts() const {
                                   "FROM axis), (SELECT coalesce(max(id), 0) FROM instrument), (SELECT "
                                   "coalesce(max(id), 0) FROM plan), (SELECT coalesce(max(id), 0) FROM test), (SELECT "
                                   "coalesce(max(id), 0) FROM document), (SELECT coalesce(sum(size), 0) FROM "
-                                  "content)"));
+                                  "content), (SELECT coalesce(max(id), 0) FROM calibration)"));
   const Row& row = rows[0];
   return Counts{.machines = row.integer(0),
                 .axes = row.integer(1),
@@ -24,6 +25,7 @@ Result<Counts> Transaction::counts() const {
                 .plans = row.integer(3),
                 .tests = row.integer(4),
                 .documents = row.integer(5),
+                .calibrations = row.integer(7),
                 .content_bytes = row.integer(6)};
 }
 
@@ -57,6 +59,7 @@ AXIOMETRY_THING(Machine);
 AXIOMETRY_THING(Axis);
 AXIOMETRY_THING(Instrument);
 AXIOMETRY_THING(PlanRecord);
+AXIOMETRY_THING(Calibration);
 
 #undef AXIOMETRY_THING
 
@@ -91,6 +94,17 @@ Result<std::vector<Change>> Transaction::test_versions(Id id) const {
 Result<TestPage> Transaction::tests(const TestFilter& filter) const { return find_tests(connection_, filter); }
 
 Result<std::vector<Document>> Transaction::documents(Id test) const { return documents_of(connection_, test); }
+
+Result<CalibrationPage> Transaction::calibrations(const CalibrationFilter& filter) const {
+  return find_calibrations(connection_, filter);
+}
+
+Result<Content> Transaction::content(const std::string& sha256) const { return read_content(connection_, sha256); }
+
+Result<std::string> Transaction::keep(const Content& content, const By& by) {
+  AXIOMETRY_TRY_VOID(keep_content(connection_, content, change_now(by)));
+  return content.sha256;
+}
 
 Result<std::vector<Id>> Transaction::receive(const Content& content, std::span<const NewTest> tests, const By& by) {
   return receive_tests(connection_, content, tests, by);

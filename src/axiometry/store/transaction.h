@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/store/kept/calibration_list.h"
 #include "axiometry/store/kept/test_records.h"
 #include "axiometry/store/records.h"
 
@@ -22,6 +23,7 @@ struct Counts {
   std::int64_t plans = 0;
   std::int64_t tests = 0;
   std::int64_t documents = 0;
+  std::int64_t calibrations = 0;
   std::int64_t content_bytes = 0;
 };
 
@@ -49,6 +51,8 @@ class Transaction {
   Result<std::vector<Change>> test_versions(Id id) const;
   Result<TestPage> tests(const TestFilter& filter) const;
   Result<std::vector<Document>> documents(Id test) const;
+  Result<CalibrationPage> calibrations(const CalibrationFilter& filter) const;
+  Result<Content> content(const std::string& sha256) const;
 
   template <typename Asset>
   Result<Versioned<Asset>> add(const Asset& thing, const By& by);
@@ -56,6 +60,7 @@ class Transaction {
   Result<Versioned<Asset>> change(Id id, int base_version, const Asset& thing, const By& by);
   Result<std::vector<Id>> receive(const Content& content, std::span<const NewTest> tests, const By& by);
   Result<int> revise(Id test, int base_version, const TestState& state, const By& by);
+  Result<std::string> keep(const Content& content, const By& by);
   Result<Document> add_document(const Document& document, std::string_view bytes, const By& by);
 
  private:

@@ -107,6 +107,110 @@ export interface components {
             calibrated_on: string;
             calibration_due: string;
         };
+        CalibrationComparison: {
+            before: components["schemas"]["CalibrationHead"];
+            after: components["schemas"]["CalibrationHead"];
+            rows: {
+                parameter: string;
+                /** @description A line, or a tool; empty: of the whole. */
+                of: string;
+                unit: string;
+                before: number | null;
+                before_u: number | null;
+                after: number | null;
+                after_u: number | null;
+                difference: number | null;
+            }[];
+        };
+        CalibrationFigure: {
+            /** @description A, E, R, B of a line; `volume_largest`, `volume_percent_95`, `volume_mean` of a tool, without rigid motion; `chi2_per_dof`, `rank`, `unknowns`, `unseen_errors`, `readings`. */
+            parameter: string;
+            /** @description A line, or a tool; empty: of the whole. */
+            of: string;
+            value: number;
+            /** @description Standard uncertainty. */
+            u: number | null;
+            /** @enum {string} */
+            unit: "um" | "arcsec" | "urad" | "";
+        };
+        CalibrationForm: {
+            /** @enum {string} */
+            kind: "lines" | "volumetric";
+            /** @description JSON: title, machine, instrument, measured_on, notes; all may be left out. */
+            about?: string;
+            /** @description JSON. Of lines as in EvaluationForm; of the 21 errors curves, spans, reversal, drift, find_breaks, find_outliers. */
+            options?: string;
+            /** Format: binary */
+            lengths: string;
+            /**
+             * Format: binary
+             * @description Of lines.
+             */
+            plan?: string;
+            /**
+             * Format: binary
+             * @description Of lines, as it was located.
+             */
+            station?: string;
+            /**
+             * Format: binary
+             * @description Of the 21 errors: the machine, its tools and the instrument.
+             */
+            machine?: string;
+        };
+        CalibrationHead: {
+            id: components["schemas"]["Id"];
+            version: number;
+            kind: components["schemas"]["CalibrationKind"];
+            title: string;
+            machine: {
+                id: components["schemas"]["Id"];
+                name: string;
+            } | null;
+            measured_on: string;
+            withdrawn: boolean;
+            verdict: components["schemas"]["Verdict"] | null;
+            /** @description Findings after which the result should not be used as it is. */
+            serious: number;
+            figures: components["schemas"]["CalibrationFigure"][];
+        };
+        /** @enum {string} */
+        CalibrationKind: "lines" | "volumetric";
+        CalibrationPage: {
+            calibrations: components["schemas"]["CalibrationRow"][];
+            total: number;
+        };
+        CalibrationRevision: {
+            /** @description The version that was looked at. */
+            base_version: number;
+            reason?: string;
+            /** @description It is evaluated again. */
+            options?: Record<string, never>;
+            title?: string;
+            machine?: components["schemas"]["Id"] | null;
+            instrument?: components["schemas"]["Id"] | null;
+            /** @description `2026-01-31`, or empty. */
+            measured_on?: string;
+            notes?: string;
+        };
+        CalibrationRow: {
+            id: components["schemas"]["Id"];
+            version: number;
+            kind: components["schemas"]["CalibrationKind"];
+            title: string;
+            machine: {
+                id: components["schemas"]["Id"];
+                name: string;
+            } | null;
+            measured_on: string;
+            withdrawn: boolean;
+            verdict: components["schemas"]["Verdict"] | null;
+            /** @description Findings after which the result should not be used as it is. */
+            serious: number;
+            figures: components["schemas"]["CalibrationFigure"][];
+            /** Format: date-time */
+            received_at: string;
+        };
         Capture: {
             id: components["schemas"]["Id"];
             plan: components["schemas"]["Id"];
@@ -715,6 +819,48 @@ export interface components {
             probability_most: number | null;
             consumer_risk: number | null;
             producer_risk: number | null;
+        };
+        KeptCalibration: {
+            id: components["schemas"]["Id"];
+            version: number;
+            kind: components["schemas"]["CalibrationKind"];
+            title: string;
+            machine: {
+                id: components["schemas"]["Id"];
+                name: string;
+            } | null;
+            measured_on: string;
+            withdrawn: boolean;
+            verdict: components["schemas"]["Verdict"] | null;
+            /** @description Findings after which the result should not be used as it is. */
+            serious: number;
+            figures: components["schemas"]["CalibrationFigure"][];
+            change: components["schemas"]["Change"];
+            instrument: {
+                id: components["schemas"]["Id"];
+                name: string;
+            } | null;
+            notes: string;
+            files: {
+                /** @description `lengths`, `plan`, `station` or `machine`. */
+                role: string;
+                name: string;
+                sha256: string;
+            }[];
+            /** @description Which evaluated it. */
+            program: string;
+            /** @description As they were asked. */
+            options: Record<string, never>;
+            versions: {
+                version: number;
+                change: components["schemas"]["Change"];
+                title: string;
+                withdrawn: boolean;
+                /** @description Another one where it was evaluated again. */
+                result_sha256: string;
+            }[];
+            /** @description As `axiometry tracking evaluate --json` or `axiometry volumetric identify --json` writes it, in the reader's language; docs/results.md explains it. */
+            result: Record<string, never>;
         };
         Limit: {
             parameter: components["schemas"]["Parameter"];
@@ -2182,6 +2328,14 @@ export type AxisKind = components['schemas']['AxisKind'];
 export type AxisList = components['schemas']['AxisList'];
 export type AxisVersions = components['schemas']['AxisVersions'];
 export type Calibration = components['schemas']['Calibration'];
+export type CalibrationComparison = components['schemas']['CalibrationComparison'];
+export type CalibrationFigure = components['schemas']['CalibrationFigure'];
+export type CalibrationForm = components['schemas']['CalibrationForm'];
+export type CalibrationHead = components['schemas']['CalibrationHead'];
+export type CalibrationKind = components['schemas']['CalibrationKind'];
+export type CalibrationPage = components['schemas']['CalibrationPage'];
+export type CalibrationRevision = components['schemas']['CalibrationRevision'];
+export type CalibrationRow = components['schemas']['CalibrationRow'];
 export type Capture = components['schemas']['Capture'];
 export type CaptureList = components['schemas']['CaptureList'];
 export type CaptureRequest = components['schemas']['CaptureRequest'];
@@ -2230,6 +2384,7 @@ export type Interval = components['schemas']['Interval'];
 export type IssueRequest = components['schemas']['IssueRequest'];
 export type Judged = components['schemas']['Judged'];
 export type Judgement = components['schemas']['Judgement'];
+export type KeptCalibration = components['schemas']['KeptCalibration'];
 export type Limit = components['schemas']['Limit'];
 export type LimitSource = components['schemas']['LimitSource'];
 export type LocateOptions = components['schemas']['LocateOptions'];

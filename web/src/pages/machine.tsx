@@ -5,6 +5,7 @@ import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
 import { absent, shortest, unit_sign } from '../numbers';
 import { AttentionTags } from './machines';
+import { CalibrationsOfMachine } from './calibrations/of_machine';
 import './machines.css';
 import { AxisDialog } from './machines/axis_dialog';
 import { EntityHistory } from './machines/history';
@@ -49,6 +50,7 @@ export function MachinePage({ parts }: { parts: Record<string, string> }) {
           </section>
         ))}
       </div>
+      <CalibrationsOfMachine machine={found.id} />
       <EntityHistory path={`/api/machines/${found.id}`} subject={`machine ${found.id}`} version={found.version} />
       {editing === 'machine' && (
         <MachineDialog machine={found} on_saved={() => { set_editing(null); machine.reload(); }} on_close={() => set_editing(null)} />

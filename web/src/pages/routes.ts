@@ -3,6 +3,8 @@
 import type { Page } from '../router';
 import { AuditPage } from './audit';
 import { AxisPage } from './axis';
+import { CalibrationPage } from './calibration';
+import { CalibrationsPage } from './calibrations';
 import { CapturePage } from './capture';
 import { NewCapturePage } from './capture_new';
 import { CapturesPage } from './captures';
@@ -29,6 +31,8 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/settings', SettingsPage],
   ['/audit', AuditPage],
   ['/tests/:id/report', ReportPage],
+  ['/calibrations', CalibrationsPage],
+  ['/calibrations/:id', CalibrationPage],
   ['/tracking', TrackingPage],
   ['/plans', PlansPage],
   ['/plans/new', PlanPage],

@@ -65,24 +65,41 @@ std::vector<report::VolumetricLengthsFile> report_files(const IdentifiedMachine&
   return files;
 }
 
-}  // namespace
-
-Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request) {
-  AXIOMETRY_TRY(KnownMachine known, known_machine(request));
-  AXIOMETRY_TRY(GatheredLengths gathered, gather_lengths(request.lengths, known.plan ? &*known.plan : nullptr));
+Result<IdentifiedMachine> identified(IdentifyRequest request, KnownMachine known, GatheredLengths gathered) {
   auto found = volumetric::identify(known.machine, gathered.lengths, request.options);
   if (!found && request.lengths.files.size() == 1) found = in_file(std::move(found), request.lengths.files.front());
   AXIOMETRY_TRY(volumetric::Identification identification, std::move(found));
   for (std::string& remark : known.remarks)
     identification.findings.push_back({"volumetric-passed-over", false, std::move(remark)});
   std::ranges::move(gathered.findings, std::back_inserter(identification.findings));
-  return IdentifiedMachine{request,
+  return IdentifiedMachine{std::move(request),
                            std::move(gathered.files),
                            std::move(known.sha256),
                            std::move(known.plan_sha256),
                            std::move(known.machine),
                            std::move(gathered.lengths),
                            std::move(identification)};
+}
+
+}  // namespace
+
+Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request) {
+  AXIOMETRY_TRY(KnownMachine known, known_machine(request));
+  AXIOMETRY_TRY(GatheredLengths gathered, gather_lengths(request.lengths, known.plan ? &*known.plan : nullptr));
+  return identified(request, std::move(known), std::move(gathered));
+}
+
+Result<IdentifiedMachine> identify_lengths(const GivenFile& lengths, const GivenFile& machine,
+                                           const volumetric::IdentifyOptions& options) {
+  AXIOMETRY_TRY(formats::MachineFile file, in_file(formats::read_machine(machine.bytes), machine.name));
+  KnownMachine known{std::move(file.machine), sha256(machine.bytes), std::nullopt, {}, std::move(file.remarks)};
+  GatheredLengths gathered;
+  AXIOMETRY_TRY(gathered.lengths, in_file(formats::read_volumetric_lengths(lengths.bytes), lengths.name));
+  for (std::string& remark : gathered.lengths.remarks)
+    gathered.findings.push_back({"volumetric-passed-over", false, std::move(remark)});
+  gathered.files.push_back({base_name(lengths.name), sha256(lengths.bytes), gathered.lengths.readings.size()});
+  IdentifyRequest request{.lengths = {.files = {lengths.name}}, .machine = machine.name, .options = options};
+  return identified(std::move(request), std::move(known), std::move(gathered));
 }
 
 Experiment present(const IdentifiedMachine& identified, const report::Options& options) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "axiometry/app/files/given_file.h"
 #include "axiometry/app/results/experiment.h"
 #include "axiometry/app/volumetric/gathered_lengths.h"
 #include "axiometry/base/result.h"
@@ -35,6 +37,17 @@ struct IdentifiedMachine {
 /// Fails as the files, and as gather_lengths() and volumetric::identify() do, with the file's name, and without machine
 /// and plan. Of two machines that of its own file counts, and it is told where they differ.
 Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request);
+
+/// Bytes that are at hand, under the names of the request, which no file is looked for under.
+struct IdentifyFiles {
+  std::string_view lengths;
+  std::string_view machine;
+};
+Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request, const IdentifyFiles& files);
+
+/// The same of one table and its machine that are at hand; no file is looked for under their names.
+Result<IdentifiedMachine> identify_lengths(const GivenFile& lengths, const GivenFile& machine,
+                                           const volumetric::IdentifyOptions& options);
 
 /// Keys: docs/results.md.
 json::Value to_json(const IdentifiedMachine& identified);

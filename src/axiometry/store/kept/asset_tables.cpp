@@ -62,13 +62,21 @@ Result<void> check_keys(std::vector<std::string_view> keys, std::string_view wha
   return {};
 }
 
+}  // namespace
+
 Result<void> check_exists(Connection& connection, std::string_view table, Id id) {
   AXIOMETRY_TRY(const Rows rows, connection.query(fmt::format("SELECT id FROM {} WHERE id = $1", table), {id}));
   if (rows.empty()) return fail(ErrorKind::not_found, fmt::format("found no {} {}, expected one", table, id));
   return {};
 }
 
-}  // namespace
+Result<void> check_content(Connection& connection, const std::string& sha256, std::string_view whose) {
+  AXIOMETRY_TRY(const Rows rows, connection.query("SELECT id FROM content WHERE sha256 = $1", {sha256}));
+  if (rows.empty())
+    return fail(ErrorKind::not_found,
+                fmt::format("found no bytes with the SHA-256 {}, expected {}", text::quoted(sha256), whose));
+  return {};
+}
 
 std::vector<Cell> ThingTable<Machine>::cells(const Machine& m) {
   return {m.name, m.manufacturer, m.type, m.serial_number, m.controller, m.location, m.notes};
@@ -168,10 +176,7 @@ Result<PlanRecord> ThingTable<PlanRecord>::thing(const Row& row, std::size_t fir
 
 Result<void> ThingTable<PlanRecord>::check(Connection& connection, const PlanRecord& plan) {
   if (text::trim(plan.title).empty()) return fail("found a plan without a title, expected one");
-  AXIOMETRY_TRY(const Rows rows, connection.query("SELECT id FROM content WHERE sha256 = $1", {plan.content}));
-  if (rows.empty())
-    return fail(ErrorKind::not_found,
-                fmt::format("found no bytes with the SHA-256 {}, expected the plan's", text::quoted(plan.content)));
+  AXIOMETRY_TRY_VOID(check_content(connection, plan.content, "the plan's"));
   return plan.axis ? check_exists(connection, "axis", *plan.axis) : Result<void>();
 }
 

@@ -8,7 +8,7 @@
 #include "axiometry/store/database/connection.h"
 #include "axiometry/store/records.h"
 
-/// How machines, axes, instruments and plans lie in their tables: the one place that knows their columns.
+/// How machines, axes, instruments, plans and calibrations lie in their tables: the one place that knows their columns.
 namespace axiometry::store {
 
 template <typename Asset>
@@ -33,7 +33,16 @@ AXIOMETRY_THING_TABLE(Instrument, "instrument",
                       "role, manufacturer, type, serial_number, certificate, calibrated_on, calibration_due, inputs, "
                       "notes");
 AXIOMETRY_THING_TABLE(PlanRecord, "plan", "title, axis, content");
+AXIOMETRY_THING_TABLE(Calibration, "calibration",
+                      "kind, title, machine, instrument, instrument_version, measured_on, notes, withdrawn, files, "
+                      "program, options, result, verdict, serious, figures");
 
 #undef AXIOMETRY_THING_TABLE
+
+/// Whether there is a row of that number. Fails with not_found.
+Result<void> check_exists(Connection& connection, std::string_view table, Id id);
+
+/// Whether there are bytes with that hash, called so in the message. Fails with not_found.
+Result<void> check_content(Connection& connection, const std::string& sha256, std::string_view whose);
 
 }  // namespace axiometry::store

@@ -91,6 +91,26 @@ Result<void> follow(Connection& connection, const Versioned<Axis>& before, const
 Result<void> follow(Connection&, const Versioned<Instrument>&, const Versioned<Instrument>&) { return {}; }
 Result<void> follow(Connection&, const Versioned<PlanRecord>&, const Versioned<PlanRecord>&) { return {}; }
 
+/// What was measured stays what it was evaluated from.
+Result<void> follow(Connection&, const Versioned<Calibration>& before, const Versioned<Calibration>& now) {
+  if (before.value.kind != now.value.kind || !std::ranges::equal(before.value.files, now.value.files, {},
+                                                                 &CalibrationFile::content, &CalibrationFile::content))
+    return fail(fmt::format(
+        "found another kind or other files for calibration {}, expected those that it was kept with", now.id));
+  return {};
+}
+
+/// What the trail says was done to a thing.
+template <typename Asset>
+std::string_view deed(const Versioned<Asset>&, const Versioned<Asset>&) {
+  return "changed";
+}
+
+std::string_view deed(const Versioned<Calibration>& before, const Versioned<Calibration>& now) {
+  if (before.value.withdrawn == now.value.withdrawn) return "changed";
+  return now.value.withdrawn ? "withdrawn" : "reinstated";
+}
+
 }  // namespace
 
 std::string places(std::size_t first, std::size_t count) {
@@ -151,7 +171,7 @@ Result<Versioned<Asset>> change_thing(Connection& connection, const Versioned<As
   AXIOMETRY_TRY_VOID(Table::check(connection, changed.value));
   AXIOMETRY_TRY_VOID(connection.run(fmt::format("UPDATE {} SET latest = $2 WHERE id = $1", Table::name),
                                     {changed.id, changed.version}));
-  AXIOMETRY_TRY_VOID(write_version(connection, changed, "changed"));
+  AXIOMETRY_TRY_VOID(write_version(connection, changed, deed(latest, changed)));
   AXIOMETRY_TRY_VOID(follow(connection, latest, changed));
   return changed;
 }
@@ -172,20 +192,22 @@ Result<Versioned<Asset>> get_asset(Connection& connection, Id id, std::optional<
 }
 
 template <typename Asset>
-Result<std::vector<Versioned<Asset>>> all_assets(Connection& connection) {
+Result<std::vector<Versioned<Asset>>> latest_assets(Connection& connection, std::string_view rest,
+                                                    std::span<const Parameter> parameters) {
   AXIOMETRY_TRY(const Rows rows,
-                connection.query(selection<Asset>(fmt::format(
-                    "JOIN {} t ON t.id = v.id AND t.latest = v.version ORDER BY v.id", ThingTable<Asset>::name))));
+                connection.query(selection<Asset>(fmt::format("JOIN {} t ON t.id = v.id AND t.latest = v.version {}",
+                                                              ThingTable<Asset>::name, rest)),
+                                 parameters));
   return all_versioned<Asset>(rows);
 }
 
+template <typename Asset>
+Result<std::vector<Versioned<Asset>>> all_assets(Connection& connection) {
+  return latest_assets<Asset>(connection, "ORDER BY v.id", {});
+}
+
 Result<std::vector<Versioned<Axis>>> axes_of(Connection& connection, Id machine) {
-  AXIOMETRY_TRY(
-      const Rows rows,
-      connection.query(selection<Axis>("JOIN axis t ON t.id = v.id AND t.latest = v.version WHERE v.machine = "
-                                       "$1 ORDER BY v.id"),
-                       {machine}));
-  return all_versioned<Axis>(rows);
+  return latest_assets<Axis>(connection, "WHERE v.machine = $1 ORDER BY v.id", std::vector<Parameter>{machine});
 }
 
 template <typename Asset>
@@ -225,18 +247,21 @@ Result<void> verify_assets(Connection& connection, const Attested& attested, std
   return {};
 }
 
-#define AXIOMETRY_THING(Asset)                                                             \
-  template Result<Versioned<Asset>> add_thing(Connection&, const Asset&, const Change&);   \
-  template Result<Versioned<Asset>> change_thing(Connection&, const Versioned<Asset>&);    \
-  template Result<Versioned<Asset>> get_asset<Asset>(Connection&, Id, std::optional<int>); \
-  template Result<std::vector<Versioned<Asset>>> all_assets<Asset>(Connection&);           \
-  template Result<std::vector<Versioned<Asset>>> thing_versions<Asset>(Connection&, Id);   \
+#define AXIOMETRY_THING(Asset)                                                                       \
+  template Result<Versioned<Asset>> add_thing(Connection&, const Asset&, const Change&);             \
+  template Result<Versioned<Asset>> change_thing(Connection&, const Versioned<Asset>&);              \
+  template Result<Versioned<Asset>> get_asset<Asset>(Connection&, Id, std::optional<int>);           \
+  template Result<std::vector<Versioned<Asset>>> latest_assets<Asset>(Connection&, std::string_view, \
+                                                                      std::span<const Parameter>);   \
+  template Result<std::vector<Versioned<Asset>>> all_assets<Asset>(Connection&);                     \
+  template Result<std::vector<Versioned<Asset>>> thing_versions<Asset>(Connection&, Id);             \
   template Result<void> verify_assets<Asset>(Connection&, const Attested&, std::vector<std::string>&)
 
 AXIOMETRY_THING(Machine);
 AXIOMETRY_THING(Axis);
 AXIOMETRY_THING(Instrument);
 AXIOMETRY_THING(PlanRecord);
+AXIOMETRY_THING(Calibration);
 
 #undef AXIOMETRY_THING
 

@@ -9,7 +9,7 @@
 #include "axiometry/store/proof/attested.h"
 #include "axiometry/store/records.h"
 
-/// Machines, axes, instruments and plans within a transaction; Asset is one of the four. As in store.h.
+/// Machines, axes, instruments, plans and calibrations within a transaction; Asset is one of the five. As in store.h.
 namespace axiometry::store {
 
 template <typename Asset>
@@ -20,6 +20,11 @@ Result<Versioned<Asset>> change_thing(Connection& connection, const Versioned<As
 
 template <typename Asset>
 Result<Versioned<Asset>> get_asset(Connection& connection, Id id, std::optional<int> version = {});
+
+/// Latest versions, called v, that the rest of a statement asks for: conditions, and an order.
+template <typename Asset>
+Result<std::vector<Versioned<Asset>>> latest_assets(Connection& connection, std::string_view rest,
+                                                    std::span<const Parameter> parameters);
 
 template <typename Asset>
 Result<std::vector<Versioned<Asset>>> all_assets(Connection& connection);  ///< latest versions, by id

@@ -22,6 +22,8 @@ constexpr std::array copied_tables = {
     IdWalk{"instrument_version", "id", 100},
     IdWalk{"plan", "id", 1000},
     IdWalk{"plan_version", "id", 100},
+    IdWalk{"calibration", "id", 1000},
+    IdWalk{"calibration_version", "id", 100},
     IdWalk{"test", "id", 1000},
     IdWalk{"test_version", "test", 100},
     IdWalk{"test_instrument", "test", 500},

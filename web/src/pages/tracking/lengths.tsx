@@ -5,6 +5,7 @@ import type { TrackingEvaluation, TrackingPlanFile } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { FileDrop } from '../../components/file_drop';
+import { KeepCalibration, type SentCalibration } from '../../components/keep_calibration';
 import { decimal, language } from '../../settings';
 import type { LocatedStation } from './form';
 import { Results } from './results';
@@ -80,6 +81,7 @@ export function LengthsPanel({ plan, located }: { plan: TrackingPlanFile | null;
     return { lengths, plan: plan_file, station, options: JSON.stringify({ tolerances, reversed }) };
   }, [lengths, own_plan, plan_text, station_text, limits, reversed]);
   const { found, error } = use_evaluation(sent);
+  const to_keep = useMemo((): SentCalibration | null => (found ? { kind: 'lines', files: { lengths: found.sent.lengths, plan: found.sent.plan, station: found.sent.station }, options: found.sent.options } : null), [found?.sent]);
   const save = async (extension: string) => {
     if (!found) return;
     set_busy(true);
@@ -99,6 +101,7 @@ export function LengthsPanel({ plan, located }: { plan: TrackingPlanFile | null;
         {found && (
           <div class="row no-print">
             {['pdf', 'html', 'json'].map((extension) => <button key={extension} type="button" disabled={busy} onClick={() => void save(extension)}>{t('report')} {extension.toUpperCase()}</button>)}
+            {to_keep && <KeepCalibration sent={to_keep} />}
           </div>
         )}
       </header>

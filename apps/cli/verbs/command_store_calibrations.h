@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cli/flags/verb.h"
+
+namespace axiometry::cli {
+
+/// The verbs below `store` for lines and the 21 errors that are kept.
+void add_store_calibrations(const Verb& store, int& exit_code);
+
+}  // namespace axiometry::cli

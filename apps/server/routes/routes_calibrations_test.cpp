@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calibrations that are kept, over what the transcripts of the command line measure.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "axiometry/app/workbench/workbench.h"
+#include "server/routes/described_test_support.h"
+#include "server/routes/routes.h"
+#include "tests/support/archive.h"
+
+namespace axiometry::server {
+namespace {
+
+using json::Value;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string transcript_file(const std::string& name) {
+  std::ifstream stream(std::string(AXIOMETRY_SOURCE_DIR) + "/tests/transcripts/" + name, std::ios::binary);
+  EXPECT_TRUE(stream) << name;
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class CalibrationRoutes : public testing::Test {
+ protected:
+  CalibrationRoutes() {
+    auto& captures = *reinterpret_cast<app::CaptureService*>(&workbench);  // these have nothing to do with captures
+    add_calibration_routes(router, {archive.store(), workbench, captures});
+  }
+
+  Response send(std::string method, std::string path, std::string body = {}, Pairs query = {},
+                std::string type = "application/json") {
+    Request request;
+    request.method = std::move(method);
+    request.path = "/api/calibrations" + std::move(path);
+    request.query = std::move(query);
+    if (!body.empty()) request.headers = {{"content-type", std::move(type)}};
+    request.body = std::move(body);
+    request.actor = "A. Tester";
+    return router.answer(request);
+  }
+
+  static Value value_of(const Response& response, int status = 200) {
+    EXPECT_EQ(response.status, status) << response.body;
+    auto value = json::parse(response.body);
+    EXPECT_TRUE(value) << response.body;
+    return value ? *value : Value::object();
+  }
+  static std::string refusal(const Response& response, int status = 422) {
+    return value_of(response, status).find("error")->find("message")->text();
+  }
+
+  /// Files by what they are for, and texts.
+  Response keep(const Pairs& files, const Pairs& texts) {
+    std::string body;
+    for (const auto& [name, bytes] : files)
+      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{0}\"; filename=\"{0}.x\"\r\n\r\n{1}\r\n",
+                          name, bytes);
+    for (const auto& [name, text] : texts)
+      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{}\"\r\n\r\n{}\r\n", name, text);
+    return send("POST", "", body + "--b--\r\n", {}, "multipart/form-data; boundary=b");
+  }
+
+  Response keep_lines(const std::string& about = "{}", const std::string& options = "{}") {
+    return keep({{"lengths", transcript_file("tracking-evaluate.files/lengths.csv")},
+                 {"plan", transcript_file("tracking-evaluate.files/seven.json")}},
+                {{"kind", "lines"}, {"about", about}, {"options", options}});
+  }
+
+  Response keep_volume(const std::string& options = R"({"spans": 4})") {
+    return keep({{"lengths", transcript_file("volumetric.files/lengths.csv")},
+                 {"machine", transcript_file("volumetric.files/machine.json")}},
+                {{"kind", "volumetric"}, {"options", options}});
+  }
+
+  std::vector<double> listed(Pairs query = {}) {
+    const Value page = value_of(send("GET", "", {}, std::move(query)));
+    std::vector<double> ids;
+    for (const Value& row : page.find("calibrations")->items()) ids.push_back(row.find("id")->number());
+    EXPECT_EQ(page.find("total")->number(), static_cast<double>(ids.size()));
+    return ids;
+  }
+
+  testing_support::Archive archive;
+  app::Workbench workbench{archive.store()};
+  DescribedRouter router;
+};
+
+std::optional<double> figure_of(const Value& calibration, std::string_view parameter, std::string_view of) {
+  for (const Value& figure : calibration.find("figures")->items())
+    if (figure.find("parameter")->text() == parameter && figure.find("of")->text() == of)
+      return figure.find("value")->number();
+  return std::nullopt;
+}
+
+TEST_F(CalibrationRoutes, keep_lines_with_their_files_and_figures) {
+  store::Machine mill;
+  mill.name = "Mill 5";
+  ASSERT_TRUE(archive.store().add(mill, {"Anna", ""}));
+  const Value kept = value_of(keep_lines(R"({"title": "seven lines", "notes": "warm"})"), 201);
+  EXPECT_EQ(kept.find("title")->text(), "seven lines");
+  EXPECT_EQ(kept.find("notes")->text(), "warm");
+  EXPECT_EQ(kept.find("machine")->find("name")->text(), "Mill 5") << "the plan names it";
+  EXPECT_NEAR(*figure_of(kept, "A", "x"), 10.2, 0.05);
+  EXPECT_NEAR(*figure_of(kept, "E", "xyz"), 9.4, 0.05);
+  EXPECT_EQ(kept.find("result")->find("result")->text(), "tracking-evaluation");
+  ASSERT_EQ(kept.find("files")->items().size(), 2u);
+  EXPECT_EQ(send("GET", "/1/files/lengths").body, transcript_file("tracking-evaluate.files/lengths.csv"));
+  EXPECT_THAT(refusal(send("GET", "/1/files/machine"), 404), HasSubstr("machine"));
+}
+
+TEST_F(CalibrationRoutes, keep_the_21_errors) {
+  const Value kept = value_of(keep_volume(), 201);
+  EXPECT_EQ(kept.find("title")->text(), "lengths");
+  EXPECT_TRUE(kept.find("machine")->is(json::Kind::null)) << "no machine is added";
+  EXPECT_NEAR(*figure_of(kept, "chi2_per_dof", ""), 1.122, 0.001);
+  EXPECT_EQ(*figure_of(kept, "unseen_errors", ""), 0.0);
+  EXPECT_EQ(*figure_of(kept, "readings", ""), 360.0);
+  EXPECT_GT(*figure_of(kept, "volume_largest", "long"), *figure_of(kept, "volume_mean", "long"));
+  EXPECT_TRUE(kept.find("result")->find("errors")->find("EXX"));
+}
+
+TEST_F(CalibrationRoutes, evaluate_again_into_a_version_and_keep_the_one_before) {
+  value_of(keep_volume(), 201);
+  const Value again =
+      value_of(send("POST", "/1/versions",
+                    R"({"base_version": 1, "reason": "finer", "title": "volume", "options": {"spans": 3}})"),
+               201);
+  EXPECT_EQ(again.find("version")->number(), 2);
+  EXPECT_EQ(again.find("change")->find("reason")->text(), "finer");
+  EXPECT_EQ(again.find("options")->find("spans")->number(), 3);
+  EXPECT_NE(again.find("versions")->items()[0].find("result_sha256")->text(),
+            again.find("versions")->items()[1].find("result_sha256")->text());
+  const Value first = value_of(send("GET", "/1", {}, {{"version", "1"}}));
+  EXPECT_NEAR(*figure_of(first, "chi2_per_dof", ""), 1.122, 0.001);
+  EXPECT_THAT(refusal(send("POST", "/1/versions", R"({"base_version": 1, "title": "x"})"), 409),
+              HasSubstr("found version 2"));
+  EXPECT_THAT(refusal(send("POST", "/1/versions", R"({"base_version": 2, "options": {"spans": 0}})")),
+              HasSubstr("spans"));
+}
+
+TEST_F(CalibrationRoutes, edit_what_people_say) {
+  store::Machine mill;
+  mill.name = "Other";
+  ASSERT_TRUE(archive.store().add(mill, {"Anna", ""}));
+  value_of(keep_lines(), 201);
+  const Value edited = value_of(
+      send("POST", "/1/versions", R"({"base_version": 1, "machine": 1, "measured_on": "2026-11-25", "notes": "cold"})"),
+      201);
+  EXPECT_EQ(edited.find("machine")->find("name")->text(), "Other");
+  EXPECT_EQ(edited.find("measured_on")->text(), "2026-11-25");
+  EXPECT_THAT(listed({{"machine", "1"}}), ElementsAre(1));
+  const Value without = value_of(send("POST", "/1/versions", R"({"base_version": 2, "machine": null})"), 201);
+  EXPECT_TRUE(without.find("machine")->is(json::Kind::null));
+  EXPECT_EQ(without.find("notes")->text(), "cold");
+  EXPECT_THAT(refusal(send("POST", "/1/versions", R"({"base_version": 3, "machine": 7})"), 404),
+              HasSubstr("found no machine 7"));
+  EXPECT_THAT(refusal(send("POST", "/1/versions", R"({"base_version": 3, "measured_on": "yesterday"})")),
+              HasSubstr("2026-01-31"));
+}
+
+TEST_F(CalibrationRoutes, are_listed_by_kind_words_and_date_and_withdrawn) {
+  value_of(keep_lines(R"({"title": "before", "measured_on": "2026-01-02"})"), 201);
+  value_of(keep_volume(), 201);
+  EXPECT_THAT(listed(), ElementsAre(2, 1));
+  EXPECT_THAT(listed({{"kind", "lines"}}), ElementsAre(1));
+  EXPECT_THAT(listed({{"text", "BEFORE"}}), ElementsAre(1));
+  EXPECT_THAT(listed({{"from", "2026-01-01"}, {"to", "2026-01-02"}}), ElementsAre(1));
+  EXPECT_THAT(refusal(send("GET", "", {}, {{"kind", "other"}})), HasSubstr("lines or volumetric"));
+  EXPECT_THAT(refusal(send("GET", "", {}, {{"order", "size"}})), HasSubstr("received, measured or title"));
+  const Value gone = value_of(send("POST", "/1/withdraw", R"({"reason": "wrong plan"})"));
+  EXPECT_TRUE(gone.find("withdrawn")->boolean());
+  EXPECT_EQ(gone.find("change")->find("reason")->text(), "wrong plan");
+  EXPECT_THAT(listed(), ElementsAre(2));
+  EXPECT_THAT(listed({{"withdrawn", "1"}}), ElementsAre(2, 1));
+  EXPECT_THAT(refusal(send("POST", "/1/withdraw"), 409), HasSubstr("withdrawn already"));
+  value_of(send("POST", "/1/reinstate"));
+  EXPECT_THAT(listed(), ElementsAre(2, 1));
+}
+
+TEST_F(CalibrationRoutes, are_reported_from_the_archive) {
+  value_of(keep_lines(), 201);
+  value_of(keep_volume(), 201);
+  EXPECT_THAT(send("GET", "/1/report.html").body, HasSubstr("xyz"));
+  EXPECT_THAT(send("GET", "/2/report.html").body, HasSubstr("XFYZ"));
+  EXPECT_THAT(send("GET", "/2/report.pdf").body, testing::StartsWith("%PDF"));
+  const Value kept = value_of(send("GET", "/2/report.json"));
+  EXPECT_NE(kept.find("model"), nullptr);
+  EXPECT_THAT(refusal(send("GET", "/2/report.docx"), 422), HasSubstr("docx"));
+}
+
+TEST_F(CalibrationRoutes, are_compared_before_and_after) {
+  value_of(keep_volume(), 201);
+  value_of(keep_volume(R"({"spans": 3})"), 201);
+  const Value compared = value_of(send("GET", "/1/comparison", {}, {{"with", "2"}}));
+  std::map<std::string, const Value*> rows;
+  for (const Value& row : compared.find("rows")->items())
+    rows[row.find("parameter")->text() + row.find("of")->text()] = &row;
+  for (const char* name : {"EXX", "EAX", "C0Y", "volume_largestlong"}) ASSERT_TRUE(rows.contains(name)) << name;
+  const Value& exx = *rows["EXX"];
+  EXPECT_EQ(exx.find("unit")->text(), "um");
+  EXPECT_EQ(rows["EAX"]->find("unit")->text(), "urad");
+  EXPECT_DOUBLE_EQ(exx.find("difference")->number(), exx.find("after")->number() - exx.find("before")->number());
+  value_of(keep_lines(), 201);
+  EXPECT_THAT(refusal(send("GET", "/1/comparison", {}, {{"with", "3"}})), HasSubstr("two of the same"));
+}
+
+TEST_F(CalibrationRoutes, refuse_what_cannot_be_evaluated_and_keep_nothing) {
+  EXPECT_THAT(refusal(keep({{"lengths", "x"}}, {{"kind", "lines"}})), HasSubstr("found no file plan"));
+  EXPECT_THAT(refusal(keep({{"lengths", "x"}}, {{"kind", "other"}})), HasSubstr("lines or volumetric"));
+  EXPECT_THAT(refusal(keep({{"photo", "x"}}, {{"kind", "lines"}})), HasSubstr("lengths, plan, station"));
+  EXPECT_THAT(refusal(keep_lines(R"({"name": "x"})")), HasSubstr("name"));
+  EXPECT_THAT(refusal(keep_lines("{}", R"({"tolerances": ["Q=1um"]})")), HasSubstr("Q"));
+  EXPECT_THAT(refusal(keep_volume(R"({"curves": "wavelets"})")), HasSubstr("b-spline"));
+  EXPECT_THAT(listed({{"withdrawn", "1"}}), IsEmpty());
+  EXPECT_EQ(archive.store().counts()->content_bytes, 0);
+}
+
+}  // namespace
+}  // namespace axiometry::server

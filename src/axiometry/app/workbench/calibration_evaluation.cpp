@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/workbench/calibration_evaluation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "axiometry/app/tracking/tracking_request.h"
+#include "axiometry/app/volumetric/identify_options.h"
+#include "axiometry/app/workbench/test_state.h"
+#include "axiometry/base/iso_date.h"
+#include "axiometry/base/text.h"
+#include "axiometry/base/version.h"
+#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/volumetric/field/tool_fields.h"
+#include "axiometry/volumetric/field/volume_statistics.h"
+
+namespace axiometry::app {
+namespace {
+
+using json::Value;
+using store::CalibrationFigure;
+
+/// The files by what they are for.
+class Sources {
+ public:
+  static Result<Sources> of(std::span<const CalibrationSource> files, std::span<const std::string_view> roles) {
+    Sources sources;
+    for (const CalibrationSource& file : files) {
+      if (std::ranges::find(roles, file.role) == roles.end())
+        return fail(fmt::format("found the file {} as {}, expected {}", text::quoted(file.name),
+                                text::quoted(file.role), listed(roles)));
+      if (sources.find(file.role)) return fail(fmt::format("found two files {}, expected one", file.role));
+      sources.files_.push_back({file.role, {file.name, file.bytes}});
+    }
+    return sources;
+  }
+
+  std::optional<GivenFile> find(std::string_view role) const {
+    for (const auto& [own, file] : files_)
+      if (own == role) return file;
+    return std::nullopt;
+  }
+
+  Result<GivenFile> required(std::string_view role) const {
+    if (auto file = find(role)) return *std::move(file);
+    return fail(fmt::format("found no file {}, expected one", role));
+  }
+
+ private:
+  static std::string listed(std::span<const std::string_view> roles) {
+    std::string text;
+    for (const std::string_view role : roles) text += fmt::format("{}{}", text.empty() ? "" : ", ", role);
+    return text;
+  }
+
+  std::vector<std::pair<std::string, GivenFile>> files_;
+};
+
+Result<EvaluatedCalibration> evaluated_lines(std::span<const CalibrationSource> files, const Value& options) {
+  constexpr std::array<std::string_view, 3> roles = {"lengths", "plan", "station"};
+  AXIOMETRY_TRY(const Sources sources, Sources::of(files, roles));
+  AXIOMETRY_TRY(const GivenFile lengths, sources.required("lengths"));
+  AXIOMETRY_TRY(const GivenFile plan, sources.required("plan"));
+  AXIOMETRY_TRY(const TrackingEvaluateOptions asked, evaluate_options_from(options));
+  AXIOMETRY_TRY(EvaluatedLines lines, evaluate_presentable({lengths, plan, sources.find("station")}, asked));
+  return EvaluatedCalibration(std::move(lines));
+}
+
+Result<EvaluatedCalibration> identified_machine(std::span<const CalibrationSource> files, const Value& options) {
+  constexpr std::array<std::string_view, 2> roles = {"lengths", "machine"};
+  AXIOMETRY_TRY(const Sources sources, Sources::of(files, roles));
+  AXIOMETRY_TRY(const GivenFile lengths, sources.required("lengths"));
+  AXIOMETRY_TRY(const GivenFile machine, sources.required("machine"));
+  AXIOMETRY_TRY(const volumetric::IdentifyOptions asked, identify_options_from(options));
+  AXIOMETRY_TRY(IdentifiedMachine found,
+                identify_lengths(lengths, machine, asked));
+  return EvaluatedCalibration(std::move(found));
+}
+
+std::vector<CalibrationFigure> line_figures(const EvaluatedLines& lines) {
+  constexpr std::array<std::string_view, 4> shown = {"A", "E", "R", "B"};
+  std::vector<CalibrationFigure> figures;
+  for (const Evaluated& line : lines.tests)
+    for (const store::Figure& figure : figures_of(line)) {
+      if (std::ranges::find(shown, figure.parameter) == shown.end()) continue;
+      const std::string unit(deviation_unit_key(line.test.metadata.axis.kind));
+      figures.push_back({figure.parameter, line.name, figure.value, {}, unit});
+    }
+  return figures;
+}
+
+std::vector<CalibrationFigure> volume_figures(const IdentifiedMachine& found) {
+  const volumetric::Identification& identification = found.identification;
+  const auto& tools = found.machine.tools;
+  std::vector<CalibrationFigure> figures;
+  for (const volumetric::Tool& tool : tools) {
+    const auto sizes = volumetric::volume_statistics(identification.model, tool.offset_mm, volumetric::field_nodes)
+                           .without_rigid_motion;
+    if (!sizes) continue;
+    figures.push_back({"volume_largest", tool.name, sizes->largest.value, sizes->largest.u, "um"});
+    figures.push_back({"volume_percent_95", tool.name, sizes->percent_95, {}, "um"});
+    figures.push_back({"volume_mean", tool.name, sizes->mean, {}, "um"});
+  }
+  const auto add_number = [&](std::string parameter, double value) {
+    figures.push_back({std::move(parameter), "", value, {}, ""});
+  };
+  if (identification.degrees_of_freedom > 0) add_number("chi2_per_dof", identification.chi_squared_per_dof());
+  const volumetric::VolumetricRank& rank = identification.rank;
+  add_number("rank", static_cast<double>(rank.unknowns - rank.null_directions));
+  add_number("unknowns", static_cast<double>(rank.unknowns));
+  add_number("unseen_errors", static_cast<double>(identification.model.unseen_errors().size()));
+  add_number("readings", static_cast<double>(found.lengths.readings.size()));
+  return figures;
+}
+
+std::string stem_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+/// The worst of the lines: one that fails fails them all.
+std::string verdict_of(const EvaluatedLines& lines) {
+  using uncertainty::Verdict;
+  std::optional<Verdict> worst;
+  for (const Evaluated& line : lines.tests) {
+    const auto verdict = iso230_2::overall_verdict(line.judgements);
+    if (!verdict || *verdict == Verdict::not_applicable) continue;
+    const bool worse = !worst || *verdict == Verdict::does_not_conform ||
+                       (*verdict == Verdict::undecided && *worst == Verdict::conforms);
+    if (worse) worst = verdict;
+  }
+  return worst ? std::string(uncertainty::verdict_name(*worst)) : std::string();
+}
+
+template <typename Findings>
+int serious_among(const Findings& findings) {
+  return static_cast<int>(std::ranges::count_if(findings, [](const auto& finding) { return finding.serious; }));
+}
+
+}  // namespace
+
+Result<EvaluatedCalibration> evaluate_calibration(std::string_view kind, std::span<const CalibrationSource> files,
+                                                  const Value& options) {
+  if (kind == "lines") return evaluated_lines(files, options);
+  if (kind == "volumetric") return identified_machine(files, options);
+  return fail(fmt::format("found the kind of calibration {}, expected lines or volumetric", text::quoted(kind)));
+}
+
+Value result_of(const EvaluatedCalibration& evaluated) {
+  return std::visit([](const auto& each) { return to_json(each); }, evaluated);
+}
+
+report::Document document_of(const EvaluatedCalibration& evaluated, const report::Options& options) {
+  if (const auto* lines = std::get_if<EvaluatedLines>(&evaluated)) return lines_document(*lines, options);
+  return present(std::get<IdentifiedMachine>(evaluated), options).document;
+}
+
+std::vector<CalibrationFigure> figures_of(const EvaluatedCalibration& evaluated) {
+  if (const auto* lines = std::get_if<EvaluatedLines>(&evaluated)) return line_figures(*lines);
+  return volume_figures(std::get<IdentifiedMachine>(evaluated));
+}
+
+SuggestedText suggested(const EvaluatedCalibration& evaluated) {
+  if (const auto* lines = std::get_if<EvaluatedLines>(&evaluated)) {
+    const std::string date = lines->tests.empty() ? "" : lines->tests[0].test.metadata.conditions.date;
+    const std::string& title = lines->plan.title;
+    return {title.empty() ? stem_of(lines->lengths.file) : title, lines->plan.machine, iso_date(date)};
+  }
+  const auto& found = std::get<IdentifiedMachine>(evaluated);
+  return {stem_of(found.request.lengths), found.machine.name, ""};
+}
+
+store::Calibration calibration_of(std::string_view kind, const EvaluatedCalibration& evaluated) {
+  store::Calibration calibration;
+  calibration.kind = kind;
+  calibration.program = fmt::format("axiometry {}", version);
+  calibration.figures = figures_of(evaluated);
+  if (const auto* lines = std::get_if<EvaluatedLines>(&evaluated)) {
+    calibration.verdict = verdict_of(*lines);
+    calibration.serious = serious_among(lines->evaluation.findings);
+  } else {
+    calibration.serious = serious_among(std::get<IdentifiedMachine>(evaluated).identification.findings);
+  }
+  return calibration;
+}
+
+}  // namespace axiometry::app

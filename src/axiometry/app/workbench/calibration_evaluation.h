@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "axiometry/app/tracking/tracking_evaluate.h"
+#include "axiometry/app/volumetric/identify_lengths.h"
+#include "axiometry/base/json.h"
+#include "axiometry/report/document.h"
+#include "axiometry/store/records.h"
+
+/// A calibration out of the bytes it is evaluated from: the lines of a plan, or the 21 errors of a machine.
+namespace axiometry::app {
+
+/// A file under what it is for. The bytes must outlive the call.
+struct CalibrationSource {
+  std::string role;  ///< of lines "lengths", "plan" and perhaps "station"; of the 21 errors "lengths" and "machine"
+  std::string name;
+  std::string_view bytes;
+};
+
+using EvaluatedCalibration = std::variant<EvaluatedLines, IdentifiedMachine>;
+
+/// Options as evaluate_options_from() has them of lines, identify_options_from() of the 21 errors. Fails as these and
+/// as evaluate_presentable() and identify_lengths() do, on another kind, and on files that are missing, of no use or
+/// there twice.
+Result<EvaluatedCalibration> evaluate_calibration(std::string_view kind, std::span<const CalibrationSource> files,
+                                                  const json::Value& options);
+
+/// As the verbs print it (docs/results.md).
+json::Value result_of(const EvaluatedCalibration& evaluated);
+report::Document document_of(const EvaluatedCalibration& evaluated, const report::Options& options);
+
+/// Of lines A, E, R and B of each; of the 21 errors, with each tool, the size of the error of the tool point over the
+/// volume without rigid motion, then χ²/ν, rank, and how many of the errors the lengths do not tell.
+std::vector<store::CalibrationFigure> figures_of(const EvaluatedCalibration& evaluated);
+
+/// What the files suggest where nobody says it; empty where they say nothing.
+struct SuggestedText {
+  std::string title;
+  std::string machine;
+  std::string measured_on;
+};
+SuggestedText suggested(const EvaluatedCalibration& evaluated);
+
+/// Everything that the archive keeps of it but texts, links and the contents' hashes.
+store::Calibration calibration_of(std::string_view kind, const EvaluatedCalibration& evaluated);
+
+}  // namespace axiometry::app

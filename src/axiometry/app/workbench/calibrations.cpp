@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/workbench/calibrations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "axiometry/app/files/file_name_part.h"
+#include "axiometry/app/results/outputs.h"
+#include "axiometry/base/text.h"
+#include "axiometry/digest/sha256.h"
+#include "axiometry/report/drawing/utf8.h"
+
+namespace axiometry::app {
+namespace {
+
+using json::Value;
+using store::Calibration;
+using store::CalibrationFigure;
+using store::Versioned;
+
+constexpr std::string_view result_format = "calibration-result";
+
+store::Content content_of(std::string name, std::string format, std::string bytes) {
+  std::string hash = sha256(bytes);
+  return {std::move(hash), std::move(name), std::move(format), std::move(bytes)};
+}
+
+Result<void> take_instrument(const store::Store& archive, Calibration& calibration, std::optional<store::Id> id) {
+  calibration.instrument = id;
+  calibration.instrument_version.reset();
+  if (!id) return {};
+  AXIOMETRY_TRY(const auto instrument, archive.get<store::Instrument>(*id));
+  calibration.instrument_version = instrument.version;
+  return {};
+}
+
+/// The machine of the archive that the files name, where there is one: no machine is added by a calibration.
+Result<std::optional<store::Id>> known_machine(const store::Store& archive, const std::string& name) {
+  if (text::trim(name).empty()) return std::nullopt;
+  store::Machine stated;
+  stated.name = name;
+  AXIOMETRY_TRY(const auto known, archive.read([&](const store::Transaction& t) { return t.known(stated); }));
+  return known ? std::optional(known->id) : std::nullopt;
+}
+
+/// The result of an evaluation among the contents.
+store::Content result_content(const Calibration& calibration, const EvaluatedCalibration& evaluated) {
+  return content_of(file_name_part(calibration.title) + ".json", std::string(result_format),
+                    json::dump(result_of(evaluated), 0));
+}
+
+/// The files of a version as they were kept, in memory.
+struct LoadedFiles {
+  std::vector<store::Content> contents;
+  std::vector<CalibrationSource> sources;
+};
+
+Result<LoadedFiles> loaded(const store::Store& archive, const Calibration& calibration) {
+  LoadedFiles files;
+  for (const store::CalibrationFile& file : calibration.files) {
+    AXIOMETRY_TRY(store::Content content, archive.content(file.content));
+    files.contents.push_back(std::move(content));
+  }
+  for (std::size_t k = 0; k < files.contents.size(); ++k)
+    files.sources.push_back({calibration.files[k].role, calibration.files[k].name, files.contents[k].bytes});
+  return files;
+}
+
+Result<EvaluatedCalibration> evaluated_again(const store::Store& archive, const Calibration& calibration,
+                                             const Value& options) {
+  AXIOMETRY_TRY(const LoadedFiles files, loaded(archive, calibration));
+  return evaluate_calibration(calibration.kind, files.sources, options);
+}
+
+bool is_same(const CalibrationFigure& a, const CalibrationFigure& b) {
+  return a.parameter == b.parameter && a.of == b.of && a.value == b.value && a.u == b.u && a.unit == b.unit;
+}
+
+/// An edit over what a version says.
+Result<void> take_texts(const store::Store& archive, Calibration& calibration, const CalibrationRevision& revision) {
+  if (revision.title) calibration.title = *revision.title;
+  if (revision.machine) calibration.machine = *revision.machine;
+  if (revision.measured_on) calibration.measured_on = *revision.measured_on;
+  if (revision.notes) calibration.notes = *revision.notes;
+  if (!revision.instrument) return {};
+  return take_instrument(archive, calibration, *revision.instrument);
+}
+
+std::string report_name(const Versioned<Calibration>& calibration, std::string_view extension) {
+  return fmt::format("{}{}.{}", file_name_part(calibration.value.title),
+                     calibration.version > 1 ? fmt::format("-v{}", calibration.version) : std::string(), extension);
+}
+
+}  // namespace
+
+Result<KeptCalibration> keep_calibration(store::Store& archive, const NewCalibration& sent, const store::By& by) {
+  AXIOMETRY_TRY(const EvaluatedCalibration evaluated, evaluate_calibration(sent.kind, sent.files, sent.options));
+  const SuggestedText own = suggested(evaluated);
+  Calibration calibration = calibration_of(sent.kind, evaluated);
+  calibration.title = sent.title.empty() ? report::printable(own.title) : sent.title;
+  if (text::trim(calibration.title).empty()) calibration.title = sent.kind;
+  calibration.measured_on = sent.measured_on.empty() ? own.measured_on : sent.measured_on;
+  calibration.notes = sent.notes;
+  calibration.options = json::dump(sent.options, 0);
+  calibration.machine = sent.machine;
+  if (!sent.machine) {
+    AXIOMETRY_TRY(calibration.machine, known_machine(archive, own.machine));
+  }
+  AXIOMETRY_TRY_VOID(take_instrument(archive, calibration, sent.instrument));
+  const store::Content result = result_content(calibration, evaluated);
+  calibration.result = result.sha256;
+  std::vector<store::Content> contents;
+  for (const CalibrationSource& file : sent.files) {
+    contents.push_back(content_of(file.name, "calibration-" + file.role, std::string(file.bytes)));
+    calibration.files.push_back({file.role, file.name, contents.back().sha256});
+  }
+  contents.push_back(result);
+  const auto added = archive.write([&](store::Transaction& t) -> Result<Versioned<Calibration>> {
+    for (const store::Content& content : contents) AXIOMETRY_TRY_VOID(t.keep(content, by));
+    return t.add(calibration, by);
+  });
+  if (!added) return std::unexpected(added.error());
+  return kept_calibration(archive, added->id);
+}
+
+Result<KeptCalibration> kept_calibration(const store::Store& archive, store::Id id, std::optional<int> version) {
+  return archive.read([&](const store::Transaction& t) -> Result<KeptCalibration> {
+    KeptCalibration kept;
+    AXIOMETRY_TRY(kept.calibration, t.get<Calibration>(id, version));
+    AXIOMETRY_TRY(kept.versions, t.versions<Calibration>(id));
+    const Calibration& c = kept.calibration.value;
+    if (c.machine) {
+      AXIOMETRY_TRY(kept.machine, t.get<store::Machine>(*c.machine));
+    }
+    if (c.instrument) {
+      AXIOMETRY_TRY(kept.instrument, t.get<store::Instrument>(*c.instrument, c.instrument_version));
+    }
+    AXIOMETRY_TRY(const store::Content result, t.content(c.result));
+    auto value = json::parse(result.bytes);
+    if (!value)
+      return fail(ErrorKind::damaged,
+                  fmt::format("found a result of the archive that cannot be read: {}", value.error().message));
+    kept.result = *std::move(value);
+    return kept;
+  });
+}
+
+Result<KeptCalibration> revise_calibration(store::Store& archive, store::Id id, const CalibrationRevision& revision,
+                                           const store::By& by) {
+  AXIOMETRY_TRY(const auto base, archive.get<Calibration>(id, revision.base_version));
+  Calibration calibration = base.value;
+  AXIOMETRY_TRY_VOID(take_texts(archive, calibration, revision));
+  std::optional<store::Content> result;
+  if (revision.options) {
+    AXIOMETRY_TRY(const auto evaluated, evaluated_again(archive, calibration, *revision.options));
+    Calibration found = calibration_of(calibration.kind, evaluated);
+    calibration.program = std::move(found.program);
+    calibration.figures = std::move(found.figures);
+    calibration.verdict = std::move(found.verdict);
+    calibration.serious = found.serious;
+    calibration.options = json::dump(*revision.options, 0);
+    result = result_content(calibration, evaluated);
+    calibration.result = result->sha256;
+  }
+  const auto changed = archive.write([&](store::Transaction& t) -> Result<Versioned<Calibration>> {
+    if (result) AXIOMETRY_TRY_VOID(t.keep(*result, by));
+    return t.change(id, revision.base_version, calibration, by);
+  });
+  if (!changed) return std::unexpected(changed.error());
+  return kept_calibration(archive, id);
+}
+
+Result<KeptCalibration> withdraw_calibration(store::Store& archive, store::Id id, bool withdrawn, const store::By& by) {
+  const auto changed = archive.write([&](store::Transaction& t) -> Result<Versioned<Calibration>> {
+    AXIOMETRY_TRY(auto latest, t.get<Calibration>(id));
+    if (latest.value.withdrawn == withdrawn)
+      return fail(ErrorKind::conflict, fmt::format("found calibration {} {}, expected it not to be", id,
+                                                   withdrawn ? "withdrawn already" : "in the lists already"));
+    latest.value.withdrawn = withdrawn;
+    return t.change(id, latest.version, latest.value, by);
+  });
+  if (!changed) return std::unexpected(changed.error());
+  return kept_calibration(archive, id);
+}
+
+Result<Rendered> calibration_report(const store::Store& archive, store::Id id, std::optional<int> version,
+                                    const ReportRequest& request) {
+  AXIOMETRY_TRY(const auto kept, archive.get<Calibration>(id, version));
+  const std::string extension = text::to_lower(request.extension);
+  Rendered rendered{{}, std::string(media_type_of(extension)), report_name(kept, extension)};
+  if (extension == "json") {
+    AXIOMETRY_TRY(store::Content result, archive.content(kept.value.result));
+    rendered.bytes = std::move(result.bytes);
+    return rendered;
+  }
+  auto options = json::parse(kept.value.options);
+  if (!options) return fail(ErrorKind::damaged, "found options of the archive that cannot be read");
+  AXIOMETRY_TRY(const auto evaluated, evaluated_again(archive, kept.value, *options));
+  if (!std::ranges::equal(figures_of(evaluated), kept.value.figures, is_same))
+    return fail(ErrorKind::conflict,
+                fmt::format("found other figures for calibration {} in version {} than {} kept with it, expected the "
+                            "same: evaluate it again, which makes a new version",
+                            id, kept.version, kept.value.program));
+  AXIOMETRY_TRY(rendered.bytes, document_bytes(document_of(evaluated, request.options), extension, request.options));
+  return rendered;
+}
+
+Result<Rendered> calibration_file(const store::Store& archive, store::Id id, const std::string& role) {
+  AXIOMETRY_TRY(const auto kept, archive.get<Calibration>(id));
+  for (const store::CalibrationFile& file : kept.value.files) {
+    if (file.role != role) continue;
+    AXIOMETRY_TRY(store::Content content, archive.content(file.content));
+    return Rendered{std::move(content.bytes), std::string(octets), file.name};
+  }
+  return fail(ErrorKind::not_found, fmt::format("found no file {} of calibration {}", text::quoted(role), id));
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The figures by which a calibration is known, as words and numbers.
+import type { CalibrationFigure, CalibrationRow } from '../../api/types';
+import { fixed } from '../../numbers';
+import { t } from './texts';
+
+const signs: Record<CalibrationFigure['unit'], string> = { um: 'µm', arcsec: '″', urad: 'µrad', '': '' };
+
+export const sign_of = (unit: string): string => signs[unit as CalibrationFigure['unit']] ?? unit;
+
+/** Lengths and angles with one decimal, χ²/ν with three, counts with none. */
+export function figure_text(parameter: string, unit: string, value: number | null): string {
+  return fixed(value, unit !== '' ? 1 : parameter === 'chi2_per_dof' ? 3 : 0);
+}
+
+const named = ['chi2_per_dof', 'rank', 'unknowns', 'unseen_errors', 'readings'] as const;
+const of_volume = ['volume_largest', 'volume_percent_95', 'volume_mean'] as const;
+
+/** "A (xyz)", "Largest error, T1", "EXX". */
+export function figure_name(parameter: string, of: string): string {
+  const volume = of_volume.find((one) => one === parameter);
+  if (volume) return t(volume, { of });
+  const known = named.find((one) => one === parameter);
+  if (known) return t(known);
+  if (/^E[XYZABC][XYZ]$/.test(parameter)) return `max |${parameter}|`;
+  return of === '' ? parameter : `${parameter} (${of})`;
+}
+
+const find = (row: Pick<CalibrationRow, 'figures'>, parameter: string) => row.figures.filter((one) => one.parameter === parameter);
+
+const worst = (figures: readonly CalibrationFigure[]): CalibrationFigure | null =>
+  figures.reduce<CalibrationFigure | null>((most, one) => (most === null || one.value > most.value ? one : most), null);
+
+/** What a list shows: of lines how many and the worst A and E, of the 21 errors the volume, χ²/ν and what is not told. */
+export function headline(row: Pick<CalibrationRow, 'kind' | 'figures'>): string {
+  if (row.kind === 'lines') {
+    const lines = new Set(row.figures.map((one) => one.of)).size;
+    const list = (['A', 'E'] as const).flatMap((key) => {
+      const most = worst(find(row, key));
+      return most ? [`${key} ≤ ${fixed(most.value, 1)} ${sign_of(most.unit)} (${most.of})`] : [];
+    });
+    return t('worst_lines', { n: lines, list: list.join(', ') });
+  }
+  const largest = worst(find(row, 'volume_largest'));
+  const mean = largest && find(row, 'volume_mean').find((one) => one.of === largest.of);
+  const chi2 = find(row, 'chi2_per_dof')[0];
+  const unseen = find(row, 'unseen_errors')[0];
+  return [
+    largest && `${t('largest')} ${fixed(largest.value, 1)} µm`,
+    mean && `${t('mean')} ${fixed(mean.value, 1)} µm`,
+    chi2 && `χ²/ν ${fixed(chi2.value, 2)}`,
+    unseen && unseen.value > 0 && `${t('unseen')}: ${unseen.value}`,
+  ].filter(Boolean).join(', ');
+}
