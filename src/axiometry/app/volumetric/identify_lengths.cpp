@@ -23,22 +23,27 @@ constexpr std::size_t lengths_most_bytes = std::size_t{4} << 30;
 }  // namespace
 
 Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request) {
-  AXIOMETRY_TRY(const std::string machine_bytes, whole_file(request.machine));
-  AXIOMETRY_TRY(formats::MachineFile machine, in_file(formats::read_machine(machine_bytes), request.machine));
-  AXIOMETRY_TRY(const std::string bytes, file_bytes(request.lengths, lengths_most_bytes));
+  AXIOMETRY_TRY(const std::string machine, whole_file(request.machine));
+  AXIOMETRY_TRY(const std::string lengths, file_bytes(request.lengths, lengths_most_bytes));
+  return identify_lengths({request.lengths, lengths}, {request.machine, machine}, request.options);
+}
+
+Result<IdentifiedMachine> identify_lengths(const GivenFile& lengths_file, const GivenFile& machine_file,
+                                           const volumetric::IdentifyOptions& options) {
+  AXIOMETRY_TRY(formats::MachineFile machine, in_file(formats::read_machine(machine_file.bytes), machine_file.name));
   AXIOMETRY_TRY(volumetric::VolumetricLengths lengths,
-                in_file(formats::read_volumetric_lengths(bytes), request.lengths));
+                in_file(formats::read_volumetric_lengths(lengths_file.bytes), lengths_file.name));
   AXIOMETRY_TRY(volumetric::Identification identification,
-                in_file(volumetric::identify(machine.machine, lengths, request.options), request.lengths));
+                in_file(volumetric::identify(machine.machine, lengths, options), lengths_file.name));
   const auto tell = [&](std::vector<std::string>& remarks) {
     for (std::string& remark : remarks)
       identification.findings.push_back({"volumetric-passed-over", false, std::move(remark)});
   };
   tell(machine.remarks);
   tell(lengths.remarks);
-  return IdentifiedMachine{request,
-                           sha256(bytes),
-                           sha256(machine_bytes),
+  return IdentifiedMachine{{lengths_file.name, machine_file.name, options},
+                           sha256(lengths_file.bytes),
+                           sha256(machine_file.bytes),
                            std::move(machine.machine),
                            std::move(lengths),
                            std::move(identification)};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "axiometry/app/files/given_file.h"
 #include "axiometry/app/results/experiment.h"
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/identify/identification.h"
@@ -27,6 +28,10 @@ struct IdentifiedMachine {
 
 /// Fails as the files, and as volumetric::identify() does, with the file's name.
 Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request);
+
+/// The same of files that are at hand.
+Result<IdentifiedMachine> identify_lengths(const GivenFile& lengths, const GivenFile& machine,
+                                           const volumetric::IdentifyOptions& options);
 
 /// Keys: docs/results.md.
 json::Value to_json(const IdentifiedMachine& identified);
