@@ -15,6 +15,7 @@ const sections = [
   ['/plans', 'plans', ['/plans']],
   ['/captures', 'capture', ['/captures']],
   ['/tracking', 'tracking', ['/tracking']],
+  ['/volume', 'volume', ['/volume']],
   ['/settings', 'settings', ['/settings', '/audit']],
 ] as const;
 

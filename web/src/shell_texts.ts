@@ -8,6 +8,7 @@ export const t = texts({
   plans: ['Plans', 'Prüfpläne'],
   capture: ['Capture', 'Erfassung'],
   tracking: ['Tracking', 'Tracking'],
+  volume: ['Volume', 'Arbeitsraum'],
   settings: ['Settings', 'Einstellungen'],
   sections: ['Sections', 'Bereiche'],
   skip: ['To the content', 'Zum Inhalt'],

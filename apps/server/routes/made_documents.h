@@ -6,6 +6,7 @@
 
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
+#include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
 #include "server/http/http.h"
 

@@ -49,6 +49,7 @@ std::vector<Router::Route> served() {
   add_plan_routes(router, context);
   add_capture_routes(router, context);
   add_tracking_routes(router);
+  add_volumetric_routes(router);
   return router.routes();
 }
 

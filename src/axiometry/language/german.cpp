@@ -31,7 +31,8 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_capture,
                                  german_tracking_requests,
                                  german_volumetric_findings,
-                                 german_volume_report};
+                                 german_volume_report,
+                                 german_volume_plan};
   return tables;
 }
 

@@ -37,6 +37,8 @@ extern const std::span<const Phrase> german_tracking_requests;    ///< and about
 extern const std::span<const Phrase>
     german_volume_report;  ///< volumetric calibrations: figures, field, predictions, tables
 
+extern const std::span<const Phrase> german_volume_plan;  ///< and their plans, and requests about them
+
 /// All of them.
 std::span<const std::span<const Phrase>> german_tables();
 

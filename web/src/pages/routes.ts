@@ -18,6 +18,7 @@ import { SettingsPage } from './settings';
 import { OneTestPage } from './test';
 import { TestsPage } from './tests';
 import { TrackingPage } from './tracking';
+import { VolumePage } from './volume';
 
 export const routes: readonly (readonly [string, Page])[] = [
   ['/', TestsPage],
@@ -30,6 +31,7 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/audit', AuditPage],
   ['/tests/:id/report', ReportPage],
   ['/tracking', TrackingPage],
+  ['/volume', VolumePage],
   ['/plans', PlansPage],
   ['/plans/new', PlanPage],
   ['/plans/:id', PlanPage],

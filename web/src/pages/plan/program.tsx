@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { ComponentChildren } from 'preact';
 import { useMemo, useState } from 'preact/hooks';
 import { offer } from '../../api/client';
 import { as_text, use_posted } from '../../api/posted';
@@ -40,10 +41,11 @@ interface Props {
   name: string;
   vocabulary: Vocabulary;
   step?: string;                            // of a way of several
+  choice?: ComponentChildren;               // of the part, before the control
 }
 
 /** The part program of the plan as it stands in the form, saved or not. */
-export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, vocabulary, step }: Props) {
+export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, vocabulary, step, choice }: Props) {
   const dialects = useMemo(() => most_used_first(vocabulary.dialects), [vocabulary]);
   const [dialect, set_dialect] = useState(() => kept_dialect(dialects));
   const [options, set_options] = useState(usual);
@@ -70,6 +72,7 @@ export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, 
         </div>
       </header>
       <div class="options no-print">
+        {choice}
         <Field label={t('control')}>
           {(ids) => (
             <select {...ids} value={dialect} onChange={(event) => choose(event.currentTarget.value)}>
