@@ -44,7 +44,7 @@ Response json_file(const json::Value& value, std::string_view stem) {
   return download(json::dump(value) + "\n", "application/json", fmt::format("{}.json", stem));
 }
 
-Response program_response(std::string program, bool to_keep, std::string_view file_name) {
+Response made_text_response(std::string program, bool to_keep, std::string_view file_name) {
   constexpr std::string_view type = "text/plain; charset=utf-8";
   if (to_keep) return download(std::move(program), type, file_name);
   return {

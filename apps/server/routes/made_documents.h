@@ -25,6 +25,6 @@ bool wants_json(const Request& request);
 Response json_file(const json::Value& value, std::string_view stem);
 
 /// Text to look at, or to keep as a file.
-Response program_response(std::string program, bool to_keep, std::string_view file_name);
+Response made_text_response(std::string program, bool to_keep, std::string_view file_name);
 
 }  // namespace axiometry::server

@@ -135,7 +135,7 @@ Result<Response> program(const Request& request) {
   AXIOMETRY_TRY(const app::RequestedLines planned, app::requested_lines(subject_of(body)));
   AXIOMETRY_TRY(std::string program, app::nc_program_of(planned.planned.plan, wanted));
   const std::string stem = wanted.line.empty() ? "lines" : app::file_name_part("line-" + wanted.line);
-  return program_response(std::move(program), to_keep, stem + std::string(dialect->extension));
+  return made_text_response(std::move(program), to_keep, stem + std::string(dialect->extension));
 }
 
 /// What a form for an evaluation holds.

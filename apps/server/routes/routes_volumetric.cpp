@@ -35,14 +35,14 @@ constexpr std::size_t volume_models_bytes_max = 2 * volume_model_bytes_max;
 Result<Response> volume_plan(const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
-  AXIOMETRY_TRY(const auto planned, app::requested_plan(body));
+  AXIOMETRY_TRY(const auto planned, app::requested_calibration(body));
   return json_response(app::draft_value(planned, reader));
 }
 
 Result<Response> volume_sheet(const Request& request) {
   AXIOMETRY_TRY(const report::Options options, report_options_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
-  AXIOMETRY_TRY(volumetric::CalibrationPlan plan, app::given_plan(body));
+  AXIOMETRY_TRY(volumetric::CalibrationPlan plan, app::given_calibration(body));
   AXIOMETRY_TRY(const auto planned, volumetric::judge_plan(std::move(plan)));
   return document_response(report::calibration_sheet(planned, options), request, options, "volume-plan");
 }
@@ -62,12 +62,12 @@ Result<Response> volume_program(const Request& request) {
   }
   AXIOMETRY_TRY(wanted.options, app::nc_options(options));
   AXIOMETRY_TRY(const nc::Dialect* const dialect, app::dialect_of(wanted.dialect));
-  AXIOMETRY_TRY(const volumetric::CalibrationPlan plan, app::given_plan(body));
+  AXIOMETRY_TRY(const volumetric::CalibrationPlan plan, app::given_calibration(body));
   AXIOMETRY_TRY(std::string program, app::nc_program_of(plan, wanted));
   const volumetric::PlannedRun& run = plan.runs[wanted.part - 1];
   const std::string stem =
       app::file_name_part(plan.machine.stations[run.station].name + "-" + plan.machine.tools[run.tool].name);
-  return program_response(std::move(program), to_keep, stem + std::string(dialect->extension));
+  return made_text_response(std::move(program), to_keep, stem + std::string(dialect->extension));
 }
 
 /// What a form with measured lengths holds.
@@ -165,7 +165,7 @@ Result<Response> table(const Request& request) {
   AXIOMETRY_TRY(const app::ExportRequest wish, app::table_request_from(body));
   AXIOMETRY_TRY(const volumetric::ErrorModel model, app::given_model(body));
   AXIOMETRY_TRY(std::string text, app::exported_table(model, wish));
-  return program_response(std::move(text), to_keep, wish.table + ".csv");
+  return made_text_response(std::move(text), to_keep, wish.table + ".csv");
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ Result<void> check_model(const ErrorModel& model) {
 
 }  // namespace
 
-Result<volumetric::PlannedCalibration> requested_plan(const Value& body) {
+Result<volumetric::PlannedCalibration> requested_calibration(const Value& body) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(body, "body"));
   AXIOMETRY_TRY(const Value* machine, members.required("machine"));
   AXIOMETRY_TRY(formats::MachineFile file, formats::machine_from(*machine));
@@ -124,7 +124,7 @@ Result<volumetric::PlannedCalibration> requested_plan(const Value& body) {
   return plan_volume(std::move(file), request);
 }
 
-Result<CalibrationPlan> given_plan(const Value& body) {
+Result<CalibrationPlan> given_calibration(const Value& body) {
   const Value* given = body.is(Kind::object) ? body.find("plan") : nullptr;
   if (given == nullptr) return fail("found no plan, expected one", body.at());
   AXIOMETRY_TRY(CalibrationPlan plan, formats::volumetric_plan_from(*given));

@@ -21,11 +21,11 @@ namespace axiometry::app {
 /// VolumetricPlanRequest, planned. Fails, with line and column, on members that are unknown, missing or of another
 /// kind, on more than 500 points, 8 stations or 6 tools, 12 000 points in all, 20 obstacles, on names that are no
 /// given_line(), and as machine_from() and plan_volume() do. The date is today's where it is not given.
-Result<volumetric::PlannedCalibration> requested_plan(const json::Value& body);
+Result<volumetric::PlannedCalibration> requested_calibration(const json::Value& body);
 
-/// The plan of {"plan": …}. Fails also on a plan that is larger than requested_plan() makes one, or has names that are
+/// The plan of {"plan": …}. Fails also on a plan that is larger than requested_calibration() makes one, or has names that are
 /// none.
-Result<volumetric::CalibrationPlan> given_plan(const json::Value& body);
+Result<volumetric::CalibrationPlan> given_calibration(const json::Value& body);
 
 /// VolumetricDraft, its texts in the reader's language.
 json::Value draft_value(const volumetric::PlannedCalibration& planned, const Reader& reader);

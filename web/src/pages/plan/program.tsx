@@ -72,7 +72,6 @@ export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, 
         </div>
       </header>
       <div class="options no-print">
-        {choice}
         <Field label={t('control')}>
           {(ids) => (
             <select {...ids} value={dialect} onChange={(event) => choose(event.currentTarget.value)}>
@@ -80,6 +79,7 @@ export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, 
             </select>
           )}
         </Field>
+        {choice}
         <OptionFields of_lines={of_lines} options={options} change={(part) => set_options({ ...options, ...part })} loops={chosen?.has_loops ?? true} />
       </div>
       {program.error && <FailureNotice error={program.error} retry={program.again} />}

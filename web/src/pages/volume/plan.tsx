@@ -140,7 +140,7 @@ function Outcome({ draft, run, choose_run, change, is_proposed }: OutcomeProps) 
   return (
     <>
       <Told expected={expected} />
-      <VolumeFindings findings={expected.findings} />
+      {expected.findings.length === 0 ? <p class="quiet">{t('no_findings')}</p> : <VolumeFindings findings={expected.findings} />}
       <div class="field-controls no-print">
         <RunChoice draft={draft} run={run} choose={choose_run} />
         <label class="all-arrows"><input type="checkbox" checked={way} onChange={(event) => set_way(event.currentTarget.checked)} />{t('way')}</label>
