@@ -27,13 +27,16 @@ export function VolumePage() {
   const { machine, request, faults } = useMemo(() => read_form(form), [form]);
   const answer = use_posted<VolumetricDraft>(`/api/volumetric/plan${query({ decimal: decimal.value })}`, asked, as_json);
   const draft = asked === null ? null : answer.data;
-  const planning = asked !== null && answer.error === null && JSON.stringify(answer.of) !== JSON.stringify(asked);
+  const planning = asked !== null && answer.error === null && !answer.is_current;
   useEffect(() => keep_volume(form), [form]);
   const change = (part: Partial<VolumeForm>) => set_form((before) => ({ ...before, ...part }));
   const run = Math.min(chosen_run, Math.max(0, (draft?.plan.runs.length ?? 1) - 1));
   const name = `${form.machine.trim()} ${t('title')}`.trim();
   const subject = useMemo(() => draft && { plan: draft.plan }, [draft]);
   const shown = draft?.plan.runs[run];
+  // Where stations were proposed, lengths are held against them too.
+  const proposed = form.propose ? draft?.plan.machine.stations_mm : undefined;
+  const measured = useMemo(() => machine && (proposed ? { ...machine, stations_mm: proposed } : machine), [machine, proposed]);
   const fields = { form, change, faults };
   return (
     <>
@@ -56,7 +59,7 @@ export function VolumePage() {
             <ProgramPanel path="/api/volumetric/plan/program" subject={subject} part={run + 1} name={`${form.machine.trim()} ${shown?.station ?? ''} ${shown?.tool ?? ''}`.trim()}
               vocabulary={vocabulary.data} step="3" choice={<RunChoice draft={draft} run={run} choose={choose_run} />} />
           )}
-          <LengthsPanel machine={draft ? draft.plan.machine as unknown as typeof machine : machine} />
+          <LengthsPanel machine={measured} />
         </div>
       </div>
     </>

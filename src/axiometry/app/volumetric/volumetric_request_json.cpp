@@ -71,8 +71,9 @@ Result<void> check_errors(const Value& result) {
 Value draft_value(const volumetric::PlannedCalibration& planned, const Reader& reader) {
   Value value = Value::object();
   value.add("plan", formats::volumetric_plan_value(planned.plan));
+  const Value whole = expectation_value(planned);
   Value expected = Value::object();
-  for (const auto& [name, member] : expectation_value(planned).members())
+  for (const auto& [name, member] : whole.members())
     if (name == "reasons") {
       Value& reasons = expected.add("reasons", Value::array());
       for (const Value& reason : member.items())

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The error of the tool point over the volume: slices and arrows to move through, of one result or of two beside each other.
-import { useEffect, useMemo, useState } from 'preact/hooks';
+import { useMemo, useState } from 'preact/hooks';
 import { ApiError, query, send } from '../../api/client';
 import { as_json, use_posted } from '../../api/posted';
 import type { VolumetricDifference, VolumetricField, VolumetricModel, VolumetricResult } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { FileDrop } from '../../components/file_drop';
-import { Scene } from '../../components/scene';
+import { Scene, use_shared_view, type SharedView } from '../../components/scene';
 import { decimals_for, fixed, shortest } from '../../numbers';
 import { decimal, language } from '../../settings';
 import { axes } from './error_names';
@@ -20,13 +20,12 @@ const nodes = 11;
 /** One field, or with an earlier result both of them over the same part of the volume. */
 export function FieldPanel({ result }: { result: VolumetricResult }) {
   const [before, set_before] = useState<{ name: string; model: VolumetricModel } | null>(null);
-  useEffect(() => set_before(null), [result.model.machine]);
   const look = query({ decimal: decimal.value });
   const own = useMemo(() => ({ model: result.model, nodes }), [result.model]);
   const both = useMemo(() => before && { before: before.model, after: result.model, nodes }, [before, result.model]);
   const field = use_posted<VolumetricField>(`/api/volumetric/field${look}`, both ? null : own, as_json);
   const difference = use_posted<VolumetricDifference>(`/api/volumetric/difference${look}`, both, as_json);
-  const compared = both !== null && difference.of === both ? difference.data : null;
+  const compared = both !== null && difference.is_current ? difference.data : null;
   const error = both ? difference.error : field.error;
   const shown = both ? compared && { after: compared.after, before: compared.before, difference: compared } : field.data && { after: field.data };
   return (
@@ -87,6 +86,7 @@ function FieldView({ after, before, difference }: Shown) {
   const [rigid, set_rigid] = useState(false);
   const [all, set_all] = useState(false);
   const [enlarged, set_enlarged] = useState<number | null>(null);
+  const view = use_shared_view();
   const now = after.tools.find((one) => one.tool === tool) ?? (after.tools[0] as ToolField);
   const then = before?.tools.find((one) => one.tool === now.tool) ?? null;
   const grid = useMemo(() => grid_of(after, now, rigid), [after, now, rigid]);
@@ -136,7 +136,7 @@ function FieldView({ after, before, difference }: Shown) {
       </div>
       <div class={`fields ${pictures.length > 1 ? 'two' : ''}`}>
         {pictures.map(([name, of, field]) => (
-          <FieldPicture key={name ?? 'one'} {...{ name, look, place }} grid={of} field={field} tool={now.tool} kind={kind} most={most} />
+          <FieldPicture key={name ?? 'one'} {...{ name, look, place, view }} grid={of} field={field} tool={now.tool} kind={kind} most={most} />
         ))}
       </div>
       {before && !then && <p class="notice caution">{t('not_shared')}</p>}
@@ -154,9 +154,9 @@ function choices_about(usual: number, chosen: number): number[] {
 }
 
 type SizeKind = 'as_found' | 'without_rigid_motion';
-interface PictureProps { name: string | null; grid: Grid; field: ToolField; look: FieldLook; place: string; tool: string; kind: SizeKind; most: number }
+interface PictureProps { name: string | null; grid: Grid; field: ToolField; look: FieldLook; place: string; tool: string; kind: SizeKind; most: number; view: SharedView }
 
-function FieldPicture({ name, grid, field, look, place, tool, kind, most }: PictureProps) {
+function FieldPicture({ name, grid, field, look, place, tool, kind, most, view }: PictureProps) {
   const scene = useMemo(() => field_scene(grid, look), [grid, look.axis, look.slice, look.enlarged, look.all, look.scale.high, language.value, decimal.value]);
   const range = slice_range(grid, look.axis, look.slice);
   const letter = axes[look.axis] as string;
@@ -167,7 +167,7 @@ function FieldPicture({ name, grid, field, look, place, tool, kind, most }: Pict
     <div class="field-picture">
       {name && <h3>{name}</h3>}
       {field.error_um.every((error) => error === null) ? <p class="notice caution">{t('no_field')}</p>
-        : <Scene model={scene} name={name ? `${t('field_name')}: ${name}` : t('field_name')} description={told} height={name ? 380 : 460} />}
+        : <Scene model={scene} name={name ? `${t('field_name')}: ${name}` : t('field_name')} description={told} height={name ? 380 : 460} shared={view} />}
       <p class="small quiet" aria-live="polite">{told}</p>
       {sizes && (
         <dl class="figures">

@@ -32,7 +32,7 @@ export function LinePanel({ model }: { model: VolumetricModel }) {
     return at === null ? null : { model, axis: line, at_mm: at, tool: chosen_tool };
   }, [model, line, chosen_tool, JSON.stringify(at)]);
   const answer = use_posted<VolumetricPrediction>(`/api/volumetric/prediction${query({ decimal: decimal.value })}`, body, as_json);
-  const is_this = answer.error === null && answer.data !== null && answer.of === body;
+  const is_this = answer.is_current;
   const faces = (name: string) => name.includes(' ');
   return (
     <section class="panel" aria-labelledby="volume-line">

@@ -26,7 +26,7 @@ export function TablePanel({ model }: { model: VolumetricModel }) {
   const body = useMemo(() => (chosen && fault === null ? { model, table: chosen.id, nodes: n, ...(chosen.of_one_tool ? { tool: chosen_tool } : {}) } : null),
     [model, chosen, n, fault, chosen_tool]);
   const made = use_posted('/api/volumetric/table', body, as_text);
-  const text = made.error === null && made.of === body && body !== null ? made.data : null;
+  const text = made.is_current ? made.data : null;
   const head = (text ?? '').split('\n').filter((line) => /^[#(;]/.test(line)).join('\n');
   return (
     <section class="panel" aria-labelledby="volume-tables">
