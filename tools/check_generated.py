@@ -28,6 +28,7 @@ OF_THE_API = {
     "Metadata": {"schema": [], "left_out": ["format", "source", "series", "times_s"]},
     "PlanFile": {"schema": ["plan"]},
     "TrackingPlanFile": {"schema": ["tracking-plan"]},
+    "VolumetricPlanFile": {"schema": ["volumetric-plan"]},
 }
 
 

@@ -99,6 +99,7 @@ void add_api_routes(Router& router, const Context& context) {
   add_capture_routes(router, context);
   add_tracking_routes(router);
   add_calibration_routes(router, context);
+  add_volumetric_routes(router);
 }
 
 /// Who reads has gone, or a file is as large as it may be: the write fails then and is told, the program goes on.

@@ -271,6 +271,34 @@ def calibrations(play):
     play.expect(200, "POST", f"{path}/reinstate", {"reason": "it was the right one"})
     play.checks.that("it is back", not play.expect(200, "GET", path).json()["withdrawn"])
     play.expect(404, "GET", f"/api/calibrations/{first + 99}")
+def volumetric(play):
+    """From the machine to tables for a control, with lengths of a perfect machine."""
+    machine = {"chain": "XFYZ", "travel_mm": {"X": [0, 800], "Y": [0, 500], "Z": [-500, 0]},
+               "tools_mm": {"T1": [0, 0, -120], "T2": [60, 0, -120], "T3": [0, 60, -240]},
+               "stations_mm": {"S1": [-100, -50, -700], "S2": [900, -50, -800], "S3": [900, 600, -700], "S4": [-100, 600, -850]}}
+    wish = {"machine": machine, "points": 30, "limits": {"incidence_most_deg": 85}}
+    draft = play.expect(200, "POST", "/api/volumetric/plan", wish).json()
+    plan = draft["plan"]
+    play.checks.that("all errors will be told", draft["expected"]["unseen"] == [], draft["expected"]["reasons"])
+    play.expect(200, "POST", "/api/volumetric/plan/program", {"plan": plan, "dialect": "heidenhain", "options": {"part": 2}})
+    play.expect(200, "POST", "/api/volumetric/plan/sheet.pdf", {"plan": plan})
+    play.expect(422, "POST", "/api/volumetric/plan", {"machine": {}})
+    rows = [f"{run['station']},{run['tool']},{','.join(map(repr, stop['at_mm']))},"
+            + repr(math.dist([q + t for q, t in zip(stop["at_mm"], machine["tools_mm"][run["tool"]])],
+                             machine["stations_mm"][run["station"]]) + 0.0001 * (k % 3 - 1))
+            for run in plan["runs"] for k, stop in enumerate(run["stops"])]
+    sent = form((b'name="machine"; filename="machine.json"', json.dumps(machine).encode()),
+                (b'name="lengths"; filename="lengths.csv"', "\n".join(["station,tool,x_mm,y_mm,z_mm,length_mm", *rows]).encode()))
+    result = play.expect(200, "POST", "/api/volumetric/identification", *sent).json()
+    play.checks.that("all errors are found", result["unseen"] == [], result["findings"])
+    play.expect(200, "POST", "/api/volumetric/identification/residuals", *sent)
+    play.expect(200, "POST", "/api/volumetric/identification/report.pdf", *sent)
+    play.expect(200, "POST", "/api/volumetric/result", {"result": result})
+    model = result["model"]
+    play.expect(200, "POST", "/api/volumetric/field", {"model": model, "nodes": 3})
+    play.expect(200, "POST", "/api/volumetric/difference", {"before": model, "after": model, "nodes": 3})
+    play.expect(200, "POST", "/api/volumetric/prediction", {"model": model, "axis": "Y", "at_mm": [400, 0, -250], "tool": "T1"})
+    play.expect(200, "POST", "/api/volumetric/table", {"model": model, "table": "axis-csv", "tool": "T1"})
 
 
 def captures(play):
@@ -313,6 +341,7 @@ def main():
             plans(play)
             tracking(play)
             calibrations(play)
+            volumetric(play)
             captures(play)
             examples(play, program, folder)
             described = {(method.upper(), path) for path, operations in OPENAPI["paths"].items() for method in operations}

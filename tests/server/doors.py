@@ -302,7 +302,8 @@ def other_types_are_refused(server, checks):
     """A body that is no JSON by its type is none, whatever it holds; files have any type."""
     takes_files = {"/api/preview", "/api/evaluations", "/api/tests", "/api/tests/1/attachments", "/api/calibrations",
                    "/api/tracking/station", "/api/tracking/station/report.1", "/api/tracking/evaluation",
-                   "/api/tracking/evaluation/report.1"}
+                   "/api/tracking/evaluation/report.1", "/api/volumetric/identification",
+                   "/api/volumetric/identification/report.1", "/api/volumetric/identification/residuals"}
     for method, path in operations():
         if method == "GET" or path in takes_files:
             continue

@@ -16,6 +16,7 @@ const sections = [
   ['/captures', 'capture', ['/captures']],
   ['/tracking', 'tracking', ['/tracking']],
   ['/calibrations', 'calibrations', ['/calibrations']],
+  ['/volume', 'volume', ['/volume']],
   ['/settings', 'settings', ['/settings', '/audit']],
 ] as const;
 

@@ -9,6 +9,7 @@ export const t = texts({
   capture: ['Capture', 'Erfassung'],
   tracking: ['Tracking', 'Tracking'],
   calibrations: ['Calibrations', 'Kalibrierungen'],
+  volume: ['Volume', 'Arbeitsraum'],
   settings: ['Settings', 'Einstellungen'],
   sections: ['Sections', 'Bereiche'],
   skip: ['To the content', 'Zum Inhalt'],

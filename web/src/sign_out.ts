@@ -5,6 +5,7 @@ import { ask_health, signed_in } from './api/session';
 import { forget_drafts } from './pages/test/draft_store';
 import { remove_all } from './pages/tests/incoming';
 import { forget_page } from './pages/tracking/kept';
+import { forget_volume } from './pages/volume/kept';
 import { actor } from './settings';
 
 const other_tabs = new BroadcastChannel('axiometry.signed-out');
@@ -14,6 +15,7 @@ function forget(): void {
   remove_all();
   forget_drafts();
   forget_page();
+  forget_volume();
   actor.value = '';
 }
 

@@ -25,7 +25,7 @@ export async function visited(world) {
     '/', `/tests/${first}`, `/tests/${second}`, `/tests/${first}/report`, `/compare?tests=${first},${second},${third}`,
     '/machines', ...(machine ? [`/machines/${machine.id}`] : []), ...(axis ? [`/axes/${axis.id}`] : []),
     '/instruments', `/instruments/${instruments[0].id}`, '/plans', '/plans/new', `/plans/${plan}`,
-    '/tracking', '/captures', '/captures/new', `/captures/${capture.id}`, '/settings', '/audit', '/no/such/page',
+    '/tracking', '/volume', '/captures', '/captures/new', `/captures/${capture.id}`, '/settings', '/audit', '/no/such/page',
   ];
 }
 

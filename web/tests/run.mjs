@@ -26,6 +26,7 @@ import { story } from './story.mjs';
 import { timing } from './timing.mjs';
 import { tracking } from './tracking.mjs';
 import { trend } from './trend.mjs';
+import { volume } from './volume.mjs';
 import { World, not_as_described, strangers } from './world.mjs';
 import { wrong_files } from './wrong_files.mjs';
 
@@ -34,7 +35,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...tracking, ...calibrations, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...claims, ...description, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...tracking, ...volume, ...calibrations, ...capture, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...claims, ...description, ...offline, ...timing };
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));

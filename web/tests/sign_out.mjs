@@ -13,7 +13,7 @@ async function sign_in(page) {
   await page.getByRole('button', { name: 'Sign in' }).click();
 }
 
-const left_behind = (page) => page.evaluate(() => ({ ...sessionStorage, actor: localStorage.getItem('axiometry.actor'), tracking: localStorage.getItem('axiometry.tracking') }));
+const left_behind = (page) => page.evaluate(() => ({ ...sessionStorage, actor: localStorage.getItem('axiometry.actor'), tracking: localStorage.getItem('axiometry.tracking'), volume: localStorage.getItem('axiometry.volume') }));
 
 export const sign_out = {
   async 'who signs out leaves neither name nor unsaved edits in any tab'(world) {
@@ -39,6 +39,8 @@ export const sign_out = {
     await first.goto('/tracking');
     await first.getByLabel('Name', { exact: true }).fill('Mill of a customer');
     await first.waitForFunction(() => localStorage.getItem('axiometry.tracking')?.includes('Mill of a customer'));
+    await first.goto('/volume');
+    await first.waitForFunction(() => localStorage.getItem('axiometry.volume') !== null);
     await first.goto('/');
     await first.setInputFiles('input[type=file]', [{ name: 'chosen.csv', mimeType: 'text/csv', buffer: Buffer.from('a,b\n') }]);
     await shows(first.locator('.previews'), 'chosen.csv');
@@ -46,7 +48,7 @@ export const sign_out = {
     await first.getByRole('button', { name: 'Sign out' }).click();
     for (const page of [first, second]) {
       await page.getByLabel(/token/i).waitFor();
-      assert.deepEqual(await left_behind(page), { actor: null, tracking: null });
+      assert.deepEqual(await left_behind(page), { actor: null, tracking: null, volume: null });
     }
 
     await sign_in(first);
@@ -55,7 +57,7 @@ export const sign_out = {
     assert.equal(await first.getByText('chosen.csv').count(), 0);
     await second.reload();
     await shows(second.locator('main'), /9\.6/);
-    assert.deepEqual(await left_behind(second), { actor: null, tracking: null });
+    assert.deepEqual(await left_behind(second), { actor: null, tracking: null, volume: null });
     await second.goto('/settings');
     assert.equal(await second.getByLabel(/name/i).inputValue(), '');
     const { latest } = await world.api('GET', `/api/tests/${id}`, undefined, { Authorization: `Bearer ${token}` });

@@ -38,6 +38,7 @@ void add_plan_routes(Router& router, const Context& context);       ///< plans, 
 void add_capture_routes(Router& router, const Context& context);    ///< live sources and captures
 void add_tracking_routes(Router& router);  ///< station, lines and evaluation of a tracking interferometer; keep nothing
 void add_calibration_routes(Router& router, const Context& context);  ///< lines and the 21 errors that are kept
+void add_volumetric_routes(Router& router);  ///< plan, errors and field of a volumetric calibration; keep nothing
 /// The page: each file by its name, and index.html for every path that is not of the API, since the page routes by
 /// path; "/" says how to build it where there is none. Files NAME.gz are sent instead of NAME to who takes them.
 void add_page_routes(Router& router, std::span<const EmbeddedFile> files);

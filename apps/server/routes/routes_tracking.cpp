@@ -20,6 +20,7 @@
 #include "axiometry/report/tracking.h"
 #include "server/http/multipart.h"
 #include "server/http/request_values.h"
+#include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
 
 namespace axiometry::server {
@@ -29,36 +30,6 @@ using json::Value;
 
 constexpr std::size_t points_bytes_max = std::size_t{256} << 10;  // thousands of points: six to fifty are measured
 constexpr std::size_t lengths_bytes_max = std::size_t{16} << 20;  // the lengths, and a plan of as many readings
-constexpr std::size_t options_bytes_max = std::size_t{64} << 10;
-
-Result<Value> parsed_options(std::string_view text) {
-  if (text.size() > options_bytes_max)
-    return fail(fmt::format("found options of {} bytes, expected at most {}", text.size(), options_bytes_max));
-  auto value = json::parse(text);
-  if (!value) value.error().file = "options";
-  return value;
-}
-
-/// A document to look at, or with ?download= as a file.
-Result<Response> document_response(const report::Document& document, const Request& request,
-                                   const report::Options& options, std::string_view stem) {
-  AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
-  const std::string extension = text::to_lower(request.segment("extension"));
-  AXIOMETRY_TRY(std::string bytes, app::document_bytes(document, extension, options));
-  const std::string_view type = app::media_type_of(extension);
-  if (to_keep) return download(std::move(bytes), type, fmt::format("{}.{}", stem, extension));
-  Response response{
-      .content_type = std::string(type), .body = std::move(bytes), .headers = {{"Cache-Control", "no-store"}}};
-  if (extension == "html" || extension == "svg")
-    response.headers.emplace_back("Content-Security-Policy", document_policy);
-  return response;
-}
-
-bool wants_json(const Request& request) { return text::to_lower(request.segment("extension")) == "json"; }
-
-Response json_file(const Value& value, std::string_view stem) {
-  return download(json::dump(value) + "\n", "application/json", fmt::format("{}.json", stem));
-}
 
 Result<std::string> name_of(const SentFile& file, std::string_view otherwise) {
   if (file.name.empty()) return std::string(otherwise);
@@ -163,12 +134,8 @@ Result<Response> program(const Request& request) {
   AXIOMETRY_TRY(const nc::Dialect* const dialect, app::dialect_of(wanted.dialect));
   AXIOMETRY_TRY(const app::RequestedLines planned, app::requested_lines(subject_of(body)));
   AXIOMETRY_TRY(std::string program, app::nc_program_of(planned.planned.plan, wanted));
-  constexpr std::string_view type = "text/plain; charset=utf-8";
-  if (!to_keep)
-    return Response{
-        .content_type = std::string(type), .body = std::move(program), .headers = {{"Cache-Control", "no-store"}}};
   const std::string stem = wanted.line.empty() ? "lines" : app::file_name_part("line-" + wanted.line);
-  return download(std::move(program), type, stem + std::string(dialect->extension));
+  return made_text_response(std::move(program), to_keep, stem + std::string(dialect->extension));
 }
 
 /// What a form for an evaluation holds.

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "axiometry/formats/compensation/compensation.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/model/plan.h"
@@ -12,6 +13,7 @@
 #include "axiometry/report/writer.h"
 #include "axiometry/standards/iso230_2/parameters.h"
 #include "axiometry/uncertainty/conformity.h"
+#include "axiometry/volumetric/field/line_prediction.h"
 
 namespace axiometry::server {
 namespace {
@@ -153,6 +155,13 @@ Value vocabulary(language::Language language) {
   value.add("formats", list_of(formats::format_table(), [&](const auto* format) { return writer.format(*format); }));
   value.add("writers", list_of(report::writer_table(), [&](const auto* each) { return writer.writer(*each); }));
   value.add("dialects", list_of(nc::dialect_table(), [&](const auto* dialect) { return writer.dialect(*dialect); }));
+  value.add("compensations", list_of(formats::compensation_table(), [&](const auto* table) {
+    Value row = writer.named(table->id, table->title);
+    row.add("of_one_tool", table->of_one_tool);
+    row.add("manual", table->manual);
+    return row;
+  }));
+  value.add("diagonals", list_of(volumetric::diagonal_names(), [](const std::string& name) { return Value(name); }));
   value.add("corrections", list_of(corrections, [&](const Named& row) { return writer.named(row.id, row.title); }));
   value.add("cycles",
             list_of(cycles, [&](const auto& row) { return writer.named(cycle_name(row.first), row.second); }));

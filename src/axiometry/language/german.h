@@ -39,6 +39,8 @@ extern const std::span<const Phrase> german_calibrations;         ///< calibrati
 extern const std::span<const Phrase>
     german_volume_report;  ///< volumetric calibrations: figures, field, predictions, tables
 
+extern const std::span<const Phrase> german_volume_plan;  ///< and their plans, and requests about them
+
 /// All of them.
 std::span<const std::span<const Phrase>> german_tables();
 

@@ -9,6 +9,7 @@
 #include "axiometry/report/report.h"
 #include "axiometry/volumetric/field/tool_fields.h"
 #include "axiometry/volumetric/identify/identification.h"
+#include "axiometry/volumetric/plan/planner.h"
 
 /// Reports of volumetric calibrations.
 namespace axiometry::report {
@@ -52,5 +53,8 @@ struct PredictedTestSubject {
   std::string result_file, measured_file;
 };
 Document compose(const PredictedTestSubject& subject, const Options& options);
+
+/// The sheet to take to the machine: what the plan will tell, set-up, runs in their order.
+Document calibration_sheet(const volumetric::PlannedCalibration& planned, const Options& options);
 
 }  // namespace axiometry::report

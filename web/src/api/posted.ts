@@ -7,6 +7,7 @@ import { returned } from './session';
 export interface Posted<T> {
   data: T | null;
   of: unknown; // the body that `data` answers
+  is_current: boolean; // whether that says the same as the body of now, and nothing was refused
   error: ApiError | null;
   again: () => void;
 }
@@ -16,7 +17,7 @@ export interface Posted<T> {
  * The last good answer stays while the next is made or refused. null asks nothing.
  */
 export function use_posted<T>(path: string, body: unknown, read: (response: Response) => Promise<T>): Posted<T> {
-  const [answer, set_answer] = useState<{ data: T; of: unknown } | null>(null);
+  const [answer, set_answer] = useState<{ data: T; of: unknown; key: string } | null>(null);
   const [error, set_error] = useState<ApiError | null>(null);
   const [turn, set_turn] = useState(0);
   const key = body === null ? null : JSON.stringify(body);
@@ -29,7 +30,7 @@ export function use_posted<T>(path: string, body: unknown, read: (response: Resp
     made(path, body, abort.signal).then(read).then(
       (data) => {
         if (abort.signal.aborted) return;
-        set_answer({ data, of: body });
+        set_answer({ data, of: body, key });
         set_error(null);
       },
       (failure: unknown) => {
@@ -38,7 +39,8 @@ export function use_posted<T>(path: string, body: unknown, read: (response: Resp
     );
     return () => abort.abort();
   }, [path, key, spoken, back, turn]);
-  return { data: answer?.data ?? null, of: answer?.of ?? null, error, again: () => set_turn((n) => n + 1) };
+  const is_current = answer !== null && error === null && answer.key === key;
+  return { data: answer?.data ?? null, of: answer?.of ?? null, is_current, error, again: () => set_turn((n) => n + 1) };
 }
 
 export const as_json = <T,>(response: Response): Promise<T> => response.json() as Promise<T>;

@@ -491,6 +491,14 @@ export interface components {
             /** @description Whether clause 8.1 wants it in a report. */
             wanted: boolean;
         };
+        /** @description Of the displacement of the tool point over the nodes of a grid. */
+        FieldSizes: {
+            largest_um: number;
+            largest_u_um: number;
+            largest_at_mm: number[];
+            mean_um: number;
+            percent_95_um: number;
+        };
         FigureList: {
             figures: {
                 id: number;
@@ -1519,6 +1527,23 @@ export interface components {
             R_down: number | null;
             R: number | null;
         };
+        /** @description A line as a test would show it, less the mean of all targets. */
+        PredictedLine: {
+            from_mm: number[];
+            to_mm: number[];
+            systematic_um: number;
+            systematic_u_um: number;
+            slope_um_per_m: number;
+            slope_u_um_per_m: number;
+            reversal_um: number | null;
+            targets: {
+                position_mm: number;
+                up_um: number;
+                up_u_um: number;
+                down_um: number;
+                down_u_um: number;
+            }[];
+        };
         Preview: {
             file: {
                 name: string;
@@ -2308,6 +2333,409 @@ export interface components {
             cycles: components["schemas"]["Named"][];
             /** @description Of decisions about limits. */
             rules: components["schemas"]["Named"][];
+            /** @description Tables by which controls compensate the errors of a machine. */
+            compensations: {
+                id: string;
+                title: string;
+                of_one_tool: boolean;
+                manual: string;
+            }[];
+            diagonals: string[];
+        };
+        /** @description Over the travel that both were observed in, with the tools that both have. The uncertainty of a difference is that of independent calibrations; without rigid motion it is 0: not stated. */
+        VolumetricDifference: {
+            nodes: number;
+            before: components["schemas"]["VolumetricField"];
+            after: components["schemas"]["VolumetricField"];
+            tools: {
+                tool: string;
+                offset_mm: number[];
+                as_found: components["schemas"]["FieldSizes"] | null;
+                without_rigid_motion: components["schemas"]["FieldSizes"] | null;
+            }[];
+        };
+        VolumetricDifferenceRequest: {
+            before: components["schemas"]["VolumetricModel"];
+            after: components["schemas"]["VolumetricModel"];
+            nodes?: number;
+        };
+        VolumetricDraft: {
+            plan: components["schemas"]["VolumetricPlanFile"];
+            expected: components["schemas"]["VolumetricExpectation"];
+            /** @description Its points as a table with an empty column for the lengths. */
+            csv: string;
+        };
+        /** @description Of a motion that the lengths do not tell there is no node. */
+        VolumetricErrors: {
+            EXX: components["schemas"]["VolumetricNode"][];
+            EYX: components["schemas"]["VolumetricNode"][];
+            EZX: components["schemas"]["VolumetricNode"][];
+            EAX: components["schemas"]["VolumetricNode"][];
+            EBX: components["schemas"]["VolumetricNode"][];
+            ECX: components["schemas"]["VolumetricNode"][];
+            EXY: components["schemas"]["VolumetricNode"][];
+            EYY: components["schemas"]["VolumetricNode"][];
+            EZY: components["schemas"]["VolumetricNode"][];
+            EAY: components["schemas"]["VolumetricNode"][];
+            EBY: components["schemas"]["VolumetricNode"][];
+            ECY: components["schemas"]["VolumetricNode"][];
+            EXZ: components["schemas"]["VolumetricNode"][];
+            EYZ: components["schemas"]["VolumetricNode"][];
+            EZZ: components["schemas"]["VolumetricNode"][];
+            EAZ: components["schemas"]["VolumetricNode"][];
+            EBZ: components["schemas"]["VolumetricNode"][];
+            ECZ: components["schemas"]["VolumetricNode"][];
+            C0Y: components["schemas"]["VolumetricSquareness"];
+            B0Z: components["schemas"]["VolumetricSquareness"];
+            A0Z: components["schemas"]["VolumetricSquareness"];
+        };
+        /** @description What a plan will tell; texts in the language of the request. */
+        VolumetricExpectation: {
+            stations: {
+                [key: string]: number[];
+            };
+            runs: {
+                station: string;
+                tool: string;
+                points: number;
+            }[];
+            points: number;
+            rank: components["schemas"]["VolumetricRank"];
+            /** @description Errors that the lengths will not tell. */
+            unseen: string[];
+            /** @description Why, in sentences without full stop. */
+            reasons: string[];
+            /** @description Standard uncertainties of each of the 21 errors, µm or µrad. */
+            errors: {
+                [key: string]: {
+                    u_mean: number | null;
+                    u_max: number | null;
+                };
+            };
+            volume: {
+                u_rms_um: number | null;
+                u_max_um: number | null;
+                tools: {
+                    [key: string]: {
+                        u_rms_um: number | null;
+                        u_max_um: number | null;
+                    };
+                };
+            };
+            findings: components["schemas"]["VolumetricFinding"][];
+        };
+        VolumetricField: {
+            nodes: number;
+            observed_mm: {
+                lowest: number[];
+                highest: number[];
+            };
+            findings: components["schemas"]["VolumetricFinding"][];
+            tools: {
+                tool: string;
+                as_found: components["schemas"]["FieldSizes"] | null;
+                without_rigid_motion: {
+                    largest_um: number;
+                    largest_u_um: number;
+                    largest_at_mm: number[];
+                    mean_um: number;
+                    percent_95_um: number;
+                    translation_um: number[];
+                    rotation_urad: number[];
+                } | null;
+                diagonals: {
+                    [key: string]: components["schemas"]["PredictedLine"] | null;
+                };
+                offset_mm: number[];
+                /** @description At every node, X fastest, from the lowest to the highest place. */
+                error_um: (number[] | null)[];
+            }[];
+        };
+        /** @description A serious one says that the result should not be used as it is. */
+        VolumetricFinding: {
+            /** @description Stable. */
+            id: string;
+            /** @enum {unknown} */
+            severity: "serious" | "note";
+            message: string;
+        };
+        VolumetricForm: {
+            /**
+             * Format: binary
+             * @description A table with the columns station, tool, x_mm, y_mm, z_mm, length_mm and perhaps segment.
+             */
+            lengths: string;
+            /**
+             * Format: binary
+             * @description machine.json.
+             */
+            machine: string;
+            /** @description JSON: reversal (none, constant or curves: how the directions of an axis differ). */
+            options?: string;
+        };
+        VolumetricLineRequest: {
+            model: components["schemas"]["VolumetricModel"];
+            /** @enum {unknown} */
+            axis?: "X" | "Y" | "Z";
+            /** @description Where the other axes stand; the axis' own does not count. */
+            at_mm?: number[];
+            /** @description One of Vocabulary.diagonals. */
+            diagonal?: string;
+            tool?: string;
+        };
+        /** @description As machine.json of `axiometry volumetric`. Other members are passed over and told. */
+        VolumetricMachine: {
+            name?: string;
+            /** @description From the workpiece to the tool, as XFYZ: axes before F carry the workpiece. */
+            chain: string;
+            travel_mm: {
+                X: number[];
+                Y: number[];
+                Z: number[];
+            };
+            /** @description From where the axes stand to the centre of the reflector. */
+            tools_mm: {
+                [key: string]: number[];
+            };
+            stations_mm?: {
+                [key: string]: number[];
+            };
+            instrument?: {
+                a_um?: number;
+                b_um_per_m?: number;
+                scale_u_um_per_m?: number | null;
+            };
+            repeatability_um?: number;
+            functional_point_mm?: {
+                X?: number[];
+                Y?: number[];
+                Z?: number[];
+            };
+        };
+        /** @description Machine, curves, coefficients and their covariance: the member `model` of a result file. What is computed from errors is computed from it. */
+        VolumetricModel: Record<string, never>;
+        VolumetricModelGiven: {
+            model: components["schemas"]["VolumetricModel"];
+            /** @description Along each axis, 11 when not given. */
+            nodes?: number;
+        };
+        /** @description Of an error motion: position in mm, value and standard uncertainty in µm or µrad. */
+        VolumetricNode: {
+            position: number;
+            value: number;
+            u: number;
+            up?: {
+                value: number | null;
+                u: number | null;
+            };
+            down?: {
+                value: number | null;
+                u: number | null;
+            };
+        };
+        /** @description Where the instrument stands in turn, and with each station and tool the places at which a length is read: what 'axiometry volumetric plan' writes, and 'nc' and 'volumetric simulate' read. */
+        VolumetricPlanFile: {
+            /** @constant */
+            format: "axiometry-volumetric-plan/1";
+            /** @description On which it was made, as 2026-11-21. */
+            date?: string;
+            /** @description As machine.json of 'axiometry volumetric identify', with the stations. */
+            machine: {
+                /** @description From the workpiece to the tool: XFYZ. */
+                chain: string;
+                /** @description Where the axes may stand. */
+                travel_mm: {
+                    X: number[];
+                    Y: number[];
+                    Z: number[];
+                };
+                /** @description From where the axes stand to the centre of the reflector. */
+                tools_mm: {
+                    [key: string]: number[];
+                };
+                /** @description Where the instrument stands, in the reflector's coordinates. */
+                stations_mm: {
+                    [key: string]: number[];
+                };
+            };
+            /** @description What instrument and reflector can do. */
+            limits?: {
+                /** @description Shortest distance of the instrument. */
+                range_least_mm?: number | null;
+                /** @description Longest distance of the instrument. */
+                range_most_mm?: number | null;
+                /** @description Of the beam above the plane of X and Y. */
+                elevation_lowest_deg?: number | null;
+                /** @description Of the beam above the plane of X and Y. */
+                elevation_highest_deg?: number | null;
+                /** @description Where the reflector looks, from the spindle. */
+                reflector_axis?: number[];
+                /** @description Between the beam and the reflector's axis. */
+                incidence_most_deg?: number | null;
+                /** @description Nothing of the machine comes nearer to the station. */
+                safe_radius_mm?: number | null;
+                /** @description A shorter line is not worth a test. */
+                line_least_mm?: number | null;
+            };
+            /** @description What stands in the way of reflector and beam. */
+            obstacles?: {
+                /** @description What it is. */
+                name?: string | null;
+                /** @description With edges along X, Y, Z. */
+                box?: {
+                    /** @description Corner with the lowest X, Y, Z. */
+                    lowest_mm: number[];
+                    /** @description Corner with the highest X, Y, Z. */
+                    highest_mm: number[];
+                };
+                /** @description A ball. */
+                sphere?: {
+                    /** @description Centre. */
+                    centre_mm: number[];
+                    /** @description Radius. */
+                    radius_mm: number | null;
+                };
+                /** @description Upright, along Z. */
+                cylinder?: {
+                    /** @description Middle of the lower end. */
+                    base_mm: number[];
+                    /** @description Radius. */
+                    radius_mm: number | null;
+                    /** @description Height. */
+                    height_mm: number | null;
+                };
+            }[] | null;
+            /** @description Between stops. */
+            feed_mm_per_min?: number;
+            /** @description At rest on every stop. */
+            dwell_s?: number;
+            /** @description One for each station and tool, in the order of measurement. */
+            runs: {
+                /** @description Name of a station. */
+                station: string;
+                /** @description Name of a tool. */
+                tool: string;
+                /** @description In the order in which they are driven to. */
+                stops: {
+                    /** @description Where the axes stand when a length is read. */
+                    at_mm: number[];
+                    /** @description In order, from the stop before; straight when absent. */
+                    over_mm?: number[][];
+                    /** @description Whether the beam is kept on the way to it (true). */
+                    beam_kept?: boolean;
+                }[];
+            }[];
+            /** @description That wrote it. */
+            program?: string;
+            /** @description Of that program. */
+            version?: string;
+        };
+        /** @description A volumetric calibration that is to be planned. The same request makes the same plan; its date is today's unless it is given. */
+        VolumetricPlanRequest: {
+            machine: components["schemas"]["VolumetricMachine"];
+            /** @description Else those of the machine, which are taken too where it has some and this is left out. */
+            propose_stations?: boolean;
+            /** @description How many to propose. */
+            stations?: number;
+            /** @description Of each station and tool; 12 000 in all. */
+            points?: number;
+            /** @description Where the instrument may stand. */
+            room_mm?: {
+                X: number[];
+                Y: number[];
+                Z: number[];
+            };
+            date?: string;
+            limits?: components["schemas"]["TrackingPlanFile"]["setup"]["limits"];
+            obstacles?: components["schemas"]["TrackingPlanFile"]["setup"]["obstacles"];
+            feed_mm_per_min?: number;
+            dwell_s?: number;
+        };
+        VolumetricPrediction: {
+            line: string;
+            tool: string;
+            prediction: components["schemas"]["PredictedLine"];
+            findings: components["schemas"]["VolumetricFinding"][];
+        };
+        /** @description options.part says which run: one station with one tool. */
+        VolumetricProgramRequest: {
+            plan: components["schemas"]["VolumetricPlanFile"];
+            dialect: string;
+            /** @description By the names of the query of `/api/plans/{id}/program`. */
+            options?: {
+                [key: string]: string | number | boolean;
+            };
+        };
+        VolumetricRank: {
+            unknowns: number;
+            errors: number;
+            rank: number;
+            null_directions: number;
+            condition: number;
+        };
+        /** @description As `axiometry volumetric identify --out` writes it; docs/results.md explains it. Texts in the language of the request. */
+        VolumetricResult: {
+            source?: Record<string, never>;
+            errors: components["schemas"]["VolumetricErrors"];
+            gauge?: Record<string, never>;
+            rank: components["schemas"]["VolumetricRank"];
+            unseen: string[];
+            chi2_per_dof: number | null;
+            chi2?: number;
+            degrees_of_freedom: number;
+            variance_factor?: number;
+            readings: number;
+            stations: {
+                station: string;
+                tool: string;
+                position_mm: number[];
+                covariance_um2?: number[][];
+                readings: number;
+                rms_um: number;
+                normalised_rms: number;
+                segments?: {
+                    segment: string;
+                    readings: number;
+                    dead_path_mm: number;
+                    drift_um?: number;
+                }[];
+            }[];
+            set_aside: {
+                reading?: number;
+                line?: number;
+                station?: string;
+                tool?: string;
+                residual_um?: number;
+                normalised?: number;
+            }[];
+            breaks: {
+                reading?: number;
+                line?: number;
+                station?: string;
+                tool?: string;
+                jump_um?: number;
+            }[];
+            drift?: boolean;
+            findings: components["schemas"]["VolumetricFinding"][];
+            model: components["schemas"]["VolumetricModel"];
+        };
+        VolumetricResultGiven: {
+            result: components["schemas"]["VolumetricResult"];
+        };
+        /** @description µrad; null where the lengths do not tell it. */
+        VolumetricSquareness: {
+            value: number | null;
+            u: number | null;
+        };
+        VolumetricSubject: {
+            plan: components["schemas"]["VolumetricPlanFile"];
+        };
+        VolumetricTableRequest: {
+            model: components["schemas"]["VolumetricModel"];
+            /** @description One of Vocabulary.compensations. */
+            table: string;
+            tool?: string;
+            nodes?: number;
         };
     };
     responses: never;
@@ -2362,6 +2790,7 @@ export type ExpansionPart = components['schemas']['ExpansionPart'];
 export type FactorUncertainty = components['schemas']['FactorUncertainty'];
 export type Failure = components['schemas']['Failure'];
 export type Field = components['schemas']['Field'];
+export type FieldSizes = components['schemas']['FieldSizes'];
 export type FigureList = components['schemas']['FigureList'];
 export type FigureOfTest = components['schemas']['FigureOfTest'];
 export type FileForm = components['schemas']['FileForm'];
@@ -2420,6 +2849,7 @@ export type PlanSubject = components['schemas']['PlanSubject'];
 export type PlanVersions = components['schemas']['PlanVersions'];
 export type PositionComponents = components['schemas']['PositionComponents'];
 export type PositionResult = components['schemas']['PositionResult'];
+export type PredictedLine = components['schemas']['PredictedLine'];
 export type Preview = components['schemas']['Preview'];
 export type PreviewedTest = components['schemas']['PreviewedTest'];
 export type Problem = components['schemas']['Problem'];
@@ -2465,3 +2895,26 @@ export type UncertaintyOfRecord = components['schemas']['UncertaintyOfRecord'];
 export type Unit = components['schemas']['Unit'];
 export type Verdict = components['schemas']['Verdict'];
 export type Vocabulary = components['schemas']['Vocabulary'];
+export type VolumetricDifference = components['schemas']['VolumetricDifference'];
+export type VolumetricDifferenceRequest = components['schemas']['VolumetricDifferenceRequest'];
+export type VolumetricDraft = components['schemas']['VolumetricDraft'];
+export type VolumetricErrors = components['schemas']['VolumetricErrors'];
+export type VolumetricExpectation = components['schemas']['VolumetricExpectation'];
+export type VolumetricField = components['schemas']['VolumetricField'];
+export type VolumetricFinding = components['schemas']['VolumetricFinding'];
+export type VolumetricForm = components['schemas']['VolumetricForm'];
+export type VolumetricLineRequest = components['schemas']['VolumetricLineRequest'];
+export type VolumetricMachine = components['schemas']['VolumetricMachine'];
+export type VolumetricModel = components['schemas']['VolumetricModel'];
+export type VolumetricModelGiven = components['schemas']['VolumetricModelGiven'];
+export type VolumetricNode = components['schemas']['VolumetricNode'];
+export type VolumetricPlanFile = components['schemas']['VolumetricPlanFile'];
+export type VolumetricPlanRequest = components['schemas']['VolumetricPlanRequest'];
+export type VolumetricPrediction = components['schemas']['VolumetricPrediction'];
+export type VolumetricProgramRequest = components['schemas']['VolumetricProgramRequest'];
+export type VolumetricRank = components['schemas']['VolumetricRank'];
+export type VolumetricResult = components['schemas']['VolumetricResult'];
+export type VolumetricResultGiven = components['schemas']['VolumetricResultGiven'];
+export type VolumetricSquareness = components['schemas']['VolumetricSquareness'];
+export type VolumetricSubject = components['schemas']['VolumetricSubject'];
+export type VolumetricTableRequest = components['schemas']['VolumetricTableRequest'];

@@ -43,11 +43,18 @@ interface Props {
   description: string;  // the same in sentences with its numbers, for those who do not see it
   height?: number;      // px, 420 when not given
   on_choose?: (key: string) => void;  // a click on a path or a point
+  shared?: SharedView;  // of pictures that turn together
 }
 
-export function Scene({ model, name, description, height = 420, on_choose }: Props) {
+export type SharedView = readonly [View, (change: View | ((before: View) => View)) => void];
+
+/** For pictures beside each other, which are turned as one. */
+export const use_shared_view = (): SharedView => useState(first_view);
+
+export function Scene({ model, name, description, height = 420, on_choose, shared }: Props) {
   const frame = useRef<HTMLDivElement>(null);
-  const [view, set_view] = useState(first_view);
+  const own = use_shared_view();
+  const [view, set_view] = shared ?? own;
   const [width, set_width] = useState(640);
   const [said, set_said] = useState('');
   useLayoutEffect(() => {

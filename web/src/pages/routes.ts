@@ -20,6 +20,7 @@ import { SettingsPage } from './settings';
 import { OneTestPage } from './test';
 import { TestsPage } from './tests';
 import { TrackingPage } from './tracking';
+import { VolumePage } from './volume';
 
 export const routes: readonly (readonly [string, Page])[] = [
   ['/', TestsPage],
@@ -34,6 +35,7 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/calibrations', CalibrationsPage],
   ['/calibrations/:id', CalibrationPage],
   ['/tracking', TrackingPage],
+  ['/volume', VolumePage],
   ['/plans', PlansPage],
   ['/plans/new', PlanPage],
   ['/plans/:id', PlanPage],

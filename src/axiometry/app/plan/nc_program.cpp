@@ -197,8 +197,7 @@ Result<std::string> nc_program(const NcRequest& request) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.plan));
   if (formats::is_volumetric_plan(bytes)) {
     AXIOMETRY_TRY(const auto plan, in_file(formats::read_volumetric_plan(bytes), request.plan));
-    AXIOMETRY_TRY(const nc::PointTour tour, in_file(tour_of(plan, request), request.plan));
-    return in_file(dialect->write_tour(tour, request.options), request.plan);
+    return in_file(nc_program_of(plan, request), request.plan);
   }
   AXIOMETRY_TRY(const Programme programme, in_file(programme_of(bytes, request), request.plan));
   return in_file(program_of(programme, *dialect, request.options), request.plan);
@@ -214,6 +213,12 @@ Result<std::string> nc_program_of(const TrackingPlan& plan, const NcRequest& req
   AXIOMETRY_TRY(const nc::Dialect* const dialect, dialect_of(request.dialect));
   AXIOMETRY_TRY(const Programme programme, lines_of(plan, request));
   return program_of(programme, *dialect, request.options);
+}
+
+Result<std::string> nc_program_of(const volumetric::CalibrationPlan& plan, const NcRequest& request) {
+  AXIOMETRY_TRY(const nc::Dialect* const dialect, dialect_of(request.dialect));
+  AXIOMETRY_TRY(const nc::PointTour tour, tour_of(plan, request));
+  return dialect->write_tour(tour, request.options);
 }
 
 Result<nc::ProgramOptions> nc_options(std::span<const std::pair<std::string, std::string>> texts) {

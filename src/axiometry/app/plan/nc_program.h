@@ -11,6 +11,7 @@
 #include "axiometry/model/plan.h"
 #include "axiometry/model/tracking.h"
 #include "axiometry/nc/dialect.h"
+#include "axiometry/volumetric/plan/calibration_plan.h"
 
 /// From the file of a plan, or of a measurement with a tracking interferometer, to the part program that walks it.
 namespace axiometry::app {
@@ -37,6 +38,9 @@ Result<std::string> nc_program_of(const Plan& plan, const NcRequest& request);
 
 /// The same of a tracking plan: all lines in one program, or request.line alone.
 Result<std::string> nc_program_of(const TrackingPlan& plan, const NcRequest& request);
+
+/// The same of one run of a volumetric plan: request.part.
+Result<std::string> nc_program_of(const volumetric::CalibrationPlan& plan, const NcRequest& request);
 
 /// Options from texts, by the names of the members of nc::ProgramOptions but `duration` and `title`: unit=inch,
 /// trigger_m_code=27, …; what is on or off is "1" or "0" ("" is on). Fails, naming it, on an option that there is not

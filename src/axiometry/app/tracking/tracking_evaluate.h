@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "axiometry/app/evaluate/evaluate.h"
+#include "axiometry/app/files/given_file.h"
 #include "axiometry/app/recordings/capture_session.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/base/json.h"
@@ -65,12 +66,6 @@ struct EvaluatedLines {
 /// file's name, as the readers, evaluate_lines() and evaluate_test() do, and on a tolerance for a line that was not
 /// measured.
 Result<EvaluatedLines> evaluate_tracking(const std::string& lengths, const TrackingEvaluateOptions& options);
-
-/// Bytes that are at hand, under the name by which messages and reports call them.
-struct GivenFile {
-  std::string name;
-  std::string_view bytes;
-};
 
 struct TrackingFiles {
   GivenFile lengths;

@@ -9,6 +9,7 @@
 
 #include "axiometry/app/evaluate/tolerance_text.h"
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/files/request_members.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/plan/plan_request.h"
@@ -27,40 +28,6 @@ using json::Value;
 constexpr std::size_t most_readings = 100'000;  // as of every plan that the workbench shows
 constexpr std::size_t most_obstacles = 100, most_lines = 50, most_tolerances = 200;
 constexpr double most_runs = 100, most_targets = 10'000;
-
-Result<bool> switch_in(const Value& value, std::string_view name) {
-  if (!value.is(Kind::boolean))
-    return fail(fmt::format("{}: found {}, expected true or false", name, json::kind_name(value.kind())), value.at());
-  return value.boolean();
-}
-
-Result<void> take_switch(JsonMembers& members, std::string_view name, bool& target) {
-  const Value* value = members.optional(name);
-  if (value == nullptr) return {};
-  AXIOMETRY_TRY(target, switch_in(*value, name));
-  return {};
-}
-
-Result<void> take_number(JsonMembers& members, std::string_view name, std::optional<double>& target) {
-  const Value* value = members.optional(name);
-  if (value == nullptr) return {};
-  AXIOMETRY_TRY(target, formats::number_in(*value, name));
-  return {};
-}
-
-struct WholeNumbers {
-  double least;
-  double most;
-};
-
-Result<std::optional<double>> whole_member(JsonMembers& members, std::string_view name, WholeNumbers range) {
-  std::optional<double> x;
-  AXIOMETRY_TRY_VOID(take_number(members, name, x));
-  if (!x || (*x >= range.least && *x <= range.most && *x == std::floor(*x))) return x;
-  return fail(
-      fmt::format("{}: found {}, expected a whole number from {:.0f} to {:.0f}", name, *x, range.least, range.most),
-      members.optional(name)->at());
-}
 
 Result<void> take_line(JsonMembers& members, std::string_view name, std::string& target) {
   AXIOMETRY_TRY_VOID(members.take(name, target));

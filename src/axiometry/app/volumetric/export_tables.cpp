@@ -7,8 +7,13 @@
 namespace axiometry::app {
 
 Result<std::string> exported_table(const ExportRequest& request) {
-  AXIOMETRY_TRY(const formats::Compensation* compensation, formats::compensation_named(request.table));
+  AXIOMETRY_TRY_VOID(formats::compensation_named(request.table));
   AXIOMETRY_TRY(const volumetric::ErrorModel model, model_of_result(request.result));
+  return exported_table(model, request);
+}
+
+Result<std::string> exported_table(const volumetric::ErrorModel& model, const ExportRequest& request) {
+  AXIOMETRY_TRY(const formats::Compensation* compensation, formats::compensation_named(request.table));
   std::size_t tool = 0;
   if (compensation->of_one_tool || !request.tool.empty()) {
     AXIOMETRY_TRY(tool, in_file(tool_of_model(model, request.tool), request.result));

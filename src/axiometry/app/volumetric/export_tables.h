@@ -22,4 +22,7 @@ struct ExportRequest {
 /// and where the lengths do not tell what the table needs.
 Result<std::string> exported_table(const ExportRequest& request);
 
+/// The same of a model that is at hand; request.result is only its name.
+Result<std::string> exported_table(const volumetric::ErrorModel& model, const ExportRequest& request);
+
 }  // namespace axiometry::app

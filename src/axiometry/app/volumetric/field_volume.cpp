@@ -28,17 +28,6 @@ using volumetric::FieldSizes;
 using volumetric::PredictedLine;
 using volumetric::ToolField;
 
-Value sizes_value(const std::optional<FieldSizes>& sizes) {
-  if (!sizes) return {};
-  Value value = Value::object();
-  value.add("largest_um", sizes->largest.value);
-  value.add("largest_u_um", sizes->largest.u);
-  value.add("largest_at_mm", vector_value(sizes->largest_at_mm));
-  value.add("mean_um", sizes->mean);
-  value.add("percent_95_um", sizes->percent_95);
-  return value;
-}
-
 Value tool_value(const FieldVolume& volume, const ToolField& field) {
   Value value = Value::object();
   value.add("tool", volume.model.machine().tools[field.tool].name);
@@ -63,6 +52,17 @@ std::size_t untold(const FieldVolume& volume) {
 
 }  // namespace
 
+Value sizes_value(const std::optional<FieldSizes>& sizes) {
+  if (!sizes) return {};
+  Value value = Value::object();
+  value.add("largest_um", sizes->largest.value);
+  value.add("largest_u_um", sizes->largest.u);
+  value.add("largest_at_mm", vector_value(sizes->largest_at_mm));
+  value.add("mean_um", sizes->mean);
+  value.add("percent_95_um", sizes->percent_95);
+  return value;
+}
+
 Value line_value(const PredictedLine& line) {
   Value value = Value::object();
   value.add("from_mm", vector_value(line.line.from_mm));
@@ -86,11 +86,15 @@ Value line_value(const PredictedLine& line) {
 
 Result<FieldVolume> field_volume(const FieldVolumeRequest& request) {
   AXIOMETRY_TRY(volumetric::ErrorModel model, model_of_result(request.result));
-  std::vector<ToolField> fields = volumetric::tool_fields(model, request.nodes);
-  return FieldVolume{request, std::move(model), std::move(fields)};
+  return field_volume(std::move(model), request);
 }
 
-Experiment present(const FieldVolume& volume, const report::Options& options) {
+FieldVolume field_volume(volumetric::ErrorModel model, const FieldVolumeRequest& request) {
+  std::vector<ToolField> fields = volumetric::tool_fields(model, request.nodes);
+  return {request, std::move(model), std::move(fields)};
+}
+
+Value json_of(const FieldVolume& volume) {
   Value root = Value::object();
   root.add("nodes", volume.request.nodes);
   Value& observed = root.add("observed_mm", Value::object());
@@ -105,9 +109,13 @@ Experiment present(const FieldVolume& volume, const report::Options& options) {
                                     "number is given for it",
                                     count, volume.fields.size())});
   root.add("findings", findings_value(findings));
+  return root;
+}
+
+Experiment present(const FieldVolume& volume, const report::Options& options) {
   return {report::compose(report::VolumeFieldSubject{volume.model, volume.fields, base_name(volume.request.result)},
                           options),
-          std::move(root)};
+          json_of(volume)};
 }
 
 std::string field_csv(const FieldVolume& volume) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,16 @@ struct FieldVolume {
 
 Result<FieldVolume> field_volume(const FieldVolumeRequest& request);
 
+/// The same of a model that is at hand; request.result is only its name.
+FieldVolume field_volume(volumetric::ErrorModel model, const FieldVolumeRequest& request);
+
 /// Report and JSON; keys: docs/results.md.
 Experiment present(const FieldVolume& volume, const report::Options& options);
+
+json::Value json_of(const FieldVolume& volume);
+
+/// {"largest_um", "largest_u_um", "largest_at_mm", "mean_um", "percent_95_um"}, or null.
+json::Value sizes_value(const std::optional<volumetric::FieldSizes>& sizes);
 
 /// {"systematic_um", "systematic_u_um", …}: a line as predicted, in every JSON that holds one.
 json::Value line_value(const volumetric::PredictedLine& line);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
+#include <utility>
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/results/result_json.h"
@@ -71,14 +72,15 @@ Value gauge_value(const ErrorModel& model) {
       "straightness",
       "the best straight line of the six straightness functions is level: their slopes are squareness, or turn the "
       "whole machine");
-  Value& range = gauge.add("range_mm", Value::object());
-  Value& points = gauge.add("functional_point_mm", Value::object());
+  Value range = Value::object(), points = Value::object();
   for (std::size_t a = 0; a < axis_count; ++a) {
     const CurveBasis& basis = model.coefficients().basis(a);
     const std::string axis(1, "XYZ"[a]);
     range.add(axis, Value::array({basis.lower_mm(), basis.upper_mm()}));
     points.add(axis, vector_value(model.machine().functional_point_mm[a]));
   }
+  gauge.add("range_mm", std::move(range));
+  gauge.add("functional_point_mm", std::move(points));
   return gauge;
 }
 

@@ -38,13 +38,6 @@ struct IdentifiedMachine {
 /// and plan. Of two machines that of its own file counts, and it is told where they differ.
 Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request);
 
-/// Bytes that are at hand, under the names of the request, which no file is looked for under.
-struct IdentifyFiles {
-  std::string_view lengths;
-  std::string_view machine;
-};
-Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request, const IdentifyFiles& files);
-
 /// The same of one table and its machine that are at hand; no file is looked for under their names.
 Result<IdentifiedMachine> identify_lengths(const GivenFile& lengths, const GivenFile& machine,
                                            const volumetric::IdentifyOptions& options);

@@ -52,6 +52,10 @@ Value volume_value(const PlannedCalibration& planned) {
 Result<PlannedCalibration> plan_volume(const PlanVolumeRequest& request) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.machine));
   AXIOMETRY_TRY(formats::MachineFile file, in_file(formats::read_machine(bytes), request.machine));
+  return plan_volume(std::move(file), request);
+}
+
+Result<PlannedCalibration> plan_volume(formats::MachineFile file, const PlanVolumeRequest& request) {
   volumetric::PlanOptions options = request.options;
   options.propose_stations = request.propose_stations.value_or(file.machine.stations.empty());
   CalibrationPlan plan{.date = request.date, .machine = std::move(file.machine)};

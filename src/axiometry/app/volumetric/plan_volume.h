@@ -7,6 +7,7 @@
 
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
+#include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/volumetric/plan/planner.h"
 
 /// The use case "where to stand and where to measure, and what that will tell".
@@ -26,6 +27,9 @@ struct PlanVolumeRequest {
 
 /// Fails as the reader and the planner do, with the file's name. Remarks of the reader are findings.
 Result<volumetric::PlannedCalibration> plan_volume(const PlanVolumeRequest& request);
+
+/// Likewise where the machine is at hand; request.machine is only its name.
+Result<volumetric::PlannedCalibration> plan_volume(formats::MachineFile machine, const PlanVolumeRequest& request);
 
 /// {"stations", "runs", "rank", "unseen", "reasons", "errors" with the expected u, "volume", "findings"}: what is
 /// expected.

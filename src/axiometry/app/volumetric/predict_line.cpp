@@ -190,6 +190,10 @@ void tell_comparison(PredictedTest& test) {
 
 Result<PredictedTest> predict_test(const PredictRequest& request) {
   AXIOMETRY_TRY(ErrorModel model, model_of_result(request.result));
+  return predict_test(std::move(model), request);
+}
+
+Result<PredictedTest> predict_test(ErrorModel model, const PredictRequest& request) {
   AXIOMETRY_TRY(const std::size_t tool, in_file(tool_of_model(model, request.tool), request.result));
   std::optional<TargetsOfFile> targets;
   if (!request.plan.empty()) {

@@ -35,6 +35,9 @@ struct PredictedTest {
 /// line of which the lengths do not tell all, and on a test of one direction where the errors have directions.
 Result<PredictedTest> predict_test(const PredictRequest& request);
 
+/// The same of a model that is at hand; request.result is only its name.
+Result<PredictedTest> predict_test(volumetric::ErrorModel model, const PredictRequest& request);
+
 /// Report and JSON; keys: docs/results.md.
 Experiment present(const PredictedTest& predicted, const report::Options& options);
 

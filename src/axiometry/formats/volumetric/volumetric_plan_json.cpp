@@ -109,16 +109,37 @@ Result<void> take_surroundings(JsonMembers& members, CalibrationPlan& plan) {
   return {};
 }
 
-Result<double> positive(JsonMembers& members, std::string_view name, double usual, double most, const Value& root) {
+Result<double> positive(JsonMembers& members, std::string_view name, double usual, double most) {
   double number = usual;
   AXIOMETRY_TRY_VOID(members.take(name, number));
   if (number > 0.0 && number <= most) return number;
   return fail(
       fmt::format("found {} of {}, expected one above 0 and up to {}", name, format_exact(number), format_exact(most)),
-      root.at());
+      members.optional(name)->at());
 }
 
-Result<CalibrationPlan> calibration_from(const Value& root) {
+Value stop_value(const PlannedStop& stop) {
+  Value value = object({{"at_mm", vector_value(stop.axes_mm)}});
+  if (!stop.over_mm.empty()) {
+    Value& over = value.add("over_mm", Value::array());
+    for (const Vector3& at : stop.over_mm) over.push(vector_value(at));
+  }
+  if (!stop.beam_kept) value.add("beam_kept", false);
+  return value;
+}
+
+}  // namespace
+
+Result<void> take_circumstances(JsonMembers& members, CalibrationPlan& plan) {
+  AXIOMETRY_TRY_VOID(members.take("date", plan.date));
+  AXIOMETRY_TRY_VOID(take_surroundings(members, plan));
+  AXIOMETRY_TRY(plan.feed_mm_per_min, positive(members, "feed_mm_per_min", plan.feed_mm_per_min, feed_most));
+  AXIOMETRY_TRY(const double dwell, positive(members, "dwell_s", plan.dwell.in_s(), dwell_most_s));
+  plan.dwell = Duration::s(dwell);
+  return {};
+}
+
+Result<CalibrationPlan> volumetric_plan_from(const Value& root) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(root, "plan of a volumetric calibration"));
   AXIOMETRY_TRY(const Value* format, members.required("format"));
   if (!format->is(Kind::text) || format->text() != volumetric_plan_format_name)
@@ -126,11 +147,7 @@ Result<CalibrationPlan> calibration_from(const Value& root) {
   AXIOMETRY_TRY(const Value* machine, members.required("machine"));
   AXIOMETRY_TRY(MachineFile file, machine_from(*machine));
   CalibrationPlan plan{.machine = std::move(file.machine)};
-  AXIOMETRY_TRY_VOID(members.take("date", plan.date));
-  AXIOMETRY_TRY_VOID(take_surroundings(members, plan));
-  AXIOMETRY_TRY(plan.feed_mm_per_min, positive(members, "feed_mm_per_min", plan.feed_mm_per_min, feed_most, root));
-  AXIOMETRY_TRY(const double dwell, positive(members, "dwell_s", plan.dwell.in_s(), dwell_most_s, root));
-  plan.dwell = Duration::s(dwell);
+  AXIOMETRY_TRY_VOID(take_circumstances(members, plan));
   AXIOMETRY_TRY(const Value* runs, members.required("runs"));
   AXIOMETRY_TRY(const auto* items, items_in(*runs, "runs"));
   if (items->empty()) return fail("found no run, expected one for each station and tool", runs->at());
@@ -147,19 +164,7 @@ Result<CalibrationPlan> calibration_from(const Value& root) {
   return plan;
 }
 
-Value stop_value(const PlannedStop& stop) {
-  Value value = object({{"at_mm", vector_value(stop.axes_mm)}});
-  if (!stop.over_mm.empty()) {
-    Value& over = value.add("over_mm", Value::array());
-    for (const Vector3& at : stop.over_mm) over.push(vector_value(at));
-  }
-  if (!stop.beam_kept) value.add("beam_kept", false);
-  return value;
-}
-
-}  // namespace
-
-std::string write_volumetric_plan(const CalibrationPlan& plan) {
+Value volumetric_plan_value(const CalibrationPlan& plan) {
   Value root = object({{"format", volumetric_plan_format_name}});
   if (!plan.date.empty()) root.add("date", plan.date);
   root.add("machine", machine_value(plan.machine));
@@ -175,7 +180,11 @@ std::string write_volumetric_plan(const CalibrationPlan& plan) {
     Value& stops = item.add("stops", Value::array());
     for (const PlannedStop& stop : run.stops) stops.push(stop_value(stop));
   }
-  return json::dump(root) + "\n";
+  return root;
+}
+
+std::string write_volumetric_plan(const CalibrationPlan& plan) {
+  return json::dump(volumetric_plan_value(plan)) + "\n";
 }
 
 bool is_volumetric_plan(std::string_view bytes) {
@@ -189,7 +198,7 @@ bool is_volumetric_plan(std::string_view bytes) {
 Result<CalibrationPlan> read_volumetric_plan(std::string_view bytes) {
   AXIOMETRY_TRY(const std::string_view text, utf8_text(bytes));
   AXIOMETRY_TRY(const Value root, json::parse(text));
-  return calibration_from(root);
+  return volumetric_plan_from(root);
 }
 
 }  // namespace axiometry::formats

@@ -6,6 +6,7 @@
 
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
+#include "axiometry/formats/text/json_members.h"
 #include "axiometry/volumetric/plan/calibration_plan.h"
 
 /// Plans of a volumetric calibration as JSON: what `axiometry volumetric plan` writes and `nc` and `volumetric
@@ -26,6 +27,13 @@ bool is_volumetric_plan(std::string_view bytes);
 /// machine_from() and tracking_setup_from() do, on stations or tools that the machine does not have, a station and tool
 /// given twice, stops outside of the travels, no run, and more than 1 000 000 stops.
 Result<volumetric::CalibrationPlan> read_volumetric_plan(std::string_view bytes);
+
+Result<volumetric::CalibrationPlan> volumetric_plan_from(const json::Value& value);
+json::Value volumetric_plan_value(const volumetric::CalibrationPlan& plan);
+
+/// What a plan says beside its machine and its runs: `date`, `limits`, `obstacles`, `feed_mm_per_min`, `dwell_s`; each
+/// may be left out. `plan` has its machine. Fails as the above.
+Result<void> take_circumstances(JsonMembers& members, volumetric::CalibrationPlan& plan);
 
 /// JSON Schema of the above.
 json::Value volumetric_plan_schema();

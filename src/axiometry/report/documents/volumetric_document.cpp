@@ -136,12 +136,7 @@ class VolumetricComposition {
       section.blocks.emplace_back(Paragraph{plain("No findings: nothing speaks against the result.")});
       return section;
     }
-    Table table;
-    table.columns = {{plain("Kind"), Align::start, true}, {plain("Finding"), Align::start, false, true}};
-    for (const VolumetricFinding& f : found_.findings)
-      table.rows.push_back({f.serious ? TableCell{strong("Serious"), Tone::bad} : TableCell{plain("Note"), Tone::quiet},
-                            TableCell{sentence(f.message)}});
-    section.blocks.emplace_back(std::move(table));
+    section.blocks.emplace_back(finding_table(found_.findings));
     return section;
   }
 

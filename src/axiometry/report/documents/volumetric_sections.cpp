@@ -39,6 +39,15 @@ void add_sizes(Table& table, const std::string& tool, std::string_view kind, con
 
 }  // namespace
 
+Table finding_table(std::span<const volumetric::VolumetricFinding> findings) {
+  Table table;
+  table.columns = {{plain("Kind"), Align::start, true}, {plain("Finding"), Align::start, false, true}};
+  for (const volumetric::VolumetricFinding& f : findings)
+    table.rows.push_back({f.serious ? TableCell{strong("Serious"), Tone::bad} : TableCell{plain("Note"), Tone::quiet},
+                          TableCell{sentence(f.message)}});
+  return table;
+}
+
 Section volume_section(const volumetric::ErrorModel& model, std::span<const ToolField> fields, const Options& options) {
   Table table;
   table.groups = {{{}, 2}, {plain("Largest"), 2}, {plain("At / mm"), 3}, {{}, 2}};

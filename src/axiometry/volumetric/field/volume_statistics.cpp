@@ -92,7 +92,16 @@ class VolumeGrid {
   Vector3 inertia_{};
 };
 
-FieldSizes sizes_of(const std::vector<Vector3>& field) {
+std::size_t largest_of(const std::vector<Vector3>& field) {
+  return static_cast<std::size_t>(std::ranges::max_element(field, {}, [](Vector3 f) { return norm(f); }) -
+                                  field.begin());
+}
+
+Vector3 direction_of(Vector3 f) { return norm(f) > 0.0 ? unit(f) : Vector3{1, 0, 0}; }
+
+}  // namespace
+
+FieldSizes sizes_of(std::span<const Vector3> field) {
   FieldSizes sizes;
   std::vector<double> lengths;
   for (const Vector3& f : field) {
@@ -104,15 +113,6 @@ FieldSizes sizes_of(const std::vector<Vector3>& field) {
   sizes.percent_95 = lengths[at];
   return sizes;
 }
-
-std::size_t largest_of(const std::vector<Vector3>& field) {
-  return static_cast<std::size_t>(std::ranges::max_element(field, {}, [](Vector3 f) { return norm(f); }) -
-                                  field.begin());
-}
-
-Vector3 direction_of(Vector3 f) { return norm(f) > 0.0 ? unit(f) : Vector3{1, 0, 0}; }
-
-}  // namespace
 
 VolumeStatistics volume_statistics(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) {
   AXIOMETRY_CONTRACT(nodes >= 2 && nodes <= 101);

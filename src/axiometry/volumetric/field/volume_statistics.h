@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "axiometry/volumetric/field/error_model.h"
@@ -18,6 +19,9 @@ struct FieldSizes {
   double mean = 0.0;
   double percent_95 = 0.0;  ///< that 95 % of the nodes do not exceed
 };
+
+/// Mean and 95 % of displacements; the largest is left to who knows its place.
+FieldSizes sizes_of(std::span<const Vector3> field_um);
 
 struct VolumeStatistics {
   /// As it is in the gauge; absent where the lengths do not tell all of it.

@@ -162,4 +162,13 @@ Result<PlannedCalibration> plan_calibration(CalibrationPlan plan, const PlanOpti
   return planned;
 }
 
+Result<PlannedCalibration> judge_plan(CalibrationPlan plan) {
+  AXIOMETRY_TRY(Expectation expected, expect(plan.machine, visits_of(plan), {}));
+  std::size_t points = 0;
+  for (const PlannedRun& run : plan.runs) points = std::max(points, run.stops.size());
+  PlannedCalibration planned{std::move(plan), std::move(expected), {}};
+  planned.findings = findings_of(planned, points);
+  return planned;
+}
+
 }  // namespace axiometry::volumetric

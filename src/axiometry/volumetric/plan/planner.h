@@ -47,6 +47,10 @@ struct PlannedCalibration {
 /// cannot be proposed or see nothing, and as expect() does. Errors that will not be told are a serious finding.
 Result<PlannedCalibration> plan_calibration(CalibrationPlan plan, const PlanOptions& options);
 
+/// What a plan will tell as it is, with its findings; stops that a run has less than the largest one count as hidden.
+/// Fails as expect() does.
+Result<PlannedCalibration> judge_plan(CalibrationPlan plan);
+
 /// Which tools to add so that the tool points form a triangle; "" when they do.
 std::string tool_advice(const MachineModel& machine);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { ComponentChildren } from 'preact';
 import { useMemo, useState } from 'preact/hooks';
 import { offer } from '../../api/client';
 import { as_text, use_posted } from '../../api/posted';
@@ -40,10 +41,11 @@ interface Props {
   name: string;
   vocabulary: Vocabulary;
   step?: string;                            // of a way of several
+  choice?: ComponentChildren;               // of the part, before the control
 }
 
 /** The part program of the plan as it stands in the form, saved or not. */
-export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, vocabulary, step }: Props) {
+export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, vocabulary, step, choice }: Props) {
   const dialects = useMemo(() => most_used_first(vocabulary.dialects), [vocabulary]);
   const [dialect, set_dialect] = useState(() => kept_dialect(dialects));
   const [options, set_options] = useState(usual);
@@ -77,6 +79,7 @@ export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, 
             </select>
           )}
         </Field>
+        {choice}
         <OptionFields of_lines={of_lines} options={options} change={(part) => set_options({ ...options, ...part })} loops={chosen?.has_loops ?? true} />
       </div>
       {program.error && <FailureNotice error={program.error} retry={program.again} />}

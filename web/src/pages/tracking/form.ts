@@ -48,8 +48,8 @@ export const reflectors: readonly (readonly [string, Triple])[] = [
 
 type Setup = TrackingRequest['setup'];
 
-/** Reads numbers out of the form, and keeps in mind which of them are none. */
-class Reader {
+/** Reads numbers out of a form, and keeps in mind which of them are none. */
+export class Reader {
   readonly faults: Faults = {};
 
   number(key: string, text: string): number {
@@ -80,12 +80,17 @@ function setup_of(form: TrackingForm, located: LocatedStation | null, read: Read
       line_least_mm: limit('line_least'), reflector_axis: axis && [...axis],
     }),
     ranging: given({ constant_um: limit('constant'), per_length_um_per_m: limit('per_length') }),
-    obstacles: form.obstacles.map(({ name, low, high }, k) => {
-      const [a, b] = [read.triple(`obstacle.${k}.low`, low), read.triple(`obstacle.${k}.high`, high)];
-      const ends = (pick: (x: number, y: number) => number) => a.map((x, i) => pick(x, b[i] ?? 0));
-      return { name: name.trim(), box: { lowest_mm: ends(Math.min), highest_mm: ends(Math.max) } };
-    }),
+    obstacles: boxes_of(form.obstacles, read),
   } as Setup;
+}
+
+/** Whichever corner was typed first. */
+export function boxes_of(obstacles: readonly ObstacleForm[], read: Reader) {
+  return obstacles.map(({ name, low, high }, k) => {
+    const [a, b] = [read.triple(`obstacle.${k}.low`, low), read.triple(`obstacle.${k}.high`, high)];
+    const ends = (pick: (x: number, y: number) => number) => a.map((x, i) => pick(x, b[i] ?? 0));
+    return { name: name.trim(), box: { lowest_mm: ends(Math.min), highest_mm: ends(Math.max) } };
+  });
 }
 
 /** The request, or what keeps the form from being one. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Field } from '../../components/field';
 import { TextNumber, TripleFields, type FormProps } from './fields';
-import { reflectors, text_keys, type ObstacleForm } from './form';
+import { reflectors, text_keys, type Faults, type ObstacleForm } from './form';
 import { t } from './texts';
 
 const empty: ObstacleForm = { name: '', low: ['', '', ''], high: ['', '', ''] };
@@ -15,7 +15,7 @@ export function MoreFields(props: FormProps) {
     <details class="more">
       <summary>{t('more')}{given > 0 && <span class="quiet small"> · {given}</span>}</summary>
       <div class="tracking-form">
-        <Obstacles {...props} />
+        <Obstacles obstacles={form.obstacles} set={(obstacles) => change({ obstacles })} faults={props.faults} />
         <Field label={t('reflector')}>
           {(ids) => (
             <select {...ids} value={form.reflector} onChange={(event) => change({ reflector: event.currentTarget.value })}>
@@ -47,25 +47,26 @@ export function MoreFields(props: FormProps) {
   );
 }
 
-function Obstacles({ form, change, faults }: FormProps) {
-  const set = (at: number, part: Partial<ObstacleForm>) => change({ obstacles: form.obstacles.map((one, k) => (k === at ? { ...one, ...part } : one)) });
+/** Boxes that stand in the way; faults are those of "obstacle.K.low" and "obstacle.K.high". */
+export function Obstacles({ obstacles, set, faults }: { obstacles: ObstacleForm[]; set: (obstacles: ObstacleForm[]) => void; faults: Faults }) {
+  const change = (at: number, part: Partial<ObstacleForm>) => set(obstacles.map((one, k) => (k === at ? { ...one, ...part } : one)));
   return (
     <fieldset class="triple">
       <legend>{t('obstacles')}</legend>
       <p class="hint">{t('obstacles_hint')}</p>
-      {form.obstacles.map((obstacle, k) => (
+      {obstacles.map((obstacle, k) => (
         <div key={k} class="obstacle" role="group" aria-label={t('obstacle', { n: k + 1 })}>
           <div class="with-button">
             <Field label={t('machine_name')}>
-              {(ids) => <input {...ids} value={obstacle.name} autocomplete="off" onInput={(event) => set(k, { name: event.currentTarget.value })} />}
+              {(ids) => <input {...ids} value={obstacle.name} autocomplete="off" onInput={(event) => change(k, { name: event.currentTarget.value })} />}
             </Field>
-            <button type="button" onClick={() => change({ obstacles: form.obstacles.filter((_, i) => i !== k) })}>{t('remove')}</button>
+            <button type="button" onClick={() => set(obstacles.filter((_, i) => i !== k))}>{t('remove')}</button>
           </div>
-          <TripleFields legend={t('from', { axis: '' }).trim()} name={`obstacle.${k}.low`} values={obstacle.low} faults={faults} set={(low) => set(k, { low })} />
-          <TripleFields legend={t('to')} name={`obstacle.${k}.high`} values={obstacle.high} faults={faults} set={(high) => set(k, { high })} />
+          <TripleFields legend={t('from', { axis: '' }).trim()} name={`obstacle.${k}.low`} values={obstacle.low} faults={faults} set={(low) => change(k, { low })} />
+          <TripleFields legend={t('to')} name={`obstacle.${k}.high`} values={obstacle.high} faults={faults} set={(high) => change(k, { high })} />
         </div>
       ))}
-      <div><button type="button" onClick={() => change({ obstacles: [...form.obstacles, empty] })}>{t('add_obstacle')}</button></div>
+      <div><button type="button" onClick={() => set([...obstacles, empty])}>{t('add_obstacle')}</button></div>
     </fieldset>
   );
 }

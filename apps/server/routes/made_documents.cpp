@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/routes/made_documents.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "axiometry/app/results/outputs.h"
+#include "axiometry/base/text.h"
+#include "server/http/request_values.h"
+
+namespace axiometry::server {
+namespace {
+
+constexpr std::size_t options_bytes_max = std::size_t{64} << 10;
+
+}  // namespace
+
+Result<json::Value> parsed_options(std::string_view text) {
+  if (text.size() > options_bytes_max)
+    return fail(fmt::format("found options of {} bytes, expected at most {}", text.size(), options_bytes_max));
+  auto value = json::parse(text);
+  if (!value) value.error().file = "options";
+  return value;
+}
+
+Result<Response> document_response(const report::Document& document, const Request& request,
+                                   const report::Options& options, std::string_view stem) {
+  AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
+  const std::string extension = text::to_lower(request.segment("extension"));
+  AXIOMETRY_TRY(std::string bytes, app::document_bytes(document, extension, options));
+  const std::string_view type = app::media_type_of(extension);
+  if (to_keep) return download(std::move(bytes), type, fmt::format("{}.{}", stem, extension));
+  Response response{
+      .content_type = std::string(type), .body = std::move(bytes), .headers = {{"Cache-Control", "no-store"}}};
+  if (extension == "html" || extension == "svg")
+    response.headers.emplace_back("Content-Security-Policy", document_policy);
+  return response;
+}
+
+bool wants_json(const Request& request) { return text::to_lower(request.segment("extension")) == "json"; }
+
+Response json_file(const json::Value& value, std::string_view stem) {
+  return download(json::dump(value) + "\n", "application/json", fmt::format("{}.json", stem));
+}
+
+Response made_text_response(std::string program, bool to_keep, std::string_view file_name) {
+  constexpr std::string_view type = "text/plain; charset=utf-8";
+  if (to_keep) return download(std::move(program), type, file_name);
+  return {
+      .content_type = std::string(type), .body = std::move(program), .headers = {{"Cache-Control", "no-store"}}};
+}
+
+}  // namespace axiometry::server

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "axiometry/base/json.h"
+#include "axiometry/base/result.h"
+#include "axiometry/report/document.h"
+#include "axiometry/report/report.h"
+#include "server/http/http.h"
+
+/// What routes have in common that keep nothing: options beside files, and what they make to look at or to take along.
+namespace axiometry::server {
+
+/// JSON of a form or of the query. Fails, with line and column, on what is none and on more than 64 KiB.
+Result<json::Value> parsed_options(std::string_view text);
+
+/// As the path's {extension} says: a document to look at, or with ?download= as a file.
+Result<Response> document_response(const report::Document& document, const Request& request,
+                                   const report::Options& options, std::string_view stem);
+
+/// Whether the path's {extension} is json.
+bool wants_json(const Request& request);
+Response json_file(const json::Value& value, std::string_view stem);
+
+/// Text to look at, or to keep as a file.
+Response made_text_response(std::string program, bool to_keep, std::string_view file_name);
+
+}  // namespace axiometry::server

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// The volumetric calibration: its plan, the errors that lengths tell, the field that they make. Nothing is kept.
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "axiometry/app/files/file_name_part.h"
+#include "axiometry/app/files/given_text.h"
+#include "axiometry/app/plan/nc_program.h"
+#include "axiometry/app/results/outputs.h"
+#include "axiometry/app/volumetric/field_difference.h"
+#include "axiometry/app/volumetric/volumetric_request.h"
+#include "axiometry/app/workbench/workbench_json.h"
+#include "axiometry/app/workbench/workbench_values.h"
+#include "axiometry/base/text.h"
+#include "axiometry/report/volumetric.h"
+#include "server/http/multipart.h"
+#include "server/http/request_values.h"
+#include "server/routes/made_documents.h"
+#include "server/routes/routes.h"
+
+namespace axiometry::server {
+namespace {
+
+using json::Value;
+
+constexpr std::size_t volume_plan_bytes_max = std::size_t{4} << 20;     // 12 000 points with their ways
+constexpr std::size_t volume_lengths_bytes_max = std::size_t{8} << 20;  // 150 000 lengths, a second of one processor
+constexpr std::size_t volume_model_bytes_max = std::size_t{32} << 20;   // 1500 coefficients: a million covariances
+constexpr std::size_t volume_models_bytes_max = 2 * volume_model_bytes_max;
+
+Result<Response> volume_plan(const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(const auto planned, app::requested_calibration(body));
+  return json_response(app::draft_value(planned, reader));
+}
+
+Result<Response> volume_sheet(const Request& request) {
+  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(volumetric::CalibrationPlan plan, app::given_calibration(body));
+  AXIOMETRY_TRY(const auto planned, volumetric::judge_plan(std::move(plan)));
+  return document_response(report::calibration_sheet(planned, options), request, options, "volume-plan");
+}
+
+Result<Response> volume_program(const Request& request) {
+  AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  app::NcRequest wanted;
+  AXIOMETRY_TRY(wanted.dialect, line_member(body, "dialect"));
+  AXIOMETRY_TRY(Pairs options, options_member(body));
+  if (const auto part = std::ranges::find(options, "part", [](const auto& pair) { return pair.first; });
+      part != options.end()) {
+    const auto number = parse_count(part->second);
+    if (!number) return fail(fmt::format("part: found {}, expected a whole number", text::quoted(part->second)));
+    wanted.part = static_cast<std::size_t>(*number);
+    options.erase(part);
+  }
+  AXIOMETRY_TRY(wanted.options, app::nc_options(options));
+  AXIOMETRY_TRY(const nc::Dialect* const dialect, app::dialect_of(wanted.dialect));
+  AXIOMETRY_TRY(const volumetric::CalibrationPlan plan, app::given_calibration(body));
+  AXIOMETRY_TRY(std::string program, app::nc_program_of(plan, wanted));
+  const volumetric::PlannedRun& run = plan.runs[wanted.part - 1];
+  const std::string stem =
+      app::file_name_part(plan.machine.stations[run.station].name + "-" + plan.machine.tools[run.tool].name);
+  return made_text_response(std::move(program), to_keep, stem + std::string(dialect->extension));
+}
+
+/// What a form with measured lengths holds.
+struct IdentificationForm {
+  std::optional<app::GivenFile> lengths, machine;
+  volumetric::IdentifyOptions options{.threads = 1};
+};
+
+Result<void> take_volume_part(IdentificationForm& form, const FormPart& part) {
+  if (part.name == "options" && !part.is_file) {
+    AXIOMETRY_TRY(const Value value, parsed_options(part.bytes));
+    AXIOMETRY_TRY(form.options, app::identify_options_from(value));
+    return {};
+  }
+  std::optional<app::GivenFile>* const target = part.name == "lengths"   ? &form.lengths
+                                                : part.name == "machine" ? &form.machine
+                                                                         : nullptr;
+  if (target == nullptr || !part.is_file)
+    return fail(fmt::format("found the part {} in the form, expected the files lengths and machine, and options",
+                            text::quoted(part.name)));
+  if (target->has_value()) return fail(fmt::format("found two files {}, expected one", part.name));
+  AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
+  *target = app::GivenFile{std::move(name), part.bytes};
+  return {};
+}
+
+Result<app::IdentifiedMachine> identified(const Request& request) {
+  const std::string_view type = request.header("content-type").value_or("");
+  if (!is_form(type)) return fail("found no form, expected one with the files lengths and machine");
+  AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
+  IdentificationForm form;
+  for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_volume_part(form, part));
+  if (!form.lengths || !form.machine)
+    return fail(fmt::format("found a form without {}, expected the files lengths and machine",
+                            form.lengths ? "a machine" : "lengths"));
+  return app::identify_presentable(*form.lengths, *form.machine, form.options);
+}
+
+Result<Response> identification(const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
+  AXIOMETRY_TRY(const app::IdentifiedMachine found, identified(request));
+  return json_response(app::localised_result(app::to_json(found), reader));
+}
+
+Result<Response> identification_report(const Request& request) {
+  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const app::IdentifiedMachine found, identified(request));
+  if (wants_json(request)) return json_file(app::to_json(found), "volume");
+  return document_response(app::present(found, options).document, request, options, "volume");
+}
+
+Result<Response> residuals(const Request& request) {
+  AXIOMETRY_TRY(const app::IdentifiedMachine found, identified(request));
+  return download(app::residuals_csv(found), "text/csv; charset=utf-8", "residuals.csv");
+}
+
+Result<Response> shown_result(const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(const Value result, app::given_result(body, reader));
+  return json_response(result);
+}
+
+Result<Response> field(const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(const std::size_t nodes, app::given_nodes(body));
+  AXIOMETRY_TRY(volumetric::ErrorModel model, app::given_model(body));
+  const app::FieldVolume volume = app::field_volume(std::move(model), {"result", nodes});
+  return json_response(app::localised_result(app::field_value(volume), reader));
+}
+
+Result<Response> difference(const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(const std::size_t nodes, app::given_nodes(body));
+  AXIOMETRY_TRY(const volumetric::ErrorModel before, app::given_model(body, "before"));
+  AXIOMETRY_TRY(const volumetric::ErrorModel after, app::given_model(body, "after"));
+  AXIOMETRY_TRY(const Value value, app::field_difference(before, after, nodes));
+  return json_response(app::localised_result(value, reader));
+}
+
+Result<Response> prediction(const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(const app::PredictRequest wish, app::line_request_from(body));
+  AXIOMETRY_TRY(volumetric::ErrorModel model, app::given_model(body));
+  AXIOMETRY_TRY(const app::PredictedTest predicted, app::predict_test(std::move(model), wish));
+  return json_response(app::localised_result(app::present(predicted, {}).json, reader));
+}
+
+Result<Response> table(const Request& request) {
+  AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(const app::ExportRequest wish, app::table_request_from(body));
+  AXIOMETRY_TRY(const volumetric::ErrorModel model, app::given_model(body));
+  AXIOMETRY_TRY(std::string text, app::exported_table(model, wish));
+  return made_text_response(std::move(text), to_keep, wish.table + ".csv");
+}
+
+}  // namespace
+
+void add_volumetric_routes(Router& router) {
+  const auto add = [&](std::string_view pattern, auto handler, std::size_t bytes, Sent sent = Sent::json) {
+    router.add("POST", pattern, handler, Weight::heavy, Terms{.sent = sent, .only_looks = true, .body_max = bytes});
+  };
+  add("/api/volumetric/plan", volume_plan, volume_plan_bytes_max);
+  add("/api/volumetric/plan/sheet.{extension}", volume_sheet, volume_plan_bytes_max);
+  add("/api/volumetric/plan/program", volume_program, volume_plan_bytes_max);
+  add("/api/volumetric/identification", identification, volume_lengths_bytes_max, Sent::files);
+  add("/api/volumetric/identification/report.{extension}", identification_report, volume_lengths_bytes_max,
+      Sent::files);
+  add("/api/volumetric/identification/residuals", residuals, volume_lengths_bytes_max, Sent::files);
+  add("/api/volumetric/result", shown_result, volume_model_bytes_max);
+  add("/api/volumetric/field", field, volume_model_bytes_max);
+  add("/api/volumetric/difference", difference, volume_models_bytes_max);
+  add("/api/volumetric/prediction", prediction, volume_model_bytes_max);
+  add("/api/volumetric/table", table, volume_model_bytes_max);
+}
+
+}  // namespace axiometry::server

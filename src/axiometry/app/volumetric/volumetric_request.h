@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "axiometry/app/files/given_file.h"
+#include "axiometry/app/files/reader.h"
+#include "axiometry/app/volumetric/export_tables.h"
+#include "axiometry/app/volumetric/identify_lengths.h"
+#include "axiometry/app/volumetric/plan_volume.h"
+#include "axiometry/app/volumetric/predict_line.h"
+#include "axiometry/base/json.h"
+#include "axiometry/base/result.h"
+
+/// What the workbench asks of a volumetric calibration, and what it is answered: VolumetricPlanRequest,
+/// VolumetricDraft and their like in apps/server/openapi.json. Nothing is kept, and no text of a request is taken for
+/// the name of a file. What a request may cost is bounded by its numbers, before anything is computed.
+namespace axiometry::app {
+
+/// VolumetricPlanRequest, planned. Fails, with line and column, on members that are unknown, missing or of another
+/// kind, on more than 500 points, 8 stations or 6 tools, 12 000 points in all, 20 obstacles, on names that are no
+/// given_line(), and as machine_from() and plan_volume() do. The date is today's where it is not given.
+Result<volumetric::PlannedCalibration> requested_calibration(const json::Value& body);
+
+/// The plan of {"plan": …}. Fails also on a plan that is larger than requested_calibration() makes one, or has names that are
+/// none.
+Result<volumetric::CalibrationPlan> given_calibration(const json::Value& body);
+
+/// VolumetricDraft, its texts in the reader's language.
+json::Value draft_value(const volumetric::PlannedCalibration& planned, const Reader& reader);
+
+/// {"reversal"}: VolumetricOptions; all may be left out. One thread.
+Result<volumetric::IdentifyOptions> identify_options_from(const json::Value& value);
+
+/// identify_lengths() of what a workbench takes: it fails also on more than 200 stations with a tool, 1000 segments or
+/// 16 tools, before anything is computed.
+Result<IdentifiedMachine> identify_presentable(const GivenFile& lengths, const GivenFile& machine,
+                                               const volumetric::IdentifyOptions& options);
+
+/// The member `name`, as the member "model" of a result file. Fails on more than 1500 coefficients or 16 tools too.
+Result<volumetric::ErrorModel> given_model(const json::Value& body, std::string_view name = "model");
+
+/// "nodes" of {"model", "nodes"} or of {"before", "after", "nodes"}: 2 to 21, 11 when it is not there.
+Result<std::size_t> given_nodes(const json::Value& body);
+
+/// VolumetricLineRequest but for its model. Fails on members that are unknown or of another kind.
+Result<PredictRequest> line_request_from(const json::Value& body);
+
+/// VolumetricTableRequest but for its model; 2 to 401 nodes. Fails likewise.
+Result<ExportRequest> table_request_from(const json::Value& body);
+
+/// A result file that somebody gives, {"result": …}, in the reader's language: as it is but for its findings. Fails,
+/// with line and column, where a page could not show it: on members that are missing or of another kind, and as
+/// given_model() does.
+Result<json::Value> given_result(const json::Value& body, const Reader& reader);
+
+}  // namespace axiometry::app

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plans of volumetric calibrations, and what requests about them are refused for.
+#include "axiometry/language/german.h"
+
+namespace axiometry::language {
+namespace {
+
+constexpr Phrase rows[] = {
+    {"1 station leaves little to see a wrong one by; four or more are usual",
+     "1 Station lässt kaum erkennen, ob eine falsch ist; vier oder mehr sind üblich"},
+    {"A run is one program: one station with one tool. Between programs the instrument is moved or the "
+     "tool changed. Where the beam is lost the program stops until it is found again, and another segment "
+     "begins.",
+     "Ein Durchlauf ist ein Programm: eine Station mit einem Werkzeug. Zwischen Programmen wird das "
+     "Gerät umgestellt oder das Werkzeug gewechselt. Wo der Strahl verloren geht, hält das Programm an, "
+     "bis er wiedergefunden ist, und ein weiterer Abschnitt beginnt."},
+    {"All 21 errors over the positions of X, Y and Z", "Alle 21 Abweichungen über den Positionen von X, Y und Z"},
+    {"Beam lost", "Strahl verloren"},
+    {"Beckhoff TwinCAT CNC TF5280 and ISG kernels", "Beckhoff TwinCAT CNC TF5280 und ISG-Kerne"},
+    {"First point", "Erster Punkt"},
+    {"From where the axes stand to the centre of the reflector.",
+     "Von der Stelle der Achsen zur Mitte des Reflektors."},
+    {"In the coordinates of the reflector. The instrument need not stand there exactly: where it stood "
+     "comes out of the lengths.",
+     "In den Koordinaten des Reflektors. Das Gerät muss dort nicht genau stehen: Wo es stand, folgt aus "
+     "den Längen."},
+    {"Positioning of each axis alone", "Positionieren jeder Achse allein"},
+    {"Reach of the reflector with all tools, and {0#} stations.",
+     "Reichweite des Reflektors mit allen Werkzeugen, und {0} Stationen."},
+    {"Read the findings before the plan is measured.", "Vor der Messung die Feststellungen lesen."},
+    {"Standard uncertainties (k = 1), from the uncertainties that are stated of the instrument and the "
+     "machine.",
+     "Standardunsicherheiten (k = 1), aus den Unsicherheiten, die von Gerät und Maschine angegeben sind."},
+    {"Tool point, {0=}", "Werkzeugpunkt, {0}"},
+    {"What the lengths will tell", "Was die Längen bestimmen werden"},
+    {"all stations stand at nearly one height; one that stands higher or lower tells rotations about the "
+     "horizontal axes better",
+     "alle Stationen stehen fast auf einer Höhe; eine, die höher oder tiefer steht, bestimmt Drehungen "
+     "um die waagrechten Achsen besser"},
+    {"found a form without a machine, expected the files lengths and machine",
+     "Formular ohne Maschine; erwartet: die Dateien lengths und machine"},
+    {"found a form without lengths, expected the files lengths and machine",
+     "Formular ohne Längen; erwartet: die Dateien lengths und machine"},
+    {"found a line of which the lengths do not tell all errors, expected one that they tell: see the "
+     "findings of the result",
+     "eine Linie, von der die Längen nicht alle Abweichungen bestimmen; erwartet: eine, die sie "
+     "bestimmen: siehe die Feststellungen des Ergebnisses"},
+    {"found no form, expected one with the files lengths and machine",
+     "kein Formular; erwartet: eines mit den Dateien lengths und machine"},
+    {"found no plan, expected one", "kein Plan; erwartet: einer"},
+    {"found no point that the instrument sees from any station, expected some: are the stations given in "
+     "the machine's coordinates, and where does the reflector look?",
+     "kein Punkt, den das Gerät von einer Station sieht; erwartet: einige: Sind die Stationen in den "
+     "Koordinaten der Maschine angegeben, und wohin blickt der Reflektor?"},
+    {"found no result, expected one", "kein Ergebnis; erwartet: eines"},
+    {"found no tool that both results have with the same name and offset, expected at least one",
+     "kein Werkzeug, das beide Ergebnisse mit gleichem Namen und Versatz haben; erwartet: wenigstens eines"},
+    {"found no {0=}, expected that of a result", "kein Eintrag {0}; erwartet: der eines Ergebnisses"},
+    {"found no {0=}, expected the result of a volumetric calibration",
+     "kein Eintrag {0}; erwartet: das Ergebnis einer volumetrischen Kalibrierung"},
+    {"found that the lengths do not tell the error of the tool point with this tool, expected all of it: "
+     "a control would take a number that nobody measured",
+     "die Längen bestimmen die Abweichung des Werkzeugpunkts mit diesem Werkzeug nicht; erwartet: ganz "
+     "bestimmt: Eine Steuerung nähme eine Zahl, die niemand gemessen hat"},
+    {"found that the lengths do not tell {0=}, expected all 21 errors: a control would take a number that "
+     "nobody measured",
+     "die Längen bestimmen {0} nicht; erwartet: alle 21 Abweichungen: Eine Steuerung nähme eine Zahl, "
+     "die niemand gemessen hat"},
+    {"found the part {0=} in the form, expected the files lengths and machine, and options",
+     "Teil {0} im Formular; erwartet: die Dateien lengths und machine sowie options"},
+    {"found two results whose travels do not overlap, expected two of one machine: before and after",
+     "zwei Ergebnisse, deren Wege sich nicht überschneiden; erwartet: zwei einer Maschine: vorher und "
+     "nachher"},
+    {"found {0#} coefficients, expected at most {1#}", "{0} Koeffizienten; erwartet: höchstens {1}"},
+    {"found {0#} obstacles, expected at most {1#}", "{0} Hindernisse; erwartet: höchstens {1}"},
+    {"found {0#} points in all runs, expected at most {1#}",
+     "{0} Punkte in allen Durchläufen; erwartet: höchstens {1}"},
+    {"found {0#} segments, expected at most {1#}", "{0} Abschnitte; erwartet: höchstens {1}"},
+    {"found {0#} stations with a tool, expected at most {1#}",
+     "{0} Stationen mit einem Werkzeug; erwartet: höchstens {1}"},
+    {"found {0#} stations, expected at most {1#}", "{0} Stationen; erwartet: höchstens {1}"},
+    {"found {0#} tools, expected at most {1#}", "{0} Werkzeuge; erwartet: höchstens {1}"},
+    {"from station {0=} only {1#} of {2#} points are in sight and in reach with tool {3=}: range, "
+     "elevation, incidence, the safe radius or an obstacle hides the others",
+     "von Station {0} sind mit Werkzeug {3} nur {1} von {2} Punkten in Sicht und in Reichweite: "
+     "Messbereich, Höhenwinkel, Einfallswinkel, Sicherheitsradius oder ein Hindernis verdeckt die anderen"},
+    {"on {0#} way between points the beam is lost and must be found again, which begins a segment",
+     "auf {0} Weg zwischen Punkten geht der Strahl verloren und muss wiedergefunden werden; damit beginnt "
+     "ein Abschnitt"},
+    {"on {0#} ways between points the beam is lost and must be found again, which begins a segment",
+     "auf {0} Wegen zwischen Punkten geht der Strahl verloren und muss wiedergefunden werden; damit "
+     "beginnt jeweils ein Abschnitt"},
+    {"the tool points do not form a triangle: add a longer tool and one beside it, for example {0=} and "
+     "{1=} mm",
+     "die Werkzeugpunkte bilden kein Dreieck: ein längeres Werkzeug und eines daneben hinzufügen, zum "
+     "Beispiel {0} und {1} mm"},
+    {"the tool points stand on one line: add a tool beside it, for example {0=} mm",
+     "die Werkzeugpunkte liegen auf einer Geraden: ein Werkzeug daneben hinzufügen, zum Beispiel {0} mm"},
+    {"these stations, tools and points will not tell {0=}; {1}",
+     "diese Stationen, Werkzeuge und Punkte werden {0} nicht bestimmen; {1}"},
+    {"u = {0#} µm, at most {1#} µm", "u = {0} µm, höchstens {1} µm"},
+    {"{0#} of 21 errors will be told by {1#} lengths", "{0} von 21 Abweichungen werden durch {1} Längen bestimmt"},
+    {"{0#} stations leave little to see a wrong one by; four or more are usual",
+     "{0} Stationen lassen kaum erkennen, ob eine falsch ist; vier oder mehr sind üblich"},
+    {"{0=}: found ends that fall, expected the lower one first", "{0}: fallende Enden; erwartet: das untere zuerst"},
+};
+
+}  // namespace
+
+const std::span<const Phrase> german_volume_plan = rows;
+
+}  // namespace axiometry::language

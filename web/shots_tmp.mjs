@@ -1,0 +1,18 @@
+import { chromium } from 'playwright-core';
+const [,, theme='light', width='1280', locale='en-GB', tag='a', base='http://127.0.0.1:8931']=process.argv;
+const browser=await chromium.launch({executablePath:'/usr/bin/chromium',args:['--no-sandbox']});
+const ctx=await browser.newContext({viewport:{width:+width,height:900},colorScheme:theme,locale,reducedMotion:'reduce'}); ctx.setDefaultTimeout(60000);
+const page=await ctx.newPage(); page.on('pageerror',e=>console.log('ERR',e.message)); page.on('console',m=>m.type()==='error'&&console.log('CON',m.text()));
+const de=locale.startsWith('de');
+await page.goto(base+'/volume'); await page.waitForSelector('.chain');
+await page.getByRole('button',{name:de?'Plan machen':'Make the plan'}).click();
+await page.waitForSelector('.volume-plan .figures'); await page.waitForSelector('.listing');
+await page.screenshot({path:`/tmp/pv/${tag}-plan.png`,fullPage:true});
+await page.getByLabel(de?'Längen wählen':'Choose lengths',{exact:true}).last().setInputFiles('/tmp/pv/lengths.csv');
+await page.waitForSelector('.volume-result .scene'); await page.waitForSelector('#volume-line'); await page.waitForTimeout(3000);
+const el=await page.$('.volume-result'); await el.screenshot({path:`/tmp/pv/${tag}-result.png`});
+await page.getByLabel(de?'Früheres Ergebnis wählen':'Choose the earlier result').last().setInputFiles('/tmp/pv/result.json');
+await page.waitForSelector('.fields.two'); await page.waitForTimeout(500);
+const f=await page.$('section[aria-labelledby=volume-field]'); await f.screenshot({path:`/tmp/pv/${tag}-two.png`});
+console.log('overflow', await page.evaluate(()=>document.documentElement.scrollWidth-document.documentElement.clientWidth));
+await browser.close();

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useEffect, useMemo, useState } from 'preact/hooks';
+import { ApiError, made_of_files, offer, query } from '../../api/client';
+import type { VolumetricMachine, VolumetricResult } from '../../api/types';
+import { FailureNotice } from '../../components/failure';
+import { Field } from '../../components/field';
+import { FileDrop } from '../../components/file_drop';
+import { fixed } from '../../numbers';
+import { decimal, language } from '../../settings';
+import { read_result } from './field';
+import { ResidualChart } from './residuals';
+import { VolumeResult } from './result';
+import { t } from './texts';
+
+const most_bytes = 7_500_000;  // of both files, as the server takes
+type Reversal = 'none' | 'constant' | 'curves';
+
+/** What was sent, so that reports are of the same. */
+interface Sent { lengths: File; machine: string; reversal: Reversal }
+
+function form_of({ lengths, machine, reversal }: Sent): FormData {
+  const form = new FormData();
+  form.append('options', JSON.stringify({ reversal }));
+  form.append('machine', new File([machine], 'machine.json', { type: 'application/json' }), 'machine.json');
+  form.append('lengths', lengths, lengths.name);
+  return form;
+}
+
+const failure_of = (thrown: unknown): ApiError => (thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
+
+interface Found { sent: Sent; result: VolumetricResult; residuals: string }
+
+async function found_by(sent: Sent, signal: AbortSignal): Promise<Found> {
+  const size = sent.lengths.size + sent.machine.length;
+  if (size > most_bytes) throw new ApiError('refused', t('too_large', { n: fixed(size / 1e6, 1), most: most_bytes / 1e6 }), 0);
+  const answer = await made_of_files(`/api/volumetric/identification${query({ decimal: decimal.value })}`, form_of(sent), signal);
+  const result = (await answer.json()) as VolumetricResult;
+  const residuals = await (await made_of_files('/api/volumetric/identification/residuals', form_of(sent), signal)).text();
+  return { sent, result, residuals };
+}
+
+/** Lengths to errors; or a result that was found before. */
+export function LengthsPanel({ machine }: { machine: VolumetricMachine | null }) {
+  const [lengths, set_lengths] = useState<File | null>(null);
+  const [reversal, set_reversal] = useState<Reversal>('none');
+  const [found, set_found] = useState<Found | null>(null);
+  const [opened, set_opened] = useState<{ file: File; result: VolumetricResult } | null>(null);
+  const [error, set_error] = useState<ApiError | null>(null);
+  const [busy, set_busy] = useState(false);
+  const text = machine && JSON.stringify(machine);
+  const sent = useMemo((): Sent | null => (lengths && text ? { lengths, machine: text, reversal } : null), [lengths, text, reversal]);
+  const spoken = language.value;
+  useEffect(() => {
+    if (!sent) return;
+    const abort = new AbortController();
+    set_error(null);
+    set_busy(true);
+    found_by(sent, abort.signal).then(
+      (one) => { if (!abort.signal.aborted) { set_found(one); set_opened(null); set_busy(false); } },
+      (thrown: unknown) => { if (!abort.signal.aborted) { set_found(null); set_error(failure_of(thrown)); set_busy(false); } },
+    );
+    return () => abort.abort();
+  }, [sent, spoken]);
+  const open = (file: File) => {
+    set_error(null);
+    read_result(file).then((result) => { set_opened({ file, result }); set_found(null); set_lengths(null); }, (thrown: unknown) => set_error(failure_of(thrown)));
+  };
+  useEffect(() => { if (opened) open(opened.file); }, [spoken]);
+  const shown = found?.result ?? opened?.result ?? null;
+  return (
+    <>
+      <section class="panel no-print" aria-labelledby="volume-lengths">
+        <header><h2 id="volume-lengths"><span class="step">4</span>{t('lengths')}</h2></header>
+        <div class="tracking-form">
+          <p class="hint">{t('lengths_how')}</p>
+          <FileDrop label={t('choose_lengths')} hint={`${t('drop_lengths')}. ${t('with_machine')}`} accept=".csv,.txt,text/csv" take={set_lengths}>
+            {lengths && <span class="mono small">{lengths.name}</span>}
+          </FileDrop>
+          <Field label={t('reversal')}>
+            {(ids) => (
+              <select {...ids} class="of-words" value={reversal} onChange={(event) => set_reversal(event.currentTarget.value as Reversal)}>
+                {(['none', 'constant', 'curves'] as const).map((one) => <option key={one} value={one}>{t(`reversal_${one}`)}</option>)}
+              </select>
+            )}
+          </Field>
+          <FileDrop label={t('choose_result')} hint={t('drop_result')} accept=".json,application/json" take={open}>
+            {opened && <span class="mono small">{opened.file.name}</span>}
+          </FileDrop>
+        </div>
+        {busy && <p class="quiet" role="status">{t('finding')}</p>}
+        {error && <FailureNotice error={error} />}
+      </section>
+      {shown && <VolumeResult result={shown} taken={found && <Taken found={found} />} more={found && <ResidualChart csv={found.residuals} />} />}
+    </>
+  );
+}
+
+/** Buttons that take the result along. */
+function Taken({ found }: { found: Found }) {
+  const [busy, set_busy] = useState(false);
+  const [error, set_error] = useState<ApiError | null>(null);
+  const stem = found.sent.lengths.name.replace(/\.\w+$/, '');
+  const save = async (path: string, name: string) => {
+    set_busy(true);
+    set_error(null);
+    try {
+      const answer = await made_of_files(`/api/volumetric/identification/${path}${query({ language: language.value, decimal: decimal.value })}`, form_of(found.sent));
+      offer(await answer.blob(), name);
+    } catch (thrown) {
+      set_error(failure_of(thrown));
+    }
+    set_busy(false);
+  };
+  return (
+    <>
+      {['pdf', 'html'].map((extension) => (
+        <button key={extension} type="button" disabled={busy} onClick={() => void save(`report.${extension}`, `${stem}.${extension}`)}>{t('report')} {extension.toUpperCase()}</button>
+      ))}
+      <button type="button" disabled={busy} onClick={() => void save('report.json', `${stem}.result.json`)}>{t('result_file')} JSON</button>
+      <button type="button" onClick={() => offer(new Blob([found.residuals], { type: 'text/csv' }), `${stem}.residuals.csv`)}>{t('residual_file')}</button>
+      {error && <FailureNotice error={error} />}
+    </>
+  );
+}
