@@ -12,6 +12,7 @@
 #include "axiometry/app/plan/nc_program.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/volumetric/field_difference.h"
+#include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/app/volumetric/volumetric_request.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/app/workbench/workbench_values.h"
@@ -73,7 +74,7 @@ Result<Response> volume_program(const Request& request) {
 /// What a form with measured lengths holds.
 struct IdentificationForm {
   std::optional<app::GivenFile> lengths, machine;
-  volumetric::IdentifyOptions options{.threads = 1};
+  volumetric::IdentifyOptions options;
 };
 
 Result<void> take_volume_part(IdentificationForm& form, const FormPart& part) {

@@ -132,21 +132,6 @@ Result<CalibrationPlan> given_calibration(const Value& body) {
   return plan;
 }
 
-Result<volumetric::IdentifyOptions> identify_options_from(const Value& value) {
-  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "options"));
-  volumetric::IdentifyOptions options;
-  options.threads = 1;
-  std::string reversal = "none";
-  AXIOMETRY_TRY_VOID(members.take("reversal", reversal));
-  if (reversal == "constant") options.reversal = volumetric::Reversal::constant;
-  else if (reversal == "curves") options.reversal = volumetric::Reversal::curves;
-  else if (reversal != "none")
-    return fail(fmt::format("found {}, expected none, constant or curves", text::quoted(reversal)),
-                members.optional("reversal")->at());
-  AXIOMETRY_TRY_VOID(members.finish());
-  return options;
-}
-
 Result<IdentifiedMachine> identify_presentable(const GivenFile& lengths, const GivenFile& machine,
                                                const volumetric::IdentifyOptions& options) {
   AXIOMETRY_TRY(const formats::MachineFile file, in_file(formats::read_machine(machine.bytes), machine.name));
@@ -161,7 +146,9 @@ Result<IdentifiedMachine> identify_presentable(const GivenFile& lengths, const G
   }
   AXIOMETRY_TRY_VOID(in_file(check_count("stations with a tool", visits.size(), most_visits), lengths.name));
   AXIOMETRY_TRY_VOID(in_file(check_count("segments", segments.size(), most_segments), lengths.name));
-  return identify_lengths(lengths, machine, options);
+  volumetric::IdentifyOptions in_one_thread = options;
+  in_one_thread.threads = 1;
+  return identify_lengths(lengths, machine, in_one_thread);
 }
 
 Result<ErrorModel> given_model(const Value& body, std::string_view name) {

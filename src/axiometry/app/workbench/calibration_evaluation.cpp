@@ -11,6 +11,7 @@
 
 #include "axiometry/app/tracking/tracking_request.h"
 #include "axiometry/app/volumetric/identify_options.h"
+#include "axiometry/app/volumetric/volumetric_request.h"
 #include "axiometry/app/workbench/test_state.h"
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/text.h"
@@ -78,7 +79,7 @@ Result<EvaluatedCalibration> identified_machine(std::span<const CalibrationSourc
   AXIOMETRY_TRY(const GivenFile machine, sources.required("machine"));
   AXIOMETRY_TRY(const volumetric::IdentifyOptions asked, identify_options_from(options));
   AXIOMETRY_TRY(IdentifiedMachine found,
-                identify_lengths(lengths, machine, asked));
+                identify_presentable(lengths, machine, asked));
   return EvaluatedCalibration(std::move(found));
 }
 

@@ -5,6 +5,7 @@ import type { VolumetricMachine, VolumetricResult } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { FileDrop } from '../../components/file_drop';
+import { KeepCalibration, type SentCalibration } from '../../components/keep_calibration';
 import { fixed } from '../../numbers';
 import { decimal, language } from '../../settings';
 import { read_result } from './field';
@@ -18,17 +19,25 @@ type Reversal = 'none' | 'constant' | 'curves';
 /** What was sent, so that reports are of the same. */
 interface Sent { lengths: File; machine: string; reversal: Reversal }
 
-function form_of({ lengths, machine, reversal }: Sent): FormData {
+const options_of = ({ reversal }: Sent): string => JSON.stringify({ reversal });
+const machine_file = ({ machine }: Sent): File => new File([machine], 'machine.json', { type: 'application/json' });
+
+function form_of(sent: Sent): FormData {
   const form = new FormData();
-  form.append('options', JSON.stringify({ reversal }));
-  form.append('machine', new File([machine], 'machine.json', { type: 'application/json' }), 'machine.json');
-  form.append('lengths', lengths, lengths.name);
+  form.append('options', options_of(sent));
+  form.append('machine', machine_file(sent), 'machine.json');
+  form.append('lengths', sent.lengths, sent.lengths.name);
   return form;
 }
 
 const failure_of = (thrown: unknown): ApiError => (thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
 
-interface Found { sent: Sent; result: VolumetricResult; residuals: string }
+interface Found { sent: Sent; kept_as: SentCalibration; result: VolumetricResult; residuals: string }
+
+/** The same files and options as the archive wants them. */
+const calibration_of = (sent: Sent): SentCalibration => ({
+  kind: 'volumetric', files: { lengths: sent.lengths, machine: machine_file(sent) }, options: options_of(sent),
+});
 
 async function found_by(sent: Sent, signal: AbortSignal): Promise<Found> {
   const size = sent.lengths.size + sent.machine.length;
@@ -36,7 +45,7 @@ async function found_by(sent: Sent, signal: AbortSignal): Promise<Found> {
   const answer = await made_of_files(`/api/volumetric/identification${query({ decimal: decimal.value })}`, form_of(sent), signal);
   const result = (await answer.json()) as VolumetricResult;
   const residuals = await (await made_of_files('/api/volumetric/identification/residuals', form_of(sent), signal)).text();
-  return { sent, result, residuals };
+  return { sent, kept_as: calibration_of(sent), result, residuals };
 }
 
 /** Lengths to errors; or a result that was found before. */
@@ -113,6 +122,7 @@ function Taken({ found }: { found: Found }) {
   };
   return (
     <>
+      <KeepCalibration sent={found.kept_as} />
       {['pdf', 'html'].map((extension) => (
         <button key={extension} type="button" disabled={busy} onClick={() => void save(`report.${extension}`, `${stem}.${extension}`)}>{t('report')} {extension.toUpperCase()}</button>
       ))}
