@@ -63,6 +63,9 @@ Result<CompensatedAxis> compensate(const CompensateRequest& request);
 Result<AxisCorrection> read_axis_table(const std::string& file, const nc::AxisTable& control,
                                        const nc::AxisTableOptions& options);
 
+/// What a control takes, for lists.
+json::Value control_to_json(const nc::AxisTable& control);
+
 /// Report and JSON; keys: docs/results.md.
 Experiment present(const CompensatedAxis& done, const report::Options& options);
 
