@@ -41,9 +41,13 @@ def stops():
 
 
 def measured(folder, file, comp=None, comp_type=0):
-    """Runs the test on the controller and writes it down as an instrument would."""
+    """Runs the test on the controller, after a way over the whole table, and writes it down as an instrument would.
+
+    Without that way the controller adds nothing until the joint has passed a position of the table.
+    """
     plan = list(stops())
-    motors = linuxcnc_machine.drive(folder, [TARGETS[0]] + [p for p, _, _ in plan], comp, comp_type)[1:]
+    warm_up = [TARGETS[-1] + OVERRUN]
+    motors = linuxcnc_machine.drive(folder, warm_up + [p for p, _, _ in plan], comp, comp_type)[len(warm_up):]
     lines = ["target_mm,direction,run,deviation_um"]
     for (position, direction, run), motor in zip(plan, motors):
         if run is not None:

@@ -101,25 +101,24 @@ def drive(folder, stops, comp=None, comp_type=0, seconds=120):
 
 # ---------------------------------------------------------------- the user interface, in a process of LinuxCNC's
 
-def motor():
-    return float(subprocess.run(["halcmd", "getp", "joint.0.motor-pos-cmd"], capture_output=True, text=True,
-                                check=True).stdout)
-
-
-def at_rest(near, seconds=20.0):
+def at_rest(motor, near, seconds=20.0):
     """The motor's position near a stop, once it has been the same for a while."""
     last, since, end = None, time.monotonic(), time.monotonic() + seconds
     while time.monotonic() < end:
         now = motor()
         if now != last or abs(now - near) > 1.0:
             last, since = now, time.monotonic()
-        elif time.monotonic() - since > 0.06:
+        elif time.monotonic() - since > 0.05:
             return now
+        time.sleep(0.002)
     raise RuntimeError(f"the joint does not come to rest at {near}")
 
 
 def user_interface():
+    import hal
     import linuxcnc
+    reader = hal.component("reader")  # values are given as long as it lives
+    reader.ready()
     command, status = linuxcnc.command(), linuxcnc.stat()
 
     def wait_for(what, seconds=20.0):
@@ -145,7 +144,7 @@ def user_interface():
     for stop in json.loads(pathlib.Path("stops.json").read_text()):
         command.mdi(f"G53 G0 X{stop:.6f}")
         command.wait_complete(20.0)
-        positions.append(at_rest(stop))
+        positions.append(at_rest(lambda: hal.get_value("joint.0.motor-pos-cmd"), stop))
     pathlib.Path("positions.json").write_text(json.dumps(positions))
 
 
