@@ -36,5 +36,6 @@ void add_completion(const Verb& program, int& exit_code);
 void add_manual(const Verb& program, int& exit_code);
 void add_tracking(const Verb& program, int& exit_code);
 void add_volumetric(const Verb& program, int& exit_code);
+void add_compensate(const Verb& program, int& exit_code);
 
 }  // namespace axiometry::cli

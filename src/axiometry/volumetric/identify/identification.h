@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/model/named_finding.h"
 #include "axiometry/volumetric/field/error_model.h"
 #include "axiometry/volumetric/machine/volumetric_data.h"
 
@@ -71,12 +72,7 @@ struct VolumetricRank {
   double condition = 0.0;           ///< of the scaled rows
 };
 
-/// What the user should know, with the numbers.
-struct VolumetricFinding {
-  std::string id;        ///< stable: "volumetric-unseen-errors"
-  bool serious = false;  ///< the result should not be used as it is
-  std::string message;   ///< a sentence without full stop
-};
+using VolumetricFinding = NamedFinding;
 
 struct Identification {
   ErrorModel model;

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/compensate/compensate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/compensation/suspicions.h"
+
+namespace axiometry::app {
+namespace {
+
+using iso230_2::Evaluation;
+using nc::AxisTable;
+
+constexpr double same_target_native = 1e-3;  // mm or °, of test and re-test
+
+std::vector<double> target_positions(const Series& series) {
+  std::vector<double> positions;
+  for (const Position target : series.targets()) positions.push_back(target.in_native());
+  return positions;
+}
+
+/// The mean deviations' root mean square about their mean: a new zero of the instrument is no error of the axis.
+double spread_of_means(const Evaluation& evaluation) {
+  std::vector<double> means;
+  for (const iso230_2::PositionResult& p : evaluation.positions)
+    for (const auto& mean : {p.mean_up, p.mean_down})
+      if (mean) means.push_back(mean->in_native());
+  double sum = 0.0, squares = 0.0;
+  for (const double mean : means) sum += mean;
+  const double average = sum / static_cast<double>(means.size());
+  for (const double mean : means) squares += (mean - average) * (mean - average);
+  return std::sqrt(squares / static_cast<double>(means.size()));
+}
+
+/// E, and of a test of one direction that one's.
+std::optional<Deviation> systematic(const iso230_2::AxisParameters& p) { return p.E ? p.E : p.E_up ? p.E_up : p.E_down; }
+
+Result<Evaluation> evaluated_with(const Series& series, const AxisCorrection& added, const AxisCorrection* removed) {
+  AXIOMETRY_TRY(const Series corrected, compensation::corrected_series(series, added, removed));
+  return iso230_2::evaluate(corrected);
+}
+
+/// What is known before a table is made.
+struct Setting {
+  const CompensateRequest& request;
+  const Series& series;
+  const AxisTable& control;
+  nc::AxisTableOptions options;
+  std::optional<AxisCorrection> existing;
+  TableCurves curves = TableCurves::both_ways;
+  std::vector<double> nodes{};
+};
+
+bool is_wished(const compensation::GridRequest& grid) { return grid.start || grid.end || grid.step || grid.points; }
+
+Result<std::vector<double>> nodes_of(const Setting& s) {
+  const nc::AxisTableLimits& limits = s.control.limits;
+  if (limits.points == 1) return std::vector{s.options.reference};
+  if (s.existing && !is_wished(s.request.grid)) return s.existing->positions();
+  compensation::GridRequest wish = s.request.grid;
+  compensation::GridLimits allowed{limits.points, limits.equidistant, limits.step_native, {}};
+  if (limits.origin != nc::TableOrigin::anywhere) allowed.anchor = s.options.reference;
+  if (limits.origin == nc::TableOrigin::first && !wish.start) wish.start = s.options.reference;
+  if (limits.origin == nc::TableOrigin::last && !wish.end) wish.end = s.options.reference;
+  return compensation::grid_of(target_positions(s.series), wish, allowed);
+}
+
+/// The new table before it is rounded: the change that the readings ask for, upon what was there.
+Result<compensation::Fit> table_by(const Setting& s, compensation::Method method) {
+  AXIOMETRY_TRY(compensation::Fit fit,
+                compensation::fit_correction(s.series, s.options.kind,
+                                             {s.nodes, s.curves, method, s.request.smooth, s.request.hold_ends}));
+  if (s.existing) {
+    AXIOMETRY_TRY(fit.correction, compensation::updated(*s.existing, fit.correction));
+  }
+  const double zero = std::clamp(s.options.reference, s.nodes.front(), s.nodes.back());
+  AXIOMETRY_TRY(fit.correction, compensation::with_zero_at(fit.correction, s.curves, zero));
+  return fit;
+}
+
+/// The file, read back as the control reads it. Fails where it would not make the axis better.
+Result<AxisCorrection> proved(const Setting& s, const std::string& text, const Evaluation& before) {
+  AXIOMETRY_TRY(const AxisCorrection applied, in_file(s.control.read(text, s.options), "the table that was made"));
+  AXIOMETRY_TRY(const Evaluation after, evaluated_with(s.series, applied, s.existing ? &*s.existing : nullptr));
+  const auto E_before = systematic(before.parameters), E_after = systematic(after.parameters);
+  const double spread_before = spread_of_means(before), spread_after = spread_of_means(after);
+  if (E_before && E_after && E_after->in_native() < E_before->in_native() && spread_after < spread_before)
+    return applied;
+  const auto text_of = [](const std::optional<Deviation>& x) { return x ? fmt::format("{:.2f}", x->in_native()) : "–"; };
+  const std::string_view unit = deviation_unit(s.options.kind);
+  return fail(fmt::format(
+      "found that the control would not become better by this table: E from {} to {} {}, mean deviations (r.m.s.) from "
+      "{:.2f} to {:.2f} {}; no table is written",
+      text_of(E_before), text_of(E_after), unit, spread_before, spread_after, unit));
+}
+
+Result<AxisCorrection> with_directions_exchanged(const AxisCorrection& c) {
+  return AxisCorrection::make(c.kind(), c.positions(), c.values(Direction::down), c.values(Direction::up));
+}
+
+Result<Retest> retest_of(const CompensateRequest& request, const Test& before, const AxisCorrection& applied,
+                         const std::optional<AxisCorrection>& existing, std::vector<NamedFinding>& findings) {
+  AXIOMETRY_TRY(Test measured, read_test(request.retest, request.reading.format, request.reading.profile));
+  AXIOMETRY_TRY(Test test, in_file(prepare_test(std::move(measured), request.reading), request.retest));
+  if (test.metadata.axis.kind != before.metadata.axis.kind)
+    return std::unexpected(in_file(Error{"found a re-test of another kind of axis", {}, {}}, request.retest));
+  const AxisCorrection* removed = existing ? &*existing : nullptr;
+  const auto effect =
+      compensation::effect_of_table(before.series, test.series, applied, removed, same_target_native);
+  std::optional<compensation::Effect> exchanged;
+  if (!applied.same_both_ways()) {
+    AXIOMETRY_TRY(const AxisCorrection other_way, with_directions_exchanged(applied));
+    exchanged = compensation::effect_of_table(before.series, test.series, other_way, removed, same_target_native);
+  }
+  if (effect)
+    findings.push_back(compensation::finding_of_retest(*effect, exchanged));
+  else
+    findings.push_back({"retest-other-targets", true,
+                        "the re-test has fewer than three targets in common with the test: it cannot be held against "
+                        "the prediction"});
+  Evaluation evaluation = iso230_2::evaluate(test.series);
+  return Retest{std::move(test), std::move(evaluation), effect};
+}
+
+}  // namespace
+
+Result<AxisCorrection> read_axis_table(const std::string& file, const AxisTable& control,
+                                       const nc::AxisTableOptions& options) {
+  AXIOMETRY_TRY(const std::string text, whole_file(file));
+  return in_file(control.read(text, options), file);
+}
+
+Result<CompensatedAxis> compensate(const CompensateRequest& request) {
+  AXIOMETRY_TRY(const AxisTable* control, nc::axis_table_named(request.control));
+  AXIOMETRY_TRY(Test measured, read_test(request.file, request.reading.format, request.reading.profile));
+  AXIOMETRY_TRY(Test test, in_file(prepare_test(std::move(measured), request.reading), request.file));
+  AXIOMETRY_TRY_VOID(in_file(compensation::check_plausible(test.series, test.metadata.axis.kind), request.file));
+
+  Setting s{request, test.series, *control, request.table, {}, request.curves.value_or(control->curves)};
+  s.options.kind = test.metadata.axis.kind;
+  s.options.axis = !request.axis.empty() ? request.axis : !test.metadata.axis.name.empty() ? test.metadata.axis.name : "X";
+  if (!request.existing.empty()) {
+    AXIOMETRY_TRY(s.existing, read_axis_table(request.existing, *control, s.options));
+  }
+  AXIOMETRY_TRY(s.nodes, in_file(nodes_of(s), request.file));
+
+  const Evaluation before = iso230_2::evaluate(test.series);
+  const AxisCorrection* removed = s.existing ? &*s.existing : nullptr;
+  AXIOMETRY_TRY(const compensation::Fit fit, in_file(table_by(s, request.method), request.file));
+  AXIOMETRY_TRY(std::string text, in_file(control->write(fit.correction, s.options), request.file));
+  AXIOMETRY_TRY(AxisCorrection applied, in_file(proved(s, text, before), request.file));
+
+  std::vector<NamedFinding> findings = compensation::findings_of_readings(test.series, s.options.kind, s.curves);
+  std::ranges::move(compensation::findings_of_table(test.series, applied), std::back_inserter(findings));
+  AXIOMETRY_TRY(const compensation::Fit plain, in_file(table_by(s, compensation::Method::interpolation), request.file));
+  AXIOMETRY_TRY(const Evaluation interpolated, evaluated_with(test.series, plain.correction, removed));
+  AXIOMETRY_TRY(const Evaluation fitted, evaluated_with(test.series, fit.correction, removed));
+  AXIOMETRY_TRY(const Series corrected, compensation::corrected_series(test.series, applied, removed));
+  AXIOMETRY_TRY(const Series scatter, compensation::scatter_alone(test.series));
+  std::optional<Retest> retest;
+  if (!request.retest.empty()) {
+    AXIOMETRY_TRY(retest, retest_of(request, test, applied, s.existing, findings));
+  }
+  std::ranges::stable_partition(findings, &NamedFinding::serious);
+  return CompensatedAxis{.test = std::move(test),
+                         .control = control,
+                         .options = s.options,
+                         .text = std::move(text),
+                         .applied = std::move(applied),
+                         .existing = std::move(s.existing),
+                         .smoothing = fit.smoothing,
+                         .before = before,
+                         .predicted = iso230_2::evaluate(corrected),
+                         .interpolated = interpolated.parameters,
+                         .fitted = fitted.parameters,
+                         .scatter = iso230_2::evaluate(scatter).parameters,
+                         .expected = compensation::expected_retest(corrected),
+                         .retest = std::move(retest),
+                         .findings = std::move(findings)};
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/compensate/compensate.h"
+#include "axiometry/report/compensation.h"
+
+namespace axiometry::app {
+namespace {
+
+using iso230_2::AxisParameters;
+using json::Value;
+
+Value parameter_values(const AxisParameters& parameters) {
+  Value values = Value::object();
+  for (const iso230_2::ParameterInfo& parameter : iso230_2::parameters)
+    if (const auto& value = parameters.*parameter.member)
+      values.add(std::string(parameter.key), value->in_native());
+    else
+      values.add(std::string(parameter.key), Value());
+  return values;
+}
+
+Value nodes_to_json(const AxisCorrection& correction) {
+  Value nodes = Value::array();
+  for (std::size_t k = 0; k < correction.positions().size(); ++k) {
+    Value& node = nodes.push(Value::object());
+    node.add("position", correction.positions()[k]);
+    node.add("up", correction.values(Direction::up)[k]);
+    node.add("down", correction.values(Direction::down)[k]);
+  }
+  return nodes;
+}
+
+Value means_to_json(const iso230_2::Evaluation& evaluation) {
+  Value rows = Value::array();
+  for (const iso230_2::PositionResult& p : evaluation.positions) {
+    Value& row = rows.push(Value::object());
+    row.add("target", p.target.in_native());
+    row.add("up", p.mean_up ? Value(p.mean_up->in_native()) : Value());
+    row.add("down", p.mean_down ? Value(p.mean_down->in_native()) : Value());
+  }
+  return rows;
+}
+
+Value limits_to_json(const nc::AxisTable& control) {
+  Value limits = Value::object();
+  limits.add("points", control.limits.points > 0 ? Value(control.limits.points) : Value());
+  limits.add("equidistant", control.limits.equidistant);
+  limits.add("curves", curves_name(control.curves));
+  limits.add("linear", control.limits.linear);
+  limits.add("rotary", control.limits.rotary);
+  return limits;
+}
+
+Value verified_to_json(const nc::AxisTable& control) {
+  Value verified = Value::object();
+  verified.add("verified", control.verified);
+  verified.add("inferred", control.inferred);
+  return verified;
+}
+
+}  // namespace
+
+json::Value control_to_json(const nc::AxisTable& control) {
+  Value value = Value::object();
+  value.add("id", control.id);
+  value.add("title", control.title);
+  value.add("extension", control.extension);
+  value.add("limits", limits_to_json(control));
+  value.add("sign", control.sign);
+  value.add("loading", control.loading);
+  value.add("verified", control.verified);
+  value.add("inferred", control.inferred);
+  return value;
+}
+
+Experiment present(const CompensatedAxis& done, const report::Options& options) {
+  const AxisKind kind = done.options.kind;
+  Value root = Value::object();
+  root.add("control", done.control->id);
+  root.add("axis", done.options.axis);
+  root.add("kind", axis_kind_name(kind));
+  root.add("unit", deviation_unit_key(kind));
+  root.add("sign", done.control->sign);
+  root.add("table", nodes_to_json(done.applied));
+  if (done.existing) root.add("existing", nodes_to_json(*done.existing));
+  root.add("before", parameter_values(done.before.parameters));
+  root.add("predicted", parameter_values(done.predicted.parameters));
+  if (done.expected) {
+    Value& expected = root.add("expected_retest", Value::object());
+    expected.add("median", parameter_values(done.expected->median));
+    expected.add("percent_95", parameter_values(done.expected->percent_95));
+    expected.add("trials", done.expected->trials);
+  }
+  root.add("least_squares", parameter_values(done.fitted));
+  root.add("interpolated", parameter_values(done.interpolated));
+  root.add("scatter", parameter_values(done.scatter));
+  root.add("before_means", means_to_json(done.before));
+  root.add("predicted_means", means_to_json(done.predicted));
+  root.add("smoothing", done.smoothing > 0.0 ? Value(done.smoothing) : Value());
+  if (done.retest) {
+    Value& retest = root.add("retest", Value::object());
+    retest.add("parameters", parameter_values(done.retest->evaluation.parameters));
+    retest.add("means", means_to_json(done.retest->evaluation));
+    if (const auto& effect = done.retest->effect) {
+      retest.add("share", effect->share);
+      retest.add("u", effect->u);
+      retest.add("explained", effect->explained);
+      retest.add("compared", effect->compared);
+    }
+  }
+  root.add("limits", limits_to_json(*done.control));
+  root.add("verified", verified_to_json(*done.control));
+  Value& findings = root.add("findings", Value::array());
+  for (const NamedFinding& f : done.findings) {
+    Value& item = findings.push(Value::object());
+    item.add("id", f.id);
+    item.add("severity", f.serious ? "serious" : "note");
+    item.add("message", f.message);
+  }
+  const nc::AxisTable& c = *done.control;
+  const report::CompensationSubject subject{done.test,
+                                            {c.title, c.sign, c.loading, c.verified, c.inferred},
+                                            done.applied,
+                                            done.existing ? &*done.existing : nullptr,
+                                            done.before,
+                                            done.predicted,
+                                            done.expected ? &done.expected->percent_95 : nullptr,
+                                            done.retest ? &done.retest->evaluation : nullptr,
+                                            done.scatter,
+                                            done.findings,
+                                            done.smoothing};
+  return {report::compose(subject, options), std::move(root)};
+}
+
+}  // namespace axiometry::app

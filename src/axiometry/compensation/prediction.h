@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "axiometry/base/result.h"
+#include "axiometry/model/axis_correction.h"
+#include "axiometry/model/series.h"
+
+/// What a table would do to a test, and what no table can.
+namespace axiometry::compensation {
+
+/// The readings of the same test with `added` in the control in place of `removed` (none: with no table). A command
+/// to P then moves to P + c(P): the deviation there is that of P but for its slope over c, of some µm, which is left out.
+Result<Series> corrected_series(const Series& series, const AxisCorrection& added,
+                                const AxisCorrection* removed = nullptr);
+
+/// Without the mean deviation of every target and direction: what the best table leaves, since it is the scatter.
+Result<Series> scatter_alone(const Series& series);
+
+/// How a re-test relates to what the table should have done: x̄_retest − x̄_before = γ·c + a, by least squares over all
+/// targets and directions, a for what a new zero of the instrument does.
+struct Effect {
+  double share = 0.0;        ///< γ: 1 the table did what it should, 0 nothing, −1 the opposite, 2 twice
+  double u = 0.0;            ///< standard uncertainty of γ, of the scatter of both tests and of what the line leaves
+  double explained = 0.0;    ///< R² of that line
+  std::size_t compared = 0;  ///< targets and directions that both tests have
+};
+
+/// `change` is what is added now less what was added in the first test. Nothing where fewer than three targets and
+/// directions are in both tests (within `same_target_native`), or the change is the same at all of them.
+std::optional<Effect> effect_of_table(const Series& before, const Series& after, const AxisCorrection& added,
+                                      const AxisCorrection* removed, double same_target_native);
+
+}  // namespace axiometry::compensation

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/compensation/suspicions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/numeric/moments.h"
+#include "axiometry/standards/iso230_2/scatter/scatter.h"
+
+namespace axiometry::compensation {
+namespace {
+
+constexpr double per_travel_most = 0.01;
+constexpr double near_known = 0.02;  // relative, of a slope that has a name
+
+/// Of all means over the targets, position per position: 0.0001 is 0.1 µm in a mm.
+double slope_of(const Series& series, AxisKind kind) {
+  double weight = 0.0, x_sum = 0.0, y_sum = 0.0;
+  std::vector<std::array<double, 2>> points;
+  for (const Direction direction : {Direction::up, Direction::down})
+    for (std::size_t i = 0; i < series.target_count(); ++i) {
+      const numeric::Moments m = numeric::moments(series.cell(i, direction));
+      if (m.count == 0) continue;
+      points.push_back({series.targets()[i].in_native(), m.mean / deviation_per_position(kind)});
+      weight += 1.0, x_sum += points.back()[0], y_sum += points.back()[1];
+    }
+  double xx = 0.0, xy = 0.0;
+  for (const auto& [x, y] : points) {
+    const double dx = x - x_sum / weight;
+    xx += dx * dx, xy += dx * (y - y_sum / weight);
+  }
+  return xx > 0.0 ? xy / xx : 0.0;
+}
+
+std::string deviation_words(double value, AxisKind kind) {
+  return fmt::format("{:.1f} {}", value, deviation_unit(kind));
+}
+
+std::string place_words(double position, AxisKind kind) {
+  return fmt::format("{} {}", format_exact(std::round(position * 1e6) / 1e6), position_unit(kind));
+}
+
+}  // namespace
+
+Result<void> check_plausible(const Series& series, AxisKind kind) {
+  const double slope = slope_of(series, kind);
+  if (std::abs(slope) <= per_travel_most) return {};
+  const auto is_near = [&](double known) { return std::abs(slope - known) < near_known * std::max(1.0, std::abs(known)); };
+  std::string why = "these are no deviations of an axis";
+  if (is_near(-2.0))
+    why = "the instrument counts against the axis: turn its sign, or the axis in the test";
+  else if (is_near(-1.0))
+    why = "the instrument did not see the axis move";
+  else if (is_near(24.4))
+    why = "the targets are in inches and the readings in mm";
+  else if (is_near(1.0 / 25.4 - 1.0))
+    why = "the targets are in mm and the readings in inches";
+  return fail(fmt::format("found deviations that grow by {:.4g} % of the travel, expected less than {:.0f} %: {}",
+                          100.0 * slope, 100.0 * per_travel_most, why));
+}
+
+std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind kind, TableCurves curves) {
+  std::vector<NamedFinding> findings;
+  const iso230_2::ScatterStudy scatter = iso230_2::scatter_study(series);
+  for (const iso230_2::OutlyingReading& outlier : scatter.outliers) {
+    const auto count = static_cast<double>(series.count(outlier.target, outlier.direction));
+    findings.push_back(
+        {"compensation-outlier", true,
+         fmt::format("found an outlier at {} {} run {}: it lies {} from what the other readings let expect and moves "
+                     "the mean there, and so the table, by {}; look at it before the table is used",
+                     place_words(series.targets()[outlier.target].in_native(), kind), arrow(outlier.direction),
+                     outlier.run + 1, deviation_words(std::abs(outlier.distance.in_native()), kind),
+                     deviation_words(std::abs(outlier.distance.in_native()) / count, kind))});
+  }
+  if (scatter.shifts && scatter.shifts->ordered)
+    findings.push_back({"compensation-drift", false,
+                        fmt::format("found readings that drift by {} from the first run to the last: the table corrects "
+                                    "the axis as it was on the average of the test",
+                                    deviation_words(std::abs(scatter.shifts->drift.in_native()), kind))});
+  for (const Direction direction : {Direction::up, Direction::down})
+    if (!series.has(direction))
+      findings.push_back({"compensation-one-direction", true,
+                          fmt::format("found no reading {}: what the table does to approaches from there nobody "
+                                      "measured, and the reversal error stays as it is",
+                                      arrow(direction))});
+  if (curves == TableCurves::both_ways && series.has(Direction::up) && series.has(Direction::down))
+    findings.push_back({"compensation-reversal-stays", false,
+                        "the table has one curve for both directions: the reversal error stays as it is"});
+  if (kind == AxisKind::rotary && series.target_count() > 1 && std::abs(series.travel_native() - 360.0) < 1e-6)
+    for (const Direction direction : {Direction::up, Direction::down}) {
+      const numeric::Moments first = numeric::moments(series.cell(0, direction));
+      const numeric::Moments last = numeric::moments(series.cell(series.target_count() - 1, direction));
+      if (first.count < 2 || last.count < 2) continue;
+      const double difference = last.mean - first.mean;
+      const double u = std::hypot(first.standard_deviation / std::sqrt(static_cast<double>(first.count)),
+                                  last.standard_deviation / std::sqrt(static_cast<double>(last.count)));
+      if (std::abs(difference) > 3.0 * u)
+        findings.push_back({"compensation-turn-not-closed", true,
+                            fmt::format("found deviations {} that differ by {} a whole turn apart, where the axis "
+                                        "stands at the same place: drift, or a slip of the instrument; a table of a "
+                                        "turning axis would jump there",
+                                        arrow(direction), deviation_words(difference, kind))});
+    }
+  return findings;
+}
+
+std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorrection& correction) {
+  std::vector<NamedFinding> findings;
+  const std::vector<double>& nodes = correction.positions();
+  const AxisKind kind = correction.kind();
+  if (nodes.size() < 2) return findings;
+  const double first = series.targets().front().in_native(), last = series.targets().back().in_native();
+  if (first < nodes.front() - 1e-6 || last > nodes.back() + 1e-6)
+    findings.push_back({"compensation-beyond-ends", false,
+                        fmt::format("the table goes from {} to {}, the targets from {} to {}: beyond its ends the "
+                                    "control holds the last value",
+                                    place_words(nodes.front(), kind), place_words(nodes.back(), kind),
+                                    place_words(first, kind), place_words(last, kind))});
+  if (nodes.front() < first - 1e-6 || nodes.back() > last + 1e-6)
+    findings.push_back({"compensation-ends-held", true,
+                        fmt::format("the table goes from {} to {}, where {} to {} were measured: beyond them it holds "
+                                    "the value of the last target, which nobody measured",
+                                    place_words(nodes.front(), kind), place_words(nodes.back(), kind),
+                                    place_words(first, kind), place_words(last, kind))});
+  return findings;
+}
+
+NamedFinding finding_of_retest(const Effect& effect, const std::optional<Effect>& exchanged) {
+  const double slack = std::max(0.25, 3.0 * effect.u);
+  const auto is_near = [&](double share) { return std::abs(effect.share - share) < slack; };
+  const std::string share = fmt::format("{:.2f} ± {:.2f} (k = 2) of what the table should change", effect.share,
+                                        2.0 * effect.u);
+  if (effect.u > 0.25)
+    return {"retest-tells-nothing", false,
+            fmt::format("the re-test shows {}: too uncertain to tell whether the table is active", share)};
+  if (is_near(1.0)) return {"retest-as-predicted", false, fmt::format("the table does what it should: {}", share)};
+  if (is_near(0.0))
+    return {"retest-not-active", true,
+            fmt::format("the table is not active: the re-test shows {}; is it loaded, switched on, and the axis "
+                        "referenced?",
+                        share)};
+  if (is_near(-1.0))
+    return {"retest-sign", true,
+            fmt::format("the error has doubled: the re-test shows {}, a sign mistake; take the table out", share)};
+  if (is_near(2.0))
+    return {"retest-twice", true,
+            fmt::format("the table is applied twice: the re-test shows {}; is an older table still active beside it, or "
+                        "was the new one added to one that holds it already?",
+                        share)};
+  if (exchanged && std::abs(exchanged->share - 1.0) < 0.25 && exchanged->explained > effect.explained)
+    return {"retest-directions", true,
+            fmt::format("the table's two directions are exchanged: the re-test shows {:.2f} of it with ↑ for ↓",
+                        exchanged->share)};
+  return {"retest-otherwise", true,
+          fmt::format("the re-test shows {}: neither what the table should do, nor a sign mistake, nor a table that is "
+                      "not active; did the axis change, or the set-up?",
+                      share)};
+}
+
+}  // namespace axiometry::compensation

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/compensation/fit.h"
+#include "axiometry/compensation/prediction.h"
+#include "axiometry/model/named_finding.h"
+#include "axiometry/model/series.h"
+
+/// What speaks against a table, in words that a person at the machine understands.
+namespace axiometry::compensation {
+
+/// Fails where the deviations grow with the travel as no axis does (above 1 %): the readings ran against the axis, or
+/// one of both is in inches, or they are no deviations.
+Result<void> check_plausible(const Series& series, AxisKind kind);
+
+/// Of the readings: outliers in a mean, with what they do to it; a direction that was not measured; runs that drift;
+/// a rotary axis whose ends, a whole turn apart, differ. `reference` is where the table is to do nothing.
+std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind kind, TableCurves curves);
+
+/// Of a table: what lies beyond its ends, of what was measured; values at a node that no target is near.
+std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorrection& correction);
+
+/// Of a re-test: "did what it should", or what went wrong instead: a sign mistake (the error doubled), a table that was
+/// not active, one that was added twice, directions that were exchanged.
+NamedFinding finding_of_retest(const Effect& effect, const std::optional<Effect>& with_directions_exchanged);
+
+}  // namespace axiometry::compensation

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "axiometry/base/result.h"
+#include "axiometry/model/axis_correction.h"
+
+/// Tables by which a control corrects one axis: written, and read back by the control's own rule. One .cpp in
+/// compensations/ per control, each with one `const AxisTable <stem>_axis_table = {…}`; the build collects them.
+namespace axiometry::nc {
+
+/// What stands in a table beside its values, or must be known of the control to read them.
+struct AxisTableOptions {
+  std::string axis = "X";       ///< as the control names it
+  AxisKind kind = AxisKind::linear;
+  bool in_inch = false;         ///< of a linear axis: the control's unit of length
+  unsigned number = 0;          ///< of the table, encoder, joint or first point, as the control counts
+  double reference = 0.0;       ///< machine position of the reference point, mm or °
+  double resolution = 1.0;      ///< what one count stands for, µm or ″ (detection unit, encoder step)
+  unsigned magnification = 1;   ///< by which the control multiplies the table's numbers
+};
+
+/// Which position of a table has to be the reference point, where the correction is 0.
+enum class TableOrigin { anywhere, first, last };
+
+/// How many positions, and where. 0: nothing is known to limit it.
+struct AxisTableLimits {
+  std::size_t points = 0;    ///< 1: no table, a backlash alone
+  bool equidistant = false;
+  double step_native = 0.0;  ///< the only spacing that there is, mm
+  TableOrigin origin = TableOrigin::anywhere;
+  bool linear = true, rotary = true;
+};
+
+struct AxisTable {
+  std::string_view id;         ///< "linuxcnc", for --for
+  std::string_view title;      ///< "LinuxCNC"
+  std::string_view extension;  ///< of its files: ".comp"
+  TableCurves curves = TableCurves::both_ways;
+  AxisTableLimits limits;
+  std::string_view sign;       ///< what a positive number in the file does, a sentence
+  std::string_view loading;    ///< how the table gets into the control and becomes active, sentences
+  std::string_view verified;   ///< what of this format was seen in a file, a source or a manual
+  std::string_view inferred;   ///< what was not; "" where nothing
+
+  /// The file. Fails on what the control cannot hold, saying what it can.
+  Result<std::string> (*write)(const AxisCorrection& correction, const AxisTableOptions& options);
+
+  /// What the control adds with this file loaded, by its own rule and rounded as the file has it. Written apart from
+  /// `write`, so that one proves the other. Fails on what the control would not take, naming the line.
+  Result<AxisCorrection> (*read)(std::string_view text, const AxisTableOptions& options);
+
+  /// Whether a text can be of this kind, by its first lines; nullptr: it has nothing to be known by.
+  bool (*recognises)(std::string_view text) = nullptr;
+};
+
+/// Every table, in alphabetical order of the source files (generated).
+std::span<const AxisTable* const> axis_table_table();
+
+/// Fails with the ids that there are; capitals do not matter, and "_" is as good as "-".
+Result<const AxisTable*> axis_table_named(std::string_view id);
+
+}  // namespace axiometry::nc

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "axiometry/model/axis_correction.h"
+#include "axiometry/model/named_finding.h"
+#include "axiometry/model/test.h"
+#include "axiometry/report/document.h"
+#include "axiometry/report/report.h"
+#include "axiometry/standards/iso230_2/parameters.h"
+
+/// The report of a table by which a control corrects an axis.
+namespace axiometry::report {
+
+/// What a control says of its tables.
+struct ControlWords {
+  std::string_view title, sign, loading, verified, inferred;
+};
+
+struct CompensationSubject {
+  const Test& test;  ///< as it was measured
+  ControlWords control;
+  const AxisCorrection& applied;             ///< by the file, as the control reads it
+  const AxisCorrection* existing;            ///< active while the test was measured; may be none
+  const iso230_2::Evaluation& before;
+  const iso230_2::Evaluation& predicted;
+  const iso230_2::AxisParameters* expected;  ///< of a re-test, below in 95 %; none where nothing scatters
+  const iso230_2::Evaluation* retest;        ///< may be none
+  const iso230_2::AxisParameters& scatter;   ///< what no table removes
+  std::span<const NamedFinding> findings;
+  double smoothing = 0.0;
+};
+
+/// Before, predicted and re-test as parameters and curves over each other, the table, what no table removes, how the
+/// table gets into the control, what is verified of its format.
+Document compose(const CompensationSubject& subject, const Options& options);
+
+}  // namespace axiometry::report
