@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/compensate/compensate.h"
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/report/compensation.h"
 
 namespace axiometry::app {
@@ -109,13 +110,7 @@ Experiment present(const CompensatedAxis& done, const report::Options& options) 
   }
   root.add("limits", limits_to_json(*done.control));
   root.add("verified", verified_to_json(*done.control));
-  Value& findings = root.add("findings", Value::array());
-  for (const NamedFinding& f : done.findings) {
-    Value& item = findings.push(Value::object());
-    item.add("id", f.id);
-    item.add("severity", f.serious ? "serious" : "note");
-    item.add("message", f.message);
-  }
+  root.add("findings", findings_value(done.findings));
   const nc::AxisTable& c = *done.control;
   const report::CompensationSubject subject{done.test,
                                             {c.title, c.sign, c.loading, c.verified, c.inferred},

@@ -7,7 +7,7 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/app/volumetric/findings_json.h"
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"

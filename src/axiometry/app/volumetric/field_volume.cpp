@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "axiometry/app/files/source.h"
-#include "axiometry/app/volumetric/findings_json.h"
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"

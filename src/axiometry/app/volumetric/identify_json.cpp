@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "axiometry/app/files/source.h"
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
-#include "axiometry/app/volumetric/findings_json.h"
 #include "axiometry/app/volumetric/identify_lengths.h"
 #include "axiometry/app/volumetric/rank_json.h"
 #include "axiometry/formats/text/json_members.h"

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
-#include "axiometry/app/volumetric/findings_json.h"
 #include "axiometry/app/volumetric/rank_json.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/volumetric/findings_json.h"
+#include "axiometry/app/results/named_findings_json.h"
 
 namespace axiometry::app {
 
-json::Value findings_value(std::span<const volumetric::VolumetricFinding> findings) {
+json::Value findings_value(std::span<const NamedFinding> findings) {
   json::Value list = json::Value::array();
-  for (const volumetric::VolumetricFinding& f : findings) {
+  for (const NamedFinding& f : findings) {
     json::Value& item = list.push(json::Value::object());
     item.add("id", f.id);
     item.add("severity", f.serious ? "serious" : "note");

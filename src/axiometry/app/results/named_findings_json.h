@@ -4,11 +4,11 @@
 #include <span>
 
 #include "axiometry/base/json.h"
-#include "axiometry/volumetric/identify/identification.h"
+#include "axiometry/model/named_finding.h"
 
 namespace axiometry::app {
 
 /// [{"id", "severity": "serious" or "note", "message"}], in order: docs/results.md, "findings".
-json::Value findings_value(std::span<const volumetric::VolumetricFinding> findings);
+json::Value findings_value(std::span<const NamedFinding> findings);
 
 }  // namespace axiometry::app
