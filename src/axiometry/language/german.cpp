@@ -34,7 +34,8 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_volume_recordings,
                                  german_volume_report,
                                  german_volume_plan,
-                                 german_calibrations};
+                                 german_calibrations,
+                                 german_compensation};
   return tables;
 }
 

@@ -36,6 +36,7 @@ extern const std::span<const Phrase> german_requests;             ///< requests 
 extern const std::span<const Phrase> german_tracking_requests;    ///< and about a tracking interferometer
 extern const std::span<const Phrase> german_volume_recordings;    ///< lengths of a calibration out of several files
 extern const std::span<const Phrase> german_calibrations;         ///< calibrations in the archive
+extern const std::span<const Phrase> german_compensation;         ///< tables by which controls correct an axis
 extern const std::span<const Phrase>
     german_volume_report;  ///< volumetric calibrations: figures, field, predictions, tables
 
