@@ -21,18 +21,23 @@ interface Identified {
 
 export function CalibrationResult({ calibration }: { calibration: KeptCalibration }) {
   if (calibration.kind === 'lines') {
-    return <section class="panel"><Results evaluation={calibration.result as unknown as TrackingEvaluation} /></section>;
+    return (
+      <section class="panel">
+        <header><h2>{t('lines')}</h2></header>
+        <Results evaluation={calibration.result as unknown as TrackingEvaluation} />
+      </section>
+    );
   }
   const result = calibration.result as unknown as Identified;
   return (
     <>
       <VolumePanel figures={calibration.figures} />
-      <section class="panel" aria-labelledby="calibration-findings">
-        <header><h2 id="calibration-findings">{t('findings')}</h2></header>
+      <section class="panel">
+        <header><h2>{t('findings')}</h2></header>
         <TrackingFindings findings={[...result.findings]} />
       </section>
-      <section class="panel" aria-labelledby="calibration-errors">
-        <header><h2 id="calibration-errors">{t('errors')}</h2></header>
+      <section class="panel">
+        <header><h2>{t('errors')}</h2></header>
         <ErrorTable errors={result.errors} />
       </section>
     </>
@@ -48,8 +53,8 @@ function VolumePanel({ figures }: { figures: readonly CalibrationFigure[] }) {
   const figure = (parameter: string, of: string) => figures.find((one) => one.parameter === parameter && one.of === of);
   const unknowns = figure('unknowns', '');
   return (
-    <section class="panel calibration-volume" aria-labelledby="calibration-volume">
-      <header><h2 id="calibration-volume">{t('volume')}</h2><span class="quiet small">{t('volume_how')}</span></header>
+    <section class="panel calibration-volume">
+      <header><h2>{t('volume')}</h2><span class="quiet small">{t('volume_how')}</span></header>
       {tools.length > 0 && (
         <DataTable<string> caption={t('volume')} rows={tools} row_key={(tool) => tool} columns={[
           { key: 'tool', head: t('tool'), row_head: true, cell: (tool) => tool },
