@@ -1,8 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every page there is, on a store with something in it.
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 const of_examples = (name) => fileURLToPath(new URL(`../../examples/${name}`, import.meta.url));
+
+/** Keeps what a transcript of the command line measures: files by what they are for. */
+async function calibrated(world, kind, files) {
+  const form = new FormData();
+  form.append('kind', kind);
+  for (const [role, path] of Object.entries(files)) {
+    const bytes = readFileSync(fileURLToPath(new URL(`../../tests/transcripts/${path}`, import.meta.url)));
+    form.append(role, new Blob([bytes]), path.replace(/.*\//, ''));
+  }
+  const answer = await fetch(`${world.server.address}/api/calibrations`, { method: 'POST', body: form });
+  return (await answer.json()).id;
+}
 
 /** Fills the store of the world; the paths of all pages. */
 export async function visited(world) {
@@ -17,6 +30,8 @@ export async function visited(world) {
     role: 'Laser interferometer', manufacturer: 'Example', type: 'LI-1', serial_number: '1234', certificate: 'C-77',
     calibrated_on: '2026-01-10', calibration_due: '2027-01-10', inputs: {}, notes: '',
   });
+  const lines = await calibrated(world, 'lines', { lengths: 'tracking-evaluate.files/lengths.csv', plan: 'tracking-evaluate.files/seven.json' });
+  const volume = await calibrated(world, 'volumetric', { lengths: 'volumetric.files/lengths.csv', machine: 'volumetric.files/machine.json' });
   const { machines } = await world.api('GET', '/api/machines');
   const machine = machines.find((one) => one.axes.length > 0) ?? machines[0];
   const axis = machine?.axes[0];
@@ -25,7 +40,7 @@ export async function visited(world) {
     '/', `/tests/${first}`, `/tests/${second}`, `/tests/${first}/report`, `/compare?tests=${first},${second},${third}`,
     '/machines', ...(machine ? [`/machines/${machine.id}`] : []), ...(axis ? [`/axes/${axis.id}`] : []),
     '/instruments', `/instruments/${instruments[0].id}`, '/plans', '/plans/new', `/plans/${plan}`,
-    '/tracking', '/volume', '/captures', '/captures/new', `/captures/${capture.id}`, '/settings', '/audit', '/no/such/page',
+    '/tracking', '/volume', '/calibrations', `/calibrations/${lines}`, `/calibrations/${volume}`, '/captures', '/captures/new', `/captures/${capture.id}`, '/settings', '/audit', '/no/such/page',
   ];
 }
 

@@ -87,8 +87,8 @@ function Facts({ calibration }: { calibration: KeptCalibration }) {
 
 function Files({ calibration }: { calibration: KeptCalibration }) {
   return (
-    <section class="panel" aria-labelledby="calibration-files">
-      <header><h2 id="calibration-files">{t('files')}</h2></header>
+    <section class="panel">
+      <header><h2>{t('files')}</h2></header>
       <DataTable<KeptCalibration['files'][number]> caption={t('files')} rows={calibration.files} row_key={({ role }) => role} columns={[
         { key: 'role', head: t('role'), row_head: true, cell: ({ role }) => t(`role_${role as 'lengths'}`) },
         { key: 'name', head: t('file'), cell: ({ role, name }) => <a href={`/api/calibrations/${calibration.id}/files/${role}`} download>{name}</a> },

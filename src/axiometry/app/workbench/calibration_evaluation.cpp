@@ -170,7 +170,7 @@ SuggestedText suggested(const EvaluatedCalibration& evaluated) {
     return {title.empty() ? stem_of(lines->lengths.file) : title, lines->plan.machine, iso_date(date)};
   }
   const auto& found = std::get<IdentifiedMachine>(evaluated);
-  return {stem_of(found.request.lengths), found.machine.name, ""};
+  return {stem_of(found.request.lengths.files.front()), found.machine.name, ""};
 }
 
 store::Calibration calibration_of(std::string_view kind, const EvaluatedCalibration& evaluated) {

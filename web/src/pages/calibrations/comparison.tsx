@@ -15,8 +15,8 @@ export function ComparePanel({ calibration }: { calibration: KeptCalibration }) 
   const list = others.data?.calibrations.filter(({ id }) => id !== calibration.id) ?? [];
   if (other === null && list.length === 0) return null;
   return (
-    <section class="panel" aria-labelledby="calibration-comparison">
-      <header><h2 id="calibration-comparison">{t('comparison')}</h2></header>
+    <section class="panel">
+      <header><h2>{t('comparison')}</h2></header>
       <div class="no-print">
         <Field label={t('compare_with')}>
           {(ids) => (

@@ -11,9 +11,9 @@ export function CalibrationsOfMachine({ machine }: { machine: number }) {
   if (page.error) return <FailureNotice error={page.error} retry={page.reload} />;
   if (!page.data || page.data.total === 0) return null;
   return (
-    <section class="panel" aria-labelledby="machine-calibrations">
+    <section class="panel">
       <header>
-        <h2 id="machine-calibrations">{t('title')}</h2>
+        <h2>{t('title')}</h2>
         <a class="small" href={`/calibrations?machine=${machine}`}>{t('counted', { n: page.data.calibrations.length, total: page.data.total })}</a>
       </header>
       <CalibrationTable rows={page.data.calibrations} with_machine={false} />

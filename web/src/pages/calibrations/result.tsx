@@ -4,10 +4,16 @@ import type { KeptCalibration, TrackingEvaluation, VolumetricResult } from '../.
 import { Results } from '../tracking/results';
 import { VolumeResult } from '../volume/result';
 import '../tracking.css';
+import { t } from './texts';
 
 export function CalibrationResult({ calibration }: { calibration: KeptCalibration }) {
   if (calibration.kind === 'lines') {
-    return <section class="panel"><Results evaluation={calibration.result as unknown as TrackingEvaluation} /></section>;
+    return (
+      <section class="panel">
+        <header><h2>{t('lines')}</h2></header>
+        <Results evaluation={calibration.result as unknown as TrackingEvaluation} />
+      </section>
+    );
   }
   return <VolumeResult result={calibration.result as unknown as VolumetricResult} />;
 }
