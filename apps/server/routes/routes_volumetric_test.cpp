@@ -126,7 +126,7 @@ TEST_F(VolumetricRoutes, bound_what_a_plan_may_cost_before_anything_is_planned) 
 }
 
 TEST_F(VolumetricRoutes, write_the_program_of_each_run_and_the_sheet) {
-  const std::string plan = json::dump(*draft(12).find("plan"));
+  const std::string plan = json::dump(*draft().find("plan"));
   for (const int part : {1, 12}) {
     const Response program =
         send("plan/program", fmt::format(R"({{"plan": {}, "dialect": "linuxcnc", "options": {{"part": {}}}}})", plan,
