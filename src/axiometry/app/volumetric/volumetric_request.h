@@ -23,14 +23,14 @@ namespace axiometry::app {
 /// given_line(), and as machine_from() and plan_volume() do. The date is today's where it is not given.
 Result<volumetric::PlannedCalibration> requested_calibration(const json::Value& body);
 
-/// The plan of {"plan": …}. Fails also on a plan that is larger than requested_calibration() makes one, or has names that are
-/// none.
+/// The plan of {"plan": …}. Fails also on a plan that is larger than requested_calibration() makes one, or has names
+/// that are none.
 Result<volumetric::CalibrationPlan> given_calibration(const json::Value& body);
 
 /// VolumetricDraft, its texts in the reader's language.
 json::Value draft_value(const volumetric::PlannedCalibration& planned, const Reader& reader);
 
-/// {"reversal"}: VolumetricOptions; all may be left out. One thread.
+/// {"reversal"}: none, constant or curves; may be left out. One thread.
 Result<volumetric::IdentifyOptions> identify_options_from(const json::Value& value);
 
 /// identify_lengths() of what a workbench takes: it fails also on more than 200 stations with a tool, 1000 segments or
