@@ -47,8 +47,7 @@ Response json_file(const json::Value& value, std::string_view stem) {
 Response made_text_response(std::string program, bool to_keep, std::string_view file_name) {
   constexpr std::string_view type = "text/plain; charset=utf-8";
   if (to_keep) return download(std::move(program), type, file_name);
-  return {
-      .content_type = std::string(type), .body = std::move(program), .headers = {{"Cache-Control", "no-store"}}};
+  return {.content_type = std::string(type), .body = std::move(program), .headers = {{"Cache-Control", "no-store"}}};
 }
 
 }  // namespace axiometry::server

@@ -156,11 +156,11 @@ Value vocabulary(language::Language language) {
   value.add("writers", list_of(report::writer_table(), [&](const auto* each) { return writer.writer(*each); }));
   value.add("dialects", list_of(nc::dialect_table(), [&](const auto* dialect) { return writer.dialect(*dialect); }));
   value.add("compensations", list_of(formats::compensation_table(), [&](const auto* table) {
-    Value row = writer.named(table->id, table->title);
-    row.add("of_one_tool", table->of_one_tool);
-    row.add("manual", table->manual);
-    return row;
-  }));
+              Value row = writer.named(table->id, table->title);
+              row.add("of_one_tool", table->of_one_tool);
+              row.add("manual", table->manual);
+              return row;
+            }));
   value.add("diagonals", list_of(volumetric::diagonal_names(), [](const std::string& name) { return Value(name); }));
   value.add("corrections", list_of(corrections, [&](const Named& row) { return writer.named(row.id, row.title); }));
   value.add("cycles",

@@ -112,8 +112,8 @@ Result<volumetric::PlannedCalibration> requested_calibration(const Value& body) 
   const bool proposes = request.propose_stations.value_or(file.machine.stations.empty());
   AXIOMETRY_TRY_VOID(check_plan_size(said));
   const std::size_t stations = proposes ? request.options.stations : file.machine.stations.size();
-  AXIOMETRY_TRY_VOID(check_count("points in all runs",
-                                 stations * file.machine.tools.size() * request.options.points, most_points_in_all));
+  AXIOMETRY_TRY_VOID(check_count("points in all runs", stations * file.machine.tools.size() * request.options.points,
+                                 most_points_in_all));
   AXIOMETRY_TRY(request.date, given_line("the date", said.date));
   if (request.date.empty()) request.date = today();
   request.limits = said.limits;
@@ -132,6 +132,26 @@ Result<CalibrationPlan> given_calibration(const Value& body) {
   return plan;
 }
 
+<<<<<<< HEAD
+=======
+Result<volumetric::IdentifyOptions> identify_options_from(const Value& value) {
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "options"));
+  volumetric::IdentifyOptions options;
+  options.threads = 1;
+  std::string reversal = "none";
+  AXIOMETRY_TRY_VOID(members.take("reversal", reversal));
+  if (reversal == "constant")
+    options.reversal = volumetric::Reversal::constant;
+  else if (reversal == "curves")
+    options.reversal = volumetric::Reversal::curves;
+  else if (reversal != "none")
+    return fail(fmt::format("found {}, expected none, constant or curves", text::quoted(reversal)),
+                members.optional("reversal")->at());
+  AXIOMETRY_TRY_VOID(members.finish());
+  return options;
+}
+
+>>>>>>> page
 Result<IdentifiedMachine> identify_presentable(const GivenFile& lengths, const GivenFile& machine,
                                                const volumetric::IdentifyOptions& options) {
   AXIOMETRY_TRY(const formats::MachineFile file, in_file(formats::read_machine(machine.bytes), machine.name));

@@ -23,14 +23,21 @@ namespace axiometry::app {
 /// given_line(), and as machine_from() and plan_volume() do. The date is today's where it is not given.
 Result<volumetric::PlannedCalibration> requested_calibration(const json::Value& body);
 
-/// The plan of {"plan": …}. Fails also on a plan that is larger than requested_calibration() makes one, or has names that are
-/// none.
+/// The plan of {"plan": …}. Fails also on a plan that is larger than requested_calibration() makes one, or has names
+/// that are none.
 Result<volumetric::CalibrationPlan> given_calibration(const json::Value& body);
 
 /// VolumetricDraft, its texts in the reader's language.
 json::Value draft_value(const volumetric::PlannedCalibration& planned, const Reader& reader);
 
+<<<<<<< HEAD
 /// identify_lengths() of what a workbench takes, in one thread: it fails also on more than 200 stations with a tool, 1000 segments or
+=======
+/// {"reversal"}: none, constant or curves; may be left out. One thread.
+Result<volumetric::IdentifyOptions> identify_options_from(const json::Value& value);
+
+/// identify_lengths() of what a workbench takes: it fails also on more than 200 stations with a tool, 1000 segments or
+>>>>>>> page
 /// 16 tools, before anything is computed.
 Result<IdentifiedMachine> identify_presentable(const GivenFile& lengths, const GivenFile& machine,
                                                const volumetric::IdentifyOptions& options);

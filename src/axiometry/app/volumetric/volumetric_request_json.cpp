@@ -33,9 +33,9 @@ Result<void> check_member(const Value& value, const Shown& shown, bool may_be_nu
   if (member == nullptr)
     return fail(fmt::format("found no {}, expected the result of a volumetric calibration", shown.name), value.at());
   if (member->is(shown.kind) || (may_be_null && member->is(Kind::null))) return {};
-  return fail(
-      fmt::format("{}: found {}, expected {}", shown.name, json::kind_name(member->kind()), json::kind_name(shown.kind)),
-      member->at());
+  return fail(fmt::format("{}: found {}, expected {}", shown.name, json::kind_name(member->kind()),
+                          json::kind_name(shown.kind)),
+              member->at());
 }
 
 Result<void> check_rows(const Value& result, std::string_view list, std::initializer_list<Shown> row) {
@@ -99,8 +99,11 @@ Result<Value> given_result(const Value& body, const Reader& reader) {
   AXIOMETRY_TRY_VOID(check_rows(*result, "unseen", {}));
   for (const Value& name : result->find("unseen")->items()) AXIOMETRY_TRY_VOID(formats::text_in(name, "unseen"));
   AXIOMETRY_TRY_VOID(check_rows(*result, "stations",
-                                {{"station", Kind::text}, {"tool", Kind::text}, {"readings", Kind::number},
-                                 {"rms_um", Kind::number}, {"normalised_rms", Kind::number}}));
+                                {{"station", Kind::text},
+                                 {"tool", Kind::text},
+                                 {"readings", Kind::number},
+                                 {"rms_um", Kind::number},
+                                 {"normalised_rms", Kind::number}}));
   for (const Value& station : result->find("stations")->items()) {
     AXIOMETRY_TRY_VOID(check_member(station, {"position_mm", Kind::array}, false));
     AXIOMETRY_TRY_VOID(formats::vector_in(*station.find("position_mm"), "position_mm"));

@@ -18,8 +18,8 @@ namespace axiometry::report {
 namespace {
 
 using volumetric::CalibrationPlan;
-using volumetric::ExpectedError;
 using volumetric::Expectation;
+using volumetric::ExpectedError;
 using volumetric::NamedStation;
 using volumetric::PlannedRun;
 using volumetric::PlannedStop;
@@ -58,14 +58,11 @@ class CalibrationSheet {
     return fmt::format("X {}, Y {}, Z {}", shown_short(v.x, options_), shown_short(v.y, options_),
                        shown_short(v.z, options_));
   }
-  TableCell told(const std::optional<double>& u) const {
-    return u ? text_cell(number(*u, 2)) : text_cell("not told");
-  }
+  TableCell told(const std::optional<double>& u) const { return u ? text_cell(number(*u, 2)) : text_cell("not told"); }
 
   Notice status() const {
     const std::size_t told = volumetric::error_names().size() - planned_.expected.unseen.size();
-    const bool serious =
-        std::ranges::any_of(planned_.findings, &volumetric::VolumetricFinding::serious);
+    const bool serious = std::ranges::any_of(planned_.findings, &volumetric::VolumetricFinding::serious);
     return {serious ? Tone::caution : Tone::good,
             plain(fmt::format("{} of 21 errors will be told by {} lengths", told, planned_.expected.readings)),
             serious ? std::vector<RichText>{plain("Read the findings before the plan is measured.")}
@@ -86,9 +83,10 @@ class CalibrationSheet {
                             text_cell(fmt::format("{}", run.stops.size())), text_cell(fmt::format("{}", lost)),
                             run.stops.empty() ? text_cell("–") : text_cell(place(run.stops.front().axes_mm))});
     }
-    table.notes = {plain(
-        "A run is one program: one station with one tool. Between programs the instrument is moved or the tool changed. "
-        "Where the beam is lost the program stops until it is found again, and another segment begins.")};
+    table.notes = {
+        plain("A run is one program: one station with one tool. Between programs the instrument is moved or the tool "
+              "changed. "
+              "Where the beam is lost the program stops until it is found again, and another segment begins.")};
     return table;
   }
 
@@ -144,8 +142,8 @@ class CalibrationSheet {
     }
     layout.obstacles = plan_.obstacles;
     layout.title = "Layout of the test";
-    layout.description = fmt::format("Reach of the reflector with all tools, and {} stations.",
-                                     plan_.machine.stations.size());
+    layout.description =
+        fmt::format("Reach of the reflector with all tools, and {} stations.", plan_.machine.stations.size());
     return layout_figure(layout, options_);
   }
 
@@ -155,11 +153,11 @@ class CalibrationSheet {
     facts.facts.push_back(
         fact("Directions of which the lengths say nothing", fmt::format("{}", expected.rank.null_directions)));
     for (const volumetric::ExpectedTool& tool : expected.tools)
-      facts.facts.push_back(
-          {plain(fmt::format("Tool point, {}", plan_.machine.tools[tool.tool].name)),
-           tool.u_rms_um ? text_cell(fmt::format("u = {} µm, at most {} µm", number(*tool.u_rms_um, 2),
-                                                 number(tool.u_most_um.value_or(0.0), 2)))
-                         : text_cell("not told")});
+      facts.facts.push_back({plain(fmt::format("Tool point, {}", plan_.machine.tools[tool.tool].name)),
+                             tool.u_rms_um
+                                 ? text_cell(fmt::format("u = {} µm, at most {} µm", number(*tool.u_rms_um, 2),
+                                                         number(tool.u_most_um.value_or(0.0), 2)))
+                                 : text_cell("not told")});
     return facts;
   }
 

@@ -114,7 +114,7 @@ function Taken({ found }: { found: Found }) {
     set_error(null);
     try {
       const answer = await made_of_files(`/api/volumetric/identification/${path}${query({ language: language.value, decimal: decimal.value })}`, form_of(found.sent));
-      offer(await answer.blob(), name);
+      offer(new Blob([await answer.arrayBuffer()]), name);
     } catch (thrown) {
       set_error(failure_of(thrown));
     }
