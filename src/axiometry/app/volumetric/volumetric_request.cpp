@@ -132,26 +132,6 @@ Result<CalibrationPlan> given_calibration(const Value& body) {
   return plan;
 }
 
-<<<<<<< HEAD
-=======
-Result<volumetric::IdentifyOptions> identify_options_from(const Value& value) {
-  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "options"));
-  volumetric::IdentifyOptions options;
-  options.threads = 1;
-  std::string reversal = "none";
-  AXIOMETRY_TRY_VOID(members.take("reversal", reversal));
-  if (reversal == "constant")
-    options.reversal = volumetric::Reversal::constant;
-  else if (reversal == "curves")
-    options.reversal = volumetric::Reversal::curves;
-  else if (reversal != "none")
-    return fail(fmt::format("found {}, expected none, constant or curves", text::quoted(reversal)),
-                members.optional("reversal")->at());
-  AXIOMETRY_TRY_VOID(members.finish());
-  return options;
-}
-
->>>>>>> page
 Result<IdentifiedMachine> identify_presentable(const GivenFile& lengths, const GivenFile& machine,
                                                const volumetric::IdentifyOptions& options) {
   AXIOMETRY_TRY(const formats::MachineFile file, in_file(formats::read_machine(machine.bytes), machine.name));
