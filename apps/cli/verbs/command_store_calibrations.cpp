@@ -196,7 +196,8 @@ void add_calibrate(const Verb& store, int& exit_code) {
   verb->add_option("--station", made->station, "Of lines: the station as it was located")->type_name("FILE");
   verb->add_option("--machine", made->machine, "Of the 21 errors: the machine, its tools and the instrument")
       ->type_name("FILE");
-  verb->add_option("--options", made->options, "How it is evaluated, as JSON (docs/howto/keep-a-calibration.md)")->type_name("FILE");
+  verb->add_option("--options", made->options, "How it is evaluated, as JSON (docs/howto/keep-a-calibration.md)")
+      ->type_name("FILE");
   verb->add_option("--title", made->title, "Title (as the files say)");
   verb->add_option("--measured-on", made->measured_on, "Date, 2026-01-31 (as the files say)")->type_name("DATE");
   verb->add_option("--notes", made->notes, "Notes");
