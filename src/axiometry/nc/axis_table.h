@@ -16,7 +16,7 @@ namespace axiometry::nc {
 
 /// What stands in a table beside its values, or must be known of the control to read them.
 struct AxisTableOptions {
-  std::string axis = "X";       ///< as the control names it
+  std::string axis = "X";  ///< as the control names it
   AxisKind kind = AxisKind::linear;
   bool in_inch = false;         ///< of a linear axis: the control's unit of length
   unsigned number = 0;          ///< of the table, encoder, joint or first point, as the control counts
@@ -38,7 +38,7 @@ enum class TableOrigin {
 
 /// How many positions, and where. 0: nothing is known to limit it.
 struct AxisTableLimits {
-  std::size_t points = 0;    ///< 1: no table, a backlash alone; 2: a scale factor and a backlash
+  std::size_t points = 0;  ///< 1: no table, a backlash alone; 2: a scale factor and a backlash
   bool equidistant = false;
   double step_native = 0.0;  ///< the only spacing that there is, mm
   TableOrigin origin = TableOrigin::anywhere;
@@ -53,10 +53,10 @@ struct AxisTable {
   std::string_view extension;  ///< of its files: ".comp"
   TableCurves curves = TableCurves::both_ways;
   AxisTableLimits limits;
-  std::string_view sign;       ///< what a positive number in the file does, a sentence
-  std::string_view loading;    ///< how the table gets into the control and becomes active, sentences
-  std::string_view verified;   ///< what of this format was seen in a file, a source or a manual
-  std::string_view inferred;   ///< what was not; "" where nothing
+  std::string_view sign;      ///< what a positive number in the file does, a sentence
+  std::string_view loading;   ///< how the table gets into the control and becomes active, sentences
+  std::string_view verified;  ///< what of this format was seen in a file, a source or a manual
+  std::string_view inferred;  ///< what was not; "" where nothing
 
   /// The file. Fails on what the control cannot hold, saying what it can.
   Result<std::string> (*write)(const AxisCorrection& correction, const AxisTableOptions& options);

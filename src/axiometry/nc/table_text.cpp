@@ -78,8 +78,8 @@ Result<void> check_limits(const AxisCorrection& correction, const AxisTable& tab
   const AxisTableLimits& limits = table.limits;
   const bool is_linear = correction.kind() == AxisKind::linear;
   if (is_linear ? !limits.linear : !limits.rotary)
-    return fail(fmt::format("found a {} axis, which {} has no such table for", axis_kind_name(correction.kind()),
-                            table.title));
+    return fail(
+        fmt::format("found a {} axis, which {} has no such table for", axis_kind_name(correction.kind()), table.title));
   const std::vector<double>& positions = correction.positions();
   if (limits.points > 0 && positions.size() > limits.points)
     return fail(fmt::format("found {} positions, expected at most {}, which is what {} takes", positions.size(),
@@ -95,8 +95,8 @@ Result<void> check_limits(const AxisCorrection& correction, const AxisTable& tab
   if (!limits.equidistant) return {};
   const auto step = common_step(positions);
   if (!step)
-    return fail(fmt::format("found positions of uneven spacing, expected an even one, which is what {} takes",
-                            table.title));
+    return fail(
+        fmt::format("found positions of uneven spacing, expected an even one, which is what {} takes", table.title));
   if (limits.step_native > 0.0 && std::abs(*step - limits.step_native) > 1e-6)
     return fail(fmt::format("found a spacing of {}, expected {}, the only one of {}", format_exact(*step),
                             format_exact(limits.step_native), table.title));
@@ -113,18 +113,20 @@ Result<void> check_origin(const AxisCorrection& correction, const AxisTable& tab
                     : table.limits.origin == TableOrigin::last ? std::abs(reference - positions.back()) <= slack_native
                                                                : std::abs(steps - std::round(steps)) <= slack_native;
   if (!fits)
-    return fail(fmt::format("found the reference point at {} and positions from {} to {}, expected it {}, which is what "
-                            "{} needs",
-                            format_exact(reference), format_exact(positions.front()), format_exact(positions.back()),
-                            table.limits.origin == TableOrigin::first  ? "at the first"
-                            : table.limits.origin == TableOrigin::last ? "at the last"
-                                                                       : "a whole number of steps from them",
-                            table.title));
+    return fail(
+        fmt::format("found the reference point at {} and positions from {} to {}, expected it {}, which is what "
+                    "{} needs",
+                    format_exact(reference), format_exact(positions.front()), format_exact(positions.back()),
+                    table.limits.origin == TableOrigin::first  ? "at the first"
+                    : table.limits.origin == TableOrigin::last ? "at the last"
+                                                               : "a whole number of steps from them",
+                    table.title));
   const double there = correction.at(reference, Direction::up);
   if (std::abs(there) > slack_deviation)
-    return fail(fmt::format("found a correction of {} at the reference point, expected 0, which is all that {} can have "
-                            "there",
-                            format_exact(there), table.title));
+    return fail(
+        fmt::format("found a correction of {} at the reference point, expected 0, which is all that {} can have "
+                    "there",
+                    format_exact(there), table.title));
   return {};
 }
 
@@ -132,7 +134,8 @@ Result<void> check_axis_word(const AxisTableOptions& options) {
   constexpr std::string_view allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_";
   const std::string_view axis = options.axis;
   if (!axis.empty() && axis.size() <= 32 && axis.find_first_not_of(allowed) == std::string_view::npos) return {};
-  return fail(fmt::format("found the axis {}, expected its name in the control: letters and digits", text::quoted(axis)));
+  return fail(
+      fmt::format("found the axis {}, expected its name in the control: letters and digits", text::quoted(axis)));
 }
 
 bool is_whole_turn(const AxisCorrection& correction) {

@@ -64,6 +64,9 @@ Result<std::vector<double>> nodes_of(const Setting& s) {
   const nc::AxisTableLimits& limits = s.control.limits;
   if (limits.points == 1) return std::vector{s.options.reference};
   if (s.existing && !is_wished(s.request.grid)) return s.existing->positions();
+  if (const std::vector<double> targets = target_positions(s.series);
+      limits.points == 2 && !is_wished(s.request.grid) && targets.size() > 1)
+    return std::vector{targets.front(), targets.back()};
   compensation::GridRequest wish = s.request.grid;
   compensation::GridLimits allowed{limits.points, limits.equidistant, limits.step_native, {}};
   if (limits.origin != nc::TableOrigin::anywhere) allowed.anchor = s.options.reference;
@@ -80,8 +83,12 @@ Result<compensation::Fit> table_by(const Setting& s, compensation::Method method
   if (s.existing) {
     AXIOMETRY_TRY(fit.correction, compensation::updated(*s.existing, fit.correction));
   }
+  if (s.control.limits.closes) {
+    AXIOMETRY_TRY(fit.correction, compensation::closed_turn(fit.correction));
+  }
   const double zero = std::clamp(s.options.reference, s.nodes.front(), s.nodes.back());
-  AXIOMETRY_TRY(fit.correction, compensation::with_zero_at(fit.correction, s.curves, zero));
+  const TableCurves zeroed = s.control.limits.zero_upwards ? TableCurves::with_backlash : s.curves;
+  AXIOMETRY_TRY(fit.correction, compensation::with_zero_at(fit.correction, zeroed, zero));
   return fit;
 }
 
@@ -146,6 +153,7 @@ Result<CompensatedAxis> compensate(const CompensateRequest& request) {
   Setting s{request, test.series, *control, request.table, {}, request.curves.value_or(control->curves)};
   s.options.kind = test.metadata.axis.kind;
   s.options.axis = !request.axis.empty() ? request.axis : !test.metadata.axis.name.empty() ? test.metadata.axis.name : "X";
+  s.options.step = request.grid.step.value_or(0.0);
   if (!request.existing.empty()) {
     AXIOMETRY_TRY(s.existing, read_axis_table(request.existing, *control, s.options));
   }

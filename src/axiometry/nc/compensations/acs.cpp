@@ -35,13 +35,14 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   std::string text = comment_lines("!", sign);
   fmt::format_to(std::back_inserter(text), "GLOBAL REAL {}({})\n", name, positions.size());
   for (std::size_t k = 0; k < positions.size(); ++k)
-    fmt::format_to(std::back_inserter(text), "{}({})={}\n", name, k,
-                   fixed_number(correction.values(Direction::up)[k] * unit_per_deviation(options),
-                                table_decimals(options)));
-  fmt::format_to(std::back_inserter(text),
-                 "MFLAGS({0}).#DEFCON=0\nCONNECT RPOS({0})=APOS({0})+MAP(APOS({0}),{1},{2},{3})\nDEPENDS {0},{0}\nSTOP\n",
-                 options.number, name, trimmed_fixed(positions.front() / unit, table_decimals(options)),
-                 trimmed_fixed(*step / unit, table_decimals(options) + 2));
+    fmt::format_to(
+        std::back_inserter(text), "{}({})={}\n", name, k,
+        fixed_number(correction.values(Direction::up)[k] * unit_per_deviation(options), table_decimals(options)));
+  fmt::format_to(
+      std::back_inserter(text),
+      "MFLAGS({0}).#DEFCON=0\nCONNECT RPOS({0})=APOS({0})+MAP(APOS({0}),{1},{2},{3})\nDEPENDS {0},{0}\nSTOP\n",
+      options.number, name, trimmed_fixed(positions.front() / unit, table_decimals(options)),
+      trimmed_fixed(*step / unit, table_decimals(options) + 2));
   return text;
 }
 
@@ -55,7 +56,8 @@ struct Program {
 Result<void> take_connect(const TableLine& line, const AxisTableOptions& options, Program& program) {
   const std::string head = fmt::format("CONNECT RPOS({0})=APOS({0})+MAP(APOS({0}),", options.number);
   constexpr std::string_view expected = "CONNECT RPOS(AXIS)=APOS(AXIS)+MAP(APOS(AXIS),NAME,START,STEP) of this axis";
-  if (!line.text.starts_with(head) || !line.text.ends_with(')') || program.start_and_step) return refused(line, expected);
+  if (!line.text.starts_with(head) || !line.text.ends_with(')') || program.start_and_step)
+    return refused(line, expected);
   const auto parts = text::split(line.text.substr(head.size(), line.text.size() - head.size() - 1), ',');
   if (parts.size() != 3 || text::trim(parts[0]) != program.name) return refused(line, expected);
   const auto start = parse_number(text::trim(parts[1])), step = parse_number(text::trim(parts[2]));
@@ -97,7 +99,8 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
   }
   if (!program.start_and_step) return fail("found no CONNECT of this axis, expected one");
   if (std::ssize(program.points) != program.size)
-    return fail(fmt::format("found {} points, expected {}, the size of the array", program.points.size(), program.size));
+    return fail(
+        fmt::format("found {} points, expected {}, the size of the array", program.points.size(), program.size));
   std::vector<double> values;
   for (const auto& [k, value] : program.points) values.push_back(value / unit_per_deviation(options));
   std::vector<double> down = values;
@@ -116,9 +119,11 @@ const AxisTable acs_axis_table = {
     .curves = TableCurves::both_ways,
     .limits = {.equidistant = true, .closes = true},
     .sign = acs::sign,
-    .loading = "Load it into a buffer and run that once the axis is homed, as part of the start. --number is the axis of "
-               "the controller; the table is in its user units, mm (or inch) and degrees.",
-    .verified = "The commands, and that the table is added to the command of the motor: a script in use that writes them.",
+    .loading =
+        "Load it into a buffer and run that once the axis is homed, as part of the start. --number is the axis of "
+        "the controller; the table is in its user units, mm (or inch) and degrees.",
+    .verified =
+        "The commands, and that the table is added to the command of the motor: a script in use that writes them.",
     .inferred = "That the ends hold beyond the table.",
     .write = acs::write,
     .read = acs::read,

@@ -48,7 +48,8 @@ struct Head {
 };
 
 Result<Head> head_of(const TableLine& line, const AxisTableOptions& options) {
-  constexpr std::string_view expected = ":START AXIS POSUNIT=PRIMARY CORUNIT=PRIMARY/1000 SAMPDIST=NUMBER OFFSET=NUMBER";
+  constexpr std::string_view expected =
+      ":START AXIS POSUNIT=PRIMARY CORUNIT=PRIMARY/1000 SAMPDIST=NUMBER OFFSET=NUMBER";
   const std::vector<std::string_view> words = text::words(line.text);
   if (words.size() < 2 || words[0] != ":START") return refused(line, expected);
   if (!text::equal_ignoring_case(words[1], options.axis))
@@ -110,12 +111,15 @@ const AxisTable aerotech_axis_table = {
     .curves = TableCurves::both_ways,
     .limits = {.equidistant = true, .closes = true},
     .sign = aerotech::sign,
-    .loading = "Name it among the calibration files of the controller, switch the calibration of the axis on, reset the "
-               "controller, and home the axis: calibration is active once it is homed.",
-    .verified = "That tables are text in UTF-8, add to the axis, are linear between points, hold their ends, and serve both "
-                "directions alike: the control's help.",
-    .inferred = "The keywords, what OFFSET counts from, and the sign: a program that is in use writes the deviation itself, "
-                "which would be the opposite. A re-test after loading tells it; NEGCOR in the head turns it round.",
+    .loading =
+        "Name it among the calibration files of the controller, switch the calibration of the axis on, reset the "
+        "controller, and home the axis: calibration is active once it is homed.",
+    .verified =
+        "That tables are text in UTF-8, add to the axis, are linear between points, hold their ends, and serve both "
+        "directions alike: the control's help.",
+    .inferred =
+        "The keywords, what OFFSET counts from, and the sign: a program that is in use writes the deviation itself, "
+        "which would be the opposite. A re-test after loading tells it; NEGCOR in the head turns it round.",
     .write = aerotech::write,
     .read = aerotech::read,
     .recognises = [](std::string_view text) { return text.substr(0, 1024).find(":START ") != text.npos; },

@@ -34,8 +34,9 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   std::vector<std::string> down(count);
   for (std::size_t k = 0; k < count; ++k) down[k] = correction.same_both_ways() ? zero : error(k, Direction::down);
   if (!correction.same_both_ways() && std::ranges::all_of(down, [&](const std::string& x) { return x == zero; }))
-    return fail("found no error in the negative direction at all, which the 8055 takes for that of the positive one, "
-                "expected one of 0.0001 at least");
+    return fail(
+        "found no error in the negative direction at all, which the 8055 takes for that of the positive one, "
+        "expected one of 0.0001 at least");
   std::string text = fmt::format("; {} LSCRWCOM (P15) = ON, NPOINTS (P16) = {}\n", options.axis, count) +
                      comment_lines(";", fagor_axis_table.sign);
   for (std::size_t k = 0; k < count; ++k)
@@ -77,12 +78,15 @@ const AxisTable fagor_axis_table = {
     .curves = TableCurves::each_way,
     .limits = {.points = 1000, .closes = true},
     .sign = "A positive number moves the axis in the negative direction: it is the error, what is too far (inferred).",
-    .loading = "Set P15 (LSCRWCOM) of the axis to ON and P16 (NPOINTS) to the number of points, enter the points in the "
-               "table of leadscrew errors, and reset the control. Positions are from machine zero.",
-    .verified = "P15, P16, at most 1000 points, one error for each direction, that zeros in the negative direction mean the "
-                "same as in the positive one, that 0 and 360 degrees are equal: the manual.",
-    .inferred = "That the error is actual less commanded, as the manual's word for it says. It is a list to enter by hand; "
-                "the layout of a file was not seen.",
+    .loading =
+        "Set P15 (LSCRWCOM) of the axis to ON and P16 (NPOINTS) to the number of points, enter the points in the "
+        "table of leadscrew errors, and reset the control. Positions are from machine zero.",
+    .verified =
+        "P15, P16, at most 1000 points, one error for each direction, that zeros in the negative direction mean the "
+        "same as in the positive one, that 0 and 360 degrees are equal: the manual.",
+    .inferred =
+        "That the error is actual less commanded, as the manual's word for it says. It is a list to enter by hand; "
+        "the layout of a file was not seen.",
     .write = fagor::write,
     .read = fagor::read,
     .recognises = [](std::string_view text) { return text.substr(0, 128).find("LSCRWCOM") != text.npos; },

@@ -14,12 +14,9 @@ const AxisTable fanuc_axis_table = {
     .loading = fanuc::loading,
     .verified = fanuc::verified,
     .inferred = fanuc::inferred,
-    .write =
-        [](const AxisCorrection& correction, const AxisTableOptions& options) {
-          return fanuc::write(correction, options, fanuc_axis_table, false);
-        },
-    .read = [](std::string_view text,
-               const AxisTableOptions& options) { return fanuc::read(text, options, false); },
+    .write = [](const AxisCorrection& correction,
+                const AxisTableOptions& options) { return fanuc::write(correction, options, fanuc_axis_table, false); },
+    .read = [](std::string_view text, const AxisTableOptions& options) { return fanuc::read(text, options, false); },
     .recognises = fanuc::recognises,
 };
 

@@ -9,7 +9,8 @@ const AxisTable fanuc_bidirectional_axis_table = {
     .title = "Fanuc, stored pitch errors of each direction",
     .extension = ".txt",
     .curves = TableCurves::each_way,
-    .limits = {.points = 1024, .equidistant = true, .origin = TableOrigin::on_grid, .zero_upwards = true, .closes = true},
+    .limits =
+        {.points = 1024, .equidistant = true, .origin = TableOrigin::on_grid, .zero_upwards = true, .closes = true},
     .sign = fanuc::sign,
     .loading = fanuc::loading,
     .verified = fanuc::verified,
@@ -18,8 +19,7 @@ const AxisTable fanuc_bidirectional_axis_table = {
         [](const AxisCorrection& correction, const AxisTableOptions& options) {
           return fanuc::write(correction, options, fanuc_bidirectional_axis_table, true);
         },
-    .read = [](std::string_view text,
-               const AxisTableOptions& options) { return fanuc::read(text, options, true); },
+    .read = [](std::string_view text, const AxisTableOptions& options) { return fanuc::read(text, options, true); },
     .recognises = fanuc::recognises,
 };
 

@@ -15,7 +15,8 @@
 namespace axiometry::nc::fanuc {
 namespace {
 
-/// Data of one direction, less what is added at the reference point, from the point `first` on. A whole turn has the number of its last point at the first one too.
+/// Data of one direction, less what is added at the reference point, from the point `first` on. A whole turn has the
+/// number of its last point at the first one too.
 Result<void> write_points(std::string& text, const AxisCorrection& correction, Direction direction, double at_reference,
                           long long first, const AxisTableOptions& options) {
   const double count = options.resolution * options.magnification;
@@ -25,8 +26,9 @@ Result<void> write_points(std::string& text, const AxisCorrection& correction, D
   for (double& value : values) value -= at_reference;
   AXIOMETRY_TRY(const std::vector<long long> data,
                 increments::of_curve(correction.positions(), values, count,
-                                     {-most, most, unit, "a larger --magnification, a shorter --step, or --largest 127 "
-                                                         "where the control takes more"}));
+                                     {-most, most, unit,
+                                      "a larger --magnification, a shorter --step, or --largest 127 "
+                                      "where the control takes more"}));
   if (is_whole_turn(correction)) fmt::format_to(std::back_inserter(text), "N{}P{}\n", 10'000 + first++, data.back());
   for (const long long increment : data)
     fmt::format_to(std::back_inserter(text), "N{}P{}\n", 10'000 + first++, increment);
@@ -63,21 +65,23 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   const long long reversal = counts(correction.at(options.reference, Direction::down), options.resolution);
   constexpr long long reversal_most = 32'767;
   if (each_way && std::abs(reversal) > reversal_most)
-    return fail(fmt::format("found {} detection units at the reference point in the negative direction, expected at most "
-                            "{}", reversal, reversal_most));
+    return fail(
+        fmt::format("found {} detection units at the reference point in the negative direction, expected at most "
+                    "{}",
+                    reversal, reversal_most));
   std::string text = "%\n";
   AXIOMETRY_TRY_VOID(write_points(text, correction, Direction::up, 0.0, first, options));
   if (each_way)
     AXIOMETRY_TRY_VOID(write_points(text, correction, Direction::down,
                                     options.resolution * static_cast<double>(reversal), last + 1, options));
-  fmt::format_to(std::back_inserter(text),
-                 "%\n({} : NOT READ BY THE CONTROL, TO BE SET BY HAND)\n(DETECTION UNIT {} {})\n3605#0 = {}\n3620 = {}\n"
-                 "3621 = {}\n3622 = {}\n3623 = {}\n3624 = {}\n",
-                 options.axis, trimmed_fixed(options.resolution, 6), deviation_unit_key(options.kind),
-                 each_way ? 1 : 0, reference, first, last, options.magnification, trimmed_fixed(*step, 6));
+  fmt::format_to(
+      std::back_inserter(text),
+      "%\n({} : NOT READ BY THE CONTROL, TO BE SET BY HAND)\n(DETECTION UNIT {} {})\n3605#0 = {}\n3620 = {}\n"
+      "3621 = {}\n3622 = {}\n3623 = {}\n3624 = {}\n",
+      options.axis, trimmed_fixed(options.resolution, 6), deviation_unit_key(options.kind), each_way ? 1 : 0, reference,
+      first, last, options.magnification, trimmed_fixed(*step, 6));
   if (turns) text += "3625 = 360.0\n";
-  if (each_way)
-    fmt::format_to(std::back_inserter(text), "3626 = {}\n3627 = {}\n", last + 1, reversal);
+  if (each_way) fmt::format_to(std::back_inserter(text), "3626 = {}\n3627 = {}\n", last + 1, reversal);
   for (const std::string_view line : {sign, std::string_view("3624 is in mm or degrees. Choose the numbers so that no "
                                                              "other axis is overwritten.")})
     fmt::format_to(std::back_inserter(text), "({})\n", line);

@@ -25,10 +25,12 @@ inline constexpr std::string_view verified =
     "magnification, that one is a signed byte, that a switch off and on is needed: reports and manuals of the 0i and "
     "15i, the header of FOCAS.";
 inline constexpr std::string_view inferred =
-    "That the data are written as N10000 and the point's number, that a point's number is used from the point before to "
+    "That the data are written as N10000 and the point's number, that a point's number is used from the point before "
+    "to "
     "it, that older controls take -7 to 7 (--largest 127 for those that take more), and the units of the parameters.";
 inline constexpr std::string_view inferred_of_each_way =
-    "As for one curve. That points of the negative direction count from 3626 in the same order and sign, and that 3627 is "
+    "As for one curve. That points of the negative direction count from 3626 in the same order and sign, and that 3627 "
+    "is "
     "what is added at the reference point in the negative direction, in detection units without the magnification.";
 
 Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options, const AxisTable& table,

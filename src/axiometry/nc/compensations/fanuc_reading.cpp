@@ -89,7 +89,8 @@ Result<Frame> frame_of(const Tape& tape, const AxisTableOptions& options, bool e
   Frame f;
   f.turns = tape.has(3625);
   f.step = tape.parameter(3624, options.step);
-  if (!(f.step > 0.0)) return fail("found no spacing, expected parameter 3624 behind the points, or a step beside them");
+  if (!(f.step > 0.0))
+    return fail("found no spacing, expected parameter 3624 behind the points, or a step beside them");
   if (tape.points.empty()) return fail("found no point, expected at least one");
   f.detection_unit = options.resolution;
   f.count = options.resolution * tape.parameter(3623, options.magnification);

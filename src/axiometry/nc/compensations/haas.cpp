@@ -27,9 +27,10 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY_VOID(check_limits(correction, haas_axis_table));
   AXIOMETRY_TRY_VOID(check_axis_word(options));
   AXIOMETRY_TRY_VOID(check_origin(correction, haas_axis_table, options.reference));
-  std::string text = fmt::format("; {}: entry, 0.0001 inch; entry 1 is at machine zero, each half an inch further down\n",
-                                 options.axis) +
-                     comment_lines(";", haas_axis_table.sign);
+  std::string text =
+      fmt::format("; {}: entry, 0.0001 inch; entry 1 is at machine zero, each half an inch further down\n",
+                  options.axis) +
+      comment_lines(";", haas_axis_table.sign);
   const std::vector<double>& values = correction.values(Direction::up);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double value = values[values.size() - 1 - k];
@@ -76,16 +77,19 @@ const AxisTable haas_axis_table = {
                .origin = TableOrigin::last,
                .rotary = false},
     .sign = "A positive number moves the axis in the positive direction: it is added (inferred).",
-    .loading = "Enter the numbers on the page of the axis' leadscrew compensation, which the maker's settings unlock, and "
-               "home the axis. --resolution is one encoder step, of which an entry holds at most 127.",
-    .verified = "Half an inch between entries, 0.0001 inch, the first entry at machine zero and the others in the negative "
-                "direction, 127 encoder steps, 256 entries inside: the manual of 1999.",
+    .loading =
+        "Enter the numbers on the page of the axis' leadscrew compensation, which the maker's settings unlock, and "
+        "home the axis. --resolution is one encoder step, of which an entry holds at most 127.",
+    .verified =
+        "Half an inch between entries, 0.0001 inch, the first entry at machine zero and the others in the negative "
+        "direction, 127 encoder steps, 256 entries inside: the manual of 1999.",
     .inferred = "The sign. A re-test after entering it tells it. It is a list to enter by hand.",
     .write = haas::write,
     .read = haas::read,
-    .recognises = [](std::string_view text) {
-      return text.starts_with("; ") && text.substr(0, 64).find(": entry, 0.0001 inch") != text.npos;
-    },
+    .recognises =
+        [](std::string_view text) {
+          return text.starts_with("; ") && text.substr(0, 64).find(": entry, 0.0001 inch") != text.npos;
+        },
 };
 
 }  // namespace axiometry::nc

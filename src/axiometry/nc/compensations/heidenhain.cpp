@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Table of nonlinear axis errors of HEIDENHAIN controls (*.COM): positions from the machine datum, the values of the axis
-// in the column of its name, those of the negative direction in BACKLASH. config.cma names the table for the axis.
+// Table of nonlinear axis errors of HEIDENHAIN controls (*.COM): positions from the machine datum, the values of the
+// axis in the column of its name, those of the negative direction in BACKLASH. config.cma names the table for the axis.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -25,8 +25,9 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY_VOID(check_axis_word(options));
   const std::vector<double>& positions = correction.positions();
   if (options.kind == AxisKind::rotary && (positions.front() < 0.0 || positions.back() > 360.0))
-    return fail(fmt::format("found positions from {} to {}, expected 0 to 360, all that the control uses of a rotary axis",
-                            format_exact(positions.front()), format_exact(positions.back())));
+    return fail(
+        fmt::format("found positions from {} to {}, expected 0 to 360, all that the control uses of a rotary axis",
+                    format_exact(positions.front()), format_exact(positions.back())));
   const int decimals = table_decimals(options);
   std::string text = fmt::format("BEGIN {}.COM {}\nNR AXISPOS BACKLASH {}\n", options.axis,
                                  options.in_inch ? "INCH" : "MM", options.axis);
@@ -82,19 +83,23 @@ const AxisTable heidenhain_axis_table = {
     .curves = TableCurves::each_way,
     .limits = {.closes = true},
     .sign = "A positive number moves the axis in the negative direction: it is what is too far (inferred).",
-    .loading = "Copy the values into a .COM table of the control, name it in the axis' column of config.cma (.CMA), mark "
-               "that line active, and switch the nonlinear compensation of the axis on (MP730 of older controls). Positions "
-               "are from the machine datum. Older controls want spacings of a power of two times 0.0001 mm and steps "
-               "between neighbours of at most a 64th of the spacing.",
-    .verified = "The columns AXISPOS, BACKLASH (values of the negative direction) and one of the axis' name, config.cma, "
-                "that a rotary axis has 0 to 360: pages of technical manuals.",
-    .inferred = "The sign; that BACKLASH holds the whole value of the negative direction and not the difference; the lines "
-                "of the head and the widths of the columns. A re-test after loading tells sign and BACKLASH.",
+    .loading =
+        "Copy the values into a .COM table of the control, name it in the axis' column of config.cma (.CMA), mark "
+        "that line active, and switch the nonlinear compensation of the axis on (MP730 of older controls). Positions "
+        "are from the machine datum. Older controls want spacings of a power of two times 0.0001 mm and steps "
+        "between neighbours of at most a 64th of the spacing.",
+    .verified =
+        "The columns AXISPOS, BACKLASH (values of the negative direction) and one of the axis' name, config.cma, "
+        "that a rotary axis has 0 to 360: pages of technical manuals.",
+    .inferred =
+        "The sign; that BACKLASH holds the whole value of the negative direction and not the difference; the lines "
+        "of the head and the widths of the columns. A re-test after loading tells sign and BACKLASH.",
     .write = heidenhain::write,
     .read = heidenhain::read,
-    .recognises = [](std::string_view text) {
-      return text.starts_with("BEGIN ") && text.substr(0, 256).find("AXISPOS") != text.npos;
-    },
+    .recognises =
+        [](std::string_view text) {
+          return text.starts_with("BEGIN ") && text.substr(0, 256).find("AXISPOS") != text.npos;
+        },
 };
 
 }  // namespace axiometry::nc

@@ -25,7 +25,8 @@ namespace mitsubishi {
 namespace {
 
 constexpr std::string_view sign =
-    "A positive number moves the axis in the positive direction, on its way from the point before to its own, by half of "
+    "A positive number moves the axis in the positive direction, on its way from the point before to its own, by half "
+    "of "
     "so many output units.";
 constexpr long long first_number = 4101, last_number = 5124, lowest = -128, highest = 127;
 
@@ -51,8 +52,8 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
     return fail(fmt::format("found points from {} to {}, expected {} to {}", first, last, first_number, last_number));
   std::string text;
   fmt::format_to(std::back_inserter(text),
-                 "#4001 {0}\n#4002 {0}\n#4003 {1}\n#4004 {2}\n#4005 {3}\n#4006 {4}\n#4007 {5}\n", options.axis, reference,
-                 first, last, options.magnification, trimmed_fixed(*step / position_per_unit(options), 6));
+                 "#4001 {0}\n#4002 {0}\n#4003 {1}\n#4004 {2}\n#4005 {3}\n#4006 {4}\n#4007 {5}\n", options.axis,
+                 reference, first, last, options.magnification, trimmed_fixed(*step / position_per_unit(options), 6));
   for (std::size_t k = 0; k < data.size(); ++k)
     fmt::format_to(std::back_inserter(text), "#{} {}\n", first + static_cast<long long>(k), data[k]);
   return text;
@@ -69,10 +70,12 @@ Result<Sheet> sheet_of(std::string_view text, const AxisTableOptions& options) {
     line.text = text::trim(line.text);
     if (line.text.empty()) continue;
     const std::vector<std::string_view> words = text::words(line.text);
-    const auto number = words.size() == 2 && words[0].starts_with('#') ? whole_number(words[0].substr(1)) : std::nullopt;
+    const auto number =
+        words.size() == 2 && words[0].starts_with('#') ? whole_number(words[0].substr(1)) : std::nullopt;
     if (!number) return refused(line, "#NUMBER VALUE");
     if (*number == 4001 || *number == 4002) {
-      if (!text::equal_ignoring_case(words[1], options.axis)) return refused(line, fmt::format("the axis {}", options.axis));
+      if (!text::equal_ignoring_case(words[1], options.axis))
+        return refused(line, fmt::format("the axis {}", options.axis));
       continue;
     }
     if (*number >= 4003 && *number <= 4007) {
@@ -123,12 +126,14 @@ const AxisTable mitsubishi_axis_table = {
     .curves = TableCurves::both_ways,
     .limits = {.points = 1024, .equidistant = true, .origin = TableOrigin::on_grid, .closes = true},
     .sign = mitsubishi::sign,
-    .loading = "Enter the numbers in the parameters for axis compensation, incremental system, and switch the control off "
-               "and on. --resolution is the output unit; --number is #4003, so that no other axis is overwritten.",
+    .loading =
+        "Enter the numbers in the parameters for axis compensation, incremental system, and switch the control off "
+        "and on. --resolution is the output unit; --number is #4003, so that no other axis is overwritten.",
     .verified =
         "The formulas of both sides, twice the difference in output units, -128 to 127: manuals of C64 and E68.",
-    .inferred = "The numbers of the parameters, that a point's number is used from the point before to it, and that #4006 "
-                "multiplies. It is a list to enter by hand; the layout of a parameter file was not seen.",
+    .inferred =
+        "The numbers of the parameters, that a point's number is used from the point before to it, and that #4006 "
+        "multiplies. It is a list to enter by hand; the layout of a parameter file was not seen.",
     .write = mitsubishi::write,
     .read = mitsubishi::read,
     .recognises = [](std::string_view text) { return text.starts_with("#4001 "); },

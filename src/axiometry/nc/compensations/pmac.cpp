@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Leadscrew compensation of Delta Tau PMAC: entries of 1/16 count at one spacing from home upward, which roll over at the
-// length of the table; positions below home are at its end. The table is added to the command; a second one (BLCOMP)
-// is taken off it while the motor moves in the negative direction.
+// Leadscrew compensation of Delta Tau PMAC: entries of 1/16 count at one spacing from home upward, which roll over at
+// the length of the table; positions below home are at its end. The table is added to the command; a second one
+// (BLCOMP) is taken off it while the motor moves in the negative direction.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,8 +42,9 @@ Result<Span> span_of(const AxisCorrection& correction, const AxisTableOptions& o
   const double entries = (span.high - span.low) / *step + (is_whole_turn(correction) ? 0.0 : 1.0);
   const double length = std::round(entries) * *step * deviation_per_position(options.kind) / options.resolution;
   if (entries > static_cast<double>(AxisCorrection::nodes_max) || !(length < 1e15) || length < 1.0)
-    return fail(fmt::format("found a table of {:.0f} entries over {:.0f} counts, expected at most {} and at least 1 count",
-                            entries, length, AxisCorrection::nodes_max));
+    return fail(
+        fmt::format("found a table of {:.0f} entries over {:.0f} counts, expected at most {} and at least 1 count",
+                    entries, length, AxisCorrection::nodes_max));
   span.entries = std::llround(entries);
   span.length_counts = std::llround(length);
   return span;
@@ -71,8 +72,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   std::string text = comment_lines(";", pmac_axis_table.sign);
   fmt::format_to(std::back_inserter(text), "{}{} to {}\n#{} DEFINE COMP {},{}\n", range_mark,
                  trimmed_fixed(span.low, 6), trimmed_fixed(span.high, 6), motor, span.entries, span.length_counts);
-  AXIOMETRY_TRY_VOID(
-      write_entries(text, span, options, [&](double x) { return correction.at(x, Direction::up); }));
+  AXIOMETRY_TRY_VOID(write_entries(text, span, options, [&](double x) { return correction.at(x, Direction::up); }));
   if (!correction.same_both_ways()) {
     fmt::format_to(std::back_inserter(text), "#{} DEFINE BLCOMP {},{}\n", motor, span.entries, span.length_counts);
     AXIOMETRY_TRY_VOID(write_entries(text, span, options, [&](double x) {
@@ -162,13 +162,15 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
   const double low = program.range ? program.range->first : options.reference;
   const double high = program.range ? program.range->second : options.reference + length;
   if (high - low > length * (1.0 + 1e-6) + 1e-6)
-    return fail(fmt::format("found a range of {}, expected at most the length of the table, {}", format_exact(high - low),
-                            format_exact(length)));
+    return fail(fmt::format("found a range of {}, expected at most the length of the table, {}",
+                            format_exact(high - low), format_exact(length)));
   std::vector<double> up, down;
-  const long long first = std::llround((low - options.reference) / step), last = std::llround((high - options.reference) / step);
+  const long long first = std::llround((low - options.reference) / step),
+                  last = std::llround((high - options.reference) / step);
   for (long long k = first; k <= last; ++k) {
     up.push_back(rolled(comp, k) / per_count * options.resolution);
-    const double less = program.buffers.size() > 1 ? rolled(program.buffers[1], k) / per_count * options.resolution : 0.0;
+    const double less =
+        program.buffers.size() > 1 ? rolled(program.buffers[1], k) / per_count * options.resolution : 0.0;
     down.push_back(up.back() - less);
   }
   return even_correction(options.kind, options.reference + step * static_cast<double>(first), step, std::move(up),
@@ -184,14 +186,17 @@ const AxisTable pmac_axis_table = {
     .extension = ".pmc",
     .curves = TableCurves::each_way,
     .limits = {.equidistant = true, .origin = TableOrigin::on_grid, .zero_upwards = true, .closes = true},
-    .sign = "A positive number of COMP moves the axis in the positive direction; one of BLCOMP in the negative, and only "
-            "while it moves in the negative direction.",
-    .loading = "Delete the buffers that are in the way (TBUF, ROTARY, GATHER, tables of lower motors), send the lines, "
-               "motors with the highest number first, SAVE. I51=1 switches all tables on; they are active once the motor is "
-               "homed. --number is the motor, --resolution one count. With one BLCOMP the reversal is in it: Ix86 adds to "
-               "it, set that to 0.",
-    .verified = "The commands, 1/16 count, the first entry one spacing from home, the rollover, that COMP is added in both "
-                "directions and BLCOMP taken off in the negative one: reference and user's manuals.",
+    .sign =
+        "A positive number of COMP moves the axis in the positive direction; one of BLCOMP in the negative, and only "
+        "while it moves in the negative direction.",
+    .loading =
+        "Delete the buffers that are in the way (TBUF, ROTARY, GATHER, tables of lower motors), send the lines, "
+        "motors with the highest number first, SAVE. I51=1 switches all tables on; they are active once the motor is "
+        "homed. --number is the motor, --resolution one count. With one BLCOMP the reversal is in it: Ix86 adds to "
+        "it, set that to 0.",
+    .verified =
+        "The commands, 1/16 count, the first entry one spacing from home, the rollover, that COMP is added in both "
+        "directions and BLCOMP taken off in the negative one: reference and user's manuals.",
     .inferred = "24 bits of an entry.",
     .write = pmac::write,
     .read = pmac::read,

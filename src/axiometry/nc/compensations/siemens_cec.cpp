@@ -141,10 +141,12 @@ const AxisTable siemens_cec_axis_table = {
         "MD18342[t] must be at least the number of points (828D: 8 tables of at most 200). Switch the tables off "
         "(MD32710 of the axis, SD41300[t]), load the file as a part program of initialisation, switch both on, "
         "reference the axis. MD32720 limits what the tables add. The axis is named as the machine axis, AX1.",
-    .verified = "Layout, names, and that two tables with opposite directions give a position-dependent backlash: manuals "
-                "of 802D, 828D and 840D.",
-    .inferred = "The sign: taken as that of the leadscrew errors of the same control. A re-test after loading tells it. "
-                "That comments behind ; are taken in the file.",
+    .verified =
+        "Layout, names, and that two tables with opposite directions give a position-dependent backlash: manuals "
+        "of 802D, 828D and 840D.",
+    .inferred =
+        "The sign: taken as that of the leadscrew errors of the same control. A re-test after loading tells it. "
+        "That comments behind ; are taken in the file.",
     .write = siemens_cec::write,
     .read = siemens_cec::read,
     .recognises = [](std::string_view text) { return text.substr(0, 4096).find("$AN_CEC") != text.npos; },

@@ -31,9 +31,9 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   const std::string place = fmt::format("[{},{}]", options.number, options.axis);
   std::string text = "%_N_AX_EEC_INI\nCHANDATA(1)\n" + comment_lines(";", sign);
   for (std::size_t k = 0; k < correction.positions().size(); ++k)
-    fmt::format_to(std::back_inserter(text), "$AA_ENC_COMP[{},{},{}]={}\n", options.number, k, options.axis,
-                   fixed_number(-correction.values(Direction::up)[k] * unit_per_deviation(options),
-                                table_decimals(options)));
+    fmt::format_to(
+        std::back_inserter(text), "$AA_ENC_COMP[{},{},{}]={}\n", options.number, k, options.axis,
+        fixed_number(-correction.values(Direction::up)[k] * unit_per_deviation(options), table_decimals(options)));
   fmt::format_to(std::back_inserter(text),
                  "$AA_ENC_COMP_STEP{0}={1}\n$AA_ENC_COMP_MIN{0}={2}\n$AA_ENC_COMP_MAX{0}={3}\n"
                  "$AA_ENC_COMP_IS_MODULO{0}={4}\nM17\n",
@@ -48,7 +48,8 @@ struct Found {
 
 /// One line of the table of this axis and encoder.
 Result<void> take(const TableLine& line, const AxisTableOptions& options, Found& found) {
-  constexpr std::string_view expected = "$AA_ENC_COMP[ENCODER,N,AXIS]=NUMBER or one of its _STEP, _MIN, _MAX, _IS_MODULO";
+  constexpr std::string_view expected =
+      "$AA_ENC_COMP[ENCODER,N,AXIS]=NUMBER or one of its _STEP, _MIN, _MAX, _IS_MODULO";
   const auto assignment = assignment_of(line.text);
   const auto value = assignment ? parse_number(assignment->value) : std::nullopt;
   if (!value || assignment->indices.size() < 2) return refused(line, expected);
@@ -57,9 +58,9 @@ Result<void> take(const TableLine& line, const AxisTableOptions& options, Found&
                             text::quoted(options.axis)),
                 {line.number, 0});
   if (whole_number(assignment->indices[0]) != static_cast<long long>(options.number))
-    return fail(fmt::format("found the encoder {}, expected {} alone", text::quoted(assignment->indices[0]),
-                            options.number),
-                {line.number, 0});
+    return fail(
+        fmt::format("found the encoder {}, expected {} alone", text::quoted(assignment->indices[0]), options.number),
+        {line.number, 0});
   const std::string name = text::to_lower(assignment->name);
   if (name == "$aa_enc_comp" && assignment->indices.size() == 3)
     return found.values.put(assignment->indices[1], *value, line);
@@ -95,7 +96,8 @@ const AxisTable siemens_lec_axis_table = {
     .loading =
         "MD38000 must be at least the number of points (808D: at most 200), and changing it clears the memory. Set "
         "MD32700 of the axis to 0, load the file as a part program of initialisation, set MD32700 to 1, reference the "
-        "axis. The unit is that of MD10240. All points of an old table are replaced only where the new one has as many.",
+        "axis. The unit is that of MD10240. All points of an old table are replaced only where the new one has as "
+        "many.",
     .verified =
         "Layout, names, sign, that the ends hold and that one curve serves both directions: function manuals of 840D, "
         "828D and 808D.",

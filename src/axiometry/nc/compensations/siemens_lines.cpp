@@ -73,8 +73,10 @@ bool Frame::put(std::string_view name, double value) {
 
 Result<std::size_t> Frame::points(const AxisTableOptions& options) const {
   if (!step || !min || !max || !is_modulo)
-    return fail(fmt::format("found no {}, expected STEP, MIN, MAX and IS_MODULO",
-                            !step ? "STEP" : !min ? "MIN" : !max ? "MAX" : "IS_MODULO"));
+    return fail(fmt::format("found no {}, expected STEP, MIN, MAX and IS_MODULO", !step  ? "STEP"
+                                                                                  : !min ? "MIN"
+                                                                                  : !max ? "MAX"
+                                                                                         : "IS_MODULO"));
   const double steps = (*max - *min) / *step;
   if (!(*step > 0.0) || !(steps >= 1.0) || std::abs(steps - std::round(steps)) > 1e-3 ||
       steps >= static_cast<double>(AxisCorrection::nodes_max))

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Axis compensation of ISG kernels, TwinCAT CNC among them: a list achskw of positions and deviations in whole 0.1 µm or
-// 0.0001 degrees, for each direction of travel; actual less set position, which the control takes off. The ends hold.
+// Axis compensation of ISG kernels, TwinCAT CNC among them: a list achskw of positions and deviations in whole 0.1 µm
+// or 0.0001 degrees, for each direction of travel; actual less set position, which the control takes off. The ends
+// hold.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -33,7 +34,8 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   const std::vector<double>& positions = correction.positions();
   const auto setpoint = [&](std::size_t k) { return std::llround(positions[k] * per_position); };
   for (std::size_t k = 0; k < positions.size(); ++k)
-    if (std::abs(positions[k] * per_position) > static_cast<double>(count_most) || (k > 0 && setpoint(k) == setpoint(k - 1)))
+    if (std::abs(positions[k] * per_position) > static_cast<double>(count_most) ||
+        (k > 0 && setpoint(k) == setpoint(k - 1)))
       return fail(fmt::format("found a position of {}, expected them 0.0001 apart at least and at most {} counts",
                               format_exact(positions[k]), count_most));
   std::string text;
@@ -53,7 +55,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
 }
 
 struct List {
-  std::map<std::string, long long, std::less<>> head;              ///< "interval", "bilateral", …
+  std::map<std::string, long long, std::less<>> head;                          ///< "interval", "bilateral", …
   std::map<std::string, std::map<long long, long long>, std::less<>> columns;  ///< "setpoint", "pos", "neg"
 };
 
@@ -98,7 +100,8 @@ Result<std::vector<double>> column_of(const List& list, std::string_view name, s
   const auto column = list.columns.find(name);
   const std::size_t found = column == list.columns.end() ? 0 : column->second.size();
   if (found != count || found == 0 || column->second.rbegin()->first != static_cast<long long>(count) - 1)
-    return fail(fmt::format("found {} entries of {}, expected {} (kw_nr_max), from 0 without a gap", found, name, count));
+    return fail(
+        fmt::format("found {} entries of {}, expected {} (kw_nr_max), from 0 without a gap", found, name, count));
   std::vector<double> values;
   for (const auto& [k, value] : column->second) values.push_back(factor * static_cast<double>(value));
   return values;
@@ -113,13 +116,14 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
   for (const auto& [name, value] : list.head)
     if (name != "interval" && name != "kw_startpos" && name != "kw_nr_max" && name != "unit" && name != "bilateral" &&
         name != "modulo")
-      return fail(fmt::format("found kw.ssfk.{}, expected interval, kw_startpos, kw_nr_max, unit, bilateral, modulo or "
-                              "table",
-                              text::quoted(name)));
+      return fail(
+          fmt::format("found kw.ssfk.{}, expected interval, kw_startpos, kw_nr_max, unit, bilateral, modulo or "
+                      "table",
+                      text::quoted(name)));
   const long long count = head("kw_nr_max");
   if (count < 1 || count > static_cast<long long>(twincat_cnc_axis_table.limits.points))
-    return fail(fmt::format("found {} positions (kw_nr_max), expected 1 to {}", count,
-                            twincat_cnc_axis_table.limits.points));
+    return fail(
+        fmt::format("found {} positions (kw_nr_max), expected 1 to {}", count, twincat_cnc_axis_table.limits.points));
   if (head("unit") != 1) return fail(fmt::format("found the unit {}, expected 1", head("unit")));
   const auto points = static_cast<std::size_t>(count);
   std::vector<double> positions;
@@ -149,11 +153,13 @@ const AxisTable twincat_cnc_axis_table = {
     .curves = TableCurves::each_way,
     .limits = {.points = 1500, .closes = true},
     .sign = "A positive number moves the axis in the negative direction: it is actual less set position.",
-    .loading = "Name the list as the axis compensation of this axis among the start-up lists, switch the spindle error "
-               "compensation (ssfk) of the axis on, start the control anew, and home the axis. The name of the axis is "
-               "kopf.log_achs_name, --number its kopf.achs_nr.",
-    .verified = "Names, units of 0.1 um and 0.0001 degrees, at most 1500 positions, both directions, that the ends hold, "
-                "and the sign by a worked example: the manual of the kernel.",
+    .loading =
+        "Name the list as the axis compensation of this axis among the start-up lists, switch the spindle error "
+        "compensation (ssfk) of the axis on, start the control anew, and home the axis. The name of the axis is "
+        "kopf.log_achs_name, --number its kopf.achs_nr.",
+    .verified =
+        "Names, units of 0.1 um and 0.0001 degrees, at most 1500 positions, both directions, that the ends hold, "
+        "and the sign by a worked example: the manual of the kernel.",
     .inferred = "Which unit kw.ssfk.unit 1 stands for, that modulo 1 is a whole turn, that # begins a comment.",
     .write = twincat_cnc::write,
     .read = twincat_cnc::read,

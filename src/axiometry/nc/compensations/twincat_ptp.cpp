@@ -26,14 +26,14 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY_VOID(check_axis_word(options));
   const std::size_t last = correction.positions().size() - 1;
   std::string text = comment_lines("//", sign);
-  fmt::format_to(std::back_inserter(text), "{}_Compensation : ARRAY[0..{}] OF ST_PositionCompensationTableElement := [\n",
-                 options.axis, last);
+  fmt::format_to(std::back_inserter(text),
+                 "{}_Compensation : ARRAY[0..{}] OF ST_PositionCompensationTableElement := [\n", options.axis, last);
   for (std::size_t k = 0; k <= last; ++k)
-    fmt::format_to(std::back_inserter(text), "  (Position := {}, Compensation := {}){}\n",
-                   fixed_number(correction.positions()[k] / position_per_unit(options), table_decimals(options)),
-                   fixed_number(correction.values(Direction::up)[k] * unit_per_deviation(options),
-                                table_decimals(options)),
-                   k < last ? "," : "];");
+    fmt::format_to(
+        std::back_inserter(text), "  (Position := {}, Compensation := {}){}\n",
+        fixed_number(correction.positions()[k] / position_per_unit(options), table_decimals(options)),
+        fixed_number(correction.values(Direction::up)[k] * unit_per_deviation(options), table_decimals(options)),
+        k < last ? "," : "];");
   return text;
 }
 
@@ -61,7 +61,8 @@ std::optional<Element> element_of(std::string_view text) {
     const std::size_t assigned = parts[k].find(":=");
     if (assigned == std::string_view::npos) return std::nullopt;
     const auto number = parse_number(text::trim(parts[k].substr(assigned + 2)));
-    if (!number || !text::equal_ignoring_case(text::trim(parts[k].substr(0, assigned)), k == 0 ? "Position" : "Compensation"))
+    if (!number ||
+        !text::equal_ignoring_case(text::trim(parts[k].substr(0, assigned)), k == 0 ? "Position" : "Compensation"))
       return std::nullopt;
     (k == 0 ? element.position : element.compensation) = *number;
   }
@@ -94,8 +95,8 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
     is_closed = element->is_last;
   }
   if (!is_closed || *stated + 1 != std::ssize(values))
-    return fail(fmt::format("found {} elements, expected {} and ]; behind the last", values.size(),
-                            stated.value_or(-1) + 1));
+    return fail(
+        fmt::format("found {} elements, expected {} and ]; behind the last", values.size(), stated.value_or(-1) + 1));
   std::vector<double> down = values;
   return AxisCorrection::make(options.kind, std::move(positions), std::move(values), std::move(down));
 }
@@ -110,16 +111,19 @@ const AxisTable twincat_ptp_axis_table = {
     .curves = TableCurves::both_ways,
     .limits = {.closes = true},
     .sign = twincat_ptp::sign,
-    .loading = "Put the array among the variables of the PLC and hand it to the function block of position compensation, "
-               "with the axis in the units of the table (mm or inch as it is scaled; degrees), then enable the block.",
-    .verified = "That the table is an array of Position and Compensation, LREAL, and that the compensation is added: the "
-                "manual of the function block.",
+    .loading =
+        "Put the array among the variables of the PLC and hand it to the function block of position compensation, "
+        "with the axis in the units of the table (mm or inch as it is scaled; degrees), then enable the block.",
+    .verified =
+        "That the table is an array of Position and Compensation, LREAL, and that the compensation is added: the "
+        "manual of the function block.",
     .inferred = "The name of the structure's type. That positions beyond the ends hold the end's value.",
     .write = twincat_ptp::write,
     .read = twincat_ptp::read,
-    .recognises = [](std::string_view text) {
-      return text.substr(0, 4096).find("PositionCompensationTableElement") != text.npos;
-    },
+    .recognises =
+        [](std::string_view text) {
+          return text.substr(0, 4096).find("PositionCompensationTableElement") != text.npos;
+        },
 };
 
 }  // namespace axiometry::nc
