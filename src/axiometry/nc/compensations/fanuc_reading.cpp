@@ -86,6 +86,9 @@ struct Frame {
 };
 
 Result<Frame> frame_of(const Tape& tape, const AxisTableOptions& options, bool each_way) {
+  if (!tape.parameters.empty())
+    for (long long number = 3620; number <= 3624; ++number)
+      if (!tape.has(number)) return fail(fmt::format("found no parameter {}, expected 3620 to 3624", number));
   Frame f;
   f.turns = tape.has(3625);
   f.step = tape.parameter(3624, options.step);
@@ -105,6 +108,8 @@ Result<Frame> frame_of(const Tape& tape, const AxisTableOptions& options, bool e
                             each_way ? "each direction" : "both directions alike"));
   if (each_way && !(tape.has(3621) && tape.has(3622) && tape.has(3626)))
     return fail("found no 3621, 3622 or 3626, expected them: they part the two directions");
+  if (options.kind == AxisKind::rotary && !f.turns && f.step * static_cast<double>(f.last - f.first + 1) > 360.0 + 1e-6)
+    return fail("found more than a turn, expected parameter 3625 with a table that turns");
   f.first_downwards = std::llround(tape.parameter(3626, 0.0));
   const long long points = f.last - f.first + 1;
   if (points < 1 || static_cast<std::size_t>(points) * (each_way ? 2 : 1) != tape.points.size())

@@ -57,10 +57,10 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
   }
   if (!downwards.empty() && downwards.front() != 0.0)
     return fail("found an entry at machine zero that is not 0, expected 0");
+  const double first = options.reference - spacing_mm * (static_cast<double>(downwards.size()) - 1.0);
   std::vector<double> up(downwards.rbegin(), downwards.rend());
   std::vector<double> down = up;
-  return even_correction(options.kind, options.reference - spacing_mm * static_cast<double>(up.size() - 1), spacing_mm,
-                         std::move(up), std::move(down));
+  return even_correction(options.kind, first, spacing_mm, std::move(up), std::move(down));
 }
 
 }  // namespace

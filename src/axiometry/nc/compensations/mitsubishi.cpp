@@ -53,7 +53,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   std::string text;
   fmt::format_to(std::back_inserter(text),
                  "#4001 {0}\n#4002 {0}\n#4003 {1}\n#4004 {2}\n#4005 {3}\n#4006 {4}\n#4007 {5}\n", options.axis,
-                 reference, first, last, options.magnification, trimmed_fixed(*step / position_per_unit(options), 6));
+                 reference, first, last, options.magnification, trimmed_fixed(*step / position_per_unit(options), 9));
   for (std::size_t k = 0; k < data.size(); ++k)
     fmt::format_to(std::back_inserter(text), "#{} {}\n", first + static_cast<long long>(k), data[k]);
   return text;

@@ -137,6 +137,8 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
   const double factor = -deviation_of_count(options.kind);
   AXIOMETRY_TRY(std::vector<double> up, column_of(list, "pos", points, factor));
   std::vector<double> down = up;
+  if (head("bilateral") == 0 && list.columns.contains("neg"))
+    return fail("found entries of the negative direction without kw.ssfk.bilateral 1, expected it");
   if (head("bilateral") != 0) {
     AXIOMETRY_TRY(down, column_of(list, "neg", points, factor));
   }
