@@ -46,8 +46,8 @@ Result<void> check_limits(const AxisCorrection& correction, const AxisTable& tab
 /// curve (of one curve: it) is 0 there; beyond the positions: at the nearest.
 Result<void> check_origin(const AxisCorrection& correction, const AxisTable& table, double reference);
 
-/// Fails on a name of an axis that is no word of letters, digits and _ (at most 32), as controls have them.
-Result<void> check_axis_word(const AxisTableOptions& options);
+/// Fails on a name of an axis that is no word of letters, digits, _ and the characters of `beside` (at most 32).
+Result<void> check_axis_word(const AxisTableOptions& options, std::string_view beside = "");
 
 /// Whether the positions of a rotary axis are a whole turn.
 bool is_whole_turn(const AxisCorrection& correction);

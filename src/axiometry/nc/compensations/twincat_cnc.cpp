@@ -30,7 +30,7 @@ double deviation_of_count(AxisKind kind) { return deviation_per_position(kind) /
 
 Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options) {
   AXIOMETRY_TRY_VOID(check_limits(correction, twincat_cnc_axis_table));
-  AXIOMETRY_TRY_VOID(check_axis_word(options));
+  AXIOMETRY_TRY_VOID(check_axis_word(options, "-"));
   const std::vector<double>& positions = correction.positions();
   const auto setpoint = [&](std::size_t k) { return std::llround(positions[k] * per_position); };
   for (std::size_t k = 0; k < positions.size(); ++k)
