@@ -12,8 +12,8 @@ namespace axiometry::compensation {
 
 /// Where a table has its positions, as far as the user says; mm or °.
 struct GridRequest {
-  std::optional<double> start, end, step;
-  std::optional<std::size_t> points;
+  std::optional<double> start{}, end{}, step{};
+  std::optional<std::size_t> points{};
 };
 
 /// What the control wants of them.

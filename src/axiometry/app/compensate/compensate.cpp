@@ -170,7 +170,7 @@ Result<CompensatedAxis> compensate(const CompensateRequest& request) {
   AXIOMETRY_TRY(const compensation::Fit plain, in_file(table_by(s, compensation::Method::interpolation), request.file));
   AXIOMETRY_TRY(const Evaluation interpolated, evaluated_with(test.series, plain.correction, removed));
   AXIOMETRY_TRY(const Evaluation fitted, evaluated_with(test.series, fit.correction, removed));
-  AXIOMETRY_TRY(Evaluation predicted, evaluated_with(test.series, applied, removed));
+  AXIOMETRY_TRY(const Series corrected, compensation::corrected_series(test.series, applied, removed));
   AXIOMETRY_TRY(const Series scatter, compensation::scatter_alone(test.series));
   std::optional<Retest> retest;
   if (!request.retest.empty()) {
@@ -185,10 +185,11 @@ Result<CompensatedAxis> compensate(const CompensateRequest& request) {
                          .existing = std::move(s.existing),
                          .smoothing = fit.smoothing,
                          .before = before,
-                         .predicted = std::move(predicted),
+                         .predicted = iso230_2::evaluate(corrected),
                          .interpolated = interpolated.parameters,
                          .fitted = fitted.parameters,
                          .scatter = iso230_2::evaluate(scatter).parameters,
+                         .expected = compensation::expected_retest(corrected),
                          .retest = std::move(retest),
                          .findings = std::move(findings)};
 }

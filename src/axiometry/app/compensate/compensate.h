@@ -8,6 +8,7 @@
 
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/results/experiment.h"
+#include "axiometry/compensation/expectation.h"
 #include "axiometry/compensation/fit.h"
 #include "axiometry/compensation/grid.h"
 #include "axiometry/compensation/prediction.h"
@@ -50,6 +51,7 @@ struct CompensatedAxis {
   iso230_2::AxisParameters interpolated;  ///< with nodes interpolated instead, unrounded
   iso230_2::AxisParameters fitted;        ///< with the nodes of the fit, unrounded
   iso230_2::AxisParameters scatter;       ///< what no table removes
+  std::optional<compensation::ExpectedRetest> expected;
   std::optional<Retest> retest;
   std::vector<NamedFinding> findings;
 };

@@ -84,6 +84,12 @@ Experiment present(const CompensatedAxis& done, const report::Options& options) 
   if (done.existing) root.add("existing", nodes_to_json(*done.existing));
   root.add("before", parameter_values(done.before.parameters));
   root.add("predicted", parameter_values(done.predicted.parameters));
+  if (done.expected) {
+    Value& expected = root.add("expected_retest", Value::object());
+    expected.add("median", parameter_values(done.expected->median));
+    expected.add("percent_95", parameter_values(done.expected->percent_95));
+    expected.add("trials", done.expected->trials);
+  }
   root.add("least_squares", parameter_values(done.fitted));
   root.add("interpolated", parameter_values(done.interpolated));
   root.add("scatter", parameter_values(done.scatter));
@@ -117,6 +123,7 @@ Experiment present(const CompensatedAxis& done, const report::Options& options) 
                                             done.existing ? &*done.existing : nullptr,
                                             done.before,
                                             done.predicted,
+                                            done.expected ? &done.expected->percent_95 : nullptr,
                                             done.retest ? &done.retest->evaluation : nullptr,
                                             done.scatter,
                                             done.findings,

@@ -31,7 +31,12 @@ Notice compensation_outcome(const CompensationSubject& subject, const Options& o
   Notice notice{Tone::normal,
                 plain(fmt::format("{} from {} to {}, as predicted from the same readings", symbol, with_unit(of(before)),
                                   with_unit(of(predicted)))),
-                {plain("A prediction, not a measurement: only a re-test proves it.")}};
+                {}};
+  if (subject.expected)
+    notice.lines.push_back(plain(fmt::format(
+        "A re-test will scatter anew: {} below {} in 95 % of re-tests, if the axis stays as it is", symbol,
+        with_unit(of(*subject.expected)))));
+  notice.lines.push_back(plain("A prediction, not a measurement: only a re-test proves it."));
   if (subject.retest)
     notice.lines = {plain(fmt::format("{} of the re-test: {}", symbol, with_unit(of(subject.retest->parameters))))};
   for (const NamedFinding& finding : subject.findings)
@@ -51,6 +56,7 @@ Section compensation_parameters(const CompensationSubject& subject, const Option
   table.columns = {{plain("Parameter"), Align::start, true, true}, {plain("Symbol")}};
   head("Before");
   head("Predicted");
+  if (subject.expected) head("Re-test, 95 % below");
   if (subject.retest) head("Re-test");
   head("Scatter alone");
   for (const iso230_2::ParameterInfo& parameter : iso230_2::parameters) {
@@ -62,6 +68,8 @@ Section compensation_parameters(const CompensationSubject& subject, const Option
     auto& row = table.rows.emplace_back();
     row = {text_cell(parameter.title), {symbol(parameter.symbol)}, cell(subject.before.parameters),
            cell(subject.predicted.parameters)};
+    if (subject.expected)
+      row.push_back(parameter.member == &AxisParameters::B_mean ? quiet_cell("–") : cell(*subject.expected));
     if (subject.retest) row.push_back(cell(subject.retest->parameters));
     row.push_back(cell(subject.scatter));
   }
@@ -69,6 +77,8 @@ Section compensation_parameters(const CompensationSubject& subject, const Option
       plain("Predicted: the same readings with the table in the control, as it interpolates and rounds. The table was "
             "made from these readings; what scatter did to their means it corrects too, and a re-test will show that "
             "part again."),
+      plain("Re-test, 95 % below: of simulated re-tests of as many runs, with the scatter of this test, in the table "
+            "and in the re-test; if the axis and the set-up stay as they are."),
       plain("Scatter alone: the readings without the mean of every target and direction. No table removes this.")};
   Section section{"parameters", "Before and predicted", true, {std::move(table)}};
   section.blocks.emplace_back(before_and_predicted_figure(subject, options));

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/compensation/expectation.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "axiometry/compensation/fit.h"
+#include "axiometry/compensation/prediction.h"
+#include "tests/support/series.h"
+
+namespace axiometry::compensation {
+namespace {
+
+using testing_support::make_series;
+using testing_support::RunDeviations;
+
+const std::vector<double> targets{0, 50, 100, 150, 200, 250, 300, 350, 400};
+
+/// An axis with a curve and a lost motion, its readings scattered by 0.8 µm, with what a table adds.
+Series measured(std::mt19937_64& random, const AxisCorrection* added) {
+  std::normal_distribution<double> scatter(0.0, 0.8);
+  std::vector<RunDeviations> up(5), down(5);
+  for (std::size_t j = 0; j < 5; ++j)
+    for (const double x : targets) {
+      const double c = 0.03 * x + 5.0 * std::sin(x / 40.0);
+      up[j].push_back(c + (added ? added->at(x, Direction::up) : 0.0) + scatter(random));
+      down[j].push_back(c - 4.0 + (added ? added->at(x, Direction::down) : 0.0) + scatter(random));
+    }
+  return make_series(targets, up, down);
+}
+
+TEST(ExpectedRetest, HoldsInReTestsOfManyAxes) {
+  std::mt19937_64 random(11);
+  constexpr int axes = 400;
+  int E_below_median = 0, E_below_95 = 0, A_below_95 = 0;
+  for (int k = 0; k < axes; ++k) {
+    const Series before = measured(random, nullptr);
+    const auto fit = fit_correction(before, AxisKind::linear, {.nodes = targets, .curves = TableCurves::each_way});
+    const auto expected = expected_retest(*corrected_series(before, fit->correction), static_cast<unsigned>(k));
+    ASSERT_TRUE(expected);
+    const auto after = iso230_2::evaluate(measured(random, &fit->correction)).parameters;
+    E_below_median += after.E < expected->median.E;
+    E_below_95 += after.E < expected->percent_95.E;
+    A_below_95 += after.A < expected->percent_95.A;
+  }
+  // Three standard deviations of the binomial: 7.5 % of a half, 3.3 % of 95 %.
+  EXPECT_NEAR(E_below_median / static_cast<double>(axes), 0.50, 0.075);
+  EXPECT_NEAR(E_below_95 / static_cast<double>(axes), 0.95, 0.033);
+  EXPECT_NEAR(A_below_95 / static_cast<double>(axes), 0.95, 0.040);
+}
+
+TEST(ExpectedRetest, IsNothingWhereNothingIsKnownOfTheScatter) {
+  EXPECT_FALSE(expected_retest(make_series({0, 1}, {{0, 1}}, {{0, 1}})));
+}
+
+TEST(ExpectedRetest, GivesTheSameNumbersForTheSameTest) {
+  std::mt19937_64 random(3);
+  const Series series = measured(random, nullptr);
+  EXPECT_EQ(expected_retest(series)->median.A, expected_retest(series)->median.A);
+}
+
+}  // namespace
+}  // namespace axiometry::compensation

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/compensation/prediction.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "axiometry/compensation/fit.h"
+#include "axiometry/compensation/suspicions.h"
+#include "axiometry/standards/iso230_2/parameters.h"
+#include "tests/support/series.h"
+
+namespace axiometry::compensation {
+namespace {
+
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+using testing_support::make_series;
+
+const std::vector<double> targets{0, 100, 200, 300, 400};
+
+Series before() {
+  return make_series(targets, {{0, 9, 15, 22, 30}, {0.2, 9.2, 14.8, 22.4, 30}}, {{-4, 5, 11, 18, 26}, {-4, 5.4, 11, 18, 26.2}});
+}
+
+AxisCorrection table() {
+  return fit_correction(before(), AxisKind::linear, {.nodes = targets, .curves = TableCurves::each_way})->correction;
+}
+
+/// The re-test with this share of the table active, and a new zero of the instrument.
+Series with_share(double share) {
+  AxisCorrection c = table();
+  std::vector<double> up = c.values(Direction::up), down = c.values(Direction::down);
+  for (double& x : up) x = share * x + 3.0;
+  for (double& x : down) x = share * x + 3.0;
+  return *corrected_series(before(), *AxisCorrection::make(AxisKind::linear, targets, up, down));
+}
+
+TEST(EffectOfTable, TellsHowMuchOfItIsActive) {
+  for (const double share : {1.0, 0.0, -1.0, 2.0, 0.5}) {
+    const auto effect = effect_of_table(before(), with_share(share), table(), nullptr, 1e-3);
+    ASSERT_TRUE(effect);
+    EXPECT_NEAR(effect->share, share, 1e-9);
+    EXPECT_EQ(effect->compared, 10u);
+  }
+}
+
+TEST(FindingOfRetest, NamesASignMistake) {
+  const auto id_of = [](double share) {
+    return finding_of_retest(*effect_of_table(before(), with_share(share), table(), nullptr, 1e-3), {}).id;
+  };
+  EXPECT_EQ(id_of(1.0), "retest-as-predicted");
+  EXPECT_EQ(id_of(-1.0), "retest-sign");
+  EXPECT_EQ(id_of(0.0), "retest-not-active");
+  EXPECT_EQ(id_of(2.0), "retest-twice");
+  EXPECT_EQ(id_of(0.5), "retest-otherwise");
+}
+
+TEST(EffectOfTable, TellsNothingOfOtherTargets) {
+  const Series other = make_series({50, 150, 250}, {{1, 2, 3}}, {{1, 2, 3}});
+  EXPECT_FALSE(effect_of_table(before(), other, table(), nullptr, 1e-3));
+}
+
+TEST(ScatterAlone, HasNoSystematicErrorLeft) {
+  const auto parameters = iso230_2::evaluate(*scatter_alone(before())).parameters;
+  EXPECT_NEAR(parameters.E->in_native(), 0.0, 1e-12);
+  EXPECT_NEAR(parameters.R_up->in_native(), iso230_2::evaluate(before()).parameters.R_up->in_native(), 1e-12);
+}
+
+TEST(CheckPlausible, RefusesWhatNoAxisDoes) {
+  const auto fault_of = [](double per_mm) {
+    std::vector<double> run;
+    for (const double x : targets) run.push_back(per_mm * 1000.0 * x);
+    return check_plausible(make_series(targets, {run}, {run}), AxisKind::linear).error().message;
+  };
+  EXPECT_TRUE(check_plausible(before(), AxisKind::linear));
+  EXPECT_THAT(fault_of(-2.0), HasSubstr("against the axis"));
+  EXPECT_THAT(fault_of(24.4), HasSubstr("targets are in inches"));
+  EXPECT_THAT(fault_of(1.0 / 25.4 - 1.0), HasSubstr("readings in inches"));
+  EXPECT_THAT(fault_of(-1.0), HasSubstr("did not see the axis move"));
+  EXPECT_THAT(fault_of(0.3), HasSubstr("no deviations"));
+}
+
+TEST(FindingsOfReadings, TellsAnOutlierWithWhatItDoesToTheTable) {
+  std::vector<testing_support::RunDeviations> up, down;
+  for (int j = 0; j < 5; ++j) {
+    up.push_back({0.1 * j, 9.0 - 0.2 * j, 15 + 0.1 * (j % 3), 22 - 0.1 * j, 30 + 0.15 * (j % 2)});
+    down.push_back({-4 + 0.1 * (j % 2), 5 - 0.1 * j, 11 + 0.2 * (j % 3), 18 + 0.1 * j, 26 - 0.1 * j});
+  }
+  up[2][1] += 25.0;
+  const auto findings = findings_of_readings(make_series(targets, up, down), AxisKind::linear, TableCurves::each_way);
+  EXPECT_THAT(findings, Contains(Field(&NamedFinding::id, "compensation-outlier")));
+}
+
+TEST(FindingsOfReadings, TellsATurnThatDoesNotClose) {
+  const Series open = make_series({0, 90, 180, 270, 360}, {{0, 1, 2, 1, 5}, {0.1, 1, 2, 1, 5.1}, {0, 1, 2, 1.1, 5}},
+                                  {{0, 1, 2, 1, 5}, {0, 1, 2.1, 1, 5}, {0.1, 1, 2, 1, 5.1}});
+  EXPECT_THAT(findings_of_readings(open, AxisKind::rotary, TableCurves::each_way),
+              Contains(Field(&NamedFinding::id, "compensation-turn-not-closed")));
+}
+
+}  // namespace
+}  // namespace axiometry::compensation
