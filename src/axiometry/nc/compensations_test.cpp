@@ -77,7 +77,7 @@ void for_all(auto&& then) {
     }
 }
 
-std::string text_of(const AxisTable& table, const AxisCorrection& correction, const AxisTableOptions& options) {
+std::string table_text_of(const AxisTable& table, const AxisCorrection& correction, const AxisTableOptions& options) {
   const auto text = table.write(correction, options);
   if (!text) ADD_FAILURE() << text.error().message;
   return text.value_or("");
@@ -123,7 +123,7 @@ TEST(Compensations, EachTableSaysWhatItIs) {
 
 TEST(Compensations, WhatIsWrittenIsReadWithinItsRounding) {
   for_all([](const AxisTable& table, const AxisTableOptions& options, const AxisCorrection& correction) {
-    const std::string text = text_of(table, correction, options);
+    const std::string text = table_text_of(table, correction, options);
     const auto found = table.read(text, options);
     ASSERT_TRUE(found) << found.error().to_string() << '\n' << text;
     expect_near(*found, correction, rounding_of(table, options), 1e-5);
@@ -139,7 +139,7 @@ TEST(Compensations, WhatIsWrittenIsReadWithinItsRounding) {
 TEST(Compensations, InchesAreThoseOfTheControl) {
   for_all([](const AxisTable& table, AxisTableOptions options, const AxisCorrection& correction) {
     if (options.kind == AxisKind::rotary) return;
-    const std::string in_mm = text_of(table, correction, options);
+    const std::string in_mm = table_text_of(table, correction, options);
     options.in_inch = true;
     const auto text = table.write(correction, options);
     if (table.limits.points == 2 || table.id == "axeserr") {
@@ -188,7 +188,7 @@ TEST(Compensations, APositiveCorrectionIsSpelledAsTheControlTakesIt) {
         table->limits.points == 2 ? correction_of(AxisKind::linear, {0.0, 20.0}, {0.0, 20.0}, {-50.0, -30.0})
         : table->id == "haas"     ? correction_of(AxisKind::linear, {-12.7, 0.0}, {10.16, 0.0}, {10.16, 0.0})
                                   : correction_of(AxisKind::linear, {0.0, 10.0, 20.0}, up, up);
-    const std::string text = text_of(*table, correction, options);
+    const std::string text = table_text_of(*table, correction, options);
     for (const std::string_view part : by_hand.at(table->id)) {
       EXPECT_NE(('\n' + text).find(part), std::string::npos) << part << "\nin\n" << text;
     }
@@ -207,7 +207,7 @@ TEST(Compensations, DirectionsAreNotExchanged) {
            {"siemens-cec", "$AN_CEC[1,2]=0.004000\n"},
            {"twincat-cnc", "kw.ssfk.table[2].neg 40\n"},
        }) {
-    const std::string text = text_of(*axis_table_named(id).value(), up_alone, {});
+    const std::string text = table_text_of(*axis_table_named(id).value(), up_alone, {});
     EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
   }
 }
@@ -276,7 +276,7 @@ TEST(Compensations, LimitsOfTheDescriptorAreKept) {
 
 TEST(Compensations, ALineThatIsNoneIsRefusedWhereItStands) {
   for_all([](const AxisTable& table, const AxisTableOptions& options, const AxisCorrection& correction) {
-    const std::vector<std::string> lines = lines_in(text_of(table, correction, options));
+    const std::vector<std::string> lines = lines_in(table_text_of(table, correction, options));
     for (std::size_t k = 0; k < lines.size(); ++k) {
       std::vector<std::string> bad = lines;
       bad[k] = "rubbish 1 2 x";
@@ -301,7 +301,7 @@ TEST(Compensations, ALineTooFewOrTwiceIsRefused) {
            line.starts_with("Motor") || line.find("MULT_BY") != line.npos;
   };
   for_all([&](const AxisTable& table, const AxisTableOptions& options, const AxisCorrection& correction) {
-    const std::vector<std::string> lines = lines_in(text_of(table, correction, options));
+    const std::vector<std::string> lines = lines_in(table_text_of(table, correction, options));
     for (std::size_t k = 0; k < lines.size(); ++k) {
       if (may_be_missing(lines[k])) continue;
       std::vector<std::string> fewer = lines, more = lines;
@@ -319,7 +319,7 @@ TEST(Compensations, ALineTooFewOrTwiceIsRefused) {
 
 TEST(Compensations, TablesOfAnotherAxisAreNotTakenForThis) {
   for_all([](const AxisTable& table, AxisTableOptions options, const AxisCorrection& correction) {
-    const std::string text = text_of(table, correction, options);
+    const std::string text = table_text_of(table, correction, options);
     options.axis = "Y";
     const bool names_axis = text.find(options.kind == AxisKind::linear ? "X" : "A ") != std::string::npos;
     if (table.id == "pmac" || table.id == "haas" || table.id == "fagor" || table.id == "acs" ||
@@ -331,7 +331,7 @@ TEST(Compensations, TablesOfAnotherAxisAreNotTakenForThis) {
 
 TEST(Compensations, ATextIsKnownByItsFirstLines) {
   for_all([](const AxisTable& table, const AxisTableOptions& options, const AxisCorrection& correction) {
-    const std::string text = text_of(table, correction, options);
+    const std::string text = table_text_of(table, correction, options);
     for (const AxisTable* other : axis_table_table()) {
       if (!other->recognises) continue;
       const bool is_own = other == &table || (other->id.starts_with("fanuc") && table.id.starts_with("fanuc"));
@@ -346,7 +346,8 @@ TEST(Compensations, RepeatedPiecesAreRefusedOrReadInProportion) {
     SCOPED_TRACE(table->id);
     const AxisKind kind = AxisKind::linear;
     const AxisTableOptions options = options_of(*table, kind);
-    const std::string text = text_of(*table, fitting(*table, kind, table->curves != TableCurves::both_ways), options);
+    const std::string text =
+        table_text_of(*table, fitting(*table, kind, table->curves != TableCurves::both_ways), options);
     const std::vector<std::string> lines = lines_in(text);
     std::vector<std::string> pieces;
     for (std::size_t k = 0; k < lines.size(); k += 8) pieces.push_back(lines[k] + '\n');
@@ -370,7 +371,7 @@ TEST(Compensations, ControlsWithoutTablesSayWhatTheyLeaveOut) {
   AxisTableOptions options;
   const AxisCorrection line = correction_of(AxisKind::linear, {0.0, 20.0}, {0.0, 20.0}, {-50.0, -30.0});
   const AxisTable& grblhal = *axis_table_named("grblhal").value();
-  const std::string text = text_of(grblhal, line, options);
+  const std::string text = table_text_of(grblhal, line, options);
   EXPECT_NE(text.find("left out: a scale of 1.001000000"), std::string::npos) << text;
   EXPECT_EQ(text.find("$100"), std::string::npos) << text;
   const auto found = grblhal.read(text, options);
@@ -387,8 +388,8 @@ TEST(Compensations, FanucPointsHaveTheNumbersOfTheControl) {
   }
   AxisTableOptions options;
   options.number = 40;
-  const std::string text =
-      text_of(*axis_table_named("fanuc").value(), correction_of(AxisKind::linear, positions, values, values), options);
+  const std::string text = table_text_of(*axis_table_named("fanuc").value(),
+                                         correction_of(AxisKind::linear, positions, values, values), options);
   EXPECT_TRUE(text.starts_with("%\nN10037P3\nN10038P3\n")) << text;
   EXPECT_NE(text.find("\n3620 = 40\n3621 = 37\n3622 = 44\n3623 = 1\n3624 = 5.0\n"), std::string::npos) << text;
 }

@@ -119,7 +119,8 @@ const AxisTable aerotech_axis_table = {
         "directions alike: the control's help.",
     .inferred =
         "The keywords, what OFFSET counts from, and the sign: a program that is in use writes the deviation itself, "
-        "which would be the opposite. A re-test after loading tells it; NEGCOR in the head turns it round.",
+        "which would be the opposite. A re-test after loading tells it; NEGCOR in the head turns it round. How it is "
+        "loaded.",
     .write = aerotech::write,
     .read = aerotech::read,
     .recognises = [](std::string_view text) { return text.substr(0, 1024).find(":START ") != text.npos; },

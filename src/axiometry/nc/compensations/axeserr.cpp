@@ -75,7 +75,7 @@ const AxisTable axeserr_axis_table = {
     .verified =
         "The unit, the sections, the order of the columns, positions that ascend, the sign, that the last column "
         "is of the decreasing direction: a description of the file.",
-    .inferred = "That the ends hold; four decimals.",
+    .inferred = "That the ends hold; four decimals. How it is loaded.",
     .write = axeserr::write,
     .read = axeserr::read,
     .recognises = [](std::string_view text) { return text.starts_with("unit = mm"); },

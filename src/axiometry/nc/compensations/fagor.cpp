@@ -86,7 +86,7 @@ const AxisTable fagor_axis_table = {
         "same as in the positive one, that 0 and 360 degrees are equal: the manual.",
     .inferred =
         "That the error is actual less commanded, as the manual's word for it says. It is a list to enter by hand; "
-        "the layout of a file was not seen.",
+        "the layout of a file was not seen. How it is loaded.",
     .write = fagor::write,
     .read = fagor::read,
     .recognises = [](std::string_view text) { return text.substr(0, 128).find("LSCRWCOM") != text.npos; },

@@ -83,7 +83,7 @@ const AxisTable haas_axis_table = {
     .verified =
         "Half an inch between entries, 0.0001 inch, the first entry at machine zero and the others in the negative "
         "direction, 127 encoder steps, 256 entries inside: the manual of 1999.",
-    .inferred = "The sign. A re-test after entering it tells it. It is a list to enter by hand.",
+    .inferred = "The sign. A re-test after entering it tells it. It is a list to enter by hand. How it is loaded.",
     .write = haas::write,
     .read = haas::read,
     .recognises =

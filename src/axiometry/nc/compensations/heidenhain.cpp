@@ -93,7 +93,7 @@ const AxisTable heidenhain_axis_table = {
         "that a rotary axis has 0 to 360: pages of technical manuals.",
     .inferred =
         "The sign; that BACKLASH holds the whole value of the negative direction and not the difference; the lines "
-        "of the head and the widths of the columns. A re-test after loading tells sign and BACKLASH.",
+        "of the head and the widths of the columns. A re-test after loading tells sign and BACKLASH. How it is loaded.",
     .write = heidenhain::write,
     .read = heidenhain::read,
     .recognises =

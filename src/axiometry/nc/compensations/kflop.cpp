@@ -79,7 +79,7 @@ const AxisTable kflop_axis_table = {
     .verified =
         "The lines: number of points, spacing, offset, then index and command; that it is the command that is "
         "needed, in one direction: the maker's wiki and forum.",
-    .inferred = "That the offset is the position of the first point, and that the ends hold.",
+    .inferred = "That the offset is the position of the first point, and that the ends hold. How it is loaded.",
     .write = kflop::write,
     .read = kflop::read,
 };

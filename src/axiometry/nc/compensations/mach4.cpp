@@ -115,7 +115,7 @@ const AxisTable mach4_axis_table = {
         "maker's words.",
     .inferred =
         "The sign: the difference between the expected and the actual is taken in that order. A re-test tells it. "
-        "It is a list to enter by hand; no file of it was seen.",
+        "It is a list to enter by hand; no file of it was seen. How it is loaded.",
     .write = mach4::write,
     .read = mach4::read,
     .recognises = [](std::string_view text) { return text.substr(0, 512).find("\nMap = Positive") != text.npos; },

@@ -133,7 +133,7 @@ const AxisTable mitsubishi_axis_table = {
         "The formulas of both sides, twice the difference in output units, -128 to 127: manuals of C64 and E68.",
     .inferred =
         "The numbers of the parameters, that a point's number is used from the point before to it, and that #4006 "
-        "multiplies. It is a list to enter by hand; the layout of a parameter file was not seen.",
+        "multiplies. It is a list to enter by hand; the layout of a parameter file was not seen. How it is loaded.",
     .write = mitsubishi::write,
     .read = mitsubishi::read,
     .recognises = [](std::string_view text) { return text.starts_with("#4001 "); },

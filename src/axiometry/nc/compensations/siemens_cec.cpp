@@ -146,7 +146,7 @@ const AxisTable siemens_cec_axis_table = {
         "of 802D, 828D and 840D.",
     .inferred =
         "The sign: taken as that of the leadscrew errors of the same control. A re-test after loading tells it. "
-        "That comments behind ; are taken in the file.",
+        "That comments behind ; are taken in the file. How the tables are switched off and on.",
     .write = siemens_cec::write,
     .read = siemens_cec::read,
     .recognises = [](std::string_view text) { return text.substr(0, 4096).find("$AN_CEC") != text.npos; },

@@ -162,7 +162,9 @@ const AxisTable twincat_cnc_axis_table = {
     .verified =
         "Names, units of 0.1 um and 0.0001 degrees, at most 1500 positions, both directions, that the ends hold, "
         "and the sign by a worked example: the manual of the kernel.",
-    .inferred = "Which unit kw.ssfk.unit 1 stands for, that modulo 1 is a whole turn, that # begins a comment.",
+    .inferred =
+        "Which unit kw.ssfk.unit 1 stands for, that modulo 1 is a whole turn, that # begins a comment. How it is "
+        "loaded.",
     .write = twincat_cnc::write,
     .read = twincat_cnc::read,
     .recognises = [](std::string_view text) { return text.substr(0, 4096).find("kw.ssfk.") != text.npos; },

@@ -117,7 +117,8 @@ const AxisTable twincat_ptp_axis_table = {
     .verified =
         "That the table is an array of Position and Compensation, LREAL, and that the compensation is added: the "
         "manual of the function block.",
-    .inferred = "The name of the structure's type. That positions beyond the ends hold the end's value.",
+    .inferred =
+        "The name of the structure's type. That positions beyond the ends hold the end's value. How it is loaded.",
     .write = twincat_ptp::write,
     .read = twincat_ptp::read,
     .recognises =
