@@ -173,6 +173,16 @@ void add_table_flags(const Verb& verb, app::CompensateRequest& request) {
               request.table.magnification = static_cast<unsigned>(std::clamp(n, 1ull, 1000ull));
             })
       ->group(group);
+  add_count(verb, {"--largest", "N", "Number that the control takes in its table (the least that is known of its kind)"},
+            [&request](unsigned long long n) { request.table.largest = static_cast<unsigned>(std::min(n, 99'999ull)); })
+      ->group(group);
+  add_read(verb, {"--steps-per-unit", "NUMBER", "Steps per mm or ° of a control without tables, before any change"},
+           [&request](const std::string& text) -> Result<void> {
+             AXIOMETRY_TRY(request.table.steps_per_unit, number_in(text));
+             if (request.table.steps_per_unit > 0.0 && request.table.steps_per_unit <= 1e7) return {};
+             return fail(fmt::format("found {}, expected a number above 0, at most 10000000", text::quoted(text)));
+           })
+      ->group(group);
 }
 
 }  // namespace

@@ -238,6 +238,15 @@ Result<AxisCorrection> updated(const AxisCorrection& existing, const AxisCorrect
   return AxisCorrection::make(change.kind(), change.positions(), std::move(values[0]), std::move(values[1]));
 }
 
+Result<AxisCorrection> closed_turn(const AxisCorrection& correction) {
+  const std::vector<double>& positions = correction.positions();
+  if (correction.kind() != AxisKind::rotary || std::abs(positions.back() - positions.front() - 360.0) > 1e-6)
+    return correction;
+  std::array<std::vector<double>, 2> values{correction.values(Direction::up), correction.values(Direction::down)};
+  for (std::vector<double>& v : values) v.front() = v.back() = 0.5 * (v.front() + v.back());
+  return AxisCorrection::make(correction.kind(), positions, std::move(values[0]), std::move(values[1]));
+}
+
 Result<AxisCorrection> with_zero_at(const AxisCorrection& correction, TableCurves curves, double position) {
   const double up_there = correction.at(position, Direction::up), down_there = correction.at(position, Direction::down);
   const double zero = curves == TableCurves::with_backlash ? up_there : 0.5 * (up_there + down_there);

@@ -44,6 +44,9 @@ Result<Fit> fit_correction(const Series& series, AxisKind kind, const FitRequest
 /// The table of a control that had one while the readings were taken: `existing` + `change`, at the nodes of `change`.
 Result<AxisCorrection> updated(const AxisCorrection& existing, const AxisCorrection& change);
 
+/// Of a rotary axis whose positions are a whole turn: the ends are one place and take the mean of both.
+Result<AxisCorrection> closed_turn(const AxisCorrection& correction);
+
 /// Raised or lowered as a whole, so that it does nothing at `position`: in the mean of both directions; of a table with
 /// a backlash in the positive one.
 Result<AxisCorrection> with_zero_at(const AxisCorrection& correction, TableCurves curves, double position);

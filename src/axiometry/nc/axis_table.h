@@ -16,24 +16,34 @@ namespace axiometry::nc {
 
 /// What stands in a table beside its values, or must be known of the control to read them.
 struct AxisTableOptions {
-  std::string axis = "X";       ///< as the control names it
+  std::string axis = "X";  ///< as the control names it
   AxisKind kind = AxisKind::linear;
   bool in_inch = false;         ///< of a linear axis: the control's unit of length
   unsigned number = 0;          ///< of the table, encoder, joint or first point, as the control counts
   double reference = 0.0;       ///< machine position of the reference point, mm or °
   double resolution = 1.0;      ///< what one count stands for, µm or ″ (detection unit, encoder step)
   unsigned magnification = 1;   ///< by which the control multiplies the table's numbers
+  unsigned largest = 0;         ///< number that the control takes in its table; 0: the least that is known of its kind
+  double step = 0.0;            ///< spacing of a table that is read and does not say it, mm or °; 0: it says it
+  double steps_per_unit = 0.0;  ///< what the control drives now, steps per mm or °; 0: not told
 };
 
-/// Which position of a table has to be the reference point, where the correction is 0.
-enum class TableOrigin { anywhere, first, last };
+/// Where the reference point is, at which the correction is 0.
+enum class TableOrigin {
+  anywhere,
+  on_grid,  ///< a whole number of steps from the positions, in or out of them
+  first,
+  last,
+};
 
 /// How many positions, and where. 0: nothing is known to limit it.
 struct AxisTableLimits {
-  std::size_t points = 0;    ///< 1: no table, a backlash alone
+  std::size_t points = 0;  ///< 1: no table, a backlash alone; 2: a scale factor and a backlash
   bool equidistant = false;
   double step_native = 0.0;  ///< the only spacing that there is, mm
   TableOrigin origin = TableOrigin::anywhere;
+  bool zero_upwards = false;  ///< of two curves the positive one is 0 at the reference point, not their mean
+  bool closes = false;        ///< of a rotary axis: values a whole turn apart are one
   bool linear = true, rotary = true;
 };
 
@@ -43,10 +53,10 @@ struct AxisTable {
   std::string_view extension;  ///< of its files: ".comp"
   TableCurves curves = TableCurves::both_ways;
   AxisTableLimits limits;
-  std::string_view sign;       ///< what a positive number in the file does, a sentence
-  std::string_view loading;    ///< how the table gets into the control and becomes active, sentences
-  std::string_view verified;   ///< what of this format was seen in a file, a source or a manual
-  std::string_view inferred;   ///< what was not; "" where nothing
+  std::string_view sign;      ///< what a positive number in the file does, a sentence
+  std::string_view loading;   ///< how the table gets into the control and becomes active, sentences
+  std::string_view verified;  ///< what of this format was seen in a file, a source or a manual
+  std::string_view inferred;  ///< what was not; "" where nothing
 
   /// The file. Fails on what the control cannot hold, saying what it can.
   Result<std::string> (*write)(const AxisCorrection& correction, const AxisTableOptions& options);

@@ -5,15 +5,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "axiometry/nc/numbers.h"
+#include "axiometry/nc/safe_text.h"
 
 namespace axiometry::nc {
 
 std::string fixed_number(double x, int decimals) {
   std::string text = fmt::format("{:.{}f}", x, decimals);
   if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+  return text;
+}
+
+std::string trimmed_fixed(double x, int decimals) {
+  std::string text = fixed_number(x, decimals);
+  while (text.ends_with('0') && !text.ends_with(".0")) text.pop_back();
   return text;
 }
 
@@ -69,28 +78,113 @@ Result<void> check_limits(const AxisCorrection& correction, const AxisTable& tab
   const AxisTableLimits& limits = table.limits;
   const bool is_linear = correction.kind() == AxisKind::linear;
   if (is_linear ? !limits.linear : !limits.rotary)
-    return fail(fmt::format("found a {} axis, which {} has no such table for", axis_kind_name(correction.kind()),
-                            table.title));
+    return fail(
+        fmt::format("found a {} axis, which {} has no such table for", axis_kind_name(correction.kind()), table.title));
   const std::vector<double>& positions = correction.positions();
   if (limits.points > 0 && positions.size() > limits.points)
     return fail(fmt::format("found {} positions, expected at most {}, which is what {} takes", positions.size(),
                             limits.points, table.title));
   if (table.curves != TableCurves::each_way && table.curves != TableCurves::with_backlash)
     AXIOMETRY_TRY_VOID(check_one_curve(correction));
+  if (limits.closes && is_whole_turn(correction))
+    for (const Direction direction : {Direction::up, Direction::down})
+      if (std::abs(correction.values(direction).front() - correction.values(direction).back()) > 1e-6)
+        return fail(fmt::format("found corrections of {} and {} a whole turn apart, expected the same: it is one place",
+                                format_exact(correction.values(direction).front()),
+                                format_exact(correction.values(direction).back())));
   if (!limits.equidistant) return {};
   const auto step = common_step(positions);
   if (!step)
-    return fail(fmt::format("found positions of uneven spacing, expected an even one, which is what {} takes",
-                            table.title));
+    return fail(
+        fmt::format("found positions of uneven spacing, expected an even one, which is what {} takes", table.title));
   if (limits.step_native > 0.0 && std::abs(*step - limits.step_native) > 1e-6)
     return fail(fmt::format("found a spacing of {}, expected {}, the only one of {}", format_exact(*step),
                             format_exact(limits.step_native), table.title));
-  if (limits.origin == TableOrigin::anywhere) return {};
-  const bool is_first = limits.origin == TableOrigin::first;
-  if (correction.at(is_first ? positions.front() : positions.back(), Direction::up) != 0.0)
-    return fail(fmt::format("found a correction at the {} position, expected 0: that is the reference point of {}",
-                            is_first ? "first" : "last", table.title));
   return {};
+}
+
+Result<void> check_origin(const AxisCorrection& correction, const AxisTable& table, double reference) {
+  constexpr double slack_native = 1e-6, slack_deviation = 1e-6;
+  if (table.limits.origin == TableOrigin::anywhere) return {};
+  const std::vector<double>& positions = correction.positions();
+  const auto step = common_step(positions);
+  const double steps = step ? (reference - positions.front()) / *step : 0.0;
+  const bool fits = table.limits.origin == TableOrigin::first  ? std::abs(reference - positions.front()) <= slack_native
+                    : table.limits.origin == TableOrigin::last ? std::abs(reference - positions.back()) <= slack_native
+                                                               : std::abs(steps - std::round(steps)) <= slack_native;
+  if (!fits)
+    return fail(
+        fmt::format("found the reference point at {} and positions from {} to {}, expected it {}, which is what "
+                    "{} needs",
+                    format_exact(reference), format_exact(positions.front()), format_exact(positions.back()),
+                    table.limits.origin == TableOrigin::first  ? "at the first"
+                    : table.limits.origin == TableOrigin::last ? "at the last"
+                                                               : "a whole number of steps from them",
+                    table.title));
+  const double there = correction.at(reference, Direction::up);
+  if (std::abs(there) > slack_deviation)
+    return fail(
+        fmt::format("found a correction of {} at the reference point, expected 0, which is all that {} can have "
+                    "there",
+                    format_exact(there), table.title));
+  return {};
+}
+
+Result<void> check_axis_word(const AxisTableOptions& options, std::string_view beside) {
+  const std::string allowed =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_" + std::string(beside);
+  const std::string_view axis = options.axis;
+  if (!axis.empty() && axis.size() <= 32 && axis.find_first_not_of(allowed) == std::string_view::npos) return {};
+  return fail(
+      fmt::format("found the axis {}, expected its name in the control: letters and digits", text::quoted(axis)));
+}
+
+bool is_whole_turn(const AxisCorrection& correction) {
+  return correction.kind() == AxisKind::rotary &&
+         std::abs(correction.positions().back() - correction.positions().front() - 360.0) <= 1e-6;
+}
+
+std::string comment_lines(std::string_view mark, std::string_view text) {
+  std::string lines;
+  for (const std::string& part : wrapped(text, 90)) lines += fmt::format("{} {}\n", mark, part);
+  return lines;
+}
+
+std::optional<Assignment> assignment_of(std::string_view line) {
+  const std::size_t equals = line.find('=');
+  if (equals == std::string_view::npos) return std::nullopt;
+  Assignment found;
+  found.value = text::trim(line.substr(equals + 1));
+  std::string_view left = text::trim(line.substr(0, equals));
+  const std::size_t bracket = left.find_first_of("[(");
+  found.name = text::trim(left.substr(0, bracket));
+  if (bracket != std::string_view::npos) {
+    if (left.back() != (left[bracket] == '[' ? ']' : ')')) return std::nullopt;
+    for (const std::string_view index : text::split(left.substr(bracket + 1, left.size() - bracket - 2), ','))
+      found.indices.push_back(text::trim(index));
+  }
+  if (found.name.empty() || found.value.empty()) return std::nullopt;
+  return found;
+}
+
+std::optional<long long> whole_number(std::string_view text) {
+  const bool is_negative = text.starts_with('-');
+  if (is_negative || text.starts_with('+')) text.remove_prefix(1);
+  const auto count = text.size() > 9 ? std::nullopt : parse_count(text);
+  if (!count) return std::nullopt;
+  return is_negative ? -static_cast<long long>(*count) : static_cast<long long>(*count);
+}
+
+std::unexpected<Error> refused(const TableLine& line, std::string_view expected) {
+  return fail(fmt::format("found {}, expected {}", text::quoted(line.text), expected), {line.number, 0});
+}
+
+Result<AxisCorrection> even_correction(AxisKind kind, double first, double step, std::vector<double> up,
+                                       std::vector<double> down) {
+  std::vector<double> positions;
+  for (std::size_t k = 0; k < up.size(); ++k)
+    positions.push_back(std::round((first + step * static_cast<double>(k)) * 1e9) / 1e9);
+  return AxisCorrection::make(kind, std::move(positions), std::move(up), std::move(down));
 }
 
 long long counts(double value, double resolution) { return std::llround(value / resolution); }

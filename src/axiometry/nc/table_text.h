@@ -16,6 +16,9 @@ namespace axiometry::nc {
 /// Fixed decimals, a decimal point, never "-0": "-12.500000".
 std::string fixed_number(double x, int decimals);
 
+/// The same without the zeros at its end, but for one: "5.0".
+std::string trimmed_fixed(double x, int decimals);
+
 /// How many of the control's units of length or angle one µm (″) of correction is: 0.001 in mm, 1/25400 in inch,
 /// 1/3600 in °.
 double unit_per_deviation(const AxisTableOptions& options);
@@ -38,6 +41,37 @@ std::optional<std::vector<double>> numbers_of(std::string_view text, std::string
 /// Fails, naming the limit, where the positions are more, or not as evenly spaced, as the table allows, or the kind of
 /// axis is one that it does not take.
 Result<void> check_limits(const AxisCorrection& correction, const AxisTable& table);
+
+/// Fails, where the limits name an origin, unless the reference point lies where the table needs it and the positive
+/// curve (of one curve: it) is 0 there; beyond the positions: at the nearest.
+Result<void> check_origin(const AxisCorrection& correction, const AxisTable& table, double reference);
+
+/// Fails on a name of an axis that is no word of letters, digits, _ and the characters of `beside` (at most 32).
+Result<void> check_axis_word(const AxisTableOptions& options, std::string_view beside = "");
+
+/// Whether the positions of a rotary axis are a whole turn.
+bool is_whole_turn(const AxisCorrection& correction);
+
+/// A text as lines of comment, wrapped: "; …".
+std::string comment_lines(std::string_view mark, std::string_view text);
+
+/// NAME(INDEX,INDEX) = VALUE, the indices in round or square brackets or none, blanks anywhere between.
+struct Assignment {
+  std::string_view name;
+  std::vector<std::string_view> indices;
+  std::string_view value;
+};
+std::optional<Assignment> assignment_of(std::string_view line);
+
+/// A whole number with or without sign, of at most 9 digits.
+std::optional<long long> whole_number(std::string_view text);
+
+/// "found TEXT, expected WHAT", at this line.
+std::unexpected<Error> refused(const TableLine& line, std::string_view expected);
+
+/// Of positions first, first + step, …, by the values beside them, which are in the unit of corrections.
+Result<AxisCorrection> even_correction(AxisKind kind, double first, double step, std::vector<double> up,
+                                       std::vector<double> down);
 
 /// The spacing where all are the same within what decimals of the control hold; nothing else.
 std::optional<double> common_step(const std::vector<double>& positions);

@@ -60,16 +60,34 @@ struct Setting {
 
 bool is_wished(const compensation::GridRequest& grid) { return grid.start || grid.end || grid.step || grid.points; }
 
+/// The spacing of targets that are evenly spaced from a reference point on.
+std::optional<double> spacing_from(double reference, const std::vector<double>& targets) {
+  constexpr double slack = 1e-6;
+  if (targets.size() < 2) return std::nullopt;
+  const double step = (targets.back() - targets.front()) / static_cast<double>(targets.size() - 1);
+  for (const double target : targets) {
+    const double steps = (target - reference) / step;
+    if (std::abs(steps - std::round(steps)) > slack) return std::nullopt;
+  }
+  return step;
+}
+
 Result<std::vector<double>> nodes_of(const Setting& s) {
   const nc::AxisTableLimits& limits = s.control.limits;
   if (limits.points == 1) return std::vector{s.options.reference};
   if (s.existing && !is_wished(s.request.grid)) return s.existing->positions();
+  const std::vector<double> targets = target_positions(s.series);
+  if (limits.points == 2 && !is_wished(s.request.grid) && targets.size() > 1)
+    return std::vector{targets.front(), targets.back()};
   compensation::GridRequest wish = s.request.grid;
   compensation::GridLimits allowed{limits.points, limits.equidistant, limits.step_native, {}};
   if (limits.origin != nc::TableOrigin::anywhere) allowed.anchor = s.options.reference;
+  if (limits.origin == nc::TableOrigin::on_grid && !is_wished(wish) &&
+      (targets.size() <= limits.points || limits.points == 0))
+    wish.step = spacing_from(s.options.reference, targets);
   if (limits.origin == nc::TableOrigin::first && !wish.start) wish.start = s.options.reference;
   if (limits.origin == nc::TableOrigin::last && !wish.end) wish.end = s.options.reference;
-  return compensation::grid_of(target_positions(s.series), wish, allowed);
+  return compensation::grid_of(targets, wish, allowed);
 }
 
 /// The new table before it is rounded: the change that the readings ask for, upon what was there.
@@ -80,8 +98,12 @@ Result<compensation::Fit> table_by(const Setting& s, compensation::Method method
   if (s.existing) {
     AXIOMETRY_TRY(fit.correction, compensation::updated(*s.existing, fit.correction));
   }
+  if (s.control.limits.closes) {
+    AXIOMETRY_TRY(fit.correction, compensation::closed_turn(fit.correction));
+  }
   const double zero = std::clamp(s.options.reference, s.nodes.front(), s.nodes.back());
-  AXIOMETRY_TRY(fit.correction, compensation::with_zero_at(fit.correction, s.curves, zero));
+  const TableCurves zeroed = s.control.limits.zero_upwards ? TableCurves::with_backlash : s.curves;
+  AXIOMETRY_TRY(fit.correction, compensation::with_zero_at(fit.correction, zeroed, zero));
   return fit;
 }
 
@@ -146,6 +168,7 @@ Result<CompensatedAxis> compensate(const CompensateRequest& request) {
   Setting s{request, test.series, *control, request.table, {}, request.curves.value_or(control->curves)};
   s.options.kind = test.metadata.axis.kind;
   s.options.axis = !request.axis.empty() ? request.axis : !test.metadata.axis.name.empty() ? test.metadata.axis.name : "X";
+  s.options.step = request.grid.step.value_or(0.0);
   if (!request.existing.empty()) {
     AXIOMETRY_TRY(s.existing, read_axis_table(request.existing, *control, s.options));
   }

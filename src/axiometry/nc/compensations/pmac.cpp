@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Leadscrew compensation of Delta Tau PMAC: entries of 1/16 count at one spacing from home upward, which roll over at
+// the length of the table; positions below home are at its end. The table is added to the command; a second one
+// (BLCOMP) is taken off it while the motor moves in the negative direction.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/nc/table_text.h"
+
+namespace axiometry::nc {
+
+extern const AxisTable pmac_axis_table;
+
+namespace pmac {
+namespace {
+
+constexpr double per_count = 16.0;
+constexpr long long entry_most = 8'388'607;  // 24 bits
+constexpr std::string_view range_mark = "; range ";
+
+/// Where the table stands, from the first position to the last, home among them.
+struct Span {
+  double low = 0.0, high = 0.0, step = 0.0;
+  long long entries = 0, length_counts = 0;
+};
+
+Result<Span> span_of(const AxisCorrection& correction, const AxisTableOptions& options) {
+  const std::vector<double>& positions = correction.positions();
+  const auto step = common_step(positions);
+  if (!step) return fail("found one position, expected at least two");
+  Span span{std::min(positions.front(), options.reference), std::max(positions.back(), options.reference), *step};
+  // The one section behind the last position leads back to the first.
+  const double entries = (span.high - span.low) / *step + (is_whole_turn(correction) ? 0.0 : 1.0);
+  const double length = std::round(entries) * *step * deviation_per_position(options.kind) / options.resolution;
+  if (entries > static_cast<double>(AxisCorrection::nodes_max) || !(length < 1e15) || length < 1.0)
+    return fail(
+        fmt::format("found a table of {:.0f} entries over {:.0f} counts, expected at most {} and at least 1 count",
+                    entries, length, AxisCorrection::nodes_max));
+  span.entries = std::llround(entries);
+  span.length_counts = std::llround(length);
+  return span;
+}
+
+Result<void> write_entries(std::string& text, const Span& span, const AxisTableOptions& options, auto&& value_at) {
+  for (long long k = 1; k <= span.entries; ++k) {
+    double position = options.reference + span.step * static_cast<double>(k);
+    if (position > span.high + 0.5 * span.step || k == span.entries)
+      position -= span.step * static_cast<double>(span.entries);
+    const double value = value_at(position) * per_count / options.resolution;
+    if (std::abs(value) > static_cast<double>(entry_most))
+      return fail(fmt::format("found a correction of {:.0f} counts / 16, expected at most {}", value, entry_most));
+    fmt::format_to(std::back_inserter(text), "{}\n", std::llround(value));
+  }
+  return {};
+}
+
+Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options) {
+  AXIOMETRY_TRY_VOID(check_limits(correction, pmac_axis_table));
+  AXIOMETRY_TRY_VOID(check_axis_word(options));
+  AXIOMETRY_TRY_VOID(check_origin(correction, pmac_axis_table, options.reference));
+  AXIOMETRY_TRY(const Span span, span_of(correction, options));
+  const unsigned motor = options.number > 0 ? options.number : 1;
+  std::string text = comment_lines(";", pmac_axis_table.sign);
+  fmt::format_to(std::back_inserter(text), "{}{} to {}\n#{} DEFINE COMP {},{}\n", range_mark,
+                 trimmed_fixed(span.low, 6), trimmed_fixed(span.high, 6), motor, span.entries, span.length_counts);
+  AXIOMETRY_TRY_VOID(write_entries(text, span, options, [&](double x) { return correction.at(x, Direction::up); }));
+  if (!correction.same_both_ways()) {
+    fmt::format_to(std::back_inserter(text), "#{} DEFINE BLCOMP {},{}\n", motor, span.entries, span.length_counts);
+    AXIOMETRY_TRY_VOID(write_entries(text, span, options, [&](double x) {
+      return correction.at(x, Direction::up) - correction.at(x, Direction::down);
+    }));
+  }
+  return text + "I51=1\n";
+}
+
+struct Buffer {
+  bool is_backlash = false;
+  long long entries = 0, length_counts = 0;
+  std::vector<long long> values{};
+};
+
+std::optional<Buffer> buffer_of(std::string_view line, const AxisTableOptions& options) {
+  const std::vector<std::string_view> words = text::words(line);
+  const std::string motor = fmt::format("#{}", options.number > 0 ? options.number : 1);
+  if (words.size() != 4 || words[0] != motor || words[1] != "DEFINE" || (words[2] != "COMP" && words[2] != "BLCOMP"))
+    return std::nullopt;
+  const auto parts = text::split(words[3], ',');
+  const auto entries = whole_number(parts[0]);
+  const auto length = parts.size() == 2 ? parse_count(parts[1]) : std::nullopt;
+  if (!entries || *entries < 1 || *entries > static_cast<long long>(AxisCorrection::nodes_max) || !length ||
+      *length < 1 || *length > 1'000'000'000'000'000ull)
+    return std::nullopt;
+  return Buffer{words[2] == "BLCOMP", *entries, static_cast<long long>(*length)};
+}
+
+struct Program {
+  std::vector<Buffer> buffers;
+  std::optional<std::pair<double, double>> range;
+  bool is_on = false;
+};
+
+Result<void> take(TableLine line, const AxisTableOptions& options, Program& program) {
+  if (line.text.starts_with(range_mark) && !program.range) {
+    const auto words = text::words(line.text.substr(range_mark.size()));
+    const auto low = words.size() == 3 ? parse_number(words[0]) : std::nullopt;
+    const auto high = words.size() == 3 ? parse_number(words[2]) : std::nullopt;
+    if (!low || !high || !(*low < *high)) return refused(line, "; range LOW to HIGH");
+    program.range = {*low, *high};
+    return {};
+  }
+  line.text = text::trim(line.text.substr(0, line.text.find(';')));
+  if (line.text.empty()) return {};
+  if (program.is_on) return refused(line, "nothing behind I51=1");
+  if (line.text == "I51=1") {
+    program.is_on = true;
+    return {};
+  }
+  if (line.text.starts_with('#')) {
+    const auto buffer = buffer_of(line.text, options);
+    if (!buffer || program.buffers.size() == 2 || buffer->is_backlash != !program.buffers.empty())
+      return refused(line, "#MOTOR DEFINE COMP ENTRIES,COUNTS, then BLCOMP, of this motor");
+    program.buffers.push_back(*buffer);
+    return {};
+  }
+  if (program.buffers.empty()) return refused(line, "#MOTOR DEFINE COMP before the entries");
+  for (const std::string_view word : text::words(line.text)) {
+    const auto value = whole_number(word);
+    if (!value) return refused(line, "whole numbers of 1/16 count");
+    program.buffers.back().values.push_back(*value);
+  }
+  return {};
+}
+
+/// What the table says at a whole number of steps from home: it rolls over.
+double rolled(const Buffer& buffer, long long steps) {
+  const long long place = ((steps - 1) % buffer.entries + buffer.entries) % buffer.entries;
+  return static_cast<double>(buffer.values[static_cast<std::size_t>(place)]);
+}
+
+Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options) {
+  Program program;
+  for (const TableLine& line : lines_of(text)) AXIOMETRY_TRY_VOID(take(line, options, program));
+  if (program.buffers.empty() || !program.is_on) return fail("found no table with I51=1 behind it, expected both");
+  const Buffer& comp = program.buffers.front();
+  for (const Buffer& buffer : program.buffers)
+    if (std::ssize(buffer.values) != buffer.entries || buffer.entries != comp.entries ||
+        buffer.length_counts != comp.length_counts)
+      return fail(fmt::format("found {} entries, expected {}, as many as are defined, in both tables",
+                              buffer.values.size(), comp.entries));
+  const double length =
+      static_cast<double>(comp.length_counts) * options.resolution / deviation_per_position(options.kind);
+  const double step = length / static_cast<double>(comp.entries);
+  const double low = program.range ? program.range->first : options.reference;
+  const double high = program.range ? program.range->second : options.reference + length;
+  if (high - low > length * (1.0 + 1e-6) + 1e-6)
+    return fail(fmt::format("found a range of {}, expected at most the length of the table, {}",
+                            format_exact(high - low), format_exact(length)));
+  std::vector<double> up, down;
+  const long long first = std::llround((low - options.reference) / step),
+                  last = std::llround((high - options.reference) / step);
+  for (long long k = first; k <= last; ++k) {
+    up.push_back(rolled(comp, k) / per_count * options.resolution);
+    const double less =
+        program.buffers.size() > 1 ? rolled(program.buffers[1], k) / per_count * options.resolution : 0.0;
+    down.push_back(up.back() - less);
+  }
+  return even_correction(options.kind, options.reference + step * static_cast<double>(first), step, std::move(up),
+                         std::move(down));
+}
+
+}  // namespace
+}  // namespace pmac
+
+const AxisTable pmac_axis_table = {
+    .id = "pmac",
+    .title = "Delta Tau PMAC, COMP and BLCOMP",
+    .extension = ".pmc",
+    .curves = TableCurves::each_way,
+    .limits = {.equidistant = true, .origin = TableOrigin::on_grid, .zero_upwards = true, .closes = true},
+    .sign =
+        "A positive number of COMP moves the axis in the positive direction; one of BLCOMP in the negative, and only "
+        "while it moves in the negative direction.",
+    .loading =
+        "Delete the buffers that are in the way (TBUF, ROTARY, GATHER, tables of lower motors), send the lines, "
+        "motors with the highest number first, SAVE. I51=1 switches all tables on; they are active once the motor is "
+        "homed. --number is the motor, --resolution one count. With one BLCOMP the reversal is in it: Ix86 adds to "
+        "it, set that to 0.",
+    .verified =
+        "The commands, 1/16 count, the first entry one spacing from home, the rollover, that COMP is added in both "
+        "directions and BLCOMP taken off in the negative one: reference and user's manuals.",
+    .inferred = "24 bits of an entry.",
+    .write = pmac::write,
+    .read = pmac::read,
+    .recognises = [](std::string_view text) { return text.substr(0, 1024).find(" DEFINE COMP ") != text.npos; },
+};
+
+}  // namespace axiometry::nc
