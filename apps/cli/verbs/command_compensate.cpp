@@ -119,9 +119,9 @@ void add_grid_flags(const Verb& verb, app::CompensateRequest& request) {
              return {};
            })
       ->group(group);
-  add_count(verb, {"--points", "N", "How many"},
-            [&request](unsigned long long n) { request.grid.points = static_cast<std::size_t>(n); })
-      ->group(group);
+  add_count(verb, {"--points", "N", "How many"}, [&request](unsigned long long n) {
+    request.grid.points = static_cast<std::size_t>(n);
+  })->group(group);
   verb.add_flag("--hold-ends", request.hold_ends,
                 "Beyond the targets hold the value at the last one, which nobody measured there")
       ->group(group);
@@ -143,8 +143,8 @@ void add_table_flags(const Verb& verb, app::CompensateRequest& request) {
            [&request](const std::string& text) -> Result<void> {
              if (text != "least-squares" && text != "interpolation")
                return fail(fmt::format("found {}, expected least-squares or interpolation", text::quoted(text)));
-             request.method = text == "interpolation" ? compensation::Method::interpolation
-                                                      : compensation::Method::least_squares;
+             request.method =
+                 text == "interpolation" ? compensation::Method::interpolation : compensation::Method::least_squares;
              return {};
            })
       ->group(group);
@@ -173,7 +173,8 @@ void add_table_flags(const Verb& verb, app::CompensateRequest& request) {
               request.table.magnification = static_cast<unsigned>(std::clamp(n, 1ull, 1000ull));
             })
       ->group(group);
-  add_count(verb, {"--largest", "N", "Number that the control takes in its table (the least that is known of its kind)"},
+  add_count(verb,
+            {"--largest", "N", "Number that the control takes in its table (the least that is known of its kind)"},
             [&request](unsigned long long n) { request.table.largest = static_cast<unsigned>(std::min(n, 99'999ull)); })
       ->group(group);
   add_read(verb, {"--steps-per-unit", "NUMBER", "Steps per mm or ° of a control without tables, before any change"},
@@ -188,7 +189,8 @@ void add_table_flags(const Verb& verb, app::CompensateRequest& request) {
 }  // namespace
 
 void add_compensate(const Verb& program, int& exit_code) {
-  Verb verb = program.add_subcommand("compensate", "The table by which a control corrects an axis, from a measured test");
+  Verb verb =
+      program.add_subcommand("compensate", "The table by which a control corrects an axis, from a measured test");
   verb->footer(examples);
   auto arguments = std::make_shared<Arguments>();
   verb->add_option("FILE", arguments->request.file, "Measured test, or - for the standard input");

@@ -32,8 +32,7 @@ std::vector<Wanted> wanted_of(const Series& series, Direction direction) {
   std::vector<Wanted> wanted;
   for (std::size_t i = 0; i < series.target_count(); ++i) {
     const numeric::Moments m = numeric::moments(series.cell(i, direction));
-    if (m.count > 0)
-      wanted.push_back({series.targets()[i].in_native(), -m.mean, static_cast<double>(m.count)});
+    if (m.count > 0) wanted.push_back({series.targets()[i].in_native(), -m.mean, static_cast<double>(m.count)});
   }
   return wanted;
 }
@@ -174,10 +173,11 @@ std::optional<double> mean_reversal(const Series& series) {
 Result<void> check_covered(std::span<const Wanted> wanted, std::span<const double> nodes, std::string_view of) {
   const double slack = 1e-9 * std::max(1.0, std::abs(nodes.back()) + std::abs(nodes.front()));
   if (nodes.front() >= wanted.front().position - slack && nodes.back() <= wanted.back().position + slack) return {};
-  return fail(fmt::format("found a table from {} to {}, expected it within {} to {}, where {} were measured: nothing is "
-                          "extrapolated",
-                          format_exact(nodes.front()), format_exact(nodes.back()),
-                          format_exact(wanted.front().position), format_exact(wanted.back().position), of));
+  return fail(
+      fmt::format("found a table from {} to {}, expected it within {} to {}, where {} were measured: nothing is "
+                  "extrapolated",
+                  format_exact(nodes.front()), format_exact(nodes.back()), format_exact(wanted.front().position),
+                  format_exact(wanted.back().position), of));
 }
 
 Result<void> check_nodes(std::span<const double> nodes) {
@@ -215,11 +215,12 @@ Result<Fit> fit_correction(const Series& series, AxisKind kind, const FitRequest
   if (!is_backlash_alone && !request.hold_ends)
     for (std::size_t c = 0; c < curves.size(); ++c)
       AXIOMETRY_TRY_VOID(check_covered(curves[c], request.nodes,
-                                       curves.size() == 1 ? "targets" : c == 0 ? "targets ↑" : "targets ↓"));
+                                       curves.size() == 1 ? "targets"
+                                       : c == 0           ? "targets ↑"
+                                                          : "targets ↓"));
 
-  const double lambda = request.smooth && request.method == Method::least_squares
-                            ? chosen_lambda(curves, request.nodes)
-                            : 0.0;
+  const double lambda =
+      request.smooth && request.method == Method::least_squares ? chosen_lambda(curves, request.nodes) : 0.0;
   std::vector<std::vector<double>> values;
   for (const std::vector<Wanted>& wanted : curves)
     values.push_back(request.method == Method::interpolation ? interpolated(wanted, request.nodes)

@@ -38,7 +38,8 @@ struct Fit {
 /// then that of a row of decades which foretells inner targets best that were left out, a tenth of them at a time.
 ///
 /// Fails without a reading; on each_way and with_backlash where a direction has no reading; on nodes beyond the
-/// targets of a direction that is used (nothing is extrapolated) unless `hold_ends`, naming the range that was measured.
+/// targets of a direction that is used (nothing is extrapolated) unless `hold_ends`, naming the range that was
+/// measured.
 Result<Fit> fit_correction(const Series& series, AxisKind kind, const FitRequest& request);
 
 /// The table of a control that had one while the readings were taken: `existing` + `change`, at the nodes of `change`.

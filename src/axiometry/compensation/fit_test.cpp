@@ -83,8 +83,9 @@ TEST(FitCorrection, IsNearerToTheReadingsThanInterpolationBetweenTargets) {
   const Series series = bent_axis(21, 3, 0.2);
   const std::vector<double> nodes{0, 40, 80, 120, 160, 200};
   const auto residual = [&](Method method) {
-    const auto fit = fit_correction(series, AxisKind::linear,
-                                    {.nodes = nodes, .curves = TableCurves::each_way, .method = method, .hold_ends = true});
+    const auto fit =
+        fit_correction(series, AxisKind::linear,
+                       {.nodes = nodes, .curves = TableCurves::each_way, .method = method, .hold_ends = true});
     const iso230_2::Evaluation after = iso230_2::evaluate(*corrected_series(series, fit->correction));
     double sum = 0.0;
     for (const auto& p : after.positions) sum += p.mean->in_native() * p.mean->in_native();
@@ -102,8 +103,8 @@ TEST(FitCorrection, DoesNotSwingBetweenTargets) {
   const Series series = make_series(targets, {up}, {up});
   std::vector<double> nodes;
   for (int k = 0; k <= 30; ++k) nodes.push_back(10.0 * k);
-  const auto fit = fit_correction(series, AxisKind::linear,
-                                  {.nodes = nodes, .curves = TableCurves::both_ways, .hold_ends = true});
+  const auto fit =
+      fit_correction(series, AxisKind::linear, {.nodes = nodes, .curves = TableCurves::both_ways, .hold_ends = true});
   for (const double value : fit->correction.values(Direction::up)) EXPECT_LT(std::abs(value), 8.0);
 }
 
@@ -113,12 +114,11 @@ TEST(FitCorrection, SmoothsNoiseAndNotTheError) {
   std::vector<double> nodes;
   for (int k = 1; k < 40; ++k) nodes.push_back(10.0 * k);
   const auto error_of = [&](const Series& series, bool smooth) {
-    const auto fit = fit_correction(
-        series, AxisKind::linear,
-        {.nodes = nodes, .curves = TableCurves::both_ways, .smooth = smooth, .hold_ends = true});
+    const auto fit =
+        fit_correction(series, AxisKind::linear,
+                       {.nodes = nodes, .curves = TableCurves::both_ways, .smooth = smooth, .hold_ends = true});
     double sum = 0.0;
-    for (const double x : nodes)
-      sum += std::pow(fit->correction.at(x, Direction::up) + truth(x) + 0.05 * x - 1.5, 2.0);
+    for (const double x : nodes) sum += std::pow(fit->correction.at(x, Direction::up) + truth(x) + 0.05 * x - 1.5, 2.0);
     return std::sqrt(sum / static_cast<double>(nodes.size()));
   };
   EXPECT_LT(error_of(noisy, true), 0.75 * error_of(noisy, false));

@@ -96,9 +96,9 @@ Result<std::vector<double>> grid_of(std::span<const double> targets, const GridR
 
   if (request.points) {
     const double start = request.start.value_or(targets.front());
-    const double end = request.end          ? *request.end
-                       : request.step       ? start + *request.step * static_cast<double>(*request.points - 1)
-                                            : targets.back();
+    const double end = request.end    ? *request.end
+                       : request.step ? start + *request.step * static_cast<double>(*request.points - 1)
+                                      : targets.back();
     if (!(end > start))
       return fail(fmt::format("found an end at {}, expected one above the start at {}", format_exact(end),
                               format_exact(start)));

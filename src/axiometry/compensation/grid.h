@@ -18,7 +18,7 @@ struct GridRequest {
 
 /// What the control wants of them.
 struct GridLimits {
-  std::size_t points = 0;          ///< most; 0: not limited
+  std::size_t points = 0;  ///< most; 0: not limited
   bool equidistant = false;
   double step = 0.0;               ///< the only one; 0: any
   std::optional<double> anchor{};  ///< a whole number of steps from the first position

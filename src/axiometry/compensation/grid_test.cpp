@@ -36,8 +36,9 @@ TEST(GridOf, TakesWhatTheUserSays) {
 }
 
 TEST(GridOf, BeginsAtAReferencePointAndKeepsAFixedStep) {
-  EXPECT_THAT(*grid_of(std::vector<double>{-60, -30, 0}, {.end = 0}, {.equidistant = true, .step = 12.7, .anchor = 0.0}),
-              ElementsAre(-50.8, -38.1, -25.4, -12.7, 0));
+  EXPECT_THAT(
+      *grid_of(std::vector<double>{-60, -30, 0}, {.end = 0}, {.equidistant = true, .step = 12.7, .anchor = 0.0}),
+      ElementsAre(-50.8, -38.1, -25.4, -12.7, 0));
 }
 
 TEST(GridOf, RefusesWhatContradictsItself) {

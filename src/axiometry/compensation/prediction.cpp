@@ -41,9 +41,8 @@ Result<Series> corrected_series(const Series& series, const AxisCorrection& adde
 }
 
 Result<Series> scatter_alone(const Series& series) {
-  return shifted(series, [&](std::size_t i, Direction direction) {
-    return -numeric::moments(series.cell(i, direction)).mean;
-  });
+  return shifted(series,
+                 [&](std::size_t i, Direction direction) { return -numeric::moments(series.cell(i, direction)).mean; });
 }
 
 std::optional<Effect> effect_of_table(const Series& before, const Series& after, const AxisCorrection& added,

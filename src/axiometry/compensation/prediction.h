@@ -11,7 +11,8 @@
 namespace axiometry::compensation {
 
 /// The readings of the same test with `added` in the control in place of `removed` (none: with no table). A command
-/// to P then moves to P + c(P): the deviation there is that of P but for its slope over c, of some µm, which is left out.
+/// to P then moves to P + c(P): the deviation there is that of P but for its slope over c, of some µm, which is left
+/// out.
 Result<Series> corrected_series(const Series& series, const AxisCorrection& added,
                                 const AxisCorrection* removed = nullptr);
 

@@ -20,7 +20,8 @@ using testing_support::make_series;
 const std::vector<double> targets{0, 100, 200, 300, 400};
 
 Series before() {
-  return make_series(targets, {{0, 9, 15, 22, 30}, {0.2, 9.2, 14.8, 22.4, 30}}, {{-4, 5, 11, 18, 26}, {-4, 5.4, 11, 18, 26.2}});
+  return make_series(targets, {{0, 9, 15, 22, 30}, {0.2, 9.2, 14.8, 22.4, 30}},
+                     {{-4, 5, 11, 18, 26}, {-4, 5.4, 11, 18, 26.2}});
 }
 
 AxisCorrection table() {

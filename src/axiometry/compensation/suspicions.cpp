@@ -50,7 +50,9 @@ std::string place_words(double position, AxisKind kind) {
 Result<void> check_plausible(const Series& series, AxisKind kind) {
   const double slope = slope_of(series, kind);
   if (std::abs(slope) <= per_travel_most) return {};
-  const auto is_near = [&](double known) { return std::abs(slope - known) < near_known * std::max(1.0, std::abs(known)); };
+  const auto is_near = [&](double known) {
+    return std::abs(slope - known) < near_known * std::max(1.0, std::abs(known));
+  };
   std::string why = "these are no deviations of an axis";
   if (is_near(-2.0))
     why = "the instrument counts against the axis: turn its sign, or the axis in the test";
@@ -78,10 +80,11 @@ std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind ki
                      deviation_words(std::abs(outlier.distance.in_native()) / count, kind))});
   }
   if (scatter.shifts && scatter.shifts->ordered)
-    findings.push_back({"compensation-drift", false,
-                        fmt::format("found readings that drift by {} from the first run to the last: the table corrects "
-                                    "the axis as it was on the average of the test",
-                                    deviation_words(std::abs(scatter.shifts->drift.in_native()), kind))});
+    findings.push_back(
+        {"compensation-drift", false,
+         fmt::format("found readings that drift by {} from the first run to the last: the table corrects "
+                     "the axis as it was on the average of the test",
+                     deviation_words(std::abs(scatter.shifts->drift.in_native()), kind))});
   for (const Direction direction : {Direction::up, Direction::down})
     if (!series.has(direction))
       findings.push_back({"compensation-one-direction", true,
@@ -133,8 +136,8 @@ std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorr
 NamedFinding finding_of_retest(const Effect& effect, const std::optional<Effect>& exchanged) {
   const double slack = std::max(0.25, 3.0 * effect.u);
   const auto is_near = [&](double share) { return std::abs(effect.share - share) < slack; };
-  const std::string share = fmt::format("{:.2f} ± {:.2f} (k = 2) of what the table should change", effect.share,
-                                        2.0 * effect.u);
+  const std::string share =
+      fmt::format("{:.2f} ± {:.2f} (k = 2) of what the table should change", effect.share, 2.0 * effect.u);
   if (effect.u > 0.25)
     return {"retest-tells-nothing", false,
             fmt::format("the re-test shows {}: too uncertain to tell whether the table is active", share)};
@@ -148,10 +151,11 @@ NamedFinding finding_of_retest(const Effect& effect, const std::optional<Effect>
     return {"retest-sign", true,
             fmt::format("the error has doubled: the re-test shows {}, a sign mistake; take the table out", share)};
   if (is_near(2.0))
-    return {"retest-twice", true,
-            fmt::format("the table is applied twice: the re-test shows {}; is an older table still active beside it, or "
-                        "was the new one added to one that holds it already?",
-                        share)};
+    return {
+        "retest-twice", true,
+        fmt::format("the table is applied twice: the re-test shows {}; is an older table still active beside it, or "
+                    "was the new one added to one that holds it already?",
+                    share)};
   if (exchanged && std::abs(exchanged->share - 1.0) < 0.25 && exchanged->explained > effect.explained)
     return {"retest-directions", true,
             fmt::format("the table's two directions are exchanged: the re-test shows {:.2f} of it with ↑ for ↓",

@@ -7,10 +7,12 @@ namespace {
 
 constexpr Phrase rows[] = {
     {"A number in the file", "Eine Zahl der Datei"},
-    {"A number is added to the command (forward, then reverse): a positive one moves the axis in the positive direction.",
+    {"A number is added to the command (forward, then reverse): a positive one moves the axis in the positive "
+     "direction.",
      "Eine Zahl wird zum Sollwert addiert (vorwärts, dann rückwärts): Eine positive bewegt die Achse in positiver "
      "Richtung."},
-    {"A number is where the axis really was (forward, then reverse) when the nominal position was commanded, without the "
+    {"A number is where the axis really was (forward, then reverse) when the nominal position was commanded, without "
+     "the "
      "table: one above the nominal moves the axis in the negative direction.",
      "Eine Zahl ist die Stelle, an der die Achse ohne Tabelle wirklich stand (vorwärts, dann rückwärts), als die "
      "Sollposition befohlen war: Eine über der Sollposition bewegt die Achse in negativer Richtung."},
@@ -38,19 +40,24 @@ constexpr Phrase rows[] = {
     {"Mean deviations before and with the table", "Mittlere Abweichungen vorher und mit der Tabelle"},
     {"Mean deviations of every target and direction as they were measured, and as they would be with the table in the "
      "control.",
-     "Mittlere Abweichungen jedes Ziels und jeder Richtung, wie sie gemessen wurden, und wie sie mit der Tabelle in der "
+     "Mittlere Abweichungen jedes Ziels und jeder Richtung, wie sie gemessen wurden, und wie sie mit der Tabelle in "
+     "der "
      "Steuerung wären."},
     {"Predicted / {0=}", "Vorhergesagt / {0}"},
-    {"Predicted: the same readings with the table in the control, as it interpolates and rounds. The table was made from "
+    {"Predicted: the same readings with the table in the control, as it interpolates and rounds. The table was made "
+     "from "
      "these readings; what scatter did to their means it corrects too, and a re-test will show that part again.",
      "Vorhergesagt: dieselben Messwerte mit der Tabelle in der Steuerung, wie sie interpoliert und rundet. Die Tabelle "
-     "stammt aus diesen Messwerten; was die Streuung an ihren Mittelwerten tat, korrigiert sie mit, und eine Nachprüfung "
+     "stammt aus diesen Messwerten; was die Streuung an ihren Mittelwerten tat, korrigiert sie mit, und eine "
+     "Nachprüfung "
      "zeigt diesen Teil wieder."},
     {"Re-test / {0=}", "Nachprüfung / {0}"},
     {"Re-test, 95 % below / {0=}", "Nachprüfung, 95 % unter / {0}"},
-    {"Re-test, 95 % below: of simulated re-tests of as many runs, with the scatter of this test, in the table and in the "
+    {"Re-test, 95 % below: of simulated re-tests of as many runs, with the scatter of this test, in the table and in "
+     "the "
      "re-test; if the axis and the set-up stay as they are.",
-     "Nachprüfung, 95 % unter: von simulierten Nachprüfungen mit ebenso vielen Läufen und der Streuung dieser Prüfung, in "
+     "Nachprüfung, 95 % unter: von simulierten Nachprüfungen mit ebenso vielen Läufen und der Streuung dieser Prüfung, "
+     "in "
      "der Tabelle und in der Nachprüfung; wenn Achse und Aufbau bleiben, wie sie sind."},
     {"Scatter alone / {0=}", "Nur Streuung / {0}"},
     {"Scatter alone: the readings without the mean of every target and direction. No table removes this.",
@@ -73,8 +80,10 @@ constexpr Phrase rows[] = {
     {"the error has doubled: the re-test shows {0=}, a sign mistake; take the table out",
      "der Fehler hat sich verdoppelt: Die Nachprüfung zeigt {0}, ein Vorzeichenfehler; die Tabelle herausnehmen"},
     {"the table does what it should: {0=}", "die Tabelle tut, was sie soll: {0}"},
-    {"the table goes from {0=} to {1=}, the targets from {2=} to {3=}: beyond its ends the control holds the last value",
-     "die Tabelle reicht von {0} bis {1}, die Ziele von {2} bis {3}: Jenseits ihrer Enden hält die Steuerung den letzten "
+    {"the table goes from {0=} to {1=}, the targets from {2=} to {3=}: beyond its ends the control holds the last "
+     "value",
+     "die Tabelle reicht von {0} bis {1}, die Ziele von {2} bis {3}: Jenseits ihrer Enden hält die Steuerung den "
+     "letzten "
      "Wert"},
     {"the table has one curve for both directions: the reversal error stays as it is",
      "die Tabelle hat eine Kurve für beide Richtungen: Die Umkehrspanne bleibt, wie sie ist"},

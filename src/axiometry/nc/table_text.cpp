@@ -131,8 +131,7 @@ Result<void> check_origin(const AxisCorrection& correction, const AxisTable& tab
 }
 
 Result<void> check_axis_word(const AxisTableOptions& options, std::string_view beside) {
-  const std::string allowed =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_" + std::string(beside);
+  const std::string allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_" + std::string(beside);
   const std::string_view axis = options.axis;
   if (!axis.empty() && axis.size() <= 32 && axis.find_first_not_of(allowed) == std::string_view::npos) return {};
   return fail(

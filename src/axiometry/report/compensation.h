@@ -23,8 +23,8 @@ struct ControlWords {
 struct CompensationSubject {
   const Test& test;  ///< as it was measured
   ControlWords control;
-  const AxisCorrection& applied;             ///< by the file, as the control reads it
-  const AxisCorrection* existing;            ///< active while the test was measured; may be none
+  const AxisCorrection& applied;   ///< by the file, as the control reads it
+  const AxisCorrection* existing;  ///< active while the test was measured; may be none
   const iso230_2::Evaluation& before;
   const iso230_2::Evaluation& predicted;
   const iso230_2::AxisParameters* expected;  ///< of a re-test, below in 95 %; none where nothing scatters

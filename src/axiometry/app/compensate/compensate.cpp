@@ -40,7 +40,9 @@ double spread_of_means(const Evaluation& evaluation) {
 }
 
 /// E, and of a test of one direction that one's.
-std::optional<Deviation> systematic(const iso230_2::AxisParameters& p) { return p.E ? p.E : p.E_up ? p.E_up : p.E_down; }
+std::optional<Deviation> systematic(const iso230_2::AxisParameters& p) {
+  return p.E ? p.E : p.E_up ? p.E_up : p.E_down;
+}
 
 Result<Evaluation> evaluated_with(const Series& series, const AxisCorrection& added, const AxisCorrection* removed) {
   AXIOMETRY_TRY(const Series corrected, compensation::corrected_series(series, added, removed));
@@ -115,7 +117,9 @@ Result<AxisCorrection> proved(const Setting& s, const std::string& text, const E
   const double spread_before = spread_of_means(before), spread_after = spread_of_means(after);
   if (E_before && E_after && E_after->in_native() < E_before->in_native() && spread_after < spread_before)
     return applied;
-  const auto text_of = [](const std::optional<Deviation>& x) { return x ? fmt::format("{:.2f}", x->in_native()) : "–"; };
+  const auto text_of = [](const std::optional<Deviation>& x) {
+    return x ? fmt::format("{:.2f}", x->in_native()) : "–";
+  };
   const std::string_view unit = deviation_unit(s.options.kind);
   return fail(fmt::format(
       "found that the control would not become better by this table: E from {} to {} {}, mean deviations (r.m.s.) from "
@@ -134,8 +138,7 @@ Result<Retest> retest_of(const CompensateRequest& request, const Test& before, c
   if (test.metadata.axis.kind != before.metadata.axis.kind)
     return std::unexpected(in_file(Error{"found a re-test of another kind of axis", {}, {}}, request.retest));
   const AxisCorrection* removed = existing ? &*existing : nullptr;
-  const auto effect =
-      compensation::effect_of_table(before.series, test.series, applied, removed, same_target_native);
+  const auto effect = compensation::effect_of_table(before.series, test.series, applied, removed, same_target_native);
   std::optional<compensation::Effect> exchanged;
   if (!applied.same_both_ways()) {
     AXIOMETRY_TRY(const AxisCorrection other_way, with_directions_exchanged(applied));
@@ -167,7 +170,9 @@ Result<CompensatedAxis> compensate(const CompensateRequest& request) {
 
   Setting s{request, test.series, *control, request.table, {}, request.curves.value_or(control->curves)};
   s.options.kind = test.metadata.axis.kind;
-  s.options.axis = !request.axis.empty() ? request.axis : !test.metadata.axis.name.empty() ? test.metadata.axis.name : "X";
+  s.options.axis = !request.axis.empty()              ? request.axis
+                   : !test.metadata.axis.name.empty() ? test.metadata.axis.name
+                                                      : "X";
   s.options.step = request.grid.step.value_or(0.0);
   if (!request.existing.empty()) {
     AXIOMETRY_TRY(s.existing, read_axis_table(request.existing, *control, s.options));

@@ -30,8 +30,8 @@ Result<volumetric::CalibrationPlan> given_calibration(const json::Value& body);
 /// VolumetricDraft, its texts in the reader's language.
 json::Value draft_value(const volumetric::PlannedCalibration& planned, const Reader& reader);
 
-/// identify_lengths() of what a workbench takes, in one thread: it fails also on more than 200 stations with a tool, 1000
-/// segments or 16 tools, before anything is computed.
+/// identify_lengths() of what a workbench takes, in one thread: it fails also on more than 200 stations with a tool,
+/// 1000 segments or 16 tools, before anything is computed.
 Result<IdentifiedMachine> identify_presentable(const GivenFile& lengths, const GivenFile& machine,
                                                const volumetric::IdentifyOptions& options);
 

@@ -22,10 +22,8 @@ const AxisTable linuxcnc_axis_table = {
         [](const AxisCorrection& correction, const AxisTableOptions& options) {
           return linuxcnc::write(correction, options, linuxcnc_axis_table, linuxcnc::Type::positions);
         },
-    .read =
-        [](std::string_view text, const AxisTableOptions& options) {
-          return linuxcnc::read(text, options, linuxcnc::Type::positions);
-        },
+    .read = [](std::string_view text,
+               const AxisTableOptions& options) { return linuxcnc::read(text, options, linuxcnc::Type::positions); },
 };
 
 }  // namespace axiometry::nc

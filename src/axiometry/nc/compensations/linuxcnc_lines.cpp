@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The rule of the control (emc/usr_intf/… and emc/motion of LinuxCNC): three numbers a line, reading ends without a word
-// at the first line that is not; nominal positions must grow; a trim is added to the command of the joint.
+// The rule of the control (emc/usr_intf/… and emc/motion of LinuxCNC): three numbers a line, reading ends without a
+// word at the first line that is not; nominal positions must grow; a trim is added to the command of the joint.
 #include "axiometry/nc/compensations/linuxcnc_lines.h"
 
 #include <fmt/format.h>
@@ -40,12 +40,12 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
   for (const TableLine& line : lines_of(text)) {
     const auto numbers = line.text.size() > longest_line ? std::nullopt : numbers_of(line.text);
     if (!numbers || numbers->size() < 3)
-      return fail("found a line that is not three numbers, where LinuxCNC ends reading without a word, expected "
-                  "NOMINAL FORWARD REVERSE",
-                  {line.number, 0});
+      return fail(
+          "found a line that is not three numbers, where LinuxCNC ends reading without a word, expected "
+          "NOMINAL FORWARD REVERSE",
+          {line.number, 0});
     if (positions.size() == points_most)
-      return fail(fmt::format("found more than {} positions, expected at most so many", points_most),
-                  {line.number, 0});
+      return fail(fmt::format("found more than {} positions, expected at most so many", points_most), {line.number, 0});
     const double nominal = (*numbers)[0];
     const auto trim = [&](double number) {
       return static_cast<double>(static_cast<float>(type == Type::positions ? nominal - number : number));

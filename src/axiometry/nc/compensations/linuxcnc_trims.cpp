@@ -23,10 +23,8 @@ const AxisTable linuxcnc_trims_axis_table = {
         [](const AxisCorrection& correction, const AxisTableOptions& options) {
           return linuxcnc::write(correction, options, linuxcnc_trims_axis_table, linuxcnc::Type::trims);
         },
-    .read =
-        [](std::string_view text, const AxisTableOptions& options) {
-          return linuxcnc::read(text, options, linuxcnc::Type::trims);
-        },
+    .read = [](std::string_view text,
+               const AxisTableOptions& options) { return linuxcnc::read(text, options, linuxcnc::Type::trims); },
 };
 
 }  // namespace axiometry::nc

@@ -29,13 +29,13 @@ Notice compensation_outcome(const CompensationSubject& subject, const Options& o
   const char* symbol = before.E ? "E" : before.E_up ? "E↑" : "E↓";
   const auto of = [](const AxisParameters& p) { return p.E ? p.E : p.E_up ? p.E_up : p.E_down; };
   Notice notice{Tone::normal,
-                plain(fmt::format("{} from {} to {}, as predicted from the same readings", symbol, with_unit(of(before)),
-                                  with_unit(of(predicted)))),
+                plain(fmt::format("{} from {} to {}, as predicted from the same readings", symbol,
+                                  with_unit(of(before)), with_unit(of(predicted)))),
                 {}};
   if (subject.expected)
-    notice.lines.push_back(plain(fmt::format(
-        "A re-test will scatter anew: {} below {} in 95 % of re-tests, if the axis stays as it is", symbol,
-        with_unit(of(*subject.expected)))));
+    notice.lines.push_back(
+        plain(fmt::format("A re-test will scatter anew: {} below {} in 95 % of re-tests, if the axis stays as it is",
+                          symbol, with_unit(of(*subject.expected)))));
   notice.lines.push_back(plain("A prediction, not a measurement: only a re-test proves it."));
   if (subject.retest)
     notice.lines = {plain(fmt::format("{} of the re-test: {}", symbol, with_unit(of(subject.retest->parameters))))};
@@ -66,7 +66,9 @@ Section compensation_parameters(const CompensationSubject& subject, const Option
     };
     if (!(subject.before.parameters.*parameter.member)) continue;
     auto& row = table.rows.emplace_back();
-    row = {text_cell(parameter.title), {symbol(parameter.symbol)}, cell(subject.before.parameters),
+    row = {text_cell(parameter.title),
+           {symbol(parameter.symbol)},
+           cell(subject.before.parameters),
            cell(subject.predicted.parameters)};
     if (subject.expected)
       row.push_back(parameter.member == &AxisParameters::B_mean ? quiet_cell("–") : cell(*subject.expected));
@@ -91,23 +93,24 @@ Section table_section(const CompensationSubject& subject, const Options& options
   Section section{"table", "Table", true, {}};
   section.blocks.emplace_back(correction_figure(subject, options));
   Table table;
-  table.columns = {
-      {plain(fmt::format("Position / {}", position_unit(kind))), Align::decimal, true},
-      {plain(fmt::format("Added ↑ / {}", deviation_unit(kind))), Align::decimal},
-      {plain(fmt::format("Added ↓ / {}", deviation_unit(kind))), Align::decimal}};
+  table.columns = {{plain(fmt::format("Position / {}", position_unit(kind))), Align::decimal, true},
+                   {plain(fmt::format("Added ↑ / {}", deviation_unit(kind))), Align::decimal},
+                   {plain(fmt::format("Added ↓ / {}", deviation_unit(kind))), Align::decimal}};
   const std::size_t count = std::min(applied.positions().size(), table_rows_most);
   for (std::size_t k = 0; k < count; ++k)
     table.rows.push_back({text_cell(format_fixed(applied.positions()[k], 4, options.numbers)),
                           text_cell(format_fixed(applied.values(Direction::up)[k], 3, options.numbers)),
                           text_cell(format_fixed(applied.values(Direction::down)[k], 3, options.numbers))});
-  table.notes = {plain("Added to the commanded position: a positive value moves the axis in the positive direction. The "
-                       "control interpolates linearly and holds the last value beyond the ends.")};
+  table.notes = {
+      plain("Added to the commanded position: a positive value moves the axis in the positive direction. The "
+            "control interpolates linearly and holds the last value beyond the ends.")};
   if (count < applied.positions().size())
     table.notes.push_back(plain(fmt::format("The first {} of {} positions.", count, applied.positions().size())));
   if (subject.smoothing > 0.0)
-    table.notes.push_back(plain(fmt::format("Smoothed (λ = {:.2g}): so the table foretells targets best that were left "
-                                            "out of it.",
-                                            subject.smoothing)));
+    table.notes.push_back(
+        plain(fmt::format("Smoothed (λ = {:.2g}): so the table foretells targets best that were left "
+                          "out of it.",
+                          subject.smoothing)));
   table.dense = true;
   section.blocks.emplace_back(std::move(table));
   return section;

@@ -65,12 +65,12 @@ Figure drawn(std::span<const CurveOfDirection> curves, AxisKind kind, const char
   plot::Range along, values;
   for (const CurveOfDirection& curve : curves) {
     if (!curve.words.empty())
-      entries.push_back({.line = curve.as_dots ? std::nullopt : std::optional(stroke_of(curve)),
-                         .band = std::nullopt,
-                         .mark = curve.as_dots ? std::optional(Disc{
-                                                     .centre = {}, .radius = 1.9, .fill = ink::of(curve.direction)})
-                                               : std::nullopt,
-                         .text = {plot::plain(translated(curve.words, options))}});
+      entries.push_back(
+          {.line = curve.as_dots ? std::nullopt : std::optional(stroke_of(curve)),
+           .band = std::nullopt,
+           .mark = curve.as_dots ? std::optional(Disc{.centre = {}, .radius = 1.9, .fill = ink::of(curve.direction)})
+                                 : std::nullopt,
+           .text = {plot::plain(translated(curve.words, options))}});
     for (const Point& p : curve.points) along.see(p.x), values.see(p.y);
   }
   values.see(0.0);
