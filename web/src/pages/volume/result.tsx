@@ -70,7 +70,7 @@ function Figures({ result }: { result: VolumetricResult }) {
 function Stations({ result: { stations } }: { result: VolumetricResult }) {
   const place = (k: number) => ({ key: 'XYZ'[k] as string, head: `${'XYZ'[k]} / mm`, number: true, cell: ({ position_mm }: (typeof stations)[number]) => fixed(position_mm[k], 3) });
   return (
-    <DataTable caption={t('stations')} rows={stations} row_key={({ station, tool }) => `${station} ${tool}`} columns={[
+    <DataTable caption={t('stations_found')} rows={stations} row_key={({ station, tool }) => `${station} ${tool}`} columns={[
       { key: 'station', head: t('station'), row_head: true, cell: ({ station }) => station },
       { key: 'tool', head: t('tool'), cell: ({ tool }) => tool },
       place(0), place(1), place(2),

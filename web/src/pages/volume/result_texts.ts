@@ -49,6 +49,7 @@ export const t = texts({
     'u ist die Standardunsicherheit (k = 1). Das Mittel jeder Kurve ist 0, und Geradheit ist ohne Steigung: Steigungen sind Rechtwinkligkeit.',
   ],
   stations: ['Stations', 'Standorte'],
+  stations_found: ['Where the instrument stood', 'Wo das Gerät stand'],
   station: ['Station', 'Standort'],
   tool: ['Tool', 'Werkzeug'],
   readings: ['Lengths', 'Längen'],
