@@ -29,12 +29,21 @@ constexpr Phrase rows[] = {
     {"Added ↓ / {0=}", "Addiert ↓ / {0}"},
     {"Before / {0=}", "Vorher / {0}"},
     {"Before and predicted", "Vorher und vorhergesagt"},
-    {"Compensation", "Kompensation"},
     {"Compensation of an NC axis", "Kompensation einer NC-Achse"},
     {"Compensation of axis {0=}", "Kompensation der Achse {0}"},
     {"Compensation, predicted", "Kompensation, vorhergesagt"},
+    {"Compensation", "Kompensation"},
     {"Control", "Steuerung"},
     {"Inferred, not seen", "Erschlossen, nicht gesehen"},
+    {"Layout, sign, limits and rule: the sources of LinuxCNC (usrmotintf.cc, command.c, control.c), and its motion "
+     "controller run in a test. The sign that its documentation tells for this type is not what the program does.",
+     "Aufbau, Vorzeichen, Grenzen und Regel: die Quellen von LinuxCNC (usrmotintf.cc, command.c, control.c) und "
+     "seine Bewegungssteuerung, in einer Prüfung gefahren. Das Vorzeichen, das seine Dokumentation für diesen Typ "
+     "nennt, ist nicht das des Programms."},
+    {"Layout, sign, limits and rule: the sources of LinuxCNC (usrmotintf.cc, command.c, control.c), and its motion "
+     "controller run in a test.",
+     "Aufbau, Vorzeichen, Grenzen und Regel: die Quellen von LinuxCNC (usrmotintf.cc, command.c, control.c) und "
+     "seine Bewegungssteuerung, in einer Prüfung gefahren."},
     {"Loading", "Laden"},
     {"Mean deviation", "Mittlere Abweichung"},
     {"Mean deviations before and with the table", "Mittlere Abweichungen vorher und mit der Tabelle"},
@@ -43,6 +52,15 @@ constexpr Phrase rows[] = {
      "Mittlere Abweichungen jedes Ziels und jeder Richtung, wie sie gemessen wurden, und wie sie mit der Tabelle in "
      "der "
      "Steuerung wären."},
+    {"Name it COMP_FILE in the joint's section of the INI file, with COMP_FILE_TYPE, and start LinuxCNC anew. The "
+     "joint's BACKLASH does nothing then. A reversal is driven with half of the joint's limits of velocity and "
+     "acceleration: leave it room in STEPGEN_MAXVEL and STEPGEN_MAXACCEL or the like. After homing nothing is "
+     "added until the joint has passed a position of the table (seen on 2.9): drive it once over the whole of it.",
+     "Die Datei im Abschnitt des Gelenks der INI-Datei als COMP_FILE nennen, mit COMP_FILE_TYPE, und LinuxCNC neu "
+     "starten. BACKLASH des Gelenks tut dann nichts. Eine Umkehr wird mit der Hälfte der Grenzen des Gelenks für "
+     "Geschwindigkeit und Beschleunigung gefahren: dafür Raum in STEPGEN_MAXVEL und STEPGEN_MAXACCEL oder "
+     "dergleichen lassen. Nach dem Referenzieren wird nichts addiert, bis das Gelenk eine Position der Tabelle "
+     "überfahren hat (an 2.9 gesehen): einmal über die ganze Tabelle fahren."},
     {"Predicted / {0=}", "Vorhergesagt / {0}"},
     {"Predicted: the same readings with the table in the control, as it interpolates and rounds. The table was made "
      "from "
@@ -66,9 +84,9 @@ constexpr Phrase rows[] = {
      "Geglättet (λ = {0}): So sagt die Tabelle Ziele am besten voraus, die ausgelassen wurden."},
     {"The first {0#} of {1#} positions.", "Die ersten {0} von {1} Positionen."},
     {"Verified of this format", "An diesem Format geprüft"},
-    {"What the control adds", "Was die Steuerung addiert"},
     {"What the control adds to the commanded position, in both directions of approach.",
      "Was die Steuerung zur befohlenen Position addiert, in beiden Anfahrrichtungen."},
+    {"What the control adds", "Was die Steuerung addiert"},
     {"before ↑", "vorher ↑"},
     {"before ↓", "vorher ↓"},
     {"new table ↑", "neue Tabelle ↑"},
