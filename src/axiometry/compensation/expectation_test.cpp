@@ -16,19 +16,19 @@ namespace {
 using testing_support::make_series;
 using testing_support::RunDeviations;
 
-const std::vector<double> targets{0, 50, 100, 150, 200, 250, 300, 350, 400};
+const std::vector<double> bent_targets{0, 50, 100, 150, 200, 250, 300, 350, 400};
 
 /// An axis with a curve and a lost motion, its readings scattered by 0.8 µm, with what a table adds.
 Series measured(std::mt19937_64& random, const AxisCorrection* added) {
   std::normal_distribution<double> scatter(0.0, 0.8);
   std::vector<RunDeviations> up(5), down(5);
   for (std::size_t j = 0; j < 5; ++j)
-    for (const double x : targets) {
+    for (const double x : bent_targets) {
       const double c = 0.03 * x + 5.0 * std::sin(x / 40.0);
       up[j].push_back(c + (added ? added->at(x, Direction::up) : 0.0) + scatter(random));
       down[j].push_back(c - 4.0 + (added ? added->at(x, Direction::down) : 0.0) + scatter(random));
     }
-  return make_series(targets, up, down);
+  return make_series(bent_targets, up, down);
 }
 
 TEST(ExpectedRetest, HoldsInReTestsOfManyAxes) {
@@ -37,7 +37,7 @@ TEST(ExpectedRetest, HoldsInReTestsOfManyAxes) {
   int E_below_median = 0, E_below_95 = 0, A_below_95 = 0;
   for (int k = 0; k < axes; ++k) {
     const Series before = measured(random, nullptr);
-    const auto fit = fit_correction(before, AxisKind::linear, {.nodes = targets, .curves = TableCurves::each_way});
+    const auto fit = fit_correction(before, AxisKind::linear, {.nodes = bent_targets, .curves = TableCurves::each_way});
     const auto expected = expected_retest(*corrected_series(before, fit->correction), static_cast<unsigned>(k));
     ASSERT_TRUE(expected);
     const auto after = iso230_2::evaluate(measured(random, &fit->correction)).parameters;
