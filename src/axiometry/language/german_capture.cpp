@@ -147,8 +147,6 @@ constexpr Phrase rows[] = {
     {"no standstill for {0}", "kein Stillstand für {0}"},
     {"no standstill for {0} and others", "kein Stillstand für {0} und weitere"},
     {"not seen: {0}", "nicht gesehen: {0}"},
-    {"repeated: {0}", "wiederholt: {0}"},
-    {"restarted: {0}", "neu begonnen: {0}"},
     {"part {0#}: before {1} (at {2#} s) samples are missing or the length jumped: the lengths from there on have "
      "another dead path",
      "Teil {0}: vor {1} (bei {2}\u00a0s) fehlen Abtastwerte oder die Länge sprang: Die Längen von dort an haben eine "
@@ -161,6 +159,8 @@ constexpr Phrase rows[] = {
     {"part {0#}: no length for {1}: {2}", "Teil {0}: keine Länge für {1}: {2}"},
     {"part {0#}: point {1#}: {2}", "Teil {0}: Punkt {1}: {2}"},
     {"point {0#}", "Punkt {0}"},
+    {"repeated: {0}", "wiederholt: {0}"},
+    {"restarted: {0}", "neu begonnen: {0}"},
     {"samples at rest scatter by {0#}, which leaves {1#} in a reading of a scatter between runs of {2#}: R and A hold "
      "the noise of the recording",
      "Abtastwerte im Stillstand streuen um {0}, was {1} in einem Messwert lässt, bei einer Streuung zwischen den "

@@ -29,23 +29,22 @@ constexpr Phrase rows[] = {
     {"Added ↓ / {0=}", "Addiert ↓ / {0}"},
     {"Before / {0=}", "Vorher / {0}"},
     {"Before and predicted", "Vorher und vorhergesagt"},
+    {"Compensation", "Kompensation"},
     {"Compensation of an NC axis", "Kompensation einer NC-Achse"},
     {"Compensation of axis {0=}", "Kompensation der Achse {0}"},
     {"Compensation, predicted", "Kompensation, vorhergesagt"},
-    {"Compensation", "Kompensation"},
     {"Control", "Steuerung"},
     {"Inferred, not seen", "Erschlossen, nicht gesehen"},
+    {"Layout, sign, limits and rule: the sources of LinuxCNC (usrmotintf.cc, command.c, control.c), and its motion "
+     "controller run in a test.",
+     "Aufbau, Vorzeichen, Grenzen und Regel: die Quellen von LinuxCNC (usrmotintf.cc, command.c, control.c) und "
+     "seine Bewegungssteuerung, in einer Prüfung gefahren."},
     {"Layout, sign, limits and rule: the sources of LinuxCNC (usrmotintf.cc, command.c, control.c), and its motion "
      "controller run in a test. The sign that its documentation tells for this type is not what the program does.",
      "Aufbau, Vorzeichen, Grenzen und Regel: die Quellen von LinuxCNC (usrmotintf.cc, command.c, control.c) und "
      "seine Bewegungssteuerung, in einer Prüfung gefahren. Das Vorzeichen, das seine Dokumentation für diesen Typ "
      "nennt, ist nicht das des Programms."},
-    {"Layout, sign, limits and rule: the sources of LinuxCNC (usrmotintf.cc, command.c, control.c), and its motion "
-     "controller run in a test.",
-     "Aufbau, Vorzeichen, Grenzen und Regel: die Quellen von LinuxCNC (usrmotintf.cc, command.c, control.c) und "
-     "seine Bewegungssteuerung, in einer Prüfung gefahren."},
     {"Loading", "Laden"},
-    {"Mean deviation", "Mittlere Abweichung"},
     {"Mean deviations before and with the table", "Mittlere Abweichungen vorher und mit der Tabelle"},
     {"Mean deviations of every target and direction as they were measured, and as they would be with the table in the "
      "control.",
@@ -84,9 +83,9 @@ constexpr Phrase rows[] = {
      "Geglättet (λ = {0}): So sagt die Tabelle Ziele am besten voraus, die ausgelassen wurden."},
     {"The first {0#} of {1#} positions.", "Die ersten {0} von {1} Positionen."},
     {"Verified of this format", "An diesem Format geprüft"},
+    {"What the control adds", "Was die Steuerung addiert"},
     {"What the control adds to the commanded position, in both directions of approach.",
      "Was die Steuerung zur befohlenen Position addiert, in beiden Anfahrrichtungen."},
-    {"What the control adds", "Was die Steuerung addiert"},
     {"before ↑", "vorher ↑"},
     {"before ↓", "vorher ↓"},
     {"new table ↑", "neue Tabelle ↑"},

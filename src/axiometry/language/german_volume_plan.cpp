@@ -33,10 +33,6 @@ constexpr Phrase rows[] = {
      "Standardunsicherheiten (k = 1), aus den Unsicherheiten, die von Gerät und Maschine angegeben sind."},
     {"Tool point, {0=}", "Werkzeugpunkt, {0}"},
     {"What the lengths will tell", "Was die Längen bestimmen werden"},
-    {"all stations stand at nearly one height; one that stands higher or lower tells rotations about the "
-     "horizontal axes better",
-     "alle Stationen stehen fast auf einer Höhe; eine, die höher oder tiefer steht, bestimmt Drehungen "
-     "um die waagrechten Achsen besser"},
     {"found a form without a machine, expected the files lengths and machine",
      "Formular ohne Maschine; erwartet: die Dateien lengths und machine"},
     {"found a form without lengths, expected the files lengths and machine",
@@ -80,28 +76,8 @@ constexpr Phrase rows[] = {
      "{0} Stationen mit einem Werkzeug; erwartet: höchstens {1}"},
     {"found {0#} stations, expected at most {1#}", "{0} Stationen; erwartet: höchstens {1}"},
     {"found {0#} tools, expected at most {1#}", "{0} Werkzeuge; erwartet: höchstens {1}"},
-    {"from station {0=} only {1#} of {2#} points are in sight and in reach with tool {3=}: range, "
-     "elevation, incidence, the safe radius or an obstacle hides the others",
-     "von Station {0} sind mit Werkzeug {3} nur {1} von {2} Punkten in Sicht und in Reichweite: "
-     "Messbereich, Höhenwinkel, Einfallswinkel, Sicherheitsradius oder ein Hindernis verdeckt die anderen"},
-    {"on {0#} way between points the beam is lost and must be found again, which begins a segment",
-     "auf {0} Weg zwischen Punkten geht der Strahl verloren und muss wiedergefunden werden; damit beginnt "
-     "ein Abschnitt"},
-    {"on {0#} ways between points the beam is lost and must be found again, which begins a segment",
-     "auf {0} Wegen zwischen Punkten geht der Strahl verloren und muss wiedergefunden werden; damit "
-     "beginnt jeweils ein Abschnitt"},
-    {"the tool points do not form a triangle: add a longer tool and one beside it, for example {0=} and "
-     "{1=} mm",
-     "die Werkzeugpunkte bilden kein Dreieck: ein längeres Werkzeug und eines daneben hinzufügen, zum "
-     "Beispiel {0} und {1} mm"},
-    {"the tool points stand on one line: add a tool beside it, for example {0=} mm",
-     "die Werkzeugpunkte liegen auf einer Geraden: ein Werkzeug daneben hinzufügen, zum Beispiel {0} mm"},
-    {"these stations, tools and points will not tell {0=}; {1}",
-     "diese Stationen, Werkzeuge und Punkte werden {0} nicht bestimmen; {1}"},
     {"u = {0#} µm, at most {1#} µm", "u = {0} µm, höchstens {1} µm"},
     {"{0#} of 21 errors will be told by {1#} lengths", "{0} von 21 Abweichungen werden durch {1} Längen bestimmt"},
-    {"{0#} stations leave little to see a wrong one by; four or more are usual",
-     "{0} Stationen lassen kaum erkennen, ob eine falsch ist; vier oder mehr sind üblich"},
     {"{0=}: found ends that fall, expected the lower one first", "{0}: fallende Enden; erwartet: das untere zuerst"},
 };
 
