@@ -15,8 +15,8 @@ const sections = [
   ['/plans', 'plans', ['/plans']],
   ['/captures', 'capture', ['/captures']],
   ['/tracking', 'tracking', ['/tracking']],
-  ['/calibrations', 'calibrations', ['/calibrations']],
   ['/volume', 'volume', ['/volume']],
+  ['/calibrations', 'calibrations', ['/calibrations']],
   ['/settings', 'settings', ['/settings', '/audit']],
 ] as const;
 

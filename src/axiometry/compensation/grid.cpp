@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/model/axis_correction.h"
@@ -16,20 +18,20 @@ namespace {
 
 constexpr double slack = 1e-6;  // mm or °, and of a number of steps
 
-/// The round steps from below upward: …, 1, 2, 2.5, 5, 10, …
-double round_step_above(double step) {
-  const double decade = std::pow(10.0, std::floor(std::log10(step * (1.0 + slack))));
-  for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0})
-    if (factor * decade > step * (1.0 + slack)) return factor * decade;
-  return 20.0 * decade;
-}
-
+/// The round steps: …, 1, 2, 2.5, 5, 10, …; the largest that is at most `step`.
 double round_step_at_most(double step) {
   const double decade = std::pow(10.0, std::floor(std::log10(step * (1.0 + slack))));
   double best = decade;
   for (const double factor : {2.0, 2.5, 5.0, 10.0})
     if (factor * decade <= step * (1.0 + slack)) best = factor * decade;
   return best;
+}
+double round_step_below(double step) { return round_step_at_most(step * (1.0 - 10.0 * slack)); }
+double round_step_above(double step) {
+  const double decade = std::pow(10.0, std::floor(std::log10(step * (1.0 + slack))));
+  for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0})
+    if (factor * decade > step * (1.0 + slack)) return factor * decade;
+  return 20.0 * decade;
 }
 
 double median_spacing(std::span<const double> targets) {
@@ -79,6 +81,32 @@ std::pair<double, double> lattice_ends(double first, double last, double step, d
           anchor + step * std::floor((last - anchor) / step + slack)};
 }
 
+/// The largest round step, at most the median spacing, whose positions leave no more of the targets' range beyond their
+/// ends than a tenth of that spacing; where none of so many positions does, the one that leaves least.
+template <typename EndsOf>
+double chosen_step(std::span<const double> targets, std::size_t most, const EndsOf& ends_of) {
+  const double spacing = median_spacing(targets), allowed = 0.1 * spacing;
+  double step = round_step_at_most(spacing), best = step, least = std::numeric_limits<double>::infinity();
+  for (int tries = 0; tries < 40; ++tries) {
+    const auto [start, end] = ends_of(step);
+    const double count = (end - start) / step + 1.0;
+    const bool is_whole = end > start && steps_between(start, end, step).has_value();
+    const bool fits = count <= static_cast<double>(most) + slack;
+    if (is_whole && fits) {
+      const double left = std::max({0.0, start - targets.front(), targets.back() - end});
+      if (left < least) least = left, best = step;
+      if (left <= allowed) break;
+    }
+    if (end > start && !fits) {  // too many already: only wider ones are left
+      if (least < std::numeric_limits<double>::infinity()) break;
+      step = round_step_above(step);
+      continue;
+    }
+    step = round_step_below(step);
+  }
+  return best;
+}
+
 }  // namespace
 
 Result<std::vector<double>> grid_of(std::span<const double> targets, const GridRequest& request,
@@ -110,25 +138,23 @@ Result<std::vector<double>> grid_of(std::span<const double> targets, const GridR
     return of_step(start, end, step, limits);
   }
 
-  double step = request.step.value_or(limits.step > 0.0 ? limits.step : round_step_at_most(median_spacing(targets)));
-  const bool may_widen = !request.step && !(limits.step > 0.0);
-  while (true) {
-    const auto [first, last] =
-        lattice_ends(targets.front(), targets.back(), step, limits.anchor.value_or(request.start.value_or(0.0)));
-    const double start = request.start.value_or(first), end = request.end.value_or(last);
-    if (!(end > start))
-      return fail(fmt::format("found no two positions at steps of {} between the targets at {} and {}",
-                              format_exact(step), format_exact(targets.front()), format_exact(targets.back())));
-    const bool too_many = (end - start) / step + 1.0 > static_cast<double>(most) + slack;
-    if (may_widen && (too_many || !steps_between(start, end, step))) {
-      const double wider = round_step_above(step);
-      if (wider < end - start) {
-        step = wider;
-        continue;
-      }
-    }
-    return of_step(start, end, step, limits);
-  }
+  const double anchor = limits.anchor.value_or(request.start.value_or(0.0));
+  const auto ends_of = [&](double step) {
+    const auto [first, last] = lattice_ends(targets.front(), targets.back(), step, anchor);
+    return std::pair(request.start.value_or(first), request.end.value_or(last));
+  };
+  double step = 0.0;
+  if (request.step)
+    step = *request.step;
+  else if (limits.step > 0.0)
+    step = limits.step;
+  else
+    step = chosen_step(targets, most, ends_of);
+  const auto [start, end] = ends_of(step);
+  if (!(end > start))
+    return fail(fmt::format("found no two positions at steps of {} between the targets at {} and {}",
+                            format_exact(step), format_exact(targets.front()), format_exact(targets.back())));
+  return of_step(start, end, step, limits);
 }
 
 }  // namespace axiometry::compensation

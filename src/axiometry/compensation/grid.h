@@ -26,7 +26,8 @@ struct GridLimits {
 
 /// Positions of a table for targets that were measured, all within them unless the user says otherwise. Without a
 /// wish: the targets where the control takes them as they are, else whole multiples of a round step (1, 2, 2.5 or 5
-/// with zeros) that is at most the median spacing of the targets, or as large as the control's number of points wants.
+/// with zeros): the largest, at most the median spacing of the targets, that leaves less than a tenth of the spacing
+/// beyond the ends of the table, within the control's number of points.
 /// Fails on fewer than two targets, an end that is not behind the start, a step that is not above 0 or does not lead
 /// from start to end, step and points that contradict each other, and more points than the control takes.
 Result<std::vector<double>> grid_of(std::span<const double> targets, const GridRequest& request,

@@ -15,8 +15,13 @@ const std::vector<double> uneven{0.4, 26.1, 49.3, 76.2, 99.8};
 TEST(GridOf, TakesTheTargetsWhereTheControlDoes) { EXPECT_EQ(*grid_of(uneven, {}, {}), uneven); }
 
 TEST(GridOf, TakesRoundStepsWithinTheTargetsWhereTheSpacingMustBeEven) {
-  EXPECT_THAT(*grid_of(uneven, {}, {.equidistant = true}), ElementsAre(20, 40, 60, 80));
+  // Steps of 20 or 10 would leave more than 2.5 mm beyond the ends.
+  const auto grid = *grid_of(uneven, {}, {.equidistant = true});
+  EXPECT_DOUBLE_EQ(grid.front(), 2.5);
+  EXPECT_DOUBLE_EQ(grid.back(), 97.5);
+  EXPECT_DOUBLE_EQ(grid[1] - grid[0], 2.5);
   EXPECT_THAT(*grid_of(std::vector<double>{0, 30, 60}, {}, {.equidistant = true}), ElementsAre(0, 30, 60));
+  EXPECT_THAT(*grid_of(std::vector<double>{0, 29, 60}, {}, {.equidistant = true}), ElementsAre(0, 20, 40, 60));
 }
 
 TEST(GridOf, WidensTheStepUntilTheControlCanHoldIt) {

@@ -4,8 +4,8 @@ import { texts } from '../../i18n/texts';
 export const t = texts({
   title: ['Tracking interferometer', 'Nachführendes Interferometer'],
   lead: [
-    'Seven lines from one station test all axes of a machine and its diagonals. Say what the machine is and where the instrument stands; the picture shows what can be measured from there, and the program drives it. Nothing on this page is kept in the archive: take the files along.',
-    'Sieben Linien von einem Standort prüfen alle Achsen einer Maschine und ihre Diagonalen. Angeben, was für eine Maschine es ist und wo das Gerät steht; das Bild zeigt, was sich von dort messen lässt, und das Programm fährt es ab. Nichts von dieser Seite kommt ins Archiv: die Dateien mitnehmen.',
+    'Seven lines from one station test all axes of a machine and its diagonals. Say what the machine is and where the instrument stands; the picture shows what can be measured from there, and the program drives it. Nothing is kept in the archive before you keep a result: take the files along.',
+    'Sieben Linien von einem Standort prüfen alle Achsen einer Maschine und ihre Diagonalen. Angeben, was für eine Maschine es ist und wo das Gerät steht; das Bild zeigt, was sich von dort messen lässt, und das Programm fährt es ab. Ins Archiv kommt nichts, bevor ein Ergebnis behalten wird: die Dateien mitnehmen.',
   ],
   afresh: ['Begin anew', 'Neu beginnen'],
   // 1

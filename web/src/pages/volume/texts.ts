@@ -5,8 +5,8 @@ import { texts } from '../../i18n/texts';
 export const t = texts({
   title: ['Volumetric calibration', 'Volumetrische Kalibrierung'],
   lead: [
-    'One tracking interferometer, set up in several places one after the other, measures lengths to points all over the working volume; from them come all 21 errors of the three linear axes and the error of the tool point at every place. Say what the machine is; the program proposes where to stand and where to measure, and what that will tell. Nothing on this page is kept in the archive: take the files along.',
-    'Ein nachführendes Interferometer, nacheinander an mehreren Plätzen aufgestellt, misst Längen zu Punkten im ganzen Arbeitsraum; daraus folgen alle 21 Abweichungen der drei Linearachsen und die Abweichung des Werkzeugpunkts an jeder Stelle. Angeben, was für eine Maschine es ist; das Programm schlägt vor, wo das Gerät steht und wo gemessen wird, und was das verraten wird. Nichts von dieser Seite kommt ins Archiv: die Dateien mitnehmen.',
+    'One tracking interferometer, set up in several places one after the other, measures lengths to points all over the working volume; from them come all 21 errors of the three linear axes and the error of the tool point at every place. Say what the machine is; the program proposes where to stand and where to measure, and what that will tell. Nothing is kept in the archive before you keep a result: take the files along.',
+    'Ein nachführendes Interferometer, nacheinander an mehreren Plätzen aufgestellt, misst Längen zu Punkten im ganzen Arbeitsraum; daraus folgen alle 21 Abweichungen der drei Linearachsen und die Abweichung des Werkzeugpunkts an jeder Stelle. Angeben, was für eine Maschine es ist; das Programm schlägt vor, wo das Gerät steht und wo gemessen wird, und was das verraten wird. Ins Archiv kommt nichts, bevor ein Ergebnis behalten wird: die Dateien mitnehmen.',
   ],
   afresh: ['Begin anew', 'Neu beginnen'],
   // 1
