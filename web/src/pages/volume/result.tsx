@@ -53,10 +53,11 @@ function heading_of({ errors }: VolumetricResult): string {
 }
 
 function Figures({ result }: { result: VolumetricResult }) {
-  const { readings, chi2_per_dof, degrees_of_freedom, set_aside, breaks } = result;
+  const { readings, rank, chi2_per_dof, degrees_of_freedom, set_aside, breaks } = result;
   const figures: [string, string, string][] = [
     [t('lengths'), count(readings), ''],
     [t('fit'), chi2_per_dof === null ? absent : fixed(chi2_per_dof, 2), `ν = ${count(degrees_of_freedom)}; ${t('fit_told')}`],
+    [t('rank'), `${count(rank.rank)} / ${count(rank.unknowns)}`, ''],
     [t('set_aside'), count(set_aside.length), ''],
     [t('breaks'), count(breaks.length), ''],
   ];

@@ -11,6 +11,7 @@ export const t = texts({
   lengths: ['Lengths', 'Längen'],
   fit: ['Fit χ²/ν', 'Anpassung χ²/ν'],
   fit_told: ['1 where lengths scatter as stated', '1, wo Längen streuen wie angegeben'],
+  rank: ['Rank of unknowns', 'Rang der Unbekannten'],
   set_aside: ['Set aside', 'Ausgelassen'],
   breaks: ['Breaks found', 'Abrisse gefunden'],
   largest: ['Largest error of the tool point', 'Größte Abweichung des Werkzeugpunkts'],
