@@ -29,7 +29,7 @@ Examples:
   axiometry compensate x.csv --for linuxcnc --out x.comp --report x.pdf
   axiometry compensate x.csv --for siemens-lec --axis X1 --start 0 --end 500 --step 10 --out x.ini
   axiometry compensate again.csv --for linuxcnc --existing x.comp --out x2.comp
-  axiometry compensate x.csv --for linuxcnc --out x.comp --retest after.csv)";
+  axiometry compensate x.csv --for linuxcnc --retest after.csv)";
 
 struct Arguments {
   app::CompensateRequest request;
@@ -66,6 +66,10 @@ int run(Arguments& arguments) {
   if (!arguments.out.empty())
     if (const auto spared = arguments.outputs.outputs.inputs.check_spared(arguments.out); !spared)
       return failed(spared.error(), exit_usage);
+  for (const std::string& other : arguments.outputs.outputs.reports)
+    if (other == arguments.out) throw UsageError("--out", "found the name of a report too, expected another one");
+  if (!arguments.out.empty() && arguments.out == arguments.outputs.outputs.json)
+    throw UsageError("--out", "found the name of --json too, expected another one");
   const auto done = app::compensate(request);
   if (!done) return failed(done.error());
   if (!arguments.out.empty())
@@ -136,7 +140,7 @@ void add_table_flags(const Verb& verb, app::CompensateRequest& request) {
       ->type_name("AXIS")
       ->group(group);
   verb.add_option("--existing", request.existing,
-                  "The table that was active while the test was measured: the new one replaces it")
+                  "The table that was active while the test was measured: the new one replaces it, at its positions")
       ->type_name("FILE")
       ->group(group);
   add_read(verb, {"--method", "WORD", "least-squares of all readings, or interpolation of means (least-squares)"},
@@ -196,13 +200,14 @@ void add_compensate(const Verb& program, int& exit_code) {
   verb->add_option("FILE", arguments->request.file, "Measured test, or - for the standard input");
   verb->add_flag("--list", arguments->list, "The controls that there are, and what of each is verified");
   verb->add_option("--for", arguments->request.control, "One of --list")->type_name("CONTROL");
-  verb->add_option("--out", arguments->out, "The table to FILE, or to the standard output with -")
-      ->check(fault_of_name)
-      ->type_name("FILE")
-      ->group("Outputs");
+  Flag out = verb->add_option("--out", arguments->out, "The table to FILE, or to the standard output with -")
+                 ->check(fault_of_name)
+                 ->type_name("FILE")
+                 ->group("Outputs");
   verb->add_option("--retest", arguments->request.retest,
                    "A test with the new table active, to be held against the prediction")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes(out);
   add_grid_flags(*verb, arguments->request);
   add_table_flags(*verb, arguments->request);
   add_reading_flags(*verb, arguments->request.reading);

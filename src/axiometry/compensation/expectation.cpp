@@ -27,8 +27,7 @@ struct Cell {
 };
 
 /// In the order of make_dense(): ↑ of all targets, then ↓. Empty where nothing scatters.
-std::vector<Cell> cells_of(const Series& series) {
-  const bool each_its_own = iso230_2::scatter_study(series).uneven.has_value();
+std::vector<Cell> cells_of(const Series& series, bool each_its_own) {
   std::vector<Cell> cells;
   bool scatters = false;
   for (const Direction direction : {Direction::up, Direction::down}) {
@@ -48,6 +47,33 @@ std::vector<Cell> cells_of(const Series& series) {
   return scatters ? cells : std::vector<Cell>{};
 }
 
+/// Standard deviations of what runs lie higher or lower by as a whole: in both directions alike, and in ↑ against ↓.
+struct RunSpread {
+  double common = 0.0, between_directions = 0.0;
+};
+
+RunSpread run_spread_of(const Series& series) {
+  const std::size_t runs = series.run_count();
+  std::array<std::vector<double>, 2> shift{std::vector<double>(runs), std::vector<double>(runs)};
+  for (const Direction direction : {Direction::up, Direction::down}) {
+    std::vector<double> counts(runs);
+    std::vector<double>& of = shift[static_cast<std::size_t>(direction)];
+    for (std::size_t i = 0; i < series.target_count(); ++i) {
+      const std::span<const double> cell = series.cell(i, direction);
+      const double mean = numeric::moments(cell).mean;
+      for (std::size_t j = 0; j < runs; ++j)
+        if (!std::isnan(cell[j])) of[j] += cell[j] - mean, counts[j] += 1.0;
+    }
+    for (std::size_t j = 0; j < runs; ++j) of[j] = counts[j] > 0.0 ? of[j] / counts[j] : 0.0;
+  }
+  std::vector<double> common(runs), difference(runs);
+  for (std::size_t j = 0; j < runs; ++j) {
+    common[j] = 0.5 * (shift[0][j] + shift[1][j]);
+    difference[j] = 0.5 * (shift[0][j] - shift[1][j]);
+  }
+  return {numeric::moments(common).standard_deviation, numeric::moments(difference).standard_deviation};
+}
+
 /// The value that this share of the trials lies below.
 double quantile(std::vector<double>& values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size()))) - 1;
@@ -58,9 +84,13 @@ double quantile(std::vector<double>& values, double share) {
 }  // namespace
 
 std::optional<ExpectedRetest> expected_retest(const Series& predicted, std::uint64_t seed) {
-  const std::vector<Cell> cells = cells_of(predicted);
+  const iso230_2::ScatterStudy study = iso230_2::scatter_study(predicted);
+  // Runs that lie higher or lower as a whole do so in all targets alike, and leave the shape of the axis alone.
+  const RunSpread spread = study.shifts ? run_spread_of(predicted) : RunSpread{};
+  const std::vector<Cell> cells =
+      cells_of(study.shifts ? iso230_2::without_shifts(predicted) : predicted, study.uneven.has_value());
   if (cells.empty()) return std::nullopt;
-  const std::size_t runs = predicted.run_count(), numbers_each = cells.size() * (runs + 1);
+  const std::size_t runs = predicted.run_count(), numbers_each = cells.size() * (runs + 1) + 2 * runs + 1;
   const std::size_t trials = std::clamp(readings_most / numbers_each, trials_least, trials_most);
   const std::vector<Position> targets(predicted.targets().begin(), predicted.targets().end());
 
@@ -71,6 +101,8 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, std::uint
     std::vector<iso230_2::PositionResult> positions(targets.size());
     std::vector<double> readings(2 * runs);
     const double* z = normal.data();
+    const std::span<const double> shifts = std::span(normal).last(2 * runs + 1);
+    const double of_table = spread.between_directions * shifts[2 * runs] / std::sqrt(static_cast<double>(runs));
     for (std::size_t i = 0; i < targets.size(); ++i) {
       std::array<std::span<double>, 2> of{std::span(readings).first(runs), std::span(readings).last(runs)};
       for (std::size_t d = 0; d < 2; ++d) {
@@ -78,7 +110,10 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, std::uint
         const double table = cell.count > 0 ? *z / std::sqrt(static_cast<double>(cell.count)) : 0.0;
         ++z;
         for (std::size_t j = 0; j < runs; ++j, ++z)
-          of[d][j] = j < cell.count ? cell.mean + cell.s * (table + *z) : std::nan("");
+          of[d][j] = j < cell.count
+                         ? cell.mean + cell.s * (table + *z) + spread.common * shifts[j] +
+                               (d == 0 ? 1.0 : -1.0) * (spread.between_directions * shifts[runs + j] + of_table)
+                         : std::nan("");
       }
       positions[i] = iso230_2::evaluate_position(targets[i], of[0], of[1]);
     }

@@ -19,15 +19,17 @@ using testing_support::RunDeviations;
 const std::vector<double> bent_targets{0, 50, 100, 150, 200, 250, 300, 350, 400};
 
 /// An axis with a curve and a lost motion, its readings scattered by 0.8 µm, with what a table adds.
-Series measured(std::mt19937_64& random, const AxisCorrection* added) {
-  std::normal_distribution<double> scatter(0.0, 0.8);
+Series measured(std::mt19937_64& random, const AxisCorrection* added, double run_shift = 0.0) {
+  std::normal_distribution<double> scatter(0.0, 0.8), shift(0.0, run_shift + 1e-12);
   std::vector<RunDeviations> up(5), down(5);
-  for (std::size_t j = 0; j < 5; ++j)
+  for (std::size_t j = 0; j < 5; ++j) {
+    const double both = shift(random), against = 0.3 * shift(random);
     for (const double x : bent_targets) {
       const double c = 0.03 * x + 5.0 * std::sin(x / 40.0);
-      up[j].push_back(c + (added ? added->at(x, Direction::up) : 0.0) + scatter(random));
-      down[j].push_back(c - 4.0 + (added ? added->at(x, Direction::down) : 0.0) + scatter(random));
+      up[j].push_back(c + (added ? added->at(x, Direction::up) : 0.0) + scatter(random) + both + against);
+      down[j].push_back(c - 4.0 + (added ? added->at(x, Direction::down) : 0.0) + scatter(random) + both - against);
     }
+  }
   return make_series(bent_targets, up, down);
 }
 
@@ -49,6 +51,22 @@ TEST(ExpectedRetest, HoldsInReTestsOfManyAxes) {
   EXPECT_NEAR(E_below_median / static_cast<double>(axes), 0.50, 0.075);
   EXPECT_NEAR(E_below_95 / static_cast<double>(axes), 0.95, 0.033);
   EXPECT_NEAR(A_below_95 / static_cast<double>(axes), 0.95, 0.040);
+}
+
+TEST(ExpectedRetest, HoldsWhereRunsAreShiftedAsAWhole) {
+  std::mt19937_64 random(12);
+  constexpr int axes = 300;
+  int below_95 = 0;
+  double bound = 0.0;
+  for (int k = 0; k < axes; ++k) {
+    const Series before = measured(random, nullptr, 6.0);
+    const auto fit = fit_correction(before, AxisKind::linear, {.nodes = bent_targets, .curves = TableCurves::each_way});
+    const auto expected = expected_retest(*corrected_series(before, fit->correction), static_cast<unsigned>(k));
+    below_95 += iso230_2::evaluate(measured(random, &fit->correction, 6.0)).parameters.E < expected->percent_95.E;
+    bound += expected->percent_95.E->in_native() / axes;
+  }
+  EXPECT_GT(below_95 / static_cast<double>(axes), 0.86) << "5 runs tell little of how runs are shifted";
+  EXPECT_LT(bound, 12.0) << "what both directions share is no error of the axis";
 }
 
 TEST(ExpectedRetest, IsNothingWhereNothingIsKnownOfTheScatter) {

@@ -78,8 +78,18 @@ std::array<double, 3> second_difference(std::span<const double> nodes, std::size
   return {scale / before, -scale * (1.0 / before + 1.0 / behind), scale / behind};
 }
 
-std::vector<double> least_squares(std::span<const Wanted> wanted, std::span<const double> nodes, double lambda) {
-  const std::vector<double> plain = interpolated(wanted, nodes);
+/// Those between the ends of the table: beyond them the control holds the last value, whatever was measured there. All
+/// where hardly any is left.
+std::vector<Wanted> within_table(std::span<const Wanted> wanted, std::span<const double> nodes) {
+  std::vector<Wanted> within;
+  for (const Wanted& w : wanted)
+    if (w.position >= nodes.front() && w.position <= nodes.back()) within.push_back(w);
+  return within.size() >= 2 ? within : std::vector<Wanted>(wanted.begin(), wanted.end());
+}
+
+std::vector<double> least_squares(std::span<const Wanted> all, std::span<const double> nodes, double lambda) {
+  const std::vector<double> plain = interpolated(all, nodes);
+  const std::vector<Wanted> wanted = within_table(all, nodes);
   const double n = mean_weight(wanted);
   numeric::BandMatrix normal(nodes.size());
   std::vector<double> right(nodes.size());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,8 @@ std::optional<Effect> effect_of_table(const Series& before, const Series& after,
     double wanted, found, variance;
   };
   std::vector<Pair> pairs;
+  std::map<double, Pair> reversals;  // by position: ↑ less ↓
+  std::map<double, int> directions;
   for (const Direction direction : both_directions) {
     std::size_t j = 0;
     for (std::size_t i = 0; i < before.target_count(); ++i) {
@@ -63,6 +66,11 @@ std::optional<Effect> effect_of_table(const Series& before, const Series& after,
       const double scatter = a.standard_deviation * a.standard_deviation / static_cast<double>(a.count) +
                              b.standard_deviation * b.standard_deviation / static_cast<double>(b.count);
       pairs.push_back({change_at(position, direction, added, removed), b.mean - a.mean, scatter});
+      const double sign = direction == Direction::up ? 1.0 : -1.0;
+      Pair& reversal = reversals[position];
+      reversal = {reversal.wanted + sign * pairs.back().wanted, reversal.found + sign * pairs.back().found,
+                  reversal.variance + scatter};
+      ++directions[position];
     }
   }
   if (pairs.size() < 3) return std::nullopt;
@@ -82,6 +90,15 @@ std::optional<Effect> effect_of_table(const Series& before, const Series& after,
   effect.u = std::sqrt(std::max(scatter / (ww * ww), left / (count - 2.0) / ww));
   effect.explained = ff > 0.0 ? 1.0 - left / ff : 1.0;
   effect.compared = pairs.size();
+  double rr = 0.0, rf = 0.0, rv = 0.0;
+  for (const auto& [position, reversal] : reversals) {
+    if (directions[position] != 2) continue;
+    rr += reversal.wanted * reversal.wanted;
+    rf += reversal.wanted * reversal.found;
+    rv += reversal.wanted * reversal.wanted * reversal.variance;
+  }
+  constexpr double known_most = 0.15;  // standard uncertainty of γ
+  if (rr > 0.0 && std::sqrt(rv) / rr < known_most) effect.of_reversal = rf / rr;
   return effect;
 }
 

@@ -22,9 +22,12 @@ Result<Series> scatter_alone(const Series& series);
 /// How a re-test relates to what the table should have done: x̄_retest − x̄_before = γ·c + a, by least squares over all
 /// targets and directions, a for what a new zero of the instrument does.
 struct Effect {
-  double share = 0.0;        ///< γ: 1 the table did what it should, 0 nothing, −1 the opposite, 2 twice
-  double u = 0.0;            ///< standard uncertainty of γ, of the scatter of both tests and of what the line leaves
-  double explained = 0.0;    ///< R² of that line
+  double share = 0.0;      ///< γ: 1 the table did what it should, 0 nothing, −1 the opposite, 2 twice
+  double u = 0.0;          ///< standard uncertainty of γ, of the scatter of both tests and of what the line leaves
+  double explained = 0.0;  ///< R² of that line
+  /// γ of x̄↑ − x̄↓ alone, which no new zero and no shape of the axis can hide: −1 where directions are exchanged, 2
+  /// where a backlash acts beside the table. Nothing where the table does not change it by more than the scatter.
+  std::optional<double> of_reversal{};
   std::size_t compared = 0;  ///< targets and directions that both tests have
 };
 

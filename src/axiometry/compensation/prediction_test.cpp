@@ -48,13 +48,30 @@ TEST(EffectOfTable, TellsHowMuchOfItIsActive) {
 
 TEST(FindingOfRetest, NamesASignMistake) {
   const auto id_of = [](double share) {
-    return finding_of_retest(*effect_of_table(before(), with_share(share), table(), nullptr, 1e-3), {}).id;
+    return finding_of_retest(*effect_of_table(before(), with_share(share), table(), nullptr, 1e-3)).id;
   };
   EXPECT_EQ(id_of(1.0), "retest-as-predicted");
   EXPECT_EQ(id_of(-1.0), "retest-sign");
   EXPECT_EQ(id_of(0.0), "retest-not-active");
   EXPECT_EQ(id_of(2.0), "retest-twice");
   EXPECT_EQ(id_of(0.5), "retest-otherwise");
+}
+
+TEST(FindingOfRetest, NamesDirectionsThatAreExchanged) {
+  const AxisCorrection c = table();
+  const AxisCorrection exchanged =
+      *AxisCorrection::make(AxisKind::linear, c.positions(), c.values(Direction::down), c.values(Direction::up));
+  const auto effect = effect_of_table(before(), *corrected_series(before(), exchanged), c, nullptr, 1e-3);
+  EXPECT_EQ(finding_of_retest(*effect).id, "retest-directions");
+}
+
+TEST(FindingOfRetest, NamesABacklashBesideTheTable) {
+  const AxisCorrection c = table();
+  std::vector<double> down = c.values(Direction::down);
+  for (double& x : down) x += 4.0;
+  const AxisCorrection twice = *AxisCorrection::make(AxisKind::linear, c.positions(), c.values(Direction::up), down);
+  const auto effect = effect_of_table(before(), *corrected_series(before(), twice), c, nullptr, 1e-3);
+  EXPECT_EQ(finding_of_retest(*effect).id, "retest-reversal-twice");
 }
 
 TEST(EffectOfTable, TellsNothingOfOtherTargets) {

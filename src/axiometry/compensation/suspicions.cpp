@@ -16,7 +16,9 @@ namespace axiometry::compensation {
 namespace {
 
 constexpr double per_travel_most = 0.01;
-constexpr double near_known = 0.02;  // relative, of a slope that has a name
+constexpr double printed = 1e-3;      // mm or °: what positions in a file may lie beside
+constexpr double much_beyond = 0.05;  // of the measured travel
+constexpr double near_known = 0.02;   // relative, of a slope that has a name
 
 /// Of all means over the targets, position per position: 0.0001 is 0.1 µm in a mm.
 double slope_of(const Series& series, AxisKind kind) {
@@ -94,6 +96,16 @@ std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind ki
   if (curves == TableCurves::both_ways && series.has(Direction::up) && series.has(Direction::down))
     findings.push_back({"compensation-reversal-stays", false,
                         "the table has one curve for both directions: the reversal error stays as it is"});
+  if (kind == AxisKind::rotary && series.target_count() > 2 && series.travel_native() < 360.0 - 1e-6) {
+    const double left = 360.0 - series.travel_native();
+    const double spacing = series.travel_native() / static_cast<double>(series.target_count() - 1);
+    if (left < 1.5 * spacing)
+      findings.push_back(
+          {"compensation-turn-left-open", true,
+           fmt::format("found targets over all of a turn but its last {}: there the table holds its last "
+                       "value, and jumps where the turn begins anew; measure 360° too",
+                       place_words(left, kind))});
+  }
   if (kind == AxisKind::rotary && series.target_count() > 1 && std::abs(series.travel_native() - 360.0) < 1e-6)
     for (const Direction direction : {Direction::up, Direction::down}) {
       const numeric::Moments first = numeric::moments(series.cell(0, direction));
@@ -118,13 +130,14 @@ std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorr
   const AxisKind kind = correction.kind();
   if (nodes.size() < 2) return findings;
   const double first = series.targets().front().in_native(), last = series.targets().back().in_native();
-  if (first < nodes.front() - 1e-6 || last > nodes.back() + 1e-6)
-    findings.push_back({"compensation-beyond-ends", false,
+  const double beyond = std::max(0.0, nodes.front() - first) + std::max(0.0, last - nodes.back());
+  if (beyond > printed)
+    findings.push_back({"compensation-beyond-ends", beyond > much_beyond * (last - first),
                         fmt::format("the table goes from {} to {}, the targets from {} to {}: beyond its ends the "
                                     "control holds the last value",
                                     place_words(nodes.front(), kind), place_words(nodes.back(), kind),
                                     place_words(first, kind), place_words(last, kind))});
-  if (nodes.front() < first - 1e-6 || nodes.back() > last + 1e-6)
+  if (nodes.front() < first - printed || nodes.back() > last + printed)
     findings.push_back({"compensation-ends-held", true,
                         fmt::format("the table goes from {} to {}, where {} to {} were measured: beyond them it holds "
                                     "the value of the last target, which nobody measured",
@@ -133,37 +146,48 @@ std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorr
   return findings;
 }
 
-NamedFinding finding_of_retest(const Effect& effect, const std::optional<Effect>& exchanged) {
+NamedFinding finding_of_retest(const Effect& effect) {
   const double slack = std::max(0.25, 3.0 * effect.u);
   const auto is_near = [&](double share) { return std::abs(effect.share - share) < slack; };
   const std::string share =
-      fmt::format("{:.2f} ± {:.2f} (k = 2) of what the table should change", effect.share, 2.0 * effect.u);
+      fmt::format("{} ± {} (k = 2)", format_fixed(effect.share, 2), format_fixed(2.0 * effect.u, 2));
   if (effect.u > 0.25)
     return {"retest-tells-nothing", false,
-            fmt::format("the re-test shows {}: too uncertain to tell whether the table is active", share)};
-  if (is_near(1.0)) return {"retest-as-predicted", false, fmt::format("the table does what it should: {}", share)};
+            fmt::format("the re-test shows {} of the table: too uncertain to tell whether it is active", share)};
   if (is_near(0.0))
     return {"retest-not-active", true,
-            fmt::format("the table is not active: the re-test shows {}; is it loaded, switched on, and the axis "
+            fmt::format("the table is not active, the re-test shows {} of it: is it loaded, switched on, and the axis "
                         "referenced?",
                         share)};
   if (is_near(-1.0))
-    return {"retest-sign", true,
-            fmt::format("the error has doubled: the re-test shows {}, a sign mistake; take the table out", share)};
-  if (is_near(2.0))
     return {
-        "retest-twice", true,
-        fmt::format("the table is applied twice: the re-test shows {}; is an older table still active beside it, or "
-                    "was the new one added to one that holds it already?",
-                    share)};
-  if (exchanged && std::abs(exchanged->share - 1.0) < 0.25 && exchanged->explained > effect.explained)
-    return {"retest-directions", true,
-            fmt::format("the table's two directions are exchanged: the re-test shows {:.2f} of it with ↑ for ↓",
-                        exchanged->share)};
-  return {"retest-otherwise", true,
-          fmt::format("the re-test shows {}: neither what the table should do, nor a sign mistake, nor a table that is "
-                      "not active; did the axis change, or the set-up?",
-                      share)};
+        "retest-sign", true,
+        fmt::format("the error has doubled, the re-test shows {} of the table: a sign mistake; take it out", share)};
+  if (is_near(2.0))
+    return {"retest-twice", true,
+            fmt::format("the table is applied twice, the re-test shows {} of it: is an older one still active beside "
+                        "it, or was the new one added to one that holds it already?",
+                        share)};
+  if (!is_near(1.0))
+    return {"retest-otherwise", true,
+            fmt::format("the re-test shows {} of the table: neither what it should do, nor a sign mistake, nor a table "
+                        "that is not active; did the axis change, or the set-up?",
+                        share)};
+  if (effect.of_reversal && std::abs(*effect.of_reversal - 1.0) > 0.5) {
+    const std::string reversal = format_fixed(*effect.of_reversal, 2);
+    if (*effect.of_reversal < -0.5)
+      return {"retest-directions", true,
+              fmt::format("the table's two directions are exchanged: the re-test shows {} of its reversal", reversal)};
+    if (*effect.of_reversal > 1.5)
+      return {"retest-reversal-twice", true,
+              fmt::format("the reversal is corrected twice, the re-test shows {} of it: is a backlash of the control "
+                          "active beside the table?",
+                          reversal)};
+    return {"retest-reversal-not-active", true,
+            fmt::format("the reversal is not corrected, the re-test shows {} of it", reversal)};
+  }
+  return {"retest-as-predicted", false,
+          fmt::format("the table does what it should: the re-test shows {} of it", share)};
 }
 
 }  // namespace axiometry::compensation

@@ -25,7 +25,7 @@ std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind ki
 std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorrection& correction);
 
 /// Of a re-test: "did what it should", or what went wrong instead: a sign mistake (the error doubled), a table that was
-/// not active, one that was added twice, directions that were exchanged.
-NamedFinding finding_of_retest(const Effect& effect, const std::optional<Effect>& with_directions_exchanged);
+/// not active, one that was added twice, directions that were exchanged, a reversal that is corrected twice.
+NamedFinding finding_of_retest(const Effect& effect);
 
 }  // namespace axiometry::compensation

@@ -88,15 +88,40 @@ constexpr Phrase rows[] = {
      "Was die Steuerung zur befohlenen Position addiert, in beiden Anfahrrichtungen."},
     {"before ↑", "vorher ↑"},
     {"before ↓", "vorher ↓"},
+    {"neither the test nor --axis names the axis: the table is made for X",
+     "weder die Prüfung noch --axis nennt die Achse: Die Tabelle ist für X gemacht"},
     {"new table ↑", "neue Tabelle ↑"},
     {"new table ↓", "neue Tabelle ↓"},
     {"re-test ↑", "Nachprüfung ↑"},
     {"re-test ↓", "Nachprüfung ↓"},
     {"table so far ↑", "bisherige Tabelle ↑"},
     {"table so far ↓", "bisherige Tabelle ↓"},
-    {"the error has doubled: the re-test shows {0=}, a sign mistake; take the table out",
-     "der Fehler hat sich verdoppelt: Die Nachprüfung zeigt {0}, ein Vorzeichenfehler; die Tabelle herausnehmen"},
-    {"the table does what it should: {0=}", "die Tabelle tut, was sie soll: {0}"},
+    {"the error has doubled, the re-test shows {0#} ± {1#} (k = 2) of the table: a sign mistake; take it out",
+     "der Fehler hat sich verdoppelt, die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: ein Vorzeichenfehler; sie "
+     "herausnehmen"},
+    {"the re-test has fewer than three targets in common with the test: it cannot be held against the prediction",
+     "die Nachprüfung hat weniger als drei Ziele mit der Prüfung gemein: Sie kann nicht an der Vorhersage gemessen "
+     "werden"},
+    {"the re-test shows {0#} ± {1#} (k = 2) of the table: neither what it should do, nor a sign mistake, nor a table "
+     "that is not active; did the axis change, or the set-up?",
+     "die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: weder was sie soll noch ein Vorzeichenfehler noch eine "
+     "Tabelle, die nicht wirkt; hat sich die Achse geändert oder der Aufbau?"},
+    {"the re-test shows {0#} ± {1#} (k = 2) of the table: too uncertain to tell whether it is active",
+     "die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: zu unsicher, um zu sagen, ob sie wirkt"},
+    {"the re-test shows {0=} of {1#} {2=}, where 95 % of re-tests would show less than {3#} {4=}: the axis, the set-up "
+     "or "
+     "the table is not what it was taken for",
+     "die Nachprüfung zeigt {0} von {1} {2}, wo 95 % der Nachprüfungen weniger als {3} {4} zeigen würden: Die Achse, "
+     "der "
+     "Aufbau oder die Tabelle ist nicht, wofür sie gehalten wurde"},
+    {"the reversal is corrected twice, the re-test shows {0#} of it: is a backlash of the control active beside the "
+     "table?",
+     "die Umkehrspanne wird zweimal korrigiert, die Nachprüfung zeigt {0} davon: Wirkt ein Umkehrspiel der Steuerung "
+     "neben der Tabelle?"},
+    {"the reversal is not corrected, the re-test shows {0#} of it",
+     "die Umkehrspanne wird nicht korrigiert, die Nachprüfung zeigt {0} davon"},
+    {"the table does what it should: the re-test shows {0#} ± {1#} (k = 2) of it",
+     "die Tabelle tut, was sie soll: Die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr"},
     {"the table goes from {0=} to {1=}, the targets from {2=} to {3=}: beyond its ends the control holds the last "
      "value",
      "die Tabelle reicht von {0} bis {1}, die Ziele von {2} bis {3}: Jenseits ihrer Enden hält die Steuerung den "
@@ -104,6 +129,16 @@ constexpr Phrase rows[] = {
      "Wert"},
     {"the table has one curve for both directions: the reversal error stays as it is",
      "die Tabelle hat eine Kurve für beide Richtungen: Die Umkehrspanne bleibt, wie sie ist"},
+    {"the table is applied twice, the re-test shows {0#} ± {1#} (k = 2) of it: is an older one still active beside it, "
+     "or was the new one added to one that holds it already?",
+     "die Tabelle wirkt zweimal, die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr: Wirkt eine ältere noch daneben, oder "
+     "wurde die neue zu einer addiert, die sie schon enthält?"},
+    {"the table is not active, the re-test shows {0#} ± {1#} (k = 2) of it: is it loaded, switched on, and the axis "
+     "referenced?",
+     "die Tabelle wirkt nicht, die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr: Ist sie geladen, eingeschaltet und die "
+     "Achse referenziert?"},
+    {"the table's two directions are exchanged: the re-test shows {0#} of its reversal",
+     "die beiden Richtungen der Tabelle sind vertauscht: Die Nachprüfung zeigt {0} ihrer Umkehrspanne"},
     {"{0=} from {1#} to {2#}, as predicted from the same readings",
      "{0} von {1} auf {2}, vorhergesagt aus denselben Messwerten"},
     {"{0=} of the re-test: {1#}", "{0} der Nachprüfung: {1}"},

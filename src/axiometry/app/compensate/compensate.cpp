@@ -127,10 +127,6 @@ Result<AxisCorrection> proved(const Setting& s, const std::string& text, const E
       text_of(E_before), text_of(E_after), unit, spread_before, spread_after, unit));
 }
 
-Result<AxisCorrection> with_directions_exchanged(const AxisCorrection& c) {
-  return AxisCorrection::make(c.kind(), c.positions(), c.values(Direction::down), c.values(Direction::up));
-}
-
 Result<Retest> retest_of(const CompensateRequest& request, const Test& before, const AxisCorrection& applied,
                          const std::optional<AxisCorrection>& existing, std::vector<NamedFinding>& findings) {
   AXIOMETRY_TRY(Test measured, read_test(request.retest, request.reading.format, request.reading.profile));
@@ -139,19 +135,43 @@ Result<Retest> retest_of(const CompensateRequest& request, const Test& before, c
     return std::unexpected(in_file(Error{"found a re-test of another kind of axis", {}, {}}, request.retest));
   const AxisCorrection* removed = existing ? &*existing : nullptr;
   const auto effect = compensation::effect_of_table(before.series, test.series, applied, removed, same_target_native);
-  std::optional<compensation::Effect> exchanged;
-  if (!applied.same_both_ways()) {
-    AXIOMETRY_TRY(const AxisCorrection other_way, with_directions_exchanged(applied));
-    exchanged = compensation::effect_of_table(before.series, test.series, other_way, removed, same_target_native);
-  }
   if (effect)
-    findings.push_back(compensation::finding_of_retest(*effect, exchanged));
+    findings.push_back(compensation::finding_of_retest(*effect));
   else
     findings.push_back({"retest-other-targets", true,
                         "the re-test has fewer than three targets in common with the test: it cannot be held against "
                         "the prediction"});
   Evaluation evaluation = iso230_2::evaluate(test.series);
   return Retest{std::move(test), std::move(evaluation), effect};
+}
+
+/// Fails where re-tests would show no less than the axis has: its means are what scatter makes of them.
+Result<void> check_worth_it(const Evaluation& before, const std::optional<compensation::ExpectedRetest>& expected,
+                            AxisKind kind) {
+  if (!expected) return {};
+  const auto E_before = systematic(before.parameters), E_after = systematic(expected->median);
+  if (!E_before || !E_after || E_after->in_native() < E_before->in_native()) return {};
+  return fail(
+      fmt::format("found that a re-test would show E of {:.2f} {} (median) where the axis has {:.2f} {}: the "
+                  "deviations are what scatter makes of them, and a table of scatter makes the axis worse; no "
+                  "table is written",
+                  E_after->in_native(), deviation_unit(kind), E_before->in_native(), deviation_unit(kind)));
+}
+
+/// What lies above 95 % of the re-tests that were to be expected.
+void add_exceeded(const Evaluation& retest, const compensation::ExpectedRetest& expected, AxisKind kind,
+                  std::vector<NamedFinding>& findings) {
+  constexpr double room = 1.2;  // so that one re-test in twenty is not called wrong
+  for (const auto member : {&iso230_2::AxisParameters::E, &iso230_2::AxisParameters::B}) {
+    const auto &found = retest.parameters.*member, &most = expected.percent_95.*member;
+    if (!found || !most || found->in_native() <= room * most->in_native()) continue;
+    findings.push_back(
+        {"retest-above-expected", true,
+         fmt::format("the re-test shows {} of {:.2f} {}, where 95 % of re-tests would show less than {:.2f} "
+                     "{}: the axis, the set-up or the table is not what it was taken for",
+                     member == &iso230_2::AxisParameters::E ? "E" : "B", found->in_native(), deviation_unit(kind),
+                     most->in_native(), deviation_unit(kind))});
+  }
 }
 
 }  // namespace
@@ -186,16 +206,22 @@ Result<CompensatedAxis> compensate(const CompensateRequest& request) {
   AXIOMETRY_TRY(AxisCorrection applied, in_file(proved(s, text, before), request.file));
 
   std::vector<NamedFinding> findings = compensation::findings_of_readings(test.series, s.options.kind, s.curves);
-  std::ranges::move(compensation::findings_of_table(test.series, applied), std::back_inserter(findings));
+  std::ranges::move(compensation::findings_of_table(test.series, fit.correction), std::back_inserter(findings));
   AXIOMETRY_TRY(const compensation::Fit plain, in_file(table_by(s, compensation::Method::interpolation), request.file));
   AXIOMETRY_TRY(const Evaluation interpolated, evaluated_with(test.series, plain.correction, removed));
   AXIOMETRY_TRY(const Evaluation fitted, evaluated_with(test.series, fit.correction, removed));
   AXIOMETRY_TRY(const Series corrected, compensation::corrected_series(test.series, applied, removed));
   AXIOMETRY_TRY(const Series scatter, compensation::scatter_alone(test.series));
+  const auto expected = compensation::expected_retest(corrected);
+  AXIOMETRY_TRY_VOID(in_file(check_worth_it(before, expected, s.options.kind), request.file));
   std::optional<Retest> retest;
   if (!request.retest.empty()) {
     AXIOMETRY_TRY(retest, retest_of(request, test, applied, s.existing, findings));
+    if (expected) add_exceeded(retest->evaluation, *expected, s.options.kind, findings);
   }
+  if (request.axis.empty() && test.metadata.axis.name.empty())
+    findings.push_back(
+        {"compensation-axis-assumed", false, "neither the test nor --axis names the axis: the table is made for X"});
   std::ranges::stable_partition(findings, &NamedFinding::serious);
   return CompensatedAxis{.test = std::move(test),
                          .control = control,
@@ -209,7 +235,7 @@ Result<CompensatedAxis> compensate(const CompensateRequest& request) {
                          .interpolated = interpolated.parameters,
                          .fitted = fitted.parameters,
                          .scatter = iso230_2::evaluate(scatter).parameters,
-                         .expected = compensation::expected_retest(corrected),
+                         .expected = expected,
                          .retest = std::move(retest),
                          .findings = std::move(findings)};
 }

@@ -57,8 +57,8 @@ struct CompensatedAxis {
 };
 
 /// Fails as the file does and on a series that no axis makes; where the control cannot hold the table; and where the
-/// table, read back by the control's own rule, would not reduce E and the root mean square of the mean deviations:
-/// nothing is written then.
+/// table, read back by the control's own rule, would not reduce E and the root mean square of the mean deviations, of
+/// these readings, or E of the re-tests that are to be expected: nothing is written then.
 Result<CompensatedAxis> compensate(const CompensateRequest& request);
 
 /// A table of a control as a file, read by its rule. Fails as the file and the table.

@@ -35,10 +35,37 @@ Result<void> write_points(std::string& text, const AxisCorrection& correction, D
   return {};
 }
 
+/// The control wants 3621 ≤ 3620 < 3622: a table beside the reference point goes on to it, and one beyond, with the
+/// value of its end, which it holds there anyway.
+Result<AxisCorrection> around_reference(const AxisCorrection& correction, double reference) {
+  std::vector<double> positions = correction.positions();
+  std::vector<double> up = correction.values(Direction::up), down = correction.values(Direction::down);
+  const auto step = common_step(positions);
+  if (!step || is_whole_turn(correction)) return correction;
+  const auto steps = [&](double distance) {
+    return static_cast<std::size_t>(std::clamp(std::llround(distance / *step), 0ll, 20'000ll));
+  };
+  const std::size_t before = steps(positions.front() - reference), behind = steps(reference + *step - positions.back());
+  for (std::size_t k = 0; k < before; ++k) {
+    positions.insert(positions.begin(), positions.front() - *step);
+    up.insert(up.begin(), up.front());
+    down.insert(down.begin(), down.front());
+  }
+  for (std::size_t k = 0; k < behind; ++k) {
+    positions.push_back(positions.back() + *step);
+    up.push_back(up.back());
+    down.push_back(down.back());
+  }
+  return AxisCorrection::make(correction.kind(), std::move(positions), std::move(up), std::move(down));
+}
+
 }  // namespace
 
-Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options, const AxisTable& table,
+Result<std::string> write(const AxisCorrection& given, const AxisTableOptions& options, const AxisTable& table,
                           bool each_way) {
+  if (options.kind == AxisKind::linear && options.in_inch)
+    return fail("found inches, expected mm, the unit of 3624 that is known");
+  AXIOMETRY_TRY(const AxisCorrection correction, around_reference(given, options.reference));
   AXIOMETRY_TRY_VOID(check_limits(correction, table));
   AXIOMETRY_TRY_VOID(check_axis_word(options));
   AXIOMETRY_TRY_VOID(check_origin(correction, table, options.reference));

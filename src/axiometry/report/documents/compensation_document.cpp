@@ -79,9 +79,11 @@ Section compensation_parameters(const CompensationSubject& subject, const Option
       plain("Predicted: the same readings with the table in the control, as it interpolates and rounds. The table was "
             "made from these readings; what scatter did to their means it corrects too, and a re-test will show that "
             "part again."),
-      plain("Re-test, 95 % below: of simulated re-tests of as many runs, with the scatter of this test, in the table "
-            "and in the re-test; if the axis and the set-up stay as they are."),
       plain("Scatter alone: the readings without the mean of every target and direction. No table removes this.")};
+  if (subject.expected)
+    table.notes.push_back(
+        plain("Re-test, 95 % below: of simulated re-tests of as many runs, with the scatter of this test, in the table "
+              "and in the re-test; if the axis and the set-up stay as they are."));
   Section section{"parameters", "Before and predicted", true, {std::move(table)}};
   section.blocks.emplace_back(before_and_predicted_figure(subject, options));
   return section;
