@@ -9,7 +9,11 @@ function(axiometry_settings)
   endif()
   find_program(CCACHE ccache)
   if(CCACHE)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE} PARENT_SCOPE)
+    # What it needs to know about headers that are compiled before: without their comments it would give an older one
+    # back, of which g++ no longer knows that it holds the header of now.
+    set(CMAKE_CXX_COMPILER_LAUNCHER
+        ${CMAKE_COMMAND} -E env CCACHE_COMMENTS=1
+        CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE} PARENT_SCOPE)
   endif()
   add_compile_options(-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=return-type
                       -Werror=format -Werror=format-security
