@@ -47,7 +47,7 @@ Result<std::unique_ptr<store::Store>> archive_of(const CalibrationArguments& a, 
 std::string last_part(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
 /// "A x 10.2 µm", and of numbers without a unit "chi2_per_dof 1.122".
-std::string kept_figure_text(const store::CalibrationFigure& figure) {
+std::string kept_figure_text(const store::KeptFigure& figure) {
   const std::string unit = figure.unit == "um"     ? " µm"
                            : figure.unit == "urad" ? " µrad"
                                                    : (figure.unit.empty() ? "" : " ″");
@@ -135,14 +135,14 @@ void print_kept(const app::KeptCalibration& kept) {
       {"notes", c.notes}};
   for (const auto& [name, text] : rows)
     if (!text.empty()) fmt::print("  {}{}\n", left(name, 18), report::printable(text));
-  for (const store::CalibrationFile& file : c.files)
+  for (const store::KeptFile& file : c.files)
     fmt::print("  {}{} {}\n", left(file.role, 18), file.content.substr(0, 12), report::printable(file.name));
-  for (const store::CalibrationFigure& figure : c.figures) fmt::print("    {}\n", kept_figure_text(figure));
+  for (const store::KeptFigure& figure : c.figures) fmt::print("    {}\n", kept_figure_text(figure));
 }
 
 /// The files under their own names, none of which is there.
 Result<void> export_files(const store::Store& archive, const app::KeptCalibration& kept, const std::string& folder) {
-  for (const store::CalibrationFile& file : kept.calibration.value.files) {
+  for (const store::KeptFile& file : kept.calibration.value.files) {
     AXIOMETRY_TRY(const app::Rendered bytes, app::calibration_file(archive, kept.calibration.id, file.role));
     const std::string name = (std::filesystem::path(folder) / last_part(file.name)).string();
     if (std::error_code ignored; std::filesystem::exists(name, ignored))

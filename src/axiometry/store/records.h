@@ -82,20 +82,20 @@ struct PlanRecord {
   std::string content;  ///< SHA-256 of the plan's JSON
 };
 
-/// A file that a calibration was evaluated from; its bytes are a content.
-struct CalibrationFile {
-  std::string role;     ///< "lengths", "plan", "station" or "machine"
+/// A file that belongs to a calibration or a compensation; its bytes are a content.
+struct KeptFile {
+  std::string role;     ///< "lengths", "plan", "station" or "machine"; of a compensation "table" or "existing"
   std::string name;     ///< as the user gave it, without folders
   std::string content;  ///< SHA-256
 };
 
-/// A figure by which a calibration is known in a list, in the order in which they are shown.
-struct CalibrationFigure {
+/// A figure by which a calibration or a compensation is known in a list, in the order in which they are shown.
+struct KeptFigure {
   std::string parameter;  ///< "A", "volume_largest"
-  std::string of;         ///< a line of the plan, or a tool; empty: of the whole
+  std::string of;         ///< a line of the plan, a tool, a state of the axis ("before"); empty: of the whole
   double value = 0.0;
   std::optional<double> u;  ///< standard uncertainty; absent where none was found
-  std::string unit;         ///< "um", "urad", or empty of a number
+  std::string unit;         ///< "um", "arcsec", "urad", or empty of a number
 };
 
 /// What a tracking interferometer found of a machine as a whole. Its result is a content, so that a list reads none.
@@ -108,13 +108,31 @@ struct Calibration {
   std::string measured_on;                ///< as of a test
   std::string notes;
   bool withdrawn = false;  ///< kept, but out of lists
-  std::vector<CalibrationFile> files;
+  std::vector<KeptFile> files;
   std::string program;  ///< "axiometry 0.1.0", which evaluated it
   std::string options;  ///< JSON object: what the result depends on beside the files
   std::string result;   ///< SHA-256 of the result document (JSON, docs/results.md)
   std::string verdict;  ///< of all tolerances together; empty without any
   int serious = 0;      ///< findings after which the result should not be used as it is
-  std::vector<CalibrationFigure> figures;
+  std::vector<KeptFigure> figures;
+};
+
+/// A table by which a control corrects an axis: measured, made, perhaps measured again.
+struct Compensation {
+  Id test = 0;  ///< the test that it is made from
+  int test_version = 0;
+  std::optional<Id> retest;           ///< the test with the table active
+  std::optional<int> retest_version;  ///< present with `retest`
+  std::optional<Id> axis;             ///< of the test when the table was made
+  std::string control;                ///< "linuxcnc"
+  std::string notes;
+  bool withdrawn = false;       ///< kept, but out of lists
+  std::vector<KeptFile> files;  ///< the table, and the one that was active before where there was any
+  std::string program;          ///< "axiometry 0.1.0", which made it
+  std::string options;          ///< JSON object: what the table depends on beside the test
+  std::string result;           ///< SHA-256 of the result document (JSON, docs/results.md)
+  int serious = 0;              ///< findings after which the table should not be used as it is
+  std::vector<KeptFigure> figures;
 };
 
 }  // namespace axiometry::store

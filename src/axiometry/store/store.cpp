@@ -98,6 +98,7 @@ AXIOMETRY_THING(Axis);
 AXIOMETRY_THING(Instrument);
 AXIOMETRY_THING(PlanRecord);
 AXIOMETRY_THING(Calibration);
+AXIOMETRY_THING(Compensation);
 
 #undef AXIOMETRY_THING
 
@@ -123,6 +124,10 @@ Result<std::vector<Change>> Store::test_versions(Id id) const {
 
 Result<TestPage> Store::tests(const TestFilter& filter) const {
   return read([&](const Transaction& archive) { return archive.tests(filter); });
+}
+
+Result<std::vector<CompensationRow>> Store::compensations(const CompensationFilter& filter) const {
+  return read([&](const Transaction& archive) { return archive.compensations(filter); });
 }
 
 Result<CalibrationPage> Store::calibrations(const CalibrationFilter& filter) const {

@@ -19,8 +19,8 @@
 #include "axiometry/store/records.h"
 #include "axiometry/store/transaction.h"
 
-/// The archive of machines, axes, instruments, plans, tests and calibrations: SQLite in one file, or PostgreSQL for a
-/// team, behind one interface. Nothing measured can be changed or lost: rows of data, versions, documents and the audit
+/// The archive of machines, axes, instruments, plans, tests, calibrations and compensations: SQLite in one file, or
+/// PostgreSQL for a team, behind one interface. Nothing measured can be changed or lost: rows of data, versions, documents and the audit
 /// trail are only ever added, which triggers in the database itself enforce; an edit makes a new version. Every call is
 /// one transaction that is on the disk when the call returns, or has left no trace.
 namespace axiometry::store {
@@ -93,7 +93,7 @@ class Store {
 
   Result<Counts> counts() const;
 
-  /// Asset is Machine, Axis, Instrument, PlanRecord or Calibration.
+  /// Asset is Machine, Axis, Instrument, PlanRecord, Calibration or Compensation.
   template <typename Asset>
   Result<Versioned<Asset>> add(const Asset& thing, const By& by);
   template <typename Asset>
@@ -115,6 +115,7 @@ class Store {
   Result<std::vector<Change>> test_versions(Id id) const;  ///< the first is version 1
   Result<TestPage> tests(const TestFilter& filter) const;
   Result<CalibrationPage> calibrations(const CalibrationFilter& filter) const;
+  Result<std::vector<CompensationRow>> compensations(const CompensationFilter& filter) const;
   /// Of every machine that has any, or of one, by its id.
   Result<std::vector<MachineTests>> machine_tests(std::optional<Id> machine = {}) const;
   /// By the date of measurement, then of arrival; the newest `limit`.

@@ -12,12 +12,14 @@ namespace axiometry::store {
 
 Result<Counts> Transaction::counts() const {
   // Ids have no gaps: the largest is the number.
-  AXIOMETRY_TRY(const Rows rows,
-                connection_.query("SELECT (SELECT coalesce(max(id), 0) FROM machine), (SELECT coalesce(max(id), 0) "
-                                  "FROM axis), (SELECT coalesce(max(id), 0) FROM instrument), (SELECT "
-                                  "coalesce(max(id), 0) FROM plan), (SELECT coalesce(max(id), 0) FROM test), (SELECT "
-                                  "coalesce(max(id), 0) FROM document), (SELECT coalesce(sum(size), 0) FROM "
-                                  "content), (SELECT coalesce(max(id), 0) FROM calibration)"));
+  AXIOMETRY_TRY(
+      const Rows rows,
+      connection_.query(
+          "SELECT (SELECT coalesce(max(id), 0) FROM machine), (SELECT coalesce(max(id), 0) "
+          "FROM axis), (SELECT coalesce(max(id), 0) FROM instrument), (SELECT "
+          "coalesce(max(id), 0) FROM plan), (SELECT coalesce(max(id), 0) FROM test), (SELECT "
+          "coalesce(max(id), 0) FROM document), (SELECT coalesce(sum(size), 0) FROM "
+          "content), (SELECT coalesce(max(id), 0) FROM calibration), (SELECT coalesce(max(id), 0) FROM compensation)"));
   const Row& row = rows[0];
   return Counts{.machines = row.integer(0),
                 .axes = row.integer(1),
@@ -26,6 +28,7 @@ Result<Counts> Transaction::counts() const {
                 .tests = row.integer(4),
                 .documents = row.integer(5),
                 .calibrations = row.integer(7),
+                .compensations = row.integer(8),
                 .content_bytes = row.integer(6)};
 }
 
@@ -60,6 +63,7 @@ AXIOMETRY_THING(Axis);
 AXIOMETRY_THING(Instrument);
 AXIOMETRY_THING(PlanRecord);
 AXIOMETRY_THING(Calibration);
+AXIOMETRY_THING(Compensation);
 
 #undef AXIOMETRY_THING
 
@@ -97,6 +101,10 @@ Result<std::vector<Document>> Transaction::documents(Id test) const { return doc
 
 Result<CalibrationPage> Transaction::calibrations(const CalibrationFilter& filter) const {
   return find_calibrations(connection_, filter);
+}
+
+Result<std::vector<CompensationRow>> Transaction::compensations(const CompensationFilter& filter) const {
+  return find_compensations(connection_, filter);
 }
 
 Result<Content> Transaction::content(const std::string& sha256) const { return read_content(connection_, sha256); }

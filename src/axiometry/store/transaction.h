@@ -8,6 +8,7 @@
 
 #include "axiometry/base/result.h"
 #include "axiometry/store/kept/calibration_list.h"
+#include "axiometry/store/kept/compensation_list.h"
 #include "axiometry/store/kept/test_records.h"
 #include "axiometry/store/records.h"
 
@@ -24,6 +25,7 @@ struct Counts {
   std::int64_t tests = 0;
   std::int64_t documents = 0;
   std::int64_t calibrations = 0;
+  std::int64_t compensations = 0;
   std::int64_t content_bytes = 0;
 };
 
@@ -52,6 +54,7 @@ class Transaction {
   Result<TestPage> tests(const TestFilter& filter) const;
   Result<std::vector<Document>> documents(Id test) const;
   Result<CalibrationPage> calibrations(const CalibrationFilter& filter) const;
+  Result<std::vector<CompensationRow>> compensations(const CompensationFilter& filter) const;
   Result<Content> content(const std::string& sha256) const;
 
   template <typename Asset>

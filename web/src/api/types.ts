@@ -828,6 +828,196 @@ export interface components {
             consumer_risk: number | null;
             producer_risk: number | null;
         };
+        /** @description A control whose tables of compensation are written and read. */
+        CompensatedControl: {
+            /** @description `linuxcnc` */
+            id: string;
+            title: string;
+            /** @description Of its files. */
+            extension: string;
+            limits: {
+                /** @description Most positions of a table; 1: a backlash alone; null: not limited. */
+                points: number | null;
+                equidistant: boolean;
+                /** @enum {string} */
+                curves: "both-ways" | "with-backlash" | "each-way";
+                linear: boolean;
+                rotary: boolean;
+            };
+            /** @description What a positive number in the file does. */
+            sign: string;
+            /** @description How the table gets into the control. */
+            loading: string;
+            /** @description What of this format was seen in a file, a source or a manual. */
+            verified: string;
+            /** @description What was not; empty where nothing. */
+            inferred: string;
+        };
+        /** @description What the table depends on beside the test. As the flags of `axiometry compensate`. */
+        CompensationOptions: {
+            /** @description Of `/api/controls`. */
+            control: string;
+            /** @description As the control names it; left out: as the test does. */
+            axis?: string;
+            /** @description First position, mm or °. */
+            start?: number;
+            end?: number;
+            /** @description Spacing, mm or °; left out: a round one that fits. */
+            step?: number;
+            points?: number;
+            /** @description Reference point of the machine, where the table does nothing. */
+            reference?: number;
+            /** @enum {string} */
+            method?: "least-squares" | "interpolation";
+            smooth?: boolean;
+            /** @description Beyond the targets the value at the last one, which nobody measured there. */
+            hold_ends?: boolean;
+            /**
+             * @description One curve although the control has one for each direction.
+             * @enum {string}
+             */
+            curves?: "both-ways";
+            inch?: boolean;
+            number?: number;
+            /** @description What one count stands for, µm or ″. */
+            resolution?: number;
+            magnification?: number;
+            largest?: number;
+            /** @description Steps per mm or ° of a control without tables. */
+            steps_per_unit?: number;
+        };
+        CompensationNode: {
+            /** @description mm or ° */
+            position: number;
+            /** @description Added on the way up, native unit; a positive number moves the axis in the positive direction. */
+            up: number;
+            down: number;
+        };
+        CompensationForm: {
+            /** @description JSON: CompensationOptions. */
+            options: string;
+            /**
+             * Format: binary
+             * @description The table that was active while the test was measured.
+             */
+            existing?: string;
+            /** @description Only where it is kept. */
+            notes?: string;
+        };
+        TableForm: {
+            /** @description JSON: axis, inch, number, reference, resolution, magnification, largest, step, steps_per_unit of CompensationOptions, and `kind`: linear or rotary. */
+            options?: string;
+            /** Format: binary */
+            table: string;
+        };
+        /** @description What a control adds with a table loaded, by its own rule. */
+        ReadTable: {
+            control: string;
+            /** @enum {string} */
+            kind: "linear" | "rotary";
+            unit: components["schemas"]["Unit"];
+            table: components["schemas"]["CompensationNode"][];
+        };
+        /** @description A table that is not kept. */
+        MadeCompensation: {
+            /** @description docs/results.md, "Compensation". */
+            result: Record<string, never>;
+            /** @description As it would be kept. */
+            file_name: string;
+            /** @description The file for the control. */
+            table: string;
+        };
+        CompensationFigure: {
+            /** @description `E` */
+            parameter: string;
+            before: number | null;
+            predicted: number | null;
+            /** @description What 95 % of re-tests show less than, if the axis stays as it is. */
+            percent_95: number | null;
+            retest: number | null;
+        };
+        CompensationTest: {
+            id: components["schemas"]["Id"];
+            version: number;
+            title: string;
+            measured_on: string;
+        };
+        CompensationHead: {
+            id: components["schemas"]["Id"];
+            version: number;
+            /** Format: date-time */
+            made_at: string;
+            control: {
+                id: string;
+                title: string;
+            };
+            /** @description Of the table. */
+            file_name: string;
+            test: components["schemas"]["CompensationTest"];
+            retest: components["schemas"]["CompensationTest"] | null;
+            machine: components["schemas"]["Reference"] | null;
+            axis: components["schemas"]["Reference"] | null;
+            unit: components["schemas"]["Unit"];
+            notes: string;
+            withdrawn: boolean;
+            /** @description Findings after which the table should not be used as it is. */
+            serious: number;
+            figures: components["schemas"]["CompensationFigure"][];
+        };
+        /** @description The newest first, at most 1000. */
+        CompensationList: {
+            compensations: components["schemas"]["CompensationHead"][];
+        };
+        KeptCompensation: {
+            id: components["schemas"]["Id"];
+            version: number;
+            /** Format: date-time */
+            made_at: string;
+            control: {
+                id: string;
+                title: string;
+            };
+            /** @description Of the table. */
+            file_name: string;
+            test: components["schemas"]["CompensationTest"];
+            retest: components["schemas"]["CompensationTest"] | null;
+            machine: components["schemas"]["Reference"] | null;
+            axis: components["schemas"]["Reference"] | null;
+            unit: components["schemas"]["Unit"];
+            notes: string;
+            withdrawn: boolean;
+            /** @description Findings after which the table should not be used as it is. */
+            serious: number;
+            figures: components["schemas"]["CompensationFigure"][];
+            change: components["schemas"]["Change"];
+            /** @description Which made it. */
+            program: string;
+            options: components["schemas"]["CompensationOptions"];
+            /** @description docs/results.md, "Compensation". */
+            result: Record<string, never>;
+            /** @description The file for the control. */
+            table: string;
+            /** @description The table that was active while the test was measured. */
+            existing: {
+                name: string;
+                sha256: string;
+            } | null;
+            table_sha256: string;
+            versions: {
+                version: number;
+                change: components["schemas"]["Change"];
+                retest: components["schemas"]["Id"] | null;
+                withdrawn: boolean;
+            }[];
+        };
+        CompensationRevision: {
+            /** @description The version that was looked at. */
+            base_version: number;
+            reason?: string;
+            /** @description A test of the archive that was measured with the table active; it is held against the prediction. null takes it away. */
+            retest?: components["schemas"]["Id"] | null;
+            notes?: string;
+        };
         KeptCalibration: {
             id: components["schemas"]["Id"];
             version: number;
@@ -2813,6 +3003,19 @@ export type Interval = components['schemas']['Interval'];
 export type IssueRequest = components['schemas']['IssueRequest'];
 export type Judged = components['schemas']['Judged'];
 export type Judgement = components['schemas']['Judgement'];
+export type CompensatedControl = components['schemas']['CompensatedControl'];
+export type CompensationOptions = components['schemas']['CompensationOptions'];
+export type CompensationNode = components['schemas']['CompensationNode'];
+export type CompensationForm = components['schemas']['CompensationForm'];
+export type TableForm = components['schemas']['TableForm'];
+export type ReadTable = components['schemas']['ReadTable'];
+export type MadeCompensation = components['schemas']['MadeCompensation'];
+export type CompensationFigure = components['schemas']['CompensationFigure'];
+export type CompensationTest = components['schemas']['CompensationTest'];
+export type CompensationHead = components['schemas']['CompensationHead'];
+export type CompensationList = components['schemas']['CompensationList'];
+export type KeptCompensation = components['schemas']['KeptCompensation'];
+export type CompensationRevision = components['schemas']['CompensationRevision'];
 export type KeptCalibration = components['schemas']['KeptCalibration'];
 export type Limit = components['schemas']['Limit'];
 export type LimitSource = components['schemas']['LimitSource'];

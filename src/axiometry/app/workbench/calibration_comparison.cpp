@@ -12,7 +12,7 @@ namespace {
 
 using json::Kind;
 using json::Value;
-using store::CalibrationFigure;
+using store::KeptFigure;
 
 std::optional<double> number_of(const Value& object, std::string_view name) {
   const Value* value = object.is(Kind::object) ? object.find(name) : nullptr;
@@ -21,12 +21,12 @@ std::optional<double> number_of(const Value& object, std::string_view name) {
 }
 
 /// The node where the amount is largest, with the uncertainty there; nothing where the lengths do not tell the curve.
-std::optional<CalibrationFigure> largest_of(const std::string& error, const Value& nodes, const std::string& unit) {
-  std::optional<CalibrationFigure> largest;
+std::optional<KeptFigure> largest_of(const std::string& error, const Value& nodes, const std::string& unit) {
+  std::optional<KeptFigure> largest;
   for (const Value& node : nodes.items()) {
     const auto value = number_of(node, "value");
     if (!value || (largest && std::abs(*value) <= largest->value)) continue;
-    largest = CalibrationFigure{error, "", std::abs(*value), number_of(node, "u"), unit};
+    largest = KeptFigure{error, "", std::abs(*value), number_of(node, "u"), unit};
   }
   return largest;
 }
@@ -37,8 +37,8 @@ std::string unit_of(const std::string& error) {
 }
 
 /// Figures of a list, and of the 21 errors the largest amount of each curve and the squareness.
-std::vector<CalibrationFigure> compared_figures(const KeptCalibration& kept) {
-  std::vector<CalibrationFigure> figures = kept.calibration.value.figures;
+std::vector<KeptFigure> compared_figures(const KeptCalibration& kept) {
+  std::vector<KeptFigure> figures = kept.calibration.value.figures;
   const Value* errors = kept.result.is(Kind::object) ? kept.result.find("errors") : nullptr;
   if (kept.calibration.value.kind != "volumetric" || errors == nullptr || !errors->is(Kind::object)) return figures;
   for (const auto& [error, told] : errors->members()) {
@@ -51,21 +51,21 @@ std::vector<CalibrationFigure> compared_figures(const KeptCalibration& kept) {
   return figures;
 }
 
-std::vector<ComparedFigure> compared(const std::vector<CalibrationFigure>& before,
-                                     const std::vector<CalibrationFigure>& after) {
+std::vector<ComparedFigure> compared(const std::vector<KeptFigure>& before,
+                                     const std::vector<KeptFigure>& after) {
   std::vector<ComparedFigure> rows;
-  const auto row_of = [&](const CalibrationFigure& figure) -> ComparedFigure& {
+  const auto row_of = [&](const KeptFigure& figure) -> ComparedFigure& {
     const auto found = std::ranges::find_if(
         rows, [&](const ComparedFigure& row) { return row.parameter == figure.parameter && row.of == figure.of; });
     if (found != rows.end()) return *found;
     return rows.emplace_back(ComparedFigure{figure.parameter, figure.of, figure.unit, {}, {}, {}, {}});
   };
-  for (const CalibrationFigure& figure : before) {
+  for (const KeptFigure& figure : before) {
     ComparedFigure& row = row_of(figure);
     row.before = figure.value;
     row.before_u = figure.u;
   }
-  for (const CalibrationFigure& figure : after) {
+  for (const KeptFigure& figure : after) {
     ComparedFigure& row = row_of(figure);
     row.after = figure.value;
     row.after_u = figure.u;

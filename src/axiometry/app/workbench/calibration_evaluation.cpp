@@ -24,7 +24,7 @@ namespace axiometry::app {
 namespace {
 
 using json::Value;
-using store::CalibrationFigure;
+using store::KeptFigure;
 
 /// The files by what they are for.
 class Sources {
@@ -83,9 +83,9 @@ Result<EvaluatedCalibration> identified_machine(std::span<const CalibrationSourc
   return EvaluatedCalibration(std::move(found));
 }
 
-std::vector<CalibrationFigure> line_figures(const EvaluatedLines& lines) {
+std::vector<KeptFigure> line_figures(const EvaluatedLines& lines) {
   constexpr std::array<std::string_view, 4> shown = {"A", "E", "R", "B"};
-  std::vector<CalibrationFigure> figures;
+  std::vector<KeptFigure> figures;
   for (const Evaluated& line : lines.tests)
     for (const store::Figure& figure : figures_of(line)) {
       if (std::ranges::find(shown, figure.parameter) == shown.end()) continue;
@@ -95,10 +95,10 @@ std::vector<CalibrationFigure> line_figures(const EvaluatedLines& lines) {
   return figures;
 }
 
-std::vector<CalibrationFigure> volume_figures(const IdentifiedMachine& found) {
+std::vector<KeptFigure> volume_figures(const IdentifiedMachine& found) {
   const volumetric::Identification& identification = found.identification;
   const auto& tools = found.machine.tools;
-  std::vector<CalibrationFigure> figures;
+  std::vector<KeptFigure> figures;
   for (const volumetric::Tool& tool : tools) {
     const auto sizes = volumetric::volume_statistics(identification.model, tool.offset_mm, volumetric::field_nodes)
                            .without_rigid_motion;
@@ -158,7 +158,7 @@ report::Document document_of(const EvaluatedCalibration& evaluated, const report
   return present(std::get<IdentifiedMachine>(evaluated), options).document;
 }
 
-std::vector<CalibrationFigure> figures_of(const EvaluatedCalibration& evaluated) {
+std::vector<KeptFigure> figures_of(const EvaluatedCalibration& evaluated) {
   if (const auto* lines = std::get_if<EvaluatedLines>(&evaluated)) return line_figures(*lines);
   return volume_figures(std::get<IdentifiedMachine>(evaluated));
 }

@@ -37,7 +37,7 @@ report::Document document_of(const EvaluatedCalibration& evaluated, const report
 
 /// Of lines A, E, R and B of each; of the 21 errors, with each tool, the size of the error of the tool point over the
 /// volume without rigid motion, then χ²/ν, rank, and how many of the errors the lengths do not tell.
-std::vector<store::CalibrationFigure> figures_of(const EvaluatedCalibration& evaluated);
+std::vector<store::KeptFigure> figures_of(const EvaluatedCalibration& evaluated);
 
 /// What the files suggest where nobody says it; empty where they say nothing.
 struct SuggestedText {

@@ -29,9 +29,9 @@ Value named(store::Id id, const std::string& name) {
   return object;
 }
 
-Value figures_value(const std::vector<store::CalibrationFigure>& figures) {
+Value figures_value(const std::vector<store::KeptFigure>& figures) {
   Value list = Value::array();
-  for (const store::CalibrationFigure& figure : figures) {
+  for (const store::KeptFigure& figure : figures) {
     Value& item = list.push(Value::object());
     item.add("parameter", figure.parameter);
     item.add("of", figure.of);
@@ -65,7 +65,7 @@ Value head_of(const KeptCalibration& kept) {
 
 Value files_value(const Calibration& c) {
   Value list = Value::array();
-  for (const store::CalibrationFile& file : c.files) {
+  for (const store::KeptFile& file : c.files) {
     Value& item = list.push(Value::object());
     item.add("role", file.role);
     item.add("name", file.name);

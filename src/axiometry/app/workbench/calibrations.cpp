@@ -17,7 +17,7 @@ namespace {
 
 using json::Value;
 using store::Calibration;
-using store::CalibrationFigure;
+using store::KeptFigure;
 using store::Versioned;
 
 constexpr std::string_view result_format = "calibration-result";
@@ -59,7 +59,7 @@ struct LoadedFiles {
 
 Result<LoadedFiles> loaded(const store::Store& archive, const Calibration& calibration) {
   LoadedFiles files;
-  for (const store::CalibrationFile& file : calibration.files) {
+  for (const store::KeptFile& file : calibration.files) {
     AXIOMETRY_TRY(store::Content content, archive.content(file.content));
     files.contents.push_back(std::move(content));
   }
@@ -74,7 +74,7 @@ Result<EvaluatedCalibration> evaluated_again(const store::Store& archive, const 
   return evaluate_calibration(calibration.kind, files.sources, options);
 }
 
-bool is_same(const CalibrationFigure& a, const CalibrationFigure& b) {
+bool is_same(const KeptFigure& a, const KeptFigure& b) {
   return a.parameter == b.parameter && a.of == b.of && a.value == b.value && a.u == b.u && a.unit == b.unit;
 }
 
@@ -209,7 +209,7 @@ Result<Rendered> calibration_report(const store::Store& archive, store::Id id, s
 
 Result<Rendered> calibration_file(const store::Store& archive, store::Id id, const std::string& role) {
   AXIOMETRY_TRY(const auto kept, archive.get<Calibration>(id));
-  for (const store::CalibrationFile& file : kept.value.files) {
+  for (const store::KeptFile& file : kept.value.files) {
     if (file.role != role) continue;
     AXIOMETRY_TRY(store::Content content, archive.content(file.content));
     return Rendered{std::move(content.bytes), std::string(octets), file.name};

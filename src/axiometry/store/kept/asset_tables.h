@@ -8,7 +8,7 @@
 #include "axiometry/store/database/connection.h"
 #include "axiometry/store/records.h"
 
-/// How machines, axes, instruments, plans and calibrations lie in their tables: the one place that knows their columns.
+/// How machines, axes, instruments, plans, calibrations and compensations lie in their tables: the one place that knows their columns.
 namespace axiometry::store {
 
 template <typename Asset>
@@ -36,6 +36,9 @@ AXIOMETRY_THING_TABLE(PlanRecord, "plan", "title, axis, content");
 AXIOMETRY_THING_TABLE(Calibration, "calibration",
                       "kind, title, machine, instrument, instrument_version, measured_on, notes, withdrawn, files, "
                       "program, options, result, verdict, serious, figures");
+AXIOMETRY_THING_TABLE(Compensation, "compensation",
+                      "test, test_version, retest, retest_version, axis, control, notes, withdrawn, files, program, "
+                      "options, result, serious, figures");
 
 #undef AXIOMETRY_THING_TABLE
 

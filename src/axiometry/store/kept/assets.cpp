@@ -91,13 +91,28 @@ Result<void> follow(Connection& connection, const Versioned<Axis>& before, const
 Result<void> follow(Connection&, const Versioned<Instrument>&, const Versioned<Instrument>&) { return {}; }
 Result<void> follow(Connection&, const Versioned<PlanRecord>&, const Versioned<PlanRecord>&) { return {}; }
 
+bool has_same_bytes(const std::vector<KeptFile>& a, const std::vector<KeptFile>& b) {
+  return std::ranges::equal(a, b, {}, &KeptFile::content, &KeptFile::content);
+}
+
 /// What was measured stays what it was evaluated from.
 Result<void> follow(Connection&, const Versioned<Calibration>& before, const Versioned<Calibration>& now) {
-  if (before.value.kind != now.value.kind || !std::ranges::equal(before.value.files, now.value.files, {},
-                                                                 &CalibrationFile::content, &CalibrationFile::content))
+  if (before.value.kind != now.value.kind || !has_same_bytes(before.value.files, now.value.files))
     return fail(fmt::format(
         "found another kind or other files for calibration {}, expected those that it was kept with", now.id));
   return {};
+}
+
+/// What is in the control stays what it was made of.
+Result<void> follow(Connection&, const Versioned<Compensation>& before, const Versioned<Compensation>& now) {
+  const Compensation &a = before.value, &b = now.value;
+  if (a.test == b.test && a.test_version == b.test_version && a.axis == b.axis && a.control == b.control &&
+      a.options == b.options && has_same_bytes(a.files, b.files))
+    return {};
+  return fail(
+      fmt::format("found another test, control or other files for compensation {}, expected those that it was "
+                  "kept with",
+                  now.id));
 }
 
 /// What the trail says was done to a thing.
@@ -106,7 +121,9 @@ std::string_view deed(const Versioned<Asset>&, const Versioned<Asset>&) {
   return "changed";
 }
 
-std::string_view deed(const Versioned<Calibration>& before, const Versioned<Calibration>& now) {
+template <typename Asset>
+requires requires(const Asset& thing) { thing.withdrawn; }
+std::string_view deed(const Versioned<Asset>& before, const Versioned<Asset>& now) {
   if (before.value.withdrawn == now.value.withdrawn) return "changed";
   return now.value.withdrawn ? "withdrawn" : "reinstated";
 }
@@ -262,6 +279,7 @@ AXIOMETRY_THING(Axis);
 AXIOMETRY_THING(Instrument);
 AXIOMETRY_THING(PlanRecord);
 AXIOMETRY_THING(Calibration);
+AXIOMETRY_THING(Compensation);
 
 #undef AXIOMETRY_THING
 

@@ -9,7 +9,8 @@
 #include "axiometry/store/proof/attested.h"
 #include "axiometry/store/records.h"
 
-/// Machines, axes, instruments, plans and calibrations within a transaction; Asset is one of the five. As in store.h.
+/// Machines, axes, instruments, plans, calibrations and compensations within a transaction; Asset is one of the six. As
+/// in store.h.
 namespace axiometry::store {
 
 template <typename Asset>

@@ -55,7 +55,7 @@ std::string_view column_of(CalibrationOrder order) {
 bool has_words(const Calibration& calibration, const std::string& machine, std::span<const std::string> words) {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
   std::string text = fmt::format("{} {} {}", calibration.title, calibration.notes, machine);
-  for (const CalibrationFile& file : calibration.files) text += " " + file.name;
+  for (const KeptFile& file : calibration.files) text += " " + file.name;
   text = folded(text, all);
   return std::ranges::all_of(words, [&](const std::string& word) { return text.contains(word); });
 }

@@ -29,6 +29,8 @@ constexpr std::array copied_tables = {
     IdWalk{"test_instrument", "test", 500},
     IdWalk{"evaluation", "test", 50},
     IdWalk{"figure", "test", 100},
+    IdWalk{"compensation", "id", 1000},
+    IdWalk{"compensation_version", "id", 100},
     IdWalk{"document", "id", 1000},
     IdWalk{"audit", "id", 1000},
     IdWalk{"test_list", "test", 500},

@@ -97,6 +97,7 @@ Result<void> Verifier::everything() {
   AXIOMETRY_TRY_VOID(verify_assets<Instrument>(connection_, attested_, found_.problems));
   AXIOMETRY_TRY_VOID(verify_assets<PlanRecord>(connection_, attested_, found_.problems));
   AXIOMETRY_TRY_VOID(verify_assets<Calibration>(connection_, attested_, found_.problems));
+  AXIOMETRY_TRY_VOID(verify_assets<Compensation>(connection_, attested_, found_.problems));
   AXIOMETRY_TRY_VOID(tests());
   return documents();
 }
@@ -226,8 +227,8 @@ void Verifier::conclude() {
         found_.proved.begin(),
         {fmt::format("each of the {} entries of the audit trail follows from all in front of it", found_.entries),
          fmt::format("each of the {} files has the bytes that the trail tells of", found_.contents),
-         fmt::format("{} tests in all their versions, machines, axes, instruments, plans, calibrations and documents "
-                     "are those that the trail tells of, none more and none less",
+         fmt::format("{} tests in all their versions, machines, axes, instruments, plans, calibrations, "
+                     "compensations and documents are those that the trail tells of, none more and none less",
                      found_.tests)});
     if (found_.parts > 0)
       found_.proved.push_back(
