@@ -29,6 +29,8 @@ VERSIONED = {  # what is known by versions: its columns in the order in which th
     "plan": ("title", "axis", "content"),
     "calibration": ("kind", "title", "machine", "instrument", "instrument_version", "measured_on", "notes", "withdrawn",
                     "files", "program", "options", "result", "verdict", "serious", "figures"),
+    "compensation": ("test", "test_version", "retest", "retest_version", "axis", "control", "notes", "withdrawn", "files",
+                     "program", "options", "result", "serious", "figures"),
 }
 TEST_VERSION = ("test", "version", "at", "actor", "reason", "title", "machine", "axis", "axis_name", "axis_kind", "plan",
                 "measured_on", "changes")
@@ -43,17 +45,19 @@ MIGRATIONS = {  # number -> name and SHA-256 of what SQLite was given
     1: ("archive", "8eee08e77cde153cc9807c8bafb156f6dd15181a01ce61b6eae68a4b5a8eea95"),
     2: ("record", "d2fd50a321a0525264dc8f72f6d5bee5c3afe3972ec3ad1607f1aff92c8f1b66"),
     3: ("calibration", "4cb5397a9a5e25892d07c67374453665c1de16da4f3daf0721dcb5b29b466b38"),
+    4: ("compensation", "205e1a10956b09d60bb51dc36587089296562ae165285608ccaf977fe025f6df"),
 }
 DOCUMENT = ("id", "test", "version", "kind", "name", "media_type", "language", "content", "size", "at", "actor", "reason")
 
 KEPT = {  # tables whose rows never change: what tells two rows apart
     "content": ("id", "sha256"), "machine_version": ("id", "version"), "axis_version": ("id", "version"),
     "instrument_version": ("id", "version"), "plan_version": ("id", "version"),
-    "calibration_version": ("id", "version"), "test_version": ("test", "version"),
+    "calibration_version": ("id", "version"), "compensation_version": ("id", "version"),
+    "test_version": ("test", "version"),
     "test_instrument": ("test", "version", "place"), "evaluation": ("test", "version"),
     "figure": ("test", "version", "place"), "document": ("id",), "audit": ("id",), "migration": ("number",),
 }
-GROWING = ("machine", "axis", "instrument", "plan", "calibration", "test")  # only `latest` grows, by one
+GROWING = ("machine", "axis", "instrument", "plan", "calibration", "compensation", "test")  # only `latest` grows, by one
 LISTS = ("test_list", "test_search", "list_instrument")
 STORED_AS = {  # what SQLite calls the values of a column that is declared so
     "integer": "integer", "bigint": "integer", "double precision": "real", "plain_text": "text", "text": "text",

@@ -271,6 +271,46 @@ def calibrations(play):
     play.expect(200, "POST", f"{path}/reinstate", {"reason": "it was the right one"})
     play.checks.that("it is back", not play.expect(200, "GET", path).json()["withdrawn"])
     play.expect(404, "GET", f"/api/calibrations/{first + 99}")
+def compensations(play):
+    """A table made of a test, kept, proved by another test, drawn, withdrawn and brought back."""
+    rows = play.expect(200, "GET", "/api/tests?limit=1000").json()["tests"]
+    linear = [row for row in rows if row["axis"] and row["unit"] == "um" and any(f["parameter"] == "E" for f in row["figures"])]
+    test = next(row for row in linear if any(o["axis"] == row["axis"] and o["id"] != row["id"] for o in linear))
+    again = next(row for row in linear if row["axis"] == test["axis"] and row["id"] != test["id"])
+    controls = play.expect(200, "GET", "/api/controls").json()
+    play.checks.that("there are controls", len(controls) > 20 and any(c["id"] == "linuxcnc" for c in controls), controls)
+    options = (b'name="options"', b'{"control": "linuxcnc"}')
+    made = play.expect(200, "POST", f"/api/tests/{test['id']}/compensation", *form(options)).json()
+    play.checks.that("the prediction is better", made["result"]["predicted"]["E"] < made["result"]["before"]["E"], made["result"])
+    table = (b'name="table"; filename="x.comp"', made["table"].encode())
+    read = play.expect(200, "POST", "/api/controls/linuxcnc/table", *form((b'name="options"', b'{"axis": "X"}'), table)).json()
+    play.checks.that("it is read as it was made", read["table"] == made["result"]["table"], read["table"][:2])
+    play.expect(404, "POST", "/api/controls/nobody/table", *form(table))
+    play.expect(422, "POST", "/api/controls/linuxcnc/table", *form((b'name="table"; filename="x.comp"', b"1 2")))
+    play.expect(422, "POST", f"/api/tests/{test['id']}/compensation", *form((b'name="options"', b'{"control": "linuxcnc", "stop": 1}')))
+    kept = play.expect(201, "POST", f"/api/tests/{test['id']}/compensations", *form(options, (b'name="notes"', b"new screw"))).json()
+    path = f"/api/compensations/{kept['id']}"
+    play.checks.that("the table is the one that was looked at", kept["table"] == made["table"], kept["table"][:80])
+    play.checks.that("its bytes", play.expect(200, "GET", f"{path}/files/table").body == made["table"].encode())
+    play.expect(404, "GET", f"{path}/files/existing")
+    proved = play.expect(201, "POST", f"{path}/versions", {"base_version": 1, "retest": again["id"], "reason": "loaded"}).json()
+    play.checks.that("the re-test is linked", proved["retest"]["id"] == again["id"] and "retest" in proved["result"], proved["retest"])
+    play.checks.that("and its figures", all(f["retest"] is not None for f in proved["figures"]), proved["figures"])
+    play.expect(409, "POST", f"{path}/versions", {"base_version": 1, "notes": "other"})
+    play.expect(422, "POST", f"{path}/versions", {"base_version": 2, "retest": test["id"]})
+    for asked in (f"test={test['id']}", f"test={again['id']}", f"axis={test['axis']['id']}"):
+        listed = play.expect(200, "GET", f"/api/compensations?{asked}").json()["compensations"]
+        play.checks.that(f"found by {asked}", [row["id"] for row in listed] == [kept["id"]], listed)
+    play.expect(200, "GET", f"{path}?version=1&language=de")
+    play.expect(200, "GET", f"{path}/report.pdf")
+    play.expect(200, "GET", f"{path}/report.json?version=1")
+    play.expect(200, "POST", f"{path}/withdraw", {"reason": "wrong control"})
+    play.expect(409, "POST", f"{path}/withdraw", {})
+    play.expect(200, "POST", f"{path}/reinstate", {"reason": "it was the right one"})
+    play.checks.that("it is back", not play.expect(200, "GET", path).json()["withdrawn"])
+    play.expect(404, "GET", f"/api/compensations/{kept['id'] + 99}")
+
+
 def volumetric(play):
     """From the machine to tables for a control, with lengths of a perfect machine."""
     machine = {"chain": "XFYZ", "travel_mm": {"X": [0, 800], "Y": [0, 500], "Z": [-500, 0]},
@@ -341,6 +381,7 @@ def main():
             plans(play)
             tracking(play)
             calibrations(play)
+            compensations(play)
             volumetric(play)
             captures(play)
             examples(play, program, folder)

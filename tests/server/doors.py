@@ -301,7 +301,7 @@ def what_was_left_out_is_told_where_it_is_cut_off(program, folder, checks):
 def other_types_are_refused(server, checks):
     """A body that is no JSON by its type is none, whatever it holds; files have any type."""
     takes_files = {"/api/preview", "/api/evaluations", "/api/tests", "/api/tests/1/attachments", "/api/calibrations",
-                   "/api/tracking/station", "/api/tracking/station/report.1", "/api/tracking/evaluation",
+                   "/api/controls/1/table", "/api/tests/1/compensation", "/api/tests/1/compensations", "/api/tracking/station", "/api/tracking/station/report.1", "/api/tracking/evaluation",
                    "/api/tracking/evaluation/report.1", "/api/volumetric/identification",
                    "/api/volumetric/identification/report.1", "/api/volumetric/identification/residuals"}
     for method, path in operations():

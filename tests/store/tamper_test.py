@@ -60,11 +60,14 @@ def make_archive(program, folder):
     instrument = ["--of-machine", "1", "--instrument", "1"]
     subprocess.run([program, "store", "calibrate", MEASURED / "lengths.csv", "--plan", MEASURED / "seven.json", *instrument,
                     "--store", archive], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([program, "store", "compensate", "1", "--for", "linuxcnc", "--store", archive], check=True,
+                   stdout=subprocess.DEVNULL)
     with Served(program, archive) as server:
         for method, path, body, wanted in (
                 ("POST", "/api/tests/1/reports", {"extension": "html", "language": "en"}, 201),
                 ("POST", "/api/plans", {"title": "X 500", "axis": None, "request": PLAN}, 201),
                 ("POST", "/api/calibrations/1/withdraw", {"reason": "wrong plan"}, 200),
+                ("POST", "/api/compensations/1/withdraw", {"reason": "wrong control"}, 200),
                 ("POST", "/api/tests/2/withdraw", {"reason": "wrong axis"}, 200)):
             answer = server.request(method, path, body)
             if answer.status != wanted:
@@ -170,7 +173,8 @@ def delete_last_test(path, with_lines=True):
         if not with_lines:
             return
         gone = database.execute("SELECT subject FROM audit WHERE id >= ?", (first,)).fetchall()
-        for table in ("document", "calibration_version", "calibration", "plan_version", "plan", "content", "instrument_version", "instrument", "axis_version", "axis",
+        for table in ("document", "calibration_version", "calibration", "compensation_version", "compensation",
+                      "plan_version", "plan", "content", "instrument_version", "instrument", "axis_version", "axis",
                       "machine_version", "machine"):
             record = table.removesuffix("_version")
             for subject, in gone:
@@ -225,6 +229,11 @@ CASES = [
     Case("a calibration that is no longer withdrawn", change("UPDATE calibration_version SET withdrawn = 0")),
     Case("a calibration without its last version", change("DELETE FROM calibration_version WHERE version = 2",
                                                           "UPDATE calibration SET latest = 1")),
+    Case("a compensation's figures", change("UPDATE compensation_version SET figures = '[]' WHERE version = 1")),
+    Case("the test of a compensation", change("UPDATE compensation_version SET test = 2 WHERE version = 1")),
+    Case("a compensation that is no longer withdrawn", change("UPDATE compensation_version SET withdrawn = 0")),
+    Case("a compensation without its last version", change("DELETE FROM compensation_version WHERE version = 2",
+                                                           "UPDATE compensation SET latest = 1")),
     Case("a document", change("UPDATE document SET name = 'other.html'")),
     Case("a document more", change("INSERT INTO document SELECT id + 1, test, version, kind, name, media_type, language, "
                                    "content, size, at, actor, reason FROM document")),

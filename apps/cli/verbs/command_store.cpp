@@ -17,8 +17,10 @@
 #include "axiometry/store/store.h"
 #include "cli/archive_proof.h"
 #include "cli/failure.h"
+#include "cli/flags/store_flags.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/command_store_calibrations.h"
+#include "cli/verbs/command_store_compensations.h"
 #include "cli/verbs/commands.h"
 
 namespace axiometry::cli {
@@ -42,8 +44,7 @@ struct StoreArguments {
 using Arguments = std::shared_ptr<StoreArguments>;
 
 Result<std::unique_ptr<store::Store>> opened(const StoreArguments& arguments, const store::Opening& opening) {
-  AXIOMETRY_TRY(const std::string address, app::store_address(arguments.address));
-  return store::Store::open(address, opening);
+  return archive_at(arguments.address, opening);
 }
 
 constexpr store::Opening to_look{.create = false, .read_only = true};
@@ -60,6 +61,7 @@ Result<int> info(const StoreArguments& arguments) {
                                                           {"plans", counts.plans},
                                                           {"tests", counts.tests},
                                                           {"calibrations", counts.calibrations},
+                                                          {"compensations", counts.compensations},
                                                           {"documents", counts.documents},
                                                           {"content_bytes", counts.content_bytes}};
   if (arguments.json) {
@@ -169,19 +171,6 @@ Result<int> seal(const StoreArguments& arguments) {
   return seal_archive(*archive, {arguments.file, arguments.key, arguments.change_key, arguments.authority});
 }
 
-Verb add_verb(const Verb& parent, const char* name, const char* what, int& exit_code, const Arguments& arguments,
-              Result<int> (*run)(const StoreArguments&)) {
-  Verb verb = parent.add_subcommand(name, what);
-  verb->add_option("--store", arguments->address,
-                   "Archive: a file or postgresql://… (AXIOMETRY_STORE, else axiometry.db among the user's data)")
-      ->type_name("ADDRESS");
-  verb->callback([arguments, run, &exit_code] {
-    const auto code = run(*arguments);
-    exit_code = code ? *code : failed(code.error());
-  });
-  return verb;
-}
-
 constexpr const char* examples = R"(Examples:
   axiometry store backup copy.db --store tests.db        while others go on working
   axiometry store verify copy.db                         what is in it is as it was written
@@ -205,19 +194,20 @@ void add_store(const Verb& program, int& exit_code) {
   verb->footer(examples);
   const auto fresh = [] { return std::make_shared<StoreArguments>(); };
   Arguments made = fresh();
-  add_verb(*verb, "backup", "Write a backup of the archive into a new file", exit_code, made, backup)
+  store_verb(*verb, {"backup", "Write a backup of the archive into a new file"}, exit_code, made, backup)
       ->add_option("FILE", made->file, "New file; an existing one is never replaced")
       ->required();
   made = fresh();
-  add_verb(*verb, "restore", "Fill an empty or new archive from a backup, once that is verified", exit_code, made,
-           restore)
+  store_verb(*verb, {"restore", "Fill an empty or new archive from a backup, once that is verified"}, exit_code, made,
+             restore)
       ->add_option("FILE", made->file, "Backup")
       ->required();
   made = fresh();
-  Verb verified = add_verb(*verb, "verify",
-                           "Read all of an archive or a backup and say what is not as it was "
-                           "written",
-                           exit_code, made, verify);
+  Verb verified = store_verb(*verb,
+                             {"verify",
+                              "Read all of an archive or a backup and say what is not as it was "
+                              "written"},
+                             exit_code, made, verify);
   verified->add_option("FILE", made->file, "Backup or archive; that of --store when missing");
   verified->add_option("--seal", made->seals, "Seal from which the audit trail must go on; may be given again")
       ->type_name("FILE")
@@ -237,10 +227,11 @@ void add_store(const Verb& program, int& exit_code) {
       ->type_name("FILE");
   verified->add_flag("--json", made->json, "Print JSON");
   made = fresh();
-  Verb sealing = add_verb(*verb, "seal",
-                          "Sign the end of the audit trail, so that who keeps the file elsewhere can see when "
-                          "something is missing there",
-                          exit_code, made, seal);
+  Verb sealing = store_verb(*verb,
+                            {"seal",
+                             "Sign the end of the audit trail, so that who keeps the file elsewhere can see when "
+                             "something is missing there"},
+                            exit_code, made, seal);
   sealing
       ->add_option("FILE", made->file,
                    "Seal; one that is there is replaced only by one of the same key, where the trail goes on from it")
@@ -255,17 +246,18 @@ void add_store(const Verb& program, int& exit_code) {
                    "File of the private key, made where there is none (ARCHIVE.key; of a server among the user's data)")
       ->type_name("FILE");
   made = fresh();
-  add_verb(*verb, "info", "Say where the archive is and how much is in it", exit_code, made, info)
+  store_verb(*verb, {"info", "Say where the archive is and how much is in it"}, exit_code, made, info)
       ->add_flag("--json", made->json, "Print JSON");
   made = fresh();
-  Verb listed = add_verb(*verb, "list", "List tests, the newest first", exit_code, made, list);
+  Verb listed = store_verb(*verb, {"list", "List tests, the newest first"}, exit_code, made, list);
   listed->add_option("--text", made->text, "Only those with these words in title, file, machine or axis");
   listed->add_option("--limit", made->limit, "How many (50)")->check_range(1, 1000);
   made = fresh();
-  add_verb(*verb, "add", "Put files of tests into the archive", exit_code, made, add)
+  store_verb(*verb, {"add", "Put files of tests into the archive"}, exit_code, made, add)
       ->add_option("FILE", made->files, "Files of tests, in any format that is read")
       ->required();
   add_store_calibrations(*verb, exit_code);
+  add_store_compensations(*verb, exit_code);
 }
 
 }  // namespace axiometry::cli

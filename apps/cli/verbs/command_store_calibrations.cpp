@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "axiometry/app/files/output.h"
-#include "axiometry/app/files/store_address.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/workbench/calibration_json.h"
 #include "axiometry/app/workbench/calibrations.h"
@@ -18,6 +17,7 @@
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/store/store.h"
 #include "cli/failure.h"
+#include "cli/flags/store_flags.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
 
@@ -38,11 +38,6 @@ struct CalibrationArguments {
 };
 
 using Shared = std::shared_ptr<CalibrationArguments>;
-
-Result<std::unique_ptr<store::Store>> archive_of(const CalibrationArguments& a, const store::Opening& opening) {
-  AXIOMETRY_TRY(const std::string address, app::store_address(a.address));
-  return store::Store::open(address, opening);
-}
 
 std::string last_part(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
@@ -98,7 +93,7 @@ Result<int> keep(const CalibrationArguments& a) {
     AXIOMETRY_TRY(const std::string text, app::whole_file(a.options));
     AXIOMETRY_TRY(calibration.options, app::in_file(json::parse(text), a.options));
   }
-  AXIOMETRY_TRY(const auto archive, archive_of(a, {}));
+  AXIOMETRY_TRY(const auto archive, archive_at(a.address, {}));
   AXIOMETRY_TRY(const auto kept, app::keep_calibration(*archive, calibration, {"import", "axiometry store calibrate"}));
   const Calibration& c = kept.calibration.value;
   fmt::print("calibration {}: {}\n", kept.calibration.id, report::printable(c.title));
@@ -107,7 +102,7 @@ Result<int> keep(const CalibrationArguments& a) {
 }
 
 Result<int> list_kept(const CalibrationArguments& a) {
-  AXIOMETRY_TRY(const auto archive, archive_of(a, {.create = false}));
+  AXIOMETRY_TRY(const auto archive, archive_at(a.address, {.create = false}));
   store::CalibrationFilter filter;
   filter.text = a.text;
   filter.kind = a.kind;
@@ -154,7 +149,7 @@ Result<void> export_files(const store::Store& archive, const app::KeptCalibratio
 }
 
 Result<int> show(const CalibrationArguments& a) {
-  AXIOMETRY_TRY(const auto archive, archive_of(a, {.create = false}));
+  AXIOMETRY_TRY(const auto archive, archive_at(a.address, {.create = false}));
   const auto version = a.version > 0 ? std::optional(static_cast<int>(a.version)) : std::nullopt;
   AXIOMETRY_TRY(const auto kept, app::kept_calibration(*archive, a.id, version));
   if (!a.report.empty()) {
@@ -172,23 +167,10 @@ Result<int> show(const CalibrationArguments& a) {
   return exit_done;
 }
 
-Verb verb_below(const Verb& parent, const char* name, const char* what, int& exit_code, const Shared& arguments,
-                Result<int> (*run)(const CalibrationArguments&)) {
-  Verb verb = parent.add_subcommand(name, what);
-  verb->add_option("--store", arguments->address,
-                   "Archive: a file or postgresql://… (AXIOMETRY_STORE, else axiometry.db among the user's data)")
-      ->type_name("ADDRESS");
-  verb->callback([arguments, run, &exit_code] {
-    const auto code = run(*arguments);
-    exit_code = code ? *code : failed(code.error());
-  });
-  return verb;
-}
-
 void add_calibrate(const Verb& store, int& exit_code) {
   const auto made = std::make_shared<CalibrationArguments>();
   Verb verb =
-      verb_below(store, "calibrate", "Evaluate lengths of a tracking interferometer and keep them with the result",
+      store_verb(store, {"calibrate", "Evaluate lengths of a tracking interferometer and keep them with the result"},
                  exit_code, made, keep);
   verb->add_option("LENGTHS", made->lengths, "Lengths, as 'tracking evaluate' or 'volumetric identify' reads them")
       ->required();
@@ -211,14 +193,14 @@ void add_calibrate(const Verb& store, int& exit_code) {
 void add_store_calibrations(const Verb& store, int& exit_code) {
   add_calibrate(store, exit_code);
   auto made = std::make_shared<CalibrationArguments>();
-  Verb listed = verb_below(store, "calibrations", "List calibrations, the newest first", exit_code, made, list_kept);
+  Verb listed = store_verb(store, {"calibrations", "List calibrations, the newest first"}, exit_code, made, list_kept);
   listed->add_option("--text", made->text, "Only those with these words in title, notes, files or machine");
   listed->add_option("--kind", made->kind, "Only lines, or volumetric");
   listed->add_flag("--withdrawn", made->withdrawn, "Withdrawn ones, too");
   listed->add_option("--limit", made->limit, "How many (50)")->check_range(1, 1000);
   made = std::make_shared<CalibrationArguments>();
   Verb shown =
-      verb_below(store, "calibration", "Show a calibration, or write its report or its files", exit_code, made, show);
+      store_verb(store, {"calibration", "Show a calibration, or write its report or its files"}, exit_code, made, show);
   shown->add_option("N", made->id, "Its number")->required();
   shown->add_option("--version", made->version, "Of that version (the latest)")->type_name("N");
   shown->add_flag("--json", made->json, "Print the result as it was kept, as JSON");

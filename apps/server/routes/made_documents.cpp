@@ -38,6 +38,21 @@ Result<Response> document_response(const report::Document& document, const Reque
   return response;
 }
 
+Result<app::ReportRequest> report_request_of(const Request& request) {
+  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  return app::ReportRequest{std::string(request.segment("extension")), options, request.language, request.stop};
+}
+
+Result<Response> rendered_response(app::Rendered rendered, const Request& request) {
+  AXIOMETRY_TRY(const bool as_file, flag_of(request, "download", false));
+  if (as_file || rendered.media_type == "application/json")
+    return download(std::move(rendered.bytes), rendered.media_type, rendered.file_name);
+  const bool is_document = rendered.media_type.starts_with("text/html") || rendered.media_type == "image/svg+xml";
+  Response response{.content_type = std::move(rendered.media_type), .body = std::move(rendered.bytes)};
+  if (is_document) response.headers.emplace_back("Content-Security-Policy", document_policy);
+  return response;
+}
+
 bool wants_json(const Request& request) { return text::to_lower(request.segment("extension")) == "json"; }
 
 Response json_file(const json::Value& value, std::string_view stem) {

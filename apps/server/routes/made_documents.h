@@ -4,13 +4,14 @@
 #include <string>
 #include <string_view>
 
+#include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
 #include "server/http/http.h"
 
-/// What routes have in common that keep nothing: options beside files, and what they make to look at or to take along.
+/// What routes have in common: options beside files, and what they make to look at or to take along.
 namespace axiometry::server {
 
 /// JSON of a form or of the query. Fails, with line and column, on what is none and on more than 64 KiB.
@@ -19,6 +20,11 @@ Result<json::Value> parsed_options(std::string_view text);
 /// As the path's {extension} says: a document to look at, or with ?download= as a file.
 Result<Response> document_response(const report::Document& document, const Request& request,
                                    const report::Options& options, std::string_view stem);
+
+/// What the path's {extension} and the query ask of a report of the archive.
+Result<app::ReportRequest> report_request_of(const Request& request);
+/// That report, to look at, or with ?download= as a file; JSON always as a file.
+Result<Response> rendered_response(app::Rendered rendered, const Request& request);
 
 /// Whether the path's {extension} is json.
 bool wants_json(const Request& request);

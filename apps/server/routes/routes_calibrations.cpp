@@ -14,6 +14,7 @@
 #include "axiometry/base/text.h"
 #include "server/http/multipart.h"
 #include "server/http/request_values.h"
+#include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
 
 namespace axiometry::server {
@@ -24,7 +25,6 @@ using store::Store;
 using CalibrationOrder = store::CalibrationFilter::Order;
 
 constexpr std::size_t calibration_bytes_max = std::size_t{16} << 20;  // as of lengths that are only looked at
-constexpr std::size_t form_text_max = std::size_t{64} << 10;
 
 Result<CalibrationOrder> calibration_order(std::string_view name) {
   constexpr std::array orders = {std::pair{std::string_view("received"), CalibrationOrder::received},
@@ -59,14 +59,6 @@ Result<store::CalibrationFilter> calibration_filter(const Request& request) {
   return filter;
 }
 
-Result<Value> form_object(const FormPart& part) {
-  if (part.bytes.size() > form_text_max)
-    return fail(fmt::format("found {} of {} bytes, expected at most {}", part.name, part.bytes.size(), form_text_max));
-  auto value = json::parse(part.bytes);
-  if (!value) value.error().file = part.name;
-  return value;
-}
-
 /// The parts kind, about and options, and the files by what they are for.
 struct CalibrationForm {
   std::string kind;
@@ -87,7 +79,7 @@ Result<void> take_calibration_part(CalibrationForm& form, const FormPart& part) 
   if (part.name != "about" && part.name != "options")
     return fail(
         fmt::format("found the part {} in the form, expected kind, about, options and files", text::quoted(part.name)));
-  AXIOMETRY_TRY(Value value, form_object(part));
+  AXIOMETRY_TRY(Value value, parsed_options(part.bytes));
   (part.name == "about" ? form.about : form.options) = std::move(value);
   return {};
 }
@@ -160,16 +152,9 @@ Result<Response> calibration_file(const Store& store, const Request& request) {
 Result<Response> calibration_report(const Store& store, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "calibration"));
   AXIOMETRY_TRY(const auto version, version_of(request));
-  AXIOMETRY_TRY(const bool as_file, flag_of(request, "download", false));
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
-  const app::ReportRequest wanted{std::string(request.segment("extension")), options, request.language, request.stop};
+  AXIOMETRY_TRY(const app::ReportRequest wanted, report_request_of(request));
   AXIOMETRY_TRY(app::Rendered rendered, app::calibration_report(store, id, version, wanted));
-  if (as_file || rendered.media_type == "application/json")
-    return download(std::move(rendered.bytes), rendered.media_type, rendered.file_name);
-  const bool is_document = rendered.media_type.starts_with("text/html") || rendered.media_type == "image/svg+xml";
-  Response response{.content_type = std::move(rendered.media_type), .body = std::move(rendered.bytes)};
-  if (is_document) response.headers.emplace_back("Content-Security-Policy", document_policy);
-  return response;
+  return rendered_response(std::move(rendered), request);
 }
 
 Result<Response> compare_calibrations(const Store& store, const Request& request) {

@@ -21,7 +21,7 @@ TEST_P(StoreTest, IsEmptyWhenNewAndSaysWhatItIs) {
   const std::string address = new_address();
   const auto store = must(Store::open(address));
   EXPECT_EQ(store->info().kind, GetParam());
-  EXPECT_EQ(store->info().schema, 3);
+  EXPECT_EQ(store->info().schema, 4);
   EXPECT_TRUE(store->info().writable);
   const Counts counts = must(store->counts());
   EXPECT_EQ(counts.tests + counts.machines + counts.content_bytes, 0);

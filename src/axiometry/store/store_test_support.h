@@ -72,6 +72,24 @@ inline Calibration new_calibration(const std::string& title) {
           .figures = {{"volume_largest", "T1", 0.1 + 0.2, {}, "um"}, {"chi2_per_dof", "", 1e-300, 0.5, ""}}};
 }
 
+/// Of test 1, with everything that one may have but a re-test, of the bytes "abc".
+inline Compensation new_compensation() {
+  return {.test = 1,
+          .test_version = 1,
+          .retest = {},
+          .retest_version = {},
+          .axis = 1,
+          .control = "linuxcnc",
+          .notes = "after the new screw",
+          .withdrawn = false,
+          .files = {{"table", "x.comp", sha256("abc")}, {"existing", "old.comp", sha256("abc")}},
+          .program = "axiometry 0.1.0",
+          .options = R"({"control":"linuxcnc"})",
+          .result = sha256("abc"),
+          .serious = 1,
+          .figures = {{"E", "before", 0.1 + 0.2, {}, "um"}, {"E", "predicted", 1e-300, {}, "um"}}};
+}
+
 /// Value of a result; a failure of the test, and of the process, where there is none.
 template <typename T>
 T must(Result<T> result) {
@@ -135,6 +153,11 @@ class BothStores : public testing::TestWithParam<std::string> {
     must(store->add(calibration, by_anna));
     calibration.withdrawn = true;
     must(store->change(1, 1, calibration, {"Ben", "wrong machine"}));
+    Compensation compensation = new_compensation();
+    must(store->add(compensation, by_anna));
+    compensation.retest = 2;
+    compensation.retest_version = 1;
+    must(store->change(1, 1, compensation, {"Ben", "measured again"}));
     return address;
   }
 

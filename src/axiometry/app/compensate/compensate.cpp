@@ -127,12 +127,11 @@ Result<AxisCorrection> proved(const Setting& s, const std::string& text, const E
       text_of(E_before), text_of(E_after), unit, spread_before, spread_after, unit));
 }
 
-Result<Retest> retest_of(const CompensateRequest& request, const Test& before, const AxisCorrection& applied,
+Result<Retest> retest_of(NamedTest again, const Test& before, const AxisCorrection& applied,
                          const std::optional<AxisCorrection>& existing, std::vector<NamedFinding>& findings) {
-  AXIOMETRY_TRY(Test measured, read_test(request.retest, request.reading.format, request.reading.profile));
-  AXIOMETRY_TRY(Test test, in_file(prepare_test(std::move(measured), request.reading), request.retest));
+  Test& test = again.test;
   if (test.metadata.axis.kind != before.metadata.axis.kind)
-    return std::unexpected(in_file(Error{"found a re-test of another kind of axis", {}, {}}, request.retest));
+    return std::unexpected(in_file(Error{"found a re-test of another kind of axis", {}, {}}, again.name));
   const AxisCorrection* removed = existing ? &*existing : nullptr;
   const auto effect = compensation::effect_of_table(before.series, test.series, applied, removed, same_target_native);
   if (effect)
@@ -174,19 +173,59 @@ void add_exceeded(const Evaluation& retest, const compensation::ExpectedRetest& 
   }
 }
 
-}  // namespace
+struct Within {
+  double least;
+  double most;
+};
 
-Result<AxisCorrection> read_axis_table(const std::string& file, const AxisTable& control,
-                                       const nc::AxisTableOptions& options) {
-  AXIOMETRY_TRY(const std::string text, whole_file(file));
-  return in_file(control.read(text, options), file);
+Result<void> check_within(std::string_view what, double x, Within range) {
+  if (x >= range.least && x <= range.most) return {};
+  return fail(fmt::format("found the {} {}, expected a number from {} to {}", what, format_exact(x),
+                          format_exact(range.least), format_exact(range.most)));
 }
 
-Result<CompensatedAxis> compensate(const CompensateRequest& request) {
+Result<NamedTest> test_in(const std::string& file, const EvaluateOptions& reading) {
+  AXIOMETRY_TRY(Test measured, read_test(file, reading.format, reading.profile));
+  AXIOMETRY_TRY(Test test, in_file(prepare_test(std::move(measured), reading), file));
+  return NamedTest{file, std::move(test)};
+}
+
+}  // namespace
+
+Result<void> check_table_options(const nc::AxisTableOptions& o) {
+  AXIOMETRY_TRY_VOID(check_within("resolution", o.resolution, {1e-6, 1e4}));
+  AXIOMETRY_TRY_VOID(check_within("magnification", o.magnification, {1.0, 1000.0}));
+  AXIOMETRY_TRY_VOID(check_within("largest number", o.largest, {0.0, 99'999.0}));
+  AXIOMETRY_TRY_VOID(check_within("number", o.number, {0.0, 99'999.0}));
+  if (o.steps_per_unit != 0.0) AXIOMETRY_TRY_VOID(check_within("steps per unit", o.steps_per_unit, {1e-9, 1e7}));
+  return check_within("step", o.step, {0.0, 1e6});
+}
+
+Result<void> check_request(const CompensateRequest& request) {
+  if (const auto control = nc::axis_table_named(request.control); !control) return std::unexpected(control.error());
+  if (request.grid.step) AXIOMETRY_TRY_VOID(check_within("step", *request.grid.step, {1e-9, 1e6}));
+  return check_table_options(request.table);
+}
+
+Result<MeasuredAxis> read_measured_axis(const CompensateFiles& files) {
+  AXIOMETRY_TRY(NamedTest measured, test_in(files.test, files.reading));
+  MeasuredAxis axis{std::move(measured)};
+  if (!files.existing.empty()) {
+    AXIOMETRY_TRY(std::string text, whole_file(files.existing));
+    axis.existing = NamedTable{files.existing, std::move(text)};
+  }
+  if (!files.retest.empty()) {
+    AXIOMETRY_TRY(axis.retest, test_in(files.retest, files.reading));
+  }
+  return axis;
+}
+
+Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& request) {
+  AXIOMETRY_TRY_VOID(check_request(request));
   AXIOMETRY_TRY(const AxisTable* control, nc::axis_table_named(request.control));
-  AXIOMETRY_TRY(Test measured, read_test(request.file, request.reading.format, request.reading.profile));
-  AXIOMETRY_TRY(Test test, in_file(prepare_test(std::move(measured), request.reading), request.file));
-  AXIOMETRY_TRY_VOID(in_file(compensation::check_plausible(test.series, test.metadata.axis.kind), request.file));
+  const std::string& name = axis.measured.name;
+  Test& test = axis.measured.test;
+  AXIOMETRY_TRY_VOID(in_file(compensation::check_plausible(test.series, test.metadata.axis.kind), name));
 
   Setting s{request, test.series, *control, request.table, {}, request.curves.value_or(control->curves)};
   s.options.kind = test.metadata.axis.kind;
@@ -194,29 +233,29 @@ Result<CompensatedAxis> compensate(const CompensateRequest& request) {
                    : !test.metadata.axis.name.empty() ? test.metadata.axis.name
                                                       : "X";
   s.options.step = request.grid.step.value_or(0.0);
-  if (!request.existing.empty()) {
-    AXIOMETRY_TRY(s.existing, read_axis_table(request.existing, *control, s.options));
+  if (axis.existing) {
+    AXIOMETRY_TRY(s.existing, in_file(control->read(axis.existing->text, s.options), axis.existing->name));
   }
-  AXIOMETRY_TRY(s.nodes, in_file(nodes_of(s), request.file));
+  AXIOMETRY_TRY(s.nodes, in_file(nodes_of(s), name));
 
   const Evaluation before = iso230_2::evaluate(test.series);
   const AxisCorrection* removed = s.existing ? &*s.existing : nullptr;
-  AXIOMETRY_TRY(const compensation::Fit fit, in_file(table_by(s, request.method), request.file));
-  AXIOMETRY_TRY(std::string text, in_file(control->write(fit.correction, s.options), request.file));
-  AXIOMETRY_TRY(AxisCorrection applied, in_file(proved(s, text, before), request.file));
+  AXIOMETRY_TRY(const compensation::Fit fit, in_file(table_by(s, request.method), name));
+  AXIOMETRY_TRY(std::string text, in_file(control->write(fit.correction, s.options), name));
+  AXIOMETRY_TRY(AxisCorrection applied, in_file(proved(s, text, before), name));
 
   std::vector<NamedFinding> findings = compensation::findings_of_readings(test.series, s.options.kind, s.curves);
   std::ranges::move(compensation::findings_of_table(test.series, fit.correction), std::back_inserter(findings));
-  AXIOMETRY_TRY(const compensation::Fit plain, in_file(table_by(s, compensation::Method::interpolation), request.file));
+  AXIOMETRY_TRY(const compensation::Fit plain, in_file(table_by(s, compensation::Method::interpolation), name));
   AXIOMETRY_TRY(const Evaluation interpolated, evaluated_with(test.series, plain.correction, removed));
   AXIOMETRY_TRY(const Evaluation fitted, evaluated_with(test.series, fit.correction, removed));
   AXIOMETRY_TRY(const Series corrected, compensation::corrected_series(test.series, applied, removed));
   AXIOMETRY_TRY(const Series scatter, compensation::scatter_alone(test.series));
   const auto expected = compensation::expected_retest(corrected);
-  AXIOMETRY_TRY_VOID(in_file(check_worth_it(before, expected, s.options.kind), request.file));
+  AXIOMETRY_TRY_VOID(in_file(check_worth_it(before, expected, s.options.kind), name));
   std::optional<Retest> retest;
-  if (!request.retest.empty()) {
-    AXIOMETRY_TRY(retest, retest_of(request, test, applied, s.existing, findings));
+  if (axis.retest) {
+    AXIOMETRY_TRY(retest, retest_of(*std::move(axis.retest), test, applied, s.existing, findings));
     if (expected) add_exceeded(retest->evaluation, *expected, s.options.kind, findings);
   }
   if (request.axis.empty() && test.metadata.axis.name.empty())

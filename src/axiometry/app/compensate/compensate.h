@@ -18,20 +18,53 @@
 /// The use case "from a measured test to the table by which the control corrects the axis".
 namespace axiometry::app {
 
+/// What a table depends on beside the readings.
 struct CompensateRequest {
-  std::string file;         ///< the test as it was measured
-  EvaluateOptions reading;  ///< how it is read
-  std::string control;      ///< id of an nc::AxisTable
-  std::string axis;         ///< as the control names it; empty: as the test does
+  std::string control;  ///< id of an nc::AxisTable
+  std::string axis;     ///< as the control names it; empty: as the test does
   nc::AxisTableOptions table;
   compensation::GridRequest grid;
   std::optional<TableCurves> curves;  ///< fewer than the control has
   compensation::Method method = compensation::Method::least_squares;
   bool smooth = false;
   bool hold_ends = false;
-  std::string existing;  ///< file of the table that was active while the test was measured; empty: none was
-  std::string retest;    ///< file of a test with the new table active; empty: none yet
 };
+
+/// Fails on what no control has: a resolution outside 0.000001 to 10 000 µm or ″, a magnification outside 1 to 1 000, a
+/// largest number or a number above 99 999, steps per unit not above 0 or above 10 000 000, a step below 0.
+Result<void> check_table_options(const nc::AxisTableOptions& options);
+
+/// Likewise; on an unknown control, and a step that is not above 0.
+Result<void> check_request(const CompensateRequest& request);
+
+/// A test, ready to be evaluated, under the name that messages call it by.
+struct NamedTest {
+  std::string name;
+  Test test;
+};
+
+/// A table of a control, likewise.
+struct NamedTable {
+  std::string name;
+  std::string text;
+};
+
+/// What is known of the axis.
+struct MeasuredAxis {
+  NamedTest measured;
+  std::optional<NamedTable> existing{};  ///< the table that was active while the test was measured
+  std::optional<NamedTest> retest{};     ///< a test with the new table active
+};
+
+struct CompensateFiles {
+  std::string test;
+  EvaluateOptions reading;  ///< of both tests
+  std::string existing;     ///< empty: no table was active
+  std::string retest;       ///< empty: none yet
+};
+
+/// Fails as the files do.
+Result<MeasuredAxis> read_measured_axis(const CompensateFiles& files);
 
 struct Retest {
   Test test;
@@ -56,14 +89,14 @@ struct CompensatedAxis {
   std::vector<NamedFinding> findings;
 };
 
-/// Fails as the file does and on a series that no axis makes; where the control cannot hold the table; and where the
-/// table, read back by the control's own rule, would not reduce E and the root mean square of the mean deviations, of
-/// these readings, or E of the re-tests that are to be expected: nothing is written then.
-Result<CompensatedAxis> compensate(const CompensateRequest& request);
+/// Fails as check_request() does; on a series that no axis makes, on a table that the control would not take, and on a
+/// re-test of another kind of axis; where the control cannot hold the table; and where the table, read back by the
+/// control's own rule, would not reduce E and the root mean square of the mean deviations, of these readings, or E of
+/// the re-tests that are to be expected: nothing is written then.
+Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& request);
 
-/// A table of a control as a file, read by its rule. Fails as the file and the table.
-Result<AxisCorrection> read_axis_table(const std::string& file, const nc::AxisTable& control,
-                                       const nc::AxisTableOptions& options);
+/// Positions with what the control adds there in each direction: [{"position", "up", "down"}].
+json::Value nodes_to_json(const AxisCorrection& correction);
 
 /// What a control takes, for lists.
 json::Value control_to_json(const nc::AxisTable& control);

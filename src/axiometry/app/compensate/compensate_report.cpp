@@ -19,17 +19,6 @@ Value parameter_values(const AxisParameters& parameters) {
   return values;
 }
 
-Value nodes_to_json(const AxisCorrection& correction) {
-  Value nodes = Value::array();
-  for (std::size_t k = 0; k < correction.positions().size(); ++k) {
-    Value& node = nodes.push(Value::object());
-    node.add("position", correction.positions()[k]);
-    node.add("up", correction.values(Direction::up)[k]);
-    node.add("down", correction.values(Direction::down)[k]);
-  }
-  return nodes;
-}
-
 Value means_to_json(const iso230_2::Evaluation& evaluation) {
   Value rows = Value::array();
   for (const iso230_2::PositionResult& p : evaluation.positions) {
@@ -59,6 +48,17 @@ Value verified_to_json(const nc::AxisTable& control) {
 }
 
 }  // namespace
+
+json::Value nodes_to_json(const AxisCorrection& correction) {
+  Value nodes = Value::array();
+  for (std::size_t k = 0; k < correction.positions().size(); ++k) {
+    Value& node = nodes.push(Value::object());
+    node.add("position", correction.positions()[k]);
+    node.add("up", correction.values(Direction::up)[k]);
+    node.add("down", correction.values(Direction::down)[k]);
+  }
+  return nodes;
+}
 
 json::Value control_to_json(const nc::AxisTable& control) {
   Value value = Value::object();

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <fmt/format.h>
+
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "axiometry/base/result.h"
+#include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
 
 /// Members that requests of the workbench have, and files have not: switches, numbers that may be left out.
@@ -22,5 +28,27 @@ struct WholeNumbers {
 };
 /// Absent when the member is. Fails on a number that is none of them.
 Result<std::optional<double>> whole_member(formats::JsonMembers& members, std::string_view name, WholeNumbers range);
+
+/// Words of a request and what they stand for.
+template <typename Choice>
+using ChoiceWords = std::span<const std::pair<std::string_view, Choice>>;
+
+/// Replaces `target` when the member is there. Fails on a word that is none of them, naming them.
+template <typename Choice>
+Result<void> take_choice(formats::JsonMembers& members, std::string_view name, ChoiceWords<Choice> words,
+                         Choice& target) {
+  const json::Value* value = members.optional(name);
+  if (value == nullptr) return {};
+  AXIOMETRY_TRY(const std::string text, formats::text_in(*value, name));
+  std::string known;
+  for (const auto& [word, choice] : words) {
+    if (word == text) {
+      target = choice;
+      return {};
+    }
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", word);
+  }
+  return fail(fmt::format("{}: found {}, expected one of {}", name, text::quoted(text), known), value->at());
+}
 
 }  // namespace axiometry::app

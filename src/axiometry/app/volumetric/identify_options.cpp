@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "axiometry/app/files/request_members.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -26,40 +26,12 @@ using volumetric::Reversal;
 
 constexpr double most_spans = 100;
 
-template <typename Choice>
-using Words = std::span<const std::pair<std::string_view, Choice>>;
-
 constexpr std::pair<std::string_view, CurveKind> curve_words[] = {
     {"b-spline", CurveKind::spline}, {"legendre", CurveKind::legendre}, {"nodes", CurveKind::nodes}};
 constexpr std::pair<std::string_view, Reversal> reversal_words[] = {
     {"none", Reversal::none}, {"constant", Reversal::constant}, {"curves", Reversal::curves}};
 constexpr std::pair<std::string_view, DriftModel> drift_words[] = {
     {"auto", DriftModel::automatic}, {"none", DriftModel::none}, {"linear", DriftModel::linear}};
-
-template <typename Choice>
-Result<void> take_word(JsonMembers& members, std::string_view name, Words<Choice> words, Choice& target) {
-  const Value* value = members.optional(name);
-  if (value == nullptr) return {};
-  AXIOMETRY_TRY(const std::string text, formats::text_in(*value, name));
-  std::string known;
-  for (const auto& [word, choice] : words) {
-    if (word == text) {
-      target = choice;
-      return {};
-    }
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", word);
-  }
-  return fail(fmt::format("{}: found {}, expected one of {}", name, text::quoted(text), known), value->at());
-}
-
-Result<void> take_yes(JsonMembers& members, std::string_view name, bool& target) {
-  const Value* value = members.optional(name);
-  if (value == nullptr) return {};
-  if (!value->is(Kind::boolean))
-    return fail(fmt::format("{}: found {}, expected true or false", name, json::kind_name(value->kind())), value->at());
-  target = value->boolean();
-  return {};
-}
 
 Result<std::size_t> spans_in(const Value& value) {
   AXIOMETRY_TRY(const double x, formats::number_in(value, "spans"));
@@ -92,12 +64,12 @@ Result<void> take_spans(JsonMembers& members, IdentifyOptions& options) {
 Result<IdentifyOptions> identify_options_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "options"));
   IdentifyOptions options;
-  AXIOMETRY_TRY_VOID(take_word<CurveKind>(members, "curves", curve_words, options.curves));
+  AXIOMETRY_TRY_VOID(take_choice<CurveKind>(members, "curves", curve_words, options.curves));
   AXIOMETRY_TRY_VOID(take_spans(members, options));
-  AXIOMETRY_TRY_VOID(take_word<Reversal>(members, "reversal", reversal_words, options.reversal));
-  AXIOMETRY_TRY_VOID(take_word<DriftModel>(members, "drift", drift_words, options.drift));
-  AXIOMETRY_TRY_VOID(take_yes(members, "find_breaks", options.find_breaks));
-  AXIOMETRY_TRY_VOID(take_yes(members, "find_outliers", options.find_outliers));
+  AXIOMETRY_TRY_VOID(take_choice<Reversal>(members, "reversal", reversal_words, options.reversal));
+  AXIOMETRY_TRY_VOID(take_choice<DriftModel>(members, "drift", drift_words, options.drift));
+  AXIOMETRY_TRY_VOID(take_switch(members, "find_breaks", options.find_breaks));
+  AXIOMETRY_TRY_VOID(take_switch(members, "find_outliers", options.find_outliers));
   AXIOMETRY_TRY_VOID(members.finish());
   return options;
 }

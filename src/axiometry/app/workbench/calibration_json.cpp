@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "axiometry/app/files/given_text.h"
+#include "axiometry/app/files/given_members.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/text.h"
@@ -15,19 +15,11 @@ namespace axiometry::app {
 namespace {
 
 using formats::JsonMembers;
-using json::Kind;
 using json::Value;
 using store::Calibration;
 using store::Versioned;
 
 Value number_or_none(const std::optional<double>& number) { return number ? Value(*number) : Value(); }
-
-Value named(store::Id id, const std::string& name) {
-  Value object = Value::object();
-  object.add("id", id_value(id));
-  object.add("name", name);
-  return object;
-}
 
 Value figures_value(const std::vector<store::KeptFigure>& figures) {
   Value list = Value::array();
@@ -60,7 +52,7 @@ Value head_of(const Versioned<Calibration>& calibration, Value machine) {
 }
 
 Value head_of(const KeptCalibration& kept) {
-  return head_of(kept.calibration, kept.machine ? named(kept.machine->id, kept.machine->value.name) : Value());
+  return head_of(kept.calibration, kept.machine ? id_and_name(kept.machine->id, kept.machine->value.name) : Value());
 }
 
 Value files_value(const Calibration& c) {
@@ -87,37 +79,6 @@ Value versions_value(const std::vector<Versioned<Calibration>>& versions) {
   return list;
 }
 
-/// Options are checked to be an object when they are kept.
-Value options_value(const std::string& text) {
-  auto options = json::parse(text);
-  return options && options->is(Kind::object) ? *std::move(options) : Value::object();
-}
-
-template <typename Given>
-Result<void> take_given(JsonMembers& members, std::string_view name, std::optional<std::string>& target,
-                        const Given& given) {
-  const Value* value = members.optional(name);
-  if (value == nullptr) return {};
-  AXIOMETRY_TRY(const std::string text, formats::text_in(*value, name));
-  auto line = given(name, text);
-  if (!line) return fail(line.error().message, value->at());
-  target = *std::move(line);
-  return {};
-}
-
-/// A number, or null for none; nothing where it is not there.
-Result<void> take_id(JsonMembers& members, const Value& object, std::string_view name,
-                     std::optional<std::optional<store::Id>>& target) {
-  const Value* value = members.optional(name);
-  if (value == nullptr) {
-    if (object.find(name) != nullptr) target.emplace(std::nullopt);
-    return {};
-  }
-  AXIOMETRY_TRY(const std::int64_t id, given_number(name, *value));
-  target.emplace(id);
-  return {};
-}
-
 Result<void> take_date(JsonMembers& members, std::optional<std::string>& target) {
   AXIOMETRY_TRY_VOID(take_given(members, "measured_on", target, &given_line));
   if (!target || target->empty() || iso_date(*target) == *target) return {};
@@ -140,7 +101,7 @@ Value to_json(const store::CalibrationPage& page) {
   Value& rows = object.add("calibrations", Value::array());
   for (const store::CalibrationRow& row : page.rows) {
     const auto& machine = row.calibration.value.machine;
-    Value& line = rows.push(head_of(row.calibration, machine ? named(*machine, row.machine_name) : Value()));
+    Value& line = rows.push(head_of(row.calibration, machine ? id_and_name(*machine, row.machine_name) : Value()));
     line.add("received_at", row.received_at);
   }
   object.add("total", static_cast<double>(page.total));
@@ -152,11 +113,11 @@ Value to_json(const KeptCalibration& kept, const Reader& reader) {
   Value object = head_of(kept);
   object.add("change", to_json(kept.calibration.change));
   object.add("instrument",
-             kept.instrument ? named(kept.instrument->id, instrument_name(kept.instrument->value)) : Value());
+             kept.instrument ? id_and_name(kept.instrument->id, instrument_name(kept.instrument->value)) : Value());
   object.add("notes", c.notes);
   object.add("files", files_value(c));
   object.add("program", c.program);
-  object.add("options", options_value(c.options));
+  object.add("options", object_of_text(c.options));
   object.add("versions", versions_value(kept.versions));
   object.add("result", localised_result(kept.result, reader));
   return object;

@@ -350,6 +350,16 @@ Result<KeptTest> Workbench::test(store::Id id, std::optional<int> version) const
                   .outcome = std::move(outcome)};
 }
 
+Result<PreparedTest> Workbench::prepared(store::Id id, std::optional<int> version) const {
+  AXIOMETRY_TRY(store::TestRecord record, state_->store.test(id, version));
+  AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
+  AXIOMETRY_TRY(const Changes changes, kept_changes(record.state));
+  AXIOMETRY_TRY(EvaluateOptions options, evaluate_options(kept.options));
+  AXIOMETRY_TRY(Test measured, state_->measured(record));
+  AXIOMETRY_TRY(Test test, prepare_test(std::move(measured), with_archive(std::move(options), changes, kept.from_archive)));
+  return PreparedTest{std::move(record), std::move(test)};
+}
+
 Result<Rendered> Workbench::raw(store::Id id) const {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id));
   AXIOMETRY_TRY(store::Content content, state_->store.content(record.sha256));

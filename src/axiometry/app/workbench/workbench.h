@@ -59,6 +59,9 @@ class Workbench {
   Result<KeptTest> withdraw(store::Id test, bool withdrawn, const store::By& by);
   Result<KeptTest> test(store::Id id, std::optional<int> version = {}) const;
 
+  /// Its readings and metadata as that version evaluates them; nothing is evaluated.
+  Result<PreparedTest> prepared(store::Id id, std::optional<int> version = {}) const;
+
   /// The bytes as they came.
   Result<Rendered> raw(store::Id test) const;
 

@@ -80,13 +80,6 @@ void add_outcome(Value& object, const Outcome& outcome, const Reader& reader) {
   object.add("milliseconds", std::round(outcome.milliseconds * 1000.0) / 1000.0);
 }
 
-Value id_and_name(store::Id id, const std::string& name) {
-  Value object = Value::object();
-  object.add("id", id_value(id));
-  object.add("name", name);
-  return object;
-}
-
 Value row_to_json(const store::TestRow& row, const Reader& reader) {
   Value object = Value::object();
   object.add("id", id_value(row.id));
@@ -182,6 +175,13 @@ void add_equipment_members(Value& object, const KeptTest& kept) {
 }  // namespace
 
 json::Value id_value(store::Id id) { return static_cast<double>(id); }
+
+json::Value id_and_name(store::Id id, const std::string& name) {
+  Value object = Value::object();
+  object.add("id", id_value(id));
+  object.add("name", name);
+  return object;
+}
 
 json::Value text_or_null(const std::string& text) { return text.empty() ? Value() : Value(text); }
 

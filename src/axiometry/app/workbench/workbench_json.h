@@ -26,6 +26,7 @@ json::Value error_to_json(const Error& error, const Reader& reader);  ///< the i
 /// null for an empty text.
 json::Value text_or_null(const std::string& text);
 json::Value id_value(store::Id id);
+json::Value id_and_name(store::Id id, const std::string& name);  ///< Reference
 
 /// The result with its sentences and titles in the reader's language: findings, notes, budgets, corrections, label.
 json::Value localised_result(const json::Value& result, const Reader& reader);

@@ -15,6 +15,7 @@
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/language/language.h"
 #include "axiometry/model/series.h"
+#include "axiometry/model/test.h"
 #include "axiometry/report/report.h"
 #include "axiometry/store/store.h"
 
@@ -95,6 +96,12 @@ struct Received {
   std::vector<ReceivedTest> tests;      ///< never empty; each at version 1 unless it was there (perhaps_kept_as)
   std::vector<store::Id> same_content;  ///< tests of before with the bytes of any of the files
   Outcome first;
+};
+
+/// A test of the archive as one of its versions evaluates it: with its metadata and corrections.
+struct PreparedTest {
+  store::TestRecord record;
+  Test test;
 };
 
 /// A test of the archive at one of its versions.

@@ -8,7 +8,8 @@
 #include "axiometry/store/database/connection.h"
 #include "axiometry/store/records.h"
 
-/// How machines, axes, instruments, plans, calibrations and compensations lie in their tables: the one place that knows their columns.
+/// How machines, axes, instruments, plans, calibrations and compensations lie in their tables: the one place that knows
+/// their columns.
 namespace axiometry::store {
 
 template <typename Asset>

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/flags/compensate_flags.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "cli/failure.h"
+#include "cli/flags/option_text.h"
+
+namespace axiometry::cli {
+namespace {
+
+Result<double> number_in(const std::string& text) {
+  if (const auto number = parse_number(text)) return *number;
+  return fail(fmt::format("found {}, expected a number", text::quoted(text)));
+}
+
+/// Of larger numbers it is enough that they are too large (app::check_request).
+unsigned bounded(unsigned long long n) { return static_cast<unsigned>(std::min(n, 1'000'000ull)); }
+
+void add_grid_flags(const Verb& verb, app::CompensateRequest& request) {
+  constexpr const char* group = "Positions of the table, mm or °";
+  const auto add_place = [&](const char* name, const char* description, std::optional<double>& target) {
+    add_number(verb, {name, "NUMBER", description}, [&target](double x) { target = x; })->group(group);
+  };
+  add_place("--start", "The first one (within the targets)", request.grid.start);
+  add_place("--end", "The last one (within the targets)", request.grid.end);
+  add_read(verb, {"--step", "NUMBER", "Their spacing, or auto (auto)"},
+           [&request](const std::string& text) -> Result<void> {
+             if (text::to_lower(text) == "auto") {
+               request.grid.step.reset();
+               return {};
+             }
+             AXIOMETRY_TRY(request.grid.step, number_in(text));
+             return {};
+           })
+      ->group(group);
+  add_count(verb, {"--points", "N", "How many"}, [&request](unsigned long long n) {
+    request.grid.points = static_cast<std::size_t>(n);
+  })->group(group);
+  verb.add_flag("--hold-ends", request.hold_ends,
+                "Beyond the targets hold the value at the last one, which nobody measured there")
+      ->group(group);
+  add_number(verb, {"--reference", "NUMBER", "Reference point of the machine, where the table does nothing (0)"},
+             [&request](double x) { request.table.reference = x; })
+      ->group(group);
+}
+
+void add_table_flags(const Verb& verb, app::CompensateRequest& request) {
+  constexpr const char* group = "Table";
+  verb.add_option("--axis", request.axis, "As the control names it (as the test does)")
+      ->type_name("AXIS")
+      ->group(group);
+  add_read(verb, {"--method", "WORD", "least-squares of all readings, or interpolation of means (least-squares)"},
+           [&request](const std::string& text) -> Result<void> {
+             if (text != "least-squares" && text != "interpolation")
+               return fail(fmt::format("found {}, expected least-squares or interpolation", text::quoted(text)));
+             request.method =
+                 text == "interpolation" ? compensation::Method::interpolation : compensation::Method::least_squares;
+             return {};
+           })
+      ->group(group);
+  verb.add_flag("--smooth", request.smooth, "As smooth as foretells targets best that are left out")->group(group);
+  add_read(verb, {"--curves", "WORD", "both-ways: one curve although the control has one for each direction"},
+           [&request](const std::string& text) -> Result<void> {
+             if (text != curves_name(TableCurves::both_ways))
+               return fail(fmt::format("found {}, expected both-ways", text::quoted(text)));
+             request.curves = TableCurves::both_ways;
+             return {};
+           })
+      ->group(group);
+  verb.add_flag("--inch", request.table.in_inch, "The control counts in inches")->group(group);
+  add_count(verb, {"--number", "N", "Of the table, encoder, joint or first point, as the control counts (0)"},
+            [&request](unsigned long long n) { request.table.number = bounded(n); })
+      ->group(group);
+  add_read(verb, {"--resolution", "NUMBER", "What one count of the control stands for, µm or ″ (1)"},
+           [&request](const std::string& text) -> Result<void> {
+             AXIOMETRY_TRY(request.table.resolution, number_in(text));
+             return {};
+           })
+      ->group(group);
+  add_count(verb, {"--magnification", "N", "By which the control multiplies the table's numbers (1)"},
+            [&request](unsigned long long n) { request.table.magnification = bounded(n); })
+      ->group(group);
+  add_count(verb,
+            {"--largest", "N", "Number that the control takes in its table (the least that is known of its kind)"},
+            [&request](unsigned long long n) { request.table.largest = bounded(n); })
+      ->group(group);
+  add_read(verb, {"--steps-per-unit", "NUMBER", "Steps per mm or ° of a control without tables, before any change"},
+           [&request](const std::string& text) -> Result<void> {
+             AXIOMETRY_TRY(request.table.steps_per_unit, number_in(text));
+             if (request.table.steps_per_unit != 0.0) return {};
+             return fail(fmt::format("found {}, expected a number above 0", text::quoted(text)));
+           })
+      ->group(group);
+}
+
+}  // namespace
+
+void add_compensate_flags(const Verb& verb, app::CompensateRequest& request) {
+  verb.add_option("--for", request.control, "One of 'axiometry compensate --list'")->type_name("CONTROL");
+  add_grid_flags(verb, request);
+  add_table_flags(verb, request);
+}
+
+}  // namespace axiometry::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "axiometry/app/compensate/compensate.h"
+#include "cli/flags/verb.h"
+
+namespace axiometry::cli {
+
+/// What a table is for and how it is made, beside the readings: --for, its positions, its values.
+void add_compensate_flags(const Verb& verb, app::CompensateRequest& request);
+
+}  // namespace axiometry::cli

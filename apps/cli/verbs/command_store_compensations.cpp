@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/command_store_compensations.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "axiometry/app/compensate/compensate_options.h"
+#include "axiometry/app/files/output.h"
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/workbench/compensations.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/report/drawing/utf8.h"
+#include "axiometry/store/store.h"
+#include "cli/failure.h"
+#include "cli/flags/compensate_flags.h"
+#include "cli/flags/option_text.h"
+#include "cli/flags/store_flags.h"
+#include "cli/text/terminal.h"
+#include "cli/verbs/commands.h"
+
+namespace axiometry::cli {
+namespace {
+
+using store::Compensation;
+
+struct CompensationArguments {
+  std::string address;
+  app::CompensateRequest request;
+  std::string existing, out, notes, reason;
+  std::int64_t test = 0, axis = 0, id = 0, retest = 0, limit = 50;
+  std::int64_t version = 0;  // 0: the latest
+  bool json = false, withdrawn = false, without_retest = false;
+  std::string report;
+};
+
+using Shared = std::shared_ptr<CompensationArguments>;
+
+constexpr const char* verb_name = "axiometry store compensate";
+
+std::string figure_of(const Compensation& c, const char* parameter, const char* state) {
+  for (const store::KeptFigure& figure : c.figures)
+    if (figure.parameter == parameter && figure.of == state) return format_fixed(figure.value, 1);
+  return "–";
+}
+
+std::string_view unit_text(const Compensation& c) {
+  return !c.figures.empty() && c.figures[0].unit == "arcsec" ? "″" : "µm";
+}
+
+/// "E 21.3 µm → 4.2 µm predicted → 5.1 µm in the re-test".
+std::string course(const Compensation& c) {
+  const std::string_view unit = unit_text(c);
+  std::string text =
+      fmt::format("E {} {} → {} {} predicted", figure_of(c, "E", "before"), unit, figure_of(c, "E", "predicted"), unit);
+  if (c.retest) text += fmt::format(" → {} {} in test {}", figure_of(c, "E", "retest"), unit, *c.retest);
+  return text;
+}
+
+/// A re-test that shows what should not be, or a table that should be looked at.
+int code_of(const Compensation& c) {
+  if (c.serious == 0) return exit_done;
+  fmt::print("{} serious findings: look at the report before the table is used\n", c.serious);
+  return exit_exceeded;
+}
+
+Result<int> keep(const CompensationArguments& a) {
+  if (a.request.control.empty()) throw MissingOption("--for");
+  app::NewCompensation wanted{a.test, {}, app::to_json(a.request), {}, a.notes};
+  if (a.version > 0) wanted.version = static_cast<int>(a.version);
+  if (!a.existing.empty()) {
+    AXIOMETRY_TRY(std::string text, app::whole_file(a.existing));
+    wanted.existing = app::NamedTable{std::filesystem::path(a.existing).filename().string(), std::move(text)};
+  }
+  AXIOMETRY_TRY(const auto archive, archive_at(a.address, {.create = false}));
+  const app::Workbench workbench(*archive);
+  AXIOMETRY_TRY(const auto kept, app::keep_compensation(workbench, wanted, {"import", verb_name}));
+  const Compensation& c = kept.head.compensation.value;
+  if (!a.out.empty()) AXIOMETRY_TRY_VOID(app::write_file(a.out, kept.table));
+  fmt::print("compensation {}: {}\n", kept.head.compensation.id, report::printable(c.files[0].name));
+  fmt::print("{}\n", course(c));
+  return code_of(c);
+}
+
+Result<int> list_kept(const CompensationArguments& a) {
+  AXIOMETRY_TRY(const auto archive, archive_at(a.address, {.create = false}));
+  store::CompensationFilter filter{.withdrawn = a.withdrawn, .limit = a.limit};
+  if (a.test > 0) filter.test = a.test;
+  if (a.axis > 0) filter.axis = a.axis;
+  AXIOMETRY_TRY(const auto listed, app::listed_compensations(*archive, filter));
+  for (const app::ListedCompensation& line : listed) {
+    const Compensation& c = line.compensation.value;
+    fmt::print("{} {} {} test {} {}{}\n", left(fmt::format("{}", line.compensation.id), 7),
+               left(line.made_at.substr(0, 10), 11), left(c.control, 20), c.test, course(c),
+               c.withdrawn ? " (withdrawn)" : "");
+  }
+  return exit_done;
+}
+
+void print_kept(const app::KeptCompensation& kept) {
+  const app::ListedCompensation& head = kept.head;
+  const Compensation& c = head.compensation.value;
+  fmt::print("{}\n", report::printable(c.files[0].name));
+  const auto test_text = [](const app::TestOfCompensation& test) {
+    return fmt::format("{} in version {}, {} {}", test.id, test.version, test.measured_on, test.title);
+  };
+  const std::pair<const char*, std::string> rows[] = {
+      {"control", c.control},
+      {"version", fmt::format("{} of {}", head.compensation.version, kept.versions.size())},
+      {"machine", head.machine ? head.machine->value.name : ""},
+      {"axis", head.axis ? head.axis->value.name : ""},
+      {"test", test_text(head.test)},
+      {"re-test", head.retest ? test_text(*head.retest) : ""},
+      {"made by", c.program},
+      {"options", c.options},
+      {"withdrawn", c.withdrawn ? "yes" : ""},
+      {"serious findings", c.serious > 0 ? fmt::format("{}", c.serious) : ""},
+      {"notes", c.notes}};
+  for (const auto& [name, text] : rows)
+    if (!text.empty()) fmt::print("  {}{}\n", left(name, 18), report::printable(text));
+  for (const store::KeptFile& file : c.files)
+    fmt::print("  {}{} {}\n", left(file.role, 18), file.content.substr(0, 12), report::printable(file.name));
+  fmt::print("  {}\n", course(c));
+}
+
+Result<void> revise(const app::Workbench& workbench, const CompensationArguments& a) {
+  AXIOMETRY_TRY(const auto latest, workbench.archive().get<Compensation>(a.id));
+  app::CompensationRevision revision;
+  revision.base_version = latest.version;
+  revision.reason = a.reason;
+  revision.retest = a.without_retest ? std::optional<store::Id>() : std::optional(a.retest);
+  AXIOMETRY_TRY_VOID(app::revise_compensation(
+      workbench, a.id, revision, {"import", a.reason.empty() ? "axiometry store compensation" : a.reason}));
+  return {};
+}
+
+Result<int> show(const CompensationArguments& a) {
+  const bool changes = a.retest > 0 || a.without_retest;
+  if (changes && a.version > 0) throw UsageError("--version", "found an old version to change, expected the latest");
+  AXIOMETRY_TRY(const auto archive, archive_at(a.address, {.create = false}));
+  const app::Workbench workbench(*archive);
+  if (changes) AXIOMETRY_TRY_VOID(revise(workbench, a));
+  const auto version = a.version > 0 ? std::optional(static_cast<int>(a.version)) : std::nullopt;
+  AXIOMETRY_TRY(const auto kept, app::kept_compensation(*archive, a.id, version));
+  if (!a.report.empty()) {
+    app::ReportRequest request;
+    request.extension = std::filesystem::path(a.report).extension().string();
+    if (request.extension.starts_with('.')) request.extension.erase(0, 1);
+    AXIOMETRY_TRY(const app::Rendered report, app::compensation_report(workbench, a.id, version, request));
+    AXIOMETRY_TRY_VOID(app::write_file(a.report, report.bytes));
+  }
+  if (!a.out.empty()) AXIOMETRY_TRY_VOID(app::write_file(a.out, kept.table));
+  if (a.json)
+    fmt::print("{}\n", json::dump(kept.result));
+  else if (a.out.empty() && a.report.empty())
+    print_kept(kept);
+  return changes ? code_of(kept.head.compensation.value) : exit_done;
+}
+
+void add_keep(const Verb& store, int& exit_code) {
+  const auto made = std::make_shared<CompensationArguments>();
+  Verb verb = store_verb(store, {"compensate", "Make the table by which a control corrects an axis, and keep it"},
+                         exit_code, made, keep);
+  verb->add_option("TEST", made->test, "Number of the test in the archive")->required();
+  verb->add_option("--version", made->version, "Of that version of the test (the latest)")->type_name("N");
+  verb->add_option("--out", made->out, "The table to FILE, or to the standard output with -")
+      ->check(fault_of_name)
+      ->type_name("FILE");
+  verb->add_option("--existing", made->existing, "The table that was active while the test was measured")
+      ->type_name("FILE");
+  verb->add_option("--notes", made->notes, "Notes");
+  add_compensate_flags(*verb, made->request);
+}
+
+}  // namespace
+
+void add_store_compensations(const Verb& store, int& exit_code) {
+  add_keep(store, exit_code);
+  auto made = std::make_shared<CompensationArguments>();
+  Verb listed =
+      store_verb(store, {"compensations", "List tables of compensation, the newest first"}, exit_code, made, list_kept);
+  listed->add_option("--test", made->test, "Only those of that test, or proved by it")->type_name("N");
+  listed->add_option("--axis", made->axis, "Only those of that axis")->type_name("N");
+  listed->add_flag("--withdrawn", made->withdrawn, "Withdrawn ones, too");
+  listed->add_option("--limit", made->limit, "How many (50)")->check_range(1, 1000);
+  made = std::make_shared<CompensationArguments>();
+  Verb shown = store_verb(store, {"compensation", "Show a table, link its re-test, or write table or report"},
+                          exit_code, made, show);
+  shown->add_option("N", made->id, "Its number")->required();
+  shown->add_option("--version", made->version, "Of that version (the latest)")->type_name("N");
+  Flag retest = shown
+                    ->add_option("--retest", made->retest,
+                                 "Number of the test that was measured with the table active: held against the "
+                                 "prediction, and linked")
+                    ->type_name("N");
+  shown->add_flag("--without-retest", made->without_retest, "Take the re-test away")->excludes(retest);
+  shown->add_option("--reason", made->reason, "Why, for the audit trail");
+  shown->add_flag("--json", made->json, "Print the result as it was kept, as JSON");
+  shown->add_option("--out", made->out, "The table to FILE, or to the standard output with -")
+      ->check(fault_of_name)
+      ->type_name("FILE");
+  shown->add_option("--report", made->report, "Report to FILE, by its extension html, pdf, svg, png or csv")
+      ->type_name("FILE");
+}
+
+}  // namespace axiometry::cli
