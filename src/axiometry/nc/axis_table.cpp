@@ -4,10 +4,34 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "axiometry/base/text.h"
 
 namespace axiometry::nc {
+namespace {
+
+constexpr std::array named_options = {
+    NamedTableOption{"number", &AxisTableUses::number, [](const AxisTableOptions& o) { return o.number != 0; }},
+    NamedTableOption{"resolution", &AxisTableUses::resolution,
+                     [](const AxisTableOptions& o) { return o.resolution != AxisTableOptions{}.resolution; }},
+    NamedTableOption{"magnification", &AxisTableUses::magnification,
+                     [](const AxisTableOptions& o) { return o.magnification != AxisTableOptions{}.magnification; }},
+    NamedTableOption{"largest", &AxisTableUses::largest, [](const AxisTableOptions& o) { return o.largest != 0; }},
+    NamedTableOption{"steps_per_unit", &AxisTableUses::steps_per_unit,
+                     [](const AxisTableOptions& o) { return o.steps_per_unit != 0.0; }}};
+
+}  // namespace
+
+std::span<const NamedTableOption> named_table_options() { return named_options; }
+
+Result<void> check_used(const AxisTable& table, const AxisTableOptions& options) {
+  for (const NamedTableOption& option : named_options)
+    if (!(table.uses.*option.used) && option.is_given(options))
+      return fail(fmt::format("found {} given for {}, which has no use for it; expected it to be left out", option.name,
+                              table.title));
+  return {};
+}
 
 Result<const AxisTable*> axis_table_named(std::string_view id) {
   std::string name = text::to_lower(id);

@@ -47,12 +47,22 @@ struct AxisTableLimits {
   bool linear = true, rotary = true;
 };
 
+/// Which of AxisTableOptions a control has at all.
+struct AxisTableUses {
+  bool number = false;
+  bool resolution = false;
+  bool magnification = false;
+  bool largest = false;
+  bool steps_per_unit = false;
+};
+
 struct AxisTable {
   std::string_view id;         ///< "linuxcnc", for --for
   std::string_view title;      ///< "LinuxCNC"
   std::string_view extension;  ///< of its files: ".comp"
   TableCurves curves = TableCurves::both_ways;
   AxisTableLimits limits;
+  AxisTableUses uses{};
   std::string_view sign;      ///< what a positive number in the file does, a sentence
   std::string_view loading;   ///< how the table gets into the control and becomes active, sentences
   std::string_view verified;  ///< what of this format was seen in a file, a source or a manual
@@ -68,6 +78,17 @@ struct AxisTable {
   /// Whether a text can be of this kind, by its first lines; nullptr: it has nothing to be known by.
   bool (*recognises)(std::string_view text) = nullptr;
 };
+
+/// An option by the name of its flag and of its member in requests.
+struct NamedTableOption {
+  std::string_view name;
+  bool AxisTableUses::*used;
+  bool (*is_given)(const AxisTableOptions& options);  ///< differs from what it is when nobody says anything
+};
+std::span<const NamedTableOption> named_table_options();
+
+/// Fails on an option that is given for a control that has no use for it: nothing that somebody says is passed over.
+Result<void> check_used(const AxisTable& table, const AxisTableOptions& options);
 
 /// Every table, in alphabetical order of the source files (generated).
 std::span<const AxisTable* const> axis_table_table();

@@ -25,7 +25,7 @@ AxisTableOptions options_of(const AxisTable& table, AxisKind kind) {
   AxisTableOptions options;
   options.kind = kind;
   options.axis = kind == AxisKind::linear ? "X" : "A";
-  options.steps_per_unit = 80.0;
+  if (table.uses.steps_per_unit) options.steps_per_unit = 80.0;
   if (table.id.starts_with("fanuc")) options.magnification = 4;
   if (table.id == "pmac") options.resolution = 0.1;
   if (table.id == "haas") options.resolution = 0.5;
@@ -181,7 +181,7 @@ TEST(Compensations, APositiveCorrectionIsSpelledAsTheControlTakesIt) {
     SCOPED_TRACE(table->id);
     ASSERT_TRUE(by_hand.contains(table->id));
     AxisTableOptions options;
-    options.steps_per_unit = 80.0;
+    if (table.uses.steps_per_unit) options.steps_per_unit = 80.0;
     if (table->id.starts_with("fanuc")) options.magnification = 2;
     const std::vector<double> up = {0.0, 10.0, 20.0};
     const AxisCorrection correction =
@@ -249,7 +249,7 @@ TEST(Compensations, LimitsOfTheDescriptorAreKept) {
     SCOPED_TRACE(table->id);
     const AxisTableLimits& limits = table->limits;
     AxisTableOptions options;
-    options.steps_per_unit = 80.0;
+    if (table.uses.steps_per_unit) options.steps_per_unit = 80.0;
     if (limits.points > 0 && table->id != "haas") {
       std::vector<double> positions, zeros(limits.points + 1, 0.0);
       for (std::size_t k = 0; k <= limits.points; ++k) positions.push_back(static_cast<double>(k));
@@ -392,6 +392,44 @@ TEST(Compensations, FanucPointsHaveTheNumbersOfTheControl) {
                                          correction_of(AxisKind::linear, positions, values, values), options);
   EXPECT_TRUE(text.starts_with("%\nN10037P3\nN10038P3\n")) << text;
   EXPECT_NE(text.find("\n3620 = 40\n3621 = 37\n3622 = 44\n3623 = 1\n3624 = 5.0\n"), std::string::npos) << text;
+}
+
+/// The file and what it does; empty where it is refused.
+std::pair<std::string, std::vector<double>> made_with(const AxisTable& table, const AxisCorrection& correction,
+                                                      const AxisTableOptions& options) {
+  const auto text = table.write(correction, options);
+  if (!text) return {};
+  const auto read = table.read(*text, options);
+  return {*text, read ? read->values(Direction::up) : std::vector<double>()};
+}
+
+TEST(AxisTables, DependOnTheOptionsThatTheySay) {
+  for_all([](const AxisTable& table, const AxisTableOptions& options, const AxisCorrection& correction) {
+    const auto before = made_with(table, correction, options);
+    AxisTableOptions number = options, resolution = options, magnification = options, largest = options,
+                     steps = options;
+    number.number = 3;
+    resolution.resolution *= 2.0;
+    magnification.magnification += 1;
+    largest.largest = 1;
+    steps.steps_per_unit = 90.0;
+    EXPECT_EQ(made_with(table, correction, number) != before, table.uses.number);
+    EXPECT_EQ(made_with(table, correction, resolution) != before, table.uses.resolution);
+    EXPECT_EQ(made_with(table, correction, magnification) != before, table.uses.magnification);
+    EXPECT_EQ(made_with(table, correction, largest) != before, table.uses.largest);
+    EXPECT_EQ(made_with(table, correction, steps) != before, table.uses.steps_per_unit);
+  });
+}
+
+TEST(AxisTables, RefuseWhatTheyHaveNoUseFor) {
+  const AxisTable& linuxcnc = **axis_table_named("linuxcnc");
+  AxisTableOptions options;
+  EXPECT_TRUE(check_used(linuxcnc, options));
+  options.magnification = 4;
+  EXPECT_EQ(check_used(linuxcnc, options).error().message,
+            "found magnification given for LinuxCNC, COMP_FILE_TYPE 0, which has no use for it; expected it to be left "
+            "out");
+  EXPECT_TRUE(check_used(**axis_table_named("fanuc"), options));
 }
 
 }  // namespace

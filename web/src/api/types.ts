@@ -838,12 +838,16 @@ export interface components {
             limits: {
                 /** @description Most positions of a table; 1: a backlash alone; null: not limited. */
                 points: number | null;
+                /** @description The only spacing that there is, mm; null: any. */
+                step: number | null;
                 equidistant: boolean;
                 /** @enum {string} */
                 curves: "both-ways" | "with-backlash" | "each-way";
                 linear: boolean;
                 rotary: boolean;
             };
+            /** @description Those that the control has a use for; others are refused. */
+            options: ("number" | "resolution" | "magnification" | "largest" | "steps_per_unit")[];
             /** @description What a positive number in the file does. */
             sign: string;
             /** @description How the table gets into the control. */

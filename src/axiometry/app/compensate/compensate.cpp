@@ -202,7 +202,8 @@ Result<void> check_table_options(const nc::AxisTableOptions& o) {
 }
 
 Result<void> check_request(const CompensateRequest& request) {
-  if (const auto control = nc::axis_table_named(request.control); !control) return std::unexpected(control.error());
+  AXIOMETRY_TRY(const AxisTable* control, nc::axis_table_named(request.control));
+  AXIOMETRY_TRY_VOID(nc::check_used(*control, request.table));
   if (request.grid.step) AXIOMETRY_TRY_VOID(check_within("step", *request.grid.step, {1e-9, 1e6}));
   return check_table_options(request.table);
 }

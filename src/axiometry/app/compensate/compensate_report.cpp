@@ -33,11 +33,20 @@ Value means_to_json(const iso230_2::Evaluation& evaluation) {
 Value limits_to_json(const nc::AxisTable& control) {
   Value limits = Value::object();
   limits.add("points", control.limits.points > 0 ? Value(control.limits.points) : Value());
+  limits.add("step", control.limits.step_native > 0.0 ? Value(control.limits.step_native) : Value());
   limits.add("equidistant", control.limits.equidistant);
   limits.add("curves", curves_name(control.curves));
   limits.add("linear", control.limits.linear);
   limits.add("rotary", control.limits.rotary);
   return limits;
+}
+
+/// Names of the options that the control has a use for.
+Value options_to_json(const nc::AxisTable& control) {
+  Value names = Value::array();
+  for (const nc::NamedTableOption& option : nc::named_table_options())
+    if (control.uses.*option.used) names.push(Value(option.name));
+  return names;
 }
 
 Value verified_to_json(const nc::AxisTable& control) {
@@ -66,6 +75,7 @@ json::Value control_to_json(const nc::AxisTable& control) {
   value.add("title", control.title);
   value.add("extension", control.extension);
   value.add("limits", limits_to_json(control));
+  value.add("options", options_to_json(control));
   value.add("sign", control.sign);
   value.add("loading", control.loading);
   value.add("verified", control.verified);

@@ -118,6 +118,7 @@ const AxisTable acs_axis_table = {
     .extension = ".prg",
     .curves = TableCurves::both_ways,
     .limits = {.equidistant = true, .closes = true},
+    .uses = {.number = true},
     .sign = acs::sign,
     .loading =
         "Load it into a buffer and run that once the axis is homed, as part of the start. --number is the axis of "

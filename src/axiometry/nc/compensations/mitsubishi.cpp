@@ -125,6 +125,7 @@ const AxisTable mitsubishi_axis_table = {
     .extension = ".txt",
     .curves = TableCurves::both_ways,
     .limits = {.points = 1024, .equidistant = true, .origin = TableOrigin::on_grid, .closes = true},
+    .uses = {.number = true, .resolution = true, .magnification = true},
     .sign = mitsubishi::sign,
     .loading =
         "Enter the numbers in the parameters for axis compensation, incremental system, and switch the control off "

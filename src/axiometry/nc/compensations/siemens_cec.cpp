@@ -136,6 +136,7 @@ const AxisTable siemens_cec_axis_table = {
     .extension = ".ini",
     .curves = TableCurves::each_way,
     .limits = {.equidistant = true, .closes = true},
+    .uses = {.number = true},
     .sign = siemens_cec::sign,
     .loading =
         "MD18342[t] must be at least the number of points (828D: 8 tables of at most 200). Switch the tables off "

@@ -92,6 +92,7 @@ const AxisTable siemens_lec_axis_table = {
     .extension = ".ini",
     .curves = TableCurves::both_ways,
     .limits = {.equidistant = true, .closes = true},
+    .uses = {.number = true},
     .sign = siemens_lec::sign,
     .loading =
         "MD38000 must be at least the number of points (808D: at most 200), and changing it clears the memory. Set "
