@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables that are made of tests of the archive, kept and proved, over an axis that is known.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "axiometry/app/workbench/workbench.h"
+#include "server/routes/described_test_support.h"
+#include "server/routes/routes.h"
+#include "tests/support/archive.h"
+
+namespace axiometry::server {
+namespace {
+
+using json::Value;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A test of axis X of one machine: deviations of `share` of 12 µm/m with a reversal of 5 µm, and a small scatter that
+/// differs with `seed`.
+std::string test_of_axis(double share, int seed, std::string_view axis = "X") {
+  std::string text = fmt::format(
+      "# axis.name: {}\n# machine.name: Mill 5\n# machine.serial_number: 7\n# report.number: run-{}\n"
+      "# conditions.date: 2026-01-{:02d}\ntarget_mm,run,direction,deviation_um\n",
+      axis, seed, seed);
+  for (int target = 0; target <= 8; ++target)
+    for (int run = 1; run <= 5; ++run)
+      for (const bool up : {true, false}) {
+        const double x = 50.0 * target + 3.0;
+        const double scatter = 0.3 * std::sin(seed * 1.7 + target * 2.3 + run * 5.1 + (up ? 0.0 : 0.9));
+        text += fmt::format("{},{},{},{:.4f}\n", x, run, up ? "up" : "down",
+                            share * (0.012 * x + (up ? 0.0 : -5.0)) + scatter);
+      }
+  return text;
+}
+
+class CompensationRoutes : public testing::Test {
+ protected:
+  CompensationRoutes() {
+    auto& captures = *reinterpret_cast<app::CaptureService*>(&workbench);  // these have nothing to do with captures
+    add_compensation_routes(router, {archive.store(), workbench, captures});
+  }
+
+  store::Id receive(const std::string& bytes, const std::string& name) {
+    const app::Upload upload{.name = name, .bytes = bytes};
+    const auto received = workbench.receive(std::span(&upload, 1), {"A. Tester", ""});
+    EXPECT_TRUE(received) << received.error().to_string();
+    return received ? received->tests.front().id : 0;
+  }
+
+  Response send(std::string method, std::string path, std::string body = {}, Pairs query = {},
+                std::string type = "application/json") {
+    Request request;
+    request.method = std::move(method);
+    request.path = "/api" + std::move(path);
+    request.query = std::move(query);
+    if (!body.empty()) request.headers = {{"content-type", std::move(type)}};
+    request.body = std::move(body);
+    request.actor = "A. Tester";
+    return router.answer(request);
+  }
+
+  Response send_form(std::string path, const Pairs& texts, const Pairs& files = {}, Pairs query = {}) {
+    std::string body;
+    for (const auto& [name, bytes] : files)
+      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{0}\"; filename=\"{0}.comp\"\r\n\r\n{1}\r\n",
+                          name, bytes);
+    for (const auto& [name, text] : texts)
+      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{}\"\r\n\r\n{}\r\n", name, text);
+    return send("POST", std::move(path), body + "--b--\r\n", std::move(query), "multipart/form-data; boundary=b");
+  }
+
+  static Value value_of(const Response& response, int status = 200) {
+    EXPECT_EQ(response.status, status) << response.body;
+    auto value = json::parse(response.body);
+    EXPECT_TRUE(value) << response.body;
+    return value ? *value : Value::object();
+  }
+  static std::string refusal(const Response& response, int status = 422) {
+    return value_of(response, status).find("error")->find("message")->text();
+  }
+  static std::vector<std::string> findings_of(const Value& kept) {
+    std::vector<std::string> ids;
+    for (const Value& finding : kept.find("result")->find("findings")->items())
+      ids.push_back(finding.find("id")->text());
+    return ids;
+  }
+  static std::optional<double> figure(const Value& kept, std::string_view parameter, std::string_view state) {
+    for (const Value& row : kept.find("figures")->items())
+      if (row.find("parameter")->text() == parameter && row.find(state)->is(json::Kind::number))
+        return row.find(state)->number();
+    return std::nullopt;
+  }
+
+  Value keep(store::Id test, const std::string& options = R"({"control": "linuxcnc"})", const Pairs& files = {}) {
+    return value_of(
+        send_form(fmt::format("/tests/{}/compensations", test), {{"options", options}, {"notes", "new screw"}}, files),
+        201);
+  }
+
+  std::vector<double> listed(Pairs query = {}) {
+    std::vector<double> ids;
+    for (const Value& row :
+         value_of(send("GET", "/compensations", {}, std::move(query))).find("compensations")->items())
+      ids.push_back(row.find("id")->number());
+    return ids;
+  }
+
+  testing_support::Archive archive;
+  app::Workbench workbench{archive.store()};
+  DescribedRouter router;
+};
+
+TEST_F(CompensationRoutes, list_controls_with_what_they_use) {
+  const Value controls = value_of(send("GET", "/controls"));
+  const auto named = [&](std::string_view id) {
+    return std::ranges::find_if(controls.items(), [&](const Value& c) { return c.find("id")->text() == id; });
+  };
+  EXPECT_THAT(named("linuxcnc")->find("options")->items().size(), 1u);
+  EXPECT_EQ(named("fanuc")->find("options")->items().size(), 4u);
+  EXPECT_EQ(named("haas")->find("limits")->find("step")->number(), 12.7);
+}
+
+TEST_F(CompensationRoutes, make_a_table_and_keep_nothing) {
+  const store::Id test = receive(test_of_axis(1.0, 1), "x.csv");
+  const Value made =
+      value_of(send_form(fmt::format("/tests/{}/compensation", test), {{"options", R"({"control": "linuxcnc"})"}}));
+  EXPECT_EQ(made.find("file_name")->text(), "X-test-1-linuxcnc.comp");
+  const Value& result = *made.find("result");
+  EXPECT_GT(result.find("before")->find("E")->number(), 8.0);
+  EXPECT_LT(result.find("predicted")->find("E")->number(), 0.1);
+  EXPECT_THAT(listed(), IsEmpty());
+}
+
+TEST_F(CompensationRoutes, read_the_table_that_they_made) {
+  const store::Id test = receive(test_of_axis(1.0, 1), "x.csv");
+  const Value made =
+      value_of(send_form(fmt::format("/tests/{}/compensation", test), {{"options", R"({"control": "linuxcnc"})"}}));
+  const std::string table = made.find("table")->text();
+  const Value read =
+      value_of(send_form("/controls/linuxcnc/table", {{"options", R"({"kind": "linear"})"}}, {{"table", table}}));
+  EXPECT_EQ(json::dump(*read.find("table")), json::dump(*made.find("result")->find("table")));
+  EXPECT_THAT(refusal(send_form("/controls/linuxcnc/table", {}, {{"table", "1 2 3\nword\n"}})), HasSubstr("word"));
+  EXPECT_THAT(refusal(send_form("/controls/linuxcnc/table", {{"options", "{}"}})), HasSubstr("no file"));
+  EXPECT_THAT(refusal(send_form("/controls/nobody/table", {}, {{"table", table}}), 404), HasSubstr("nobody"));
+}
+
+TEST_F(CompensationRoutes, keep_the_table_with_its_test) {
+  const store::Id test = receive(test_of_axis(1.0, 1), "x.csv");
+  const Value kept = keep(test);
+  EXPECT_EQ(kept.find("test")->find("id")->number(), static_cast<double>(test));
+  EXPECT_EQ(kept.find("machine")->find("name")->text(), "Mill 5");
+  EXPECT_EQ(kept.find("axis")->find("name")->text(), "X");
+  EXPECT_EQ(kept.find("notes")->text(), "new screw");
+  EXPECT_TRUE(kept.find("retest")->is(json::Kind::null));
+  EXPECT_GT(*figure(kept, "E", "before"), 8.0);
+  EXPECT_LT(*figure(kept, "E", "predicted"), 0.1);
+  EXPECT_GT(*figure(kept, "E", "percent_95"), *figure(kept, "E", "predicted"));
+  EXPECT_FALSE(figure(kept, "E", "retest"));
+  const Response table = send("GET", "/compensations/1/files/table");
+  EXPECT_EQ(table.body, kept.find("table")->text());
+  EXPECT_THAT(refusal(send("GET", "/compensations/1/files/existing"), 404), HasSubstr("existing"));
+  EXPECT_THAT(listed(), ElementsAre(1));
+  EXPECT_THAT(listed({{"test", "1"}}), ElementsAre(1));
+  EXPECT_THAT(listed({{"axis", "1"}}), ElementsAre(1));
+  EXPECT_THAT(listed({{"axis", "2"}}), IsEmpty());
+}
+
+TEST_F(CompensationRoutes, link_the_retest_that_proves_the_table) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  const store::Id good = receive(test_of_axis(0.0, 2), "good.csv");
+  keep(1);
+  const Value proved = value_of(
+      send("POST", "/compensations/1/versions", fmt::format(R"({{"base_version": 1, "retest": {}}})", good)), 201);
+  EXPECT_EQ(proved.find("version")->number(), 2);
+  EXPECT_EQ(proved.find("retest")->find("id")->number(), static_cast<double>(good));
+  EXPECT_LT(*figure(proved, "E", "retest"), 1.0);
+  EXPECT_THAT(findings_of(proved), testing::Contains("retest-as-predicted"));
+  EXPECT_EQ(proved.find("serious")->number(), 0);
+  EXPECT_THAT(listed({{"test", fmt::format("{}", good)}}), ElementsAre(1));
+  const Value first = value_of(send("GET", "/compensations/1", {}, {{"version", "1"}}));
+  EXPECT_TRUE(first.find("retest")->is(json::Kind::null)) << "the version of before stays";
+  const Value without = value_of(
+      send("POST", "/compensations/1/versions", R"({"base_version": 2, "retest": null, "reason": "wrong one"})"), 201);
+  EXPECT_TRUE(without.find("retest")->is(json::Kind::null));
+  EXPECT_FALSE(figure(without, "E", "retest"));
+}
+
+TEST_F(CompensationRoutes, name_a_sign_mistake) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  const store::Id doubled = receive(test_of_axis(2.0, 2), "doubled.csv");
+  keep(1);
+  const Value told = value_of(
+      send("POST", "/compensations/1/versions", fmt::format(R"({{"base_version": 1, "retest": {}}})", doubled)), 201);
+  EXPECT_THAT(findings_of(told), testing::Contains("retest-sign"));
+  EXPECT_GE(told.find("serious")->number(), 1);
+}
+
+TEST_F(CompensationRoutes, refuse_what_is_no_retest) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  const store::Id other = receive(test_of_axis(0.0, 2, "Y"), "y.csv");
+  const store::Id gone = receive(test_of_axis(0.0, 3), "gone.csv");
+  ASSERT_TRUE(archive.store().withdraw(gone, true, {"A. Tester", ""}));
+  keep(1);
+  const auto linked = [&](store::Id id) {
+    return send("POST", "/compensations/1/versions", fmt::format(R"({{"base_version": 1, "retest": {}}})", id));
+  };
+  EXPECT_THAT(refusal(linked(1)), HasSubstr("as its own re-test"));
+  EXPECT_THAT(refusal(linked(other)), HasSubstr("of another axis"));
+  EXPECT_THAT(refusal(linked(gone)), HasSubstr("withdrawn"));
+  EXPECT_THAT(refusal(linked(99), 404), HasSubstr("99"));
+  EXPECT_THAT(
+      refusal(send_form(fmt::format("/tests/{}/compensation", gone), {{"options", R"({"control": "linuxcnc"})"}})),
+      HasSubstr("withdrawn"));
+}
+
+TEST_F(CompensationRoutes, update_the_table_that_was_active) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  const std::string table = keep(1).find("table")->text();
+  receive(test_of_axis(0.5, 2), "again.csv");
+  const Value kept = keep(2, R"({"control": "linuxcnc"})", {{"existing", table}});
+  EXPECT_EQ(kept.find("existing")->find("name")->text(), "existing.comp");
+  EXPECT_EQ(send("GET", "/compensations/2/files/existing").body, table);
+  const auto& before = value_of(send("GET", "/compensations/1")).find("result")->find("table")->items();
+  const auto& after = kept.find("result")->find("table")->items();
+  ASSERT_EQ(before.size(), after.size());
+  const double added = before.back().find("up")->number() - before.front().find("up")->number();
+  const double updated = after.back().find("up")->number() - after.front().find("up")->number();
+  EXPECT_NEAR(updated, 1.5 * added, 0.5);
+}
+
+TEST_F(CompensationRoutes, refuse_what_would_be_passed_over) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  const auto made = [&](const std::string& options, const Pairs& files = {}) {
+    return send_form("/tests/1/compensation", {{"options", options}}, files);
+  };
+  EXPECT_THAT(refusal(made(R"({"control": "linuxcnc", "magnification": 4})")), HasSubstr("no use for it"));
+  EXPECT_THAT(refusal(made(R"({"control": "linuxcnc", "stop": 4})")), HasSubstr("stop"));
+  EXPECT_THAT(refusal(made(R"({"control": "linuxcnc", "points": 0})")), HasSubstr("points"));
+  EXPECT_THAT(refusal(made(R"({"control": "linuxcnc", "method": "guess"})")), HasSubstr("least-squares"));
+  EXPECT_THAT(refusal(made(R"({"control": "fanuc", "resolution": 0})")), HasSubstr("resolution"));
+  EXPECT_THAT(refusal(made(R"({"control": "linuxcnc", "start": -500, "end": 400, "step": 10})")),
+              HasSubstr("measured"));
+  EXPECT_THAT(refusal(made(R"({"axis": "X"})")), HasSubstr("control"));
+  EXPECT_THAT(refusal(made(R"({"control": "linuxcnc"})", {{"stray", "1"}})), HasSubstr("stray"));
+  EXPECT_THAT(refusal(made(R"({"control": "linuxcnc"})", {{"existing", "1 2 x"}})), HasSubstr("existing.comp"));
+}
+
+TEST_F(CompensationRoutes, write_reports_of_what_was_kept) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  const Value kept = keep(1);
+  const Response html = send("GET", "/compensations/1/report.html");
+  EXPECT_EQ(html.status, 200);
+  EXPECT_THAT(html.body, HasSubstr("LinuxCNC"));
+  EXPECT_EQ(send("GET", "/compensations/1/report.pdf").body.substr(0, 5), "%PDF-");
+  EXPECT_EQ(json::dump(value_of(send("GET", "/compensations/1/report.json"))), json::dump(*kept.find("result")));
+  EXPECT_THAT(refusal(send("GET", "/compensations/1/report.docx"), 404), HasSubstr("docx"));
+}
+
+TEST_F(CompensationRoutes, withdraw_and_reinstate) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  keep(1);
+  EXPECT_TRUE(value_of(send("POST", "/compensations/1/withdraw", R"({"reason": "wrong control"})"))
+                  .find("withdrawn")
+                  ->boolean());
+  EXPECT_THAT(listed(), IsEmpty());
+  EXPECT_THAT(listed({{"withdrawn", "true"}}), ElementsAre(1));
+  EXPECT_THAT(refusal(send("POST", "/compensations/1/withdraw", "{}"), 409), HasSubstr("withdrawn already"));
+  EXPECT_FALSE(value_of(send("POST", "/compensations/1/reinstate", "{}")).find("withdrawn")->boolean());
+}
+
+}  // namespace
+}  // namespace axiometry::server
