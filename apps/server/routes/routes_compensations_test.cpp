@@ -23,14 +23,14 @@ using testing::IsEmpty;
 /// differs with `seed`.
 std::string test_of_axis(double share, int seed, std::string_view axis = "X") {
   std::string text = fmt::format(
-      "# axis.name: {}\n# machine.name: Mill 5\n# machine.serial_number: 7\n# report.number: run-{}\n"
-      "# conditions.date: 2026-01-{:02d}\ntarget_mm,run,direction,deviation_um\n",
+      "# axis.name: {}\n# machine.name: Mill 5\n# machine.serial_number: 7\n# report_number: run-{}\n"
+      "# date: 2026-01-{:02d}\ntarget_mm,run,direction,deviation_um\n",
       axis, seed, seed);
   for (int target = 0; target <= 8; ++target)
     for (int run = 1; run <= 5; ++run)
       for (const bool up : {true, false}) {
         const double x = 50.0 * target + 3.0;
-        const double scatter = 0.3 * std::sin(seed * 1.7 + target * 2.3 + run * 5.1 + (up ? 0.0 : 0.9));
+        const double scatter = 0.3 * std::sin(seed * 1.7 + target * 2.3 + run * 1.3 + (up ? 0.0 : 0.9));
         text += fmt::format("{},{},{},{:.4f}\n", x, run, up ? "up" : "down",
                             share * (0.012 * x + (up ? 0.0 : -5.0)) + scatter);
       }

@@ -28,7 +28,7 @@ Value test_value(const TestOfCompensation& test) {
 }
 
 /// One row for each parameter, in the order in which they were kept, with what is known of it.
-Value figures_value(const std::vector<store::KeptFigure>& figures) {
+Value course_value(const std::vector<store::KeptFigure>& figures) {
   Value rows = Value::array();
   std::vector<std::string_view> parameters;
   for (const store::KeptFigure& figure : figures)
@@ -81,11 +81,11 @@ Value head_value(const ListedCompensation& listed) {
   object.add("notes", c.notes);
   object.add("withdrawn", c.withdrawn);
   object.add("serious", c.serious);
-  object.add("figures", figures_value(c.figures));
+  object.add("figures", course_value(c.figures));
   return object;
 }
 
-Value versions_value(const std::vector<Versioned<Compensation>>& versions) {
+Value table_versions_value(const std::vector<Versioned<Compensation>>& versions) {
   Value list = Value::array();
   for (const auto& version : versions) {
     Value& item = list.push(Value::object());
@@ -142,7 +142,7 @@ Value to_json(const KeptCompensation& kept, const Reader& reader) {
   object.add("table", kept.table);
   object.add("table_sha256", table == nullptr ? std::string() : table->content);
   object.add("existing", existing_value(c));
-  object.add("versions", versions_value(kept.versions));
+  object.add("versions", table_versions_value(kept.versions));
   return object;
 }
 
