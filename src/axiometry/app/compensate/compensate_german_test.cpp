@@ -11,6 +11,7 @@
 
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/app/compensate/compensate_options.h"
+#include "axiometry/app/workbench/compensation_json.h"
 #include "axiometry/base/json.h"
 #include "axiometry/language/language.h"
 #include "tests/support/repository_file.h"
@@ -134,6 +135,39 @@ TEST(GermanCompensation, SaysWhatIsWrongWithOptions) {
   const auto reading = table_reading_from(json::parse(R"({"kind": "x"})").value());
   ASSERT_FALSE(reading);
   expect_all_german(reading.error().message);
+}
+
+constexpr Reader of_german{Language::german, {.decimal_mark = ','}};
+
+TEST(GermanCompensation, ShowsWhatIsKnownOfControls) {
+  const json::Value shown = controls_to_json(of_german);
+  ASSERT_EQ(shown.items().size(), nc::axis_table_table().size());
+  for (std::size_t k = 0; k < shown.items().size(); ++k) {
+    const json::Value &german = shown.items()[k], english = control_to_json(*nc::axis_table_table()[k]);
+    for (const char* key : {"title", "sign", "loading", "verified", "inferred"}) {
+      const std::string text(english.find(key)->text());
+      EXPECT_EQ(german.find(key)->text(), language::translated(text, Language::german, of_german.numbers));
+      if (text.ends_with('.')) {
+        EXPECT_NE(german.find(key)->text(), text);
+      }
+    }
+    EXPECT_EQ(german.find("id")->text(), english.find("id")->text());
+  }
+}
+
+TEST(GermanCompensation, ShowsResultsAndLists) {
+  const auto made = compensate({sloping_axis(quarters)}, {.control = "heidenhain", .axis = "X"});
+  ASSERT_TRUE(made) << made.error().message;
+  const std::string result = json::dump(to_json(MadeCompensation{present(*made, {}).json, "x", "y"}, of_german));
+  for (const char* words :
+       {"bewegt die Achse in negativer Richtung", "Seiten technischer Handb", "Das Vorzeichen; dass"})
+    EXPECT_NE(result.find(words), std::string::npos) << words << " in " << result;
+  std::vector<ListedCompensation> listed(2);
+  listed[0].compensation.value.control = "fanuc";
+  listed[1].compensation.value.control = "of another program";
+  const std::string list = json::dump(to_json(listed, of_german));
+  EXPECT_NE(list.find("Fanuc, gespeicherte Steigungsfehler, beide Richtungen gleich"), std::string::npos) << list;
+  EXPECT_NE(list.find(R"("title": "of another program")"), std::string::npos) << list;
 }
 
 }  // namespace
