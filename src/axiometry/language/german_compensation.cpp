@@ -42,7 +42,7 @@ constexpr Phrase rows[] = {
     {"Re-test, 95 % below / {0=}", "Nachprüfung, 95 % unter / {0}"},
     {"Re-test, 95 % below: of simulated re-tests of as many runs, with the scatter of this test, in the table and in "
      "the re-test; if the axis and the set-up stay as they are.",
-     "Nachprüfung, 95 % unter: von simulierten Nachprüfungen mit ebenso vielen Läufen und der Streuung dieser "
+     "Nachprüfung, 95 % unter: von simulierten Nachprüfungen mit ebenso vielen Durchläufen und der Streuung dieser "
      "Prüfung, in der Tabelle und in der Nachprüfung; wenn Achse und Aufbau bleiben, wie sie sind."},
     {"Scatter alone / {0=}", "Nur Streuung / {0}"},
     {"Scatter alone: the readings without the mean of every target and direction. No table removes this.",
