@@ -75,6 +75,12 @@ constexpr Phrase rows[] = {
      "extrapolated",
      "eine Tabelle von {0} bis {1}; erwartet: innerhalb von {2} bis {3}, wo Zielpositionen {4} gemessen wurden: "
      "Nichts wird extrapoliert"},
+    {"found a table that moves {0=} by the position of {1=} for {2}, expected one of the axis itself: the format takes "
+     "no "
+     "other",
+     "eine Tabelle, die {0} nach der Position von {1} bewegt, für {2}; erwartet: eine der Achse selbst, das Format "
+     "nimmt "
+     "keine andere"},
     {"found an end at {0#}, expected one above the start at {1#}", "Ende bei {0}; erwartet: über dem Anfang bei {1}"},
     {"found an outlier at {0#} run {1#}: it lies {2#} from what the other readings let expect and moves the mean "
      "there, and so the table, by {3#}; look at it before the table is used",
@@ -147,6 +153,12 @@ constexpr Phrase rows[] = {
      "from {2#} to {3#}; no table is written",
      "die Achse würde durch diese Tabelle nicht besser: E von {0} auf {1}, mittlere Abweichungen (quadratisches "
      "Mittel) von {2} auf {3}; keine Tabelle wird geschrieben"},
+    {"found that the control would not become better by this table: displacements on the line differ by {0#} with it, "
+     "by "
+     "{1#} without; no table is written",
+     "die Achse würde durch diese Tabelle nicht besser: Verlagerungen auf der Linie unterscheiden sich mit ihr um {0}, "
+     "ohne "
+     "sie um {1}; keine Tabelle wird geschrieben"},
     {"found the largest number {0#}, expected a number from {1#} to {2#}",
      "größte Zahl {0}; erwartet: eine Zahl von {1} bis {2}"},
     {"found the magnification {0#}, expected a number from {1#} to {2#}",
@@ -178,12 +190,24 @@ constexpr Phrase rows[] = {
     {"smooth: {0}", "smooth: {0}"},
     {"table so far ↑", "bisherige Tabelle ↑"},
     {"table so far ↓", "bisherige Tabelle ↓"},
+    {"the displacements on the line differ by {0#}, and each is known to ±{1#} (k = 2): the table is mostly what the "
+     "lengths "
+     "do not tell",
+     "die Verlagerungen auf der Linie unterscheiden sich um {0}, und jede ist auf ±{1} (k = 2) bekannt: Die Tabelle "
+     "ist vor "
+     "allem, was die Längen nicht sagen"},
     {"the error has doubled, the re-test shows {0#} ± {1#} (k = 2) of the table: a sign mistake; take it out",
      "der Fehler hat sich verdoppelt, die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: ein Vorzeichenfehler; sie "
      "herausnehmen"},
     {"the instrument counts against the axis: turn its sign, or the axis in the test",
      "das Messgerät zählt gegen die Achse: sein Vorzeichen umkehren, oder die Achse in der Prüfung"},
     {"the instrument did not see the axis move", "das Messgerät hat die Bewegung der Achse nicht gesehen"},
+    {"the line through the middle becomes better, and the volume not: 95 % of the tool point's errors lie below {0#} "
+     "with "
+     "this table alone, {1#} without",
+     "die Linie durch die Mitte wird besser, das Volumen nicht: 95 % der Fehler des Werkzeugpunkts liegen mit dieser "
+     "Tabelle "
+     "allein unter {0}, ohne sie unter {1}"},
     {"the re-test has fewer than three targets in common with the test: it cannot be held against the prediction",
      "die Nachprüfung hat weniger als drei Ziele mit der Prüfung gemein: Sie kann nicht an der Vorhersage gemessen "
      "werden"},
