@@ -17,6 +17,7 @@ const sections = [
   ['/tracking', 'tracking', ['/tracking']],
   ['/volume', 'volume', ['/volume']],
   ['/calibrations', 'calibrations', ['/calibrations']],
+  ['/compensations', 'tables', ['/compensations', '/tables']],
   ['/settings', 'settings', ['/settings', '/audit']],
 ] as const;
 
