@@ -46,6 +46,7 @@ COMMANDS = [
     ("periodic", "periodic coarse.csv --period 10 --report {out}"),
     ("label", "periodic step.csv --period 450 --report {out}"),
     ("", "periodic rotary-table.csv --report {out}"),
+    ("label", "compensate step.csv --for siemens-lec --report {out}"),
     ("", f"{PLAN} --station 100,80,-600 --obstacle vice=box:450,130,-700:550,230,-520 --obstacle "
          "b=sphere:500,300,-300:50 --obstacle c=cylinder:300,500,-600:40:100 --machine Mill --sheet {out}"),
     ("", f"{PLAN} --station 100,-12,-600 --suggest --sheet {{out}}"),
@@ -78,6 +79,7 @@ SAME = set("""
     Ende Lauf Soll Test UTF- VDI Windows- bar csv- csv-long csv-wide deg eff json kPa linear min normal negative
     positive
     ppm    rad sin therm was Ist Mill generic time-position screw
+    EEC SINUMERIK
     DEVICE EVE MACHINE MISALIGNMENT PROBING STATION TOOL EXX EYY EZZ ECC xij XYZ xyz
     CALIBRATION RDEVICE RMISALIGNMENT UCALIBRATION UDEVICE UEVE UMISALIGNMENT UPROBING USTATION dfarthest dnearest
 """.split())

@@ -273,10 +273,10 @@ def calibrations(play):
     play.expect(404, "GET", f"/api/calibrations/{first + 99}")
 def compensations(play):
     """A table made of a test, kept, proved by another test, drawn, withdrawn and brought back."""
-    rows = play.expect(200, "GET", "/api/tests?limit=1000").json()["tests"]
-    linear = [row for row in rows if row["axis"] and row["unit"] == "um" and any(f["parameter"] == "E" for f in row["figures"])]
-    test = next(row for row in linear if any(o["axis"] == row["axis"] and o["id"] != row["id"] for o in linear))
-    again = next(row for row in linear if row["axis"] == test["axis"] and row["id"] != test["id"])
+    measured = pathlib.Path(__file__).resolve().parent.parent / "transcripts" / "store-compensations.files"
+    test, again = (play.expect(201, "POST", "/api/tests", (measured / name).read_bytes(), {"X-File-Name": name}).json()
+                   for name in ("x.csv", "after.csv"))
+    axis = play.expect(200, "GET", f"/api/tests/{test['id']}").json()["axis"]["id"]
     controls = play.expect(200, "GET", "/api/controls").json()
     play.checks.that("there are controls", len(controls) > 20 and any(c["id"] == "linuxcnc" for c in controls), controls)
     options = (b'name="options"', b'{"control": "linuxcnc"}')
@@ -298,7 +298,7 @@ def compensations(play):
     play.checks.that("and its figures", all(f["retest"] is not None for f in proved["figures"]), proved["figures"])
     play.expect(409, "POST", f"{path}/versions", {"base_version": 1, "notes": "other"})
     play.expect(422, "POST", f"{path}/versions", {"base_version": 2, "retest": test["id"]})
-    for asked in (f"test={test['id']}", f"test={again['id']}", f"axis={test['axis']['id']}"):
+    for asked in (f"test={test['id']}", f"test={again['id']}", f"axis={axis}"):
         listed = play.expect(200, "GET", f"/api/compensations?{asked}").json()["compensations"]
         play.checks.that(f"found by {asked}", [row["id"] for row in listed] == [kept["id"]], listed)
     play.expect(200, "GET", f"{path}?version=1&language=de")

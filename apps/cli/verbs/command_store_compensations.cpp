@@ -12,6 +12,7 @@
 #include "axiometry/app/compensate/compensate_options.h"
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/workbench/compensations.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -125,6 +126,8 @@ void print_kept(const app::KeptCompensation& kept) {
   for (const store::KeptFile& file : c.files)
     fmt::print("  {}{} {}\n", left(file.role, 18), file.content.substr(0, 12), report::printable(file.name));
   fmt::print("  {}\n", course(c));
+  for (const app::KeptFinding& finding : app::kept_findings(kept.result))
+    fmt::print("  {}: {}\n", finding.severity, report::printable(finding.message));
 }
 
 Result<void> revise(const app::Workbench& workbench, const CompensationArguments& a) {

@@ -116,7 +116,7 @@ Result<Response> list_compensations(Workbench& workbench, const Request& request
   AXIOMETRY_TRY(const auto limit, whole_of(request, "limit", store::largest_page));
   filter.limit = limit.value_or(store::largest_page);
   AXIOMETRY_TRY(const auto listed, app::listed_compensations(workbench.archive(), filter));
-  return json_response(app::to_json(listed));
+  return json_response(app::to_json(listed, {.language = request.language}));
 }
 
 Result<Response> get_compensation(Workbench& workbench, const Request& request) {

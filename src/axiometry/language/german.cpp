@@ -35,7 +35,9 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_volume_report,
                                  german_volume_plan,
                                  german_calibrations,
-                                 german_compensation};
+                                 german_compensation,
+                                 german_control_tables,
+                                 german_controls};
   return tables;
 }
 

@@ -37,6 +37,8 @@ extern const std::span<const Phrase> german_tracking_requests;    ///< and about
 extern const std::span<const Phrase> german_volume_recordings;    ///< lengths of a calibration out of several files
 extern const std::span<const Phrase> german_calibrations;         ///< calibrations in the archive
 extern const std::span<const Phrase> german_compensation;         ///< tables by which controls correct an axis
+extern const std::span<const Phrase> german_control_tables;       ///< what is refused of their files
+extern const std::span<const Phrase> german_controls;             ///< the controls, and what is known of each
 extern const std::span<const Phrase>
     german_volume_report;  ///< volumetric calibrations: figures, field, predictions, tables
 

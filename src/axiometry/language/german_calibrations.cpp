@@ -13,6 +13,10 @@ constexpr Phrase rows[] = {
     {"found a calibration without a title, expected one", "Kalibrierung ohne Titel; erwartet: ein Titel"},
     {"found a calibration without files, expected what it was evaluated from",
      "Kalibrierung ohne Dateien; erwartet: das, woraus sie ausgewertet wurde"},
+    {"found a {0} whose figures cannot be read, expected them as they were written",
+     "{0}, deren Werte nicht lesbar sind; erwartet: wie sie geschrieben wurden"},
+    {"found a {0} whose files cannot be read, expected them as they were written",
+     "{0}, deren Dateien nicht lesbar sind; erwartet: wie sie geschrieben wurden"},
     {"found an instrument without its version, expected both or none",
      "Messmittel ohne seine Version; erwartet: beides oder keines"},
     {"found another kind or other files for calibration {0#}, expected those that it was kept with",
@@ -24,6 +28,10 @@ constexpr Phrase rows[] = {
      "Kalibrierungen der Arten {0} und {1}; erwartet: zwei derselben Art"},
     {"found measured_on = {0=}, expected a date such as 2026-01-31",
      "measured_on = {0}; erwartet: ein Datum wie 2026-01-31"},
+    {"found no bytes with the SHA-256 {0=}, expected those of the result",
+     "keine Bytes mit SHA-256 {0}; erwartet: die des Ergebnisses"},
+    {"found no bytes with the SHA-256 {0=}, expected those of {1=}",
+     "keine Bytes mit SHA-256 {0}; erwartet: die von {1}"},
     {"found no calibration {0=}", "keine Kalibrierung {0}"},
     {"found no calibration {0=} in version {1#}, expected one", "keine Version {1} der Kalibrierung {0}"},
     {"found no calibration {0=}, expected one", "keine Kalibrierung {0}"},
@@ -36,6 +44,7 @@ constexpr Phrase rows[] = {
      "again, which makes a new version",
      "andere Werte für Kalibrierung {0} in Version {1}, als {2} mit ihr behalten hat; erwartet: dieselben. Eine neue "
      "Auswertung ergibt eine neue Version"},
+    {"found the figure {0=} without a number, expected one", "Wert {0} ohne Zahl; erwartet: eine"},
     {"found the file {0=} as {1=}, expected {2=}", "Datei {0} als {1}; erwartet: {2}"},
     {"found the kind of calibration {0=}, expected lines or volumetric",
      "Art der Kalibrierung {0}; erwartet: lines oder volumetric"},
@@ -55,6 +64,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_calibrations{rows};
+const std::span<const Phrase> german_calibrations = rows;
 
 }  // namespace axiometry::language

@@ -7,15 +7,6 @@ namespace {
 
 constexpr Phrase rows[] = {
     {"A number in the file", "Eine Zahl der Datei"},
-    {"A number is added to the command (forward, then reverse): a positive one moves the axis in the positive "
-     "direction.",
-     "Eine Zahl wird zum Sollwert addiert (vorwärts, dann rückwärts): Eine positive bewegt die Achse in positiver "
-     "Richtung."},
-    {"A number is where the axis really was (forward, then reverse) when the nominal position was commanded, without "
-     "the "
-     "table: one above the nominal moves the axis in the negative direction.",
-     "Eine Zahl ist die Stelle, an der die Achse ohne Tabelle wirklich stand (vorwärts, dann rückwärts), als die "
-     "Sollposition befohlen war: Eine über der Sollposition bewegt die Achse in negativer Richtung."},
     {"A prediction, not a measurement: only a re-test proves it.",
      "Eine Vorhersage, keine Messung: Erst eine Nachprüfung beweist sie."},
     {"A re-test will scatter anew: {0=} below {1#} in 95 % of re-tests, if the axis stays as it is",
@@ -35,47 +26,24 @@ constexpr Phrase rows[] = {
     {"Compensation, predicted", "Kompensation, vorhergesagt"},
     {"Control", "Steuerung"},
     {"Inferred, not seen", "Erschlossen, nicht gesehen"},
-    {"Layout, sign, limits and rule: the sources of LinuxCNC (usrmotintf.cc, command.c, control.c), and its motion "
-     "controller run in a test.",
-     "Aufbau, Vorzeichen, Grenzen und Regel: die Quellen von LinuxCNC (usrmotintf.cc, command.c, control.c) und "
-     "seine Bewegungssteuerung, in einer Prüfung gefahren."},
-    {"Layout, sign, limits and rule: the sources of LinuxCNC (usrmotintf.cc, command.c, control.c), and its motion "
-     "controller run in a test. The sign that its documentation tells for this type is not what the program does.",
-     "Aufbau, Vorzeichen, Grenzen und Regel: die Quellen von LinuxCNC (usrmotintf.cc, command.c, control.c) und "
-     "seine Bewegungssteuerung, in einer Prüfung gefahren. Das Vorzeichen, das seine Dokumentation für diesen Typ "
-     "nennt, ist nicht das des Programms."},
     {"Loading", "Laden"},
     {"Mean deviations before and with the table", "Mittlere Abweichungen vorher und mit der Tabelle"},
     {"Mean deviations of every target and direction as they were measured, and as they would be with the table in the "
      "control.",
      "Mittlere Abweichungen jedes Ziels und jeder Richtung, wie sie gemessen wurden, und wie sie mit der Tabelle in "
-     "der "
-     "Steuerung wären."},
-    {"Name it COMP_FILE in the joint's section of the INI file, with COMP_FILE_TYPE, and start LinuxCNC anew. The "
-     "joint's BACKLASH does nothing then. A reversal is driven with half of the joint's limits of velocity and "
-     "acceleration: leave it room in STEPGEN_MAXVEL and STEPGEN_MAXACCEL or the like. After homing nothing is "
-     "added until the joint has passed a position of the table (seen on 2.9): drive it once over the whole of it.",
-     "Die Datei im Abschnitt des Gelenks der INI-Datei als COMP_FILE nennen, mit COMP_FILE_TYPE, und LinuxCNC neu "
-     "starten. BACKLASH des Gelenks tut dann nichts. Eine Umkehr wird mit der Hälfte der Grenzen des Gelenks für "
-     "Geschwindigkeit und Beschleunigung gefahren: dafür Raum in STEPGEN_MAXVEL und STEPGEN_MAXACCEL oder "
-     "dergleichen lassen. Nach dem Referenzieren wird nichts addiert, bis das Gelenk eine Position der Tabelle "
-     "überfahren hat (an 2.9 gesehen): einmal über die ganze Tabelle fahren."},
+     "der Steuerung wären."},
     {"Predicted / {0=}", "Vorhergesagt / {0}"},
     {"Predicted: the same readings with the table in the control, as it interpolates and rounds. The table was made "
-     "from "
-     "these readings; what scatter did to their means it corrects too, and a re-test will show that part again.",
-     "Vorhergesagt: dieselben Messwerte mit der Tabelle in der Steuerung, wie sie interpoliert und rundet. Die Tabelle "
-     "stammt aus diesen Messwerten; was die Streuung an ihren Mittelwerten tat, korrigiert sie mit, und eine "
-     "Nachprüfung "
-     "zeigt diesen Teil wieder."},
+     "from these readings; what scatter did to their means it corrects too, and a re-test will show that part again.",
+     "Vorhergesagt: dieselben Messwerte mit der Tabelle in der Steuerung, wie sie interpoliert und rundet. Die "
+     "Tabelle stammt aus diesen Messwerten; was die Streuung an ihren Mittelwerten tat, korrigiert sie mit, und eine "
+     "Nachprüfung zeigt diesen Teil wieder."},
     {"Re-test / {0=}", "Nachprüfung / {0}"},
     {"Re-test, 95 % below / {0=}", "Nachprüfung, 95 % unter / {0}"},
     {"Re-test, 95 % below: of simulated re-tests of as many runs, with the scatter of this test, in the table and in "
-     "the "
-     "re-test; if the axis and the set-up stay as they are.",
-     "Nachprüfung, 95 % unter: von simulierten Nachprüfungen mit ebenso vielen Läufen und der Streuung dieser Prüfung, "
-     "in "
-     "der Tabelle und in der Nachprüfung; wenn Achse und Aufbau bleiben, wie sie sind."},
+     "the re-test; if the axis and the set-up stay as they are.",
+     "Nachprüfung, 95 % unter: von simulierten Nachprüfungen mit ebenso vielen Durchläufen und der Streuung dieser "
+     "Prüfung, in der Tabelle und in der Nachprüfung; wenn Achse und Aufbau bleiben, wie sie sind."},
     {"Scatter alone / {0=}", "Nur Streuung / {0}"},
     {"Scatter alone: the readings without the mean of every target and direction. No table removes this.",
      "Nur Streuung: die Messwerte ohne den Mittelwert jedes Ziels und jeder Richtung. Das beseitigt keine Tabelle."},
@@ -88,17 +56,134 @@ constexpr Phrase rows[] = {
      "Was die Steuerung zur befohlenen Position addiert, in beiden Anfahrrichtungen."},
     {"before ↑", "vorher ↑"},
     {"before ↓", "vorher ↓"},
+    {"compensation", "Kompensation"},
+    {"found a compensation of the archive without its table", "eine Kompensation des Archivs ohne ihre Tabelle"},
+    {"found a compensation without a control, expected one", "Kompensation ohne Steuerung; erwartet: eine"},
+    {"found a compensation without its table, expected one", "Kompensation ohne ihre Tabelle; erwartet: eine"},
+    {"found a re-test of another kind of axis", "eine Nachprüfung einer anderen Art von Achse"},
+    {"found a re-test without its version, expected both or none",
+     "Nachprüfung ohne ihre Version; erwartet: beides oder keines"},
+    {"found a result of the archive that cannot be read: {0}", "ein Ergebnis des Archivs, das nicht lesbar ist: {0}"},
+    {"found a step of {0#} and {1#} points from {2#} to {3#}, which would be steps of {4#}",
+     "Schritt {0} und {1} Stützpunkte von {2} bis {3}, was Schritte von {4} wären"},
+    {"found a step of {0#}, expected one above 0", "Schritt {0}; erwartet: einer über 0"},
+    {"found a table from {0#} to {1#}, expected it within {2#} to {3#}, where targets were measured: nothing is "
+     "extrapolated",
+     "eine Tabelle von {0} bis {1}; erwartet: innerhalb von {2} bis {3}, wo Zielpositionen gemessen wurden: Nichts "
+     "wird extrapoliert"},
+    {"found a table from {0#} to {1#}, expected it within {2#} to {3#}, where targets {4#} were measured: nothing is "
+     "extrapolated",
+     "eine Tabelle von {0} bis {1}; erwartet: innerhalb von {2} bis {3}, wo Zielpositionen {4} gemessen wurden: "
+     "Nichts wird extrapoliert"},
+    {"found an end at {0#}, expected one above the start at {1#}", "Ende bei {0}; erwartet: über dem Anfang bei {1}"},
+    {"found an outlier at {0#} run {1#}: it lies {2#} from what the other readings let expect and moves the mean "
+     "there, and so the table, by {3#}; look at it before the table is used",
+     "ein Ausreißer bei {0}, Durchlauf {1}: Er liegt {2} neben dem, was die anderen Messwerte erwarten lassen, und "
+     "verschiebt dort den Mittelwert, und damit die Tabelle, um {3}; vor dem Verwenden der Tabelle ansehen"},
+    {"found another test, control or other files for compensation {0#}, expected those that it was kept with",
+     "andere Prüfung, andere Steuerung oder andere Dateien für Kompensation {0}; erwartet: die, mit denen sie "
+     "behalten wurde"},
+    {"found compensation {0#} in the lists already, expected it not to be",
+     "Kompensation {0} steht schon in den Listen"},
+    {"found compensation {0#} withdrawn already, expected it not to be", "Kompensation {0} ist schon zurückgezogen"},
+    {"found deviations that grow by {0#} of the travel, expected less than {1#}: {2}",
+     "Abweichungen, die um {0} des Verfahrwegs wachsen; erwartet: weniger als {1}: {2}"},
+    {"found deviations {0#} that differ by {1#} a whole turn apart, where the axis stands at the same place: drift, "
+     "or a slip of the instrument; a table of a turning axis would jump there",
+     "Abweichungen {0}, die sich im Abstand einer ganzen Umdrehung um {1} unterscheiden, wo die Achse an derselben "
+     "Stelle steht: Drift, oder das Messgerät ist verrutscht; die Tabelle einer umlaufenden Achse spränge dort"},
+    {"found no compensation {0=}", "keine Kompensation {0}"},
+    {"found no compensation {0=} in version {1#}, expected one", "keine Version {1} der Kompensation {0}"},
+    {"found no compensation {0=}, expected one", "keine Kompensation {0}"},
+    {"found no file {0=} of compensation {1#}", "keine Datei {0} der Kompensation {1}"},
+    {"found no file, expected a table", "keine Datei; erwartet: eine Tabelle"},
+    {"found no form, expected one with options", "kein Formular; erwartet: eines mit options"},
+    {"found no position for the table, expected at least one",
+     "keine Position für die Tabelle; erwartet: mindestens eine"},
+    {"found no reading {0#}: what the table does to approaches from there nobody measured, and the reversal error "
+     "stays as it is",
+     "kein Messwert {0}: Was die Tabelle bei Anfahrten aus dieser Richtung tut, hat niemand gemessen, und die "
+     "Umkehrspanne bleibt, wie sie ist"},
+    {"found no target that was approached from both sides, expected one for a backlash",
+     "keine Zielposition, die von beiden Seiten angefahren wurde; erwartet: eine für ein Umkehrspiel"},
+    {"found no test {0#} in version {1#}, expected one", "keine Version {1} der Prüfung {0}"},
+    {"found no two positions at steps of {0#} between the targets at {1#} and {2#}",
+     "keine zwei Positionen in Schritten von {0} zwischen den Zielpositionen bei {1} und {2}"},
+    {"found options of the archive that cannot be read", "Optionen des Archivs, die nicht lesbar sind"},
+    {"found positions of the table that do not ascend", "Positionen der Tabelle, die nicht aufsteigen"},
+    {"found readings of the negative direction alone, expected both for a table of each direction",
+     "Messwerte nur der negativen Richtung; erwartet: beide für eine Tabelle je Richtung"},
+    {"found readings of the negative direction alone, expected both for a table with a backlash",
+     "Messwerte nur der negativen Richtung; erwartet: beide für eine Tabelle mit Umkehrspiel"},
+    {"found readings of the positive direction alone, expected both for a table of each direction",
+     "Messwerte nur der positiven Richtung; erwartet: beide für eine Tabelle je Richtung"},
+    {"found readings of the positive direction alone, expected both for a table with a backlash",
+     "Messwerte nur der positiven Richtung; erwartet: beide für eine Tabelle mit Umkehrspiel"},
+    {"found readings that drift by {0#} from the first run to the last: the table corrects the axis as it was on the "
+     "average of the test",
+     "Messwerte, die vom ersten bis zum letzten Durchlauf um {0} driften: Die Tabelle korrigiert die Achse, wie sie "
+     "im Mittel der Prüfung war"},
+    {"found steps of {0#} that do not lead from {1#} to {2#}, expected a whole number of them",
+     "Schritte von {0}, die nicht von {1} bis {2} führen; erwartet: eine ganze Zahl davon"},
+    {"found targets over all of a turn but its last {0#}: there the table holds its last value, and jumps where the "
+     "turn begins anew; measure 360° too",
+     "Zielpositionen über eine ganze Umdrehung bis auf ihre letzten {0}: Dort hält die Tabelle ihren letzten Wert und "
+     "springt, wo die Umdrehung neu beginnt; auch 360° messen"},
+    {"found test {0#} as its own re-test, expected one with the table active",
+     "Prüfung {0} als ihre eigene Nachprüfung; erwartet: eine mit wirkender Tabelle"},
+    {"found test {0#} of another axis, expected one of the axis that the table corrects",
+     "Prüfung {0} einer anderen Achse; erwartet: eine der Achse, die die Tabelle korrigiert"},
+    {"found test {0#} withdrawn, expected one that is not: reinstate it first",
+     "Prüfung {0} ist zurückgezogen; erwartet: eine, die es nicht ist: sie zuerst wieder aufnehmen"},
+    {"found that a re-test would show E of {0#} (median) where the axis has {1#}: the deviations are what scatter "
+     "makes of them, and a table of scatter makes the axis worse; no table is written",
+     "eine Nachprüfung würde E von {0} (Median) zeigen, wo die Achse {1} hat: Die Abweichungen sind, was die Streuung "
+     "aus ihnen macht, und eine Tabelle der Streuung macht die Achse schlechter; keine Tabelle wird geschrieben"},
+    {"found that axiometry {0=} would make another table than compensation {1#}, made by {2=}; expected the same: "
+     "make a new one of test {3#}",
+     "axiometry {0} würde eine andere Tabelle als Kompensation {1} erzeugen, die {2} erzeugt hat; erwartet: dieselbe: "
+     "eine neue aus Prüfung {3} erzeugen"},
+    {"found that the control would not become better by this table: E from {0#} to {1#}, mean deviations (r.m.s.) "
+     "from {2#} to {3#}; no table is written",
+     "die Achse würde durch diese Tabelle nicht besser: E von {0} auf {1}, mittlere Abweichungen (quadratisches "
+     "Mittel) von {2} auf {3}; keine Tabelle wird geschrieben"},
+    {"found the largest number {0#}, expected a number from {1#} to {2#}",
+     "größte Zahl {0}; erwartet: eine Zahl von {1} bis {2}"},
+    {"found the magnification {0#}, expected a number from {1#} to {2#}",
+     "magnification {0}; erwartet: eine Zahl von {1} bis {2}"},
+    {"found the number {0#}, expected a number from {1#} to {2#}", "Nummer {0}; erwartet: eine Zahl von {1} bis {2}"},
+    {"found the part {0=} in the form, expected options, notes and one file {1=}",
+     "Teil {0} im Formular; erwartet: options, notes und eine Datei {1}"},
+    {"found the resolution {0#}, expected a number from {1#} to {2#}",
+     "resolution {0}; erwartet: eine Zahl von {1} bis {2}"},
+    {"found the step {0#}, expected a number from {1#} to {2#}", "Schritt {0}; erwartet: eine Zahl von {1} bis {2}"},
+    {"found the steps per unit {0#}, expected a number from {1#} to {2#}",
+     "Schritte je Einheit {0}; erwartet: eine Zahl von {1} bis {2}"},
+    {"found {0#} points, expected at least two", "{0} Stützpunkte; erwartet: mindestens zwei"},
+    {"found {0#} positions, expected at most {1#}", "{0} Positionen; erwartet: höchstens {1}"},
+    {"found {0#} targets, expected at least two", "{0} Zielpositionen; erwartet: mindestens zwei"},
+    {"hold_ends: {0}", "hold_ends: {0}"},
+    {"inch: {0}", "inch: {0}"},
+    {"largest: {0}", "largest: {0}"},
+    {"magnification: {0}", "magnification: {0}"},
+    {"method: {0}", "Verfahren: {0}"},
     {"neither the test nor --axis names the axis: the table is made for X",
      "weder die Prüfung noch --axis nennt die Achse: Die Tabelle ist für X gemacht"},
     {"new table ↑", "neue Tabelle ↑"},
     {"new table ↓", "neue Tabelle ↓"},
+    {"number: {0}", "Nummer: {0}"},
+    {"points: {0}", "Stützpunkte: {0}"},
     {"re-test ↑", "Nachprüfung ↑"},
     {"re-test ↓", "Nachprüfung ↓"},
+    {"smooth: {0}", "smooth: {0}"},
     {"table so far ↑", "bisherige Tabelle ↑"},
     {"table so far ↓", "bisherige Tabelle ↓"},
     {"the error has doubled, the re-test shows {0#} ± {1#} (k = 2) of the table: a sign mistake; take it out",
      "der Fehler hat sich verdoppelt, die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: ein Vorzeichenfehler; sie "
      "herausnehmen"},
+    {"the instrument counts against the axis: turn its sign, or the axis in the test",
+     "das Messgerät zählt gegen die Achse: sein Vorzeichen umkehren, oder die Achse in der Prüfung"},
+    {"the instrument did not see the axis move", "das Messgerät hat die Bewegung der Achse nicht gesehen"},
     {"the re-test has fewer than three targets in common with the test: it cannot be held against the prediction",
      "die Nachprüfung hat weniger als drei Ziele mit der Prüfung gemein: Sie kann nicht an der Vorhersage gemessen "
      "werden"},
@@ -108,12 +193,10 @@ constexpr Phrase rows[] = {
      "Tabelle, die nicht wirkt; hat sich die Achse geändert oder der Aufbau?"},
     {"the re-test shows {0#} ± {1#} (k = 2) of the table: too uncertain to tell whether it is active",
      "die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: zu unsicher, um zu sagen, ob sie wirkt"},
-    {"the re-test shows {0=} of {1#} {2=}, where 95 % of re-tests would show less than {3#} {4=}: the axis, the set-up "
-     "or "
-     "the table is not what it was taken for",
+    {"the re-test shows {0=} of {1#} {2=}, where 95 % of re-tests would show less than {3#} {4=}: the axis, the "
+     "set-up or the table is not what it was taken for",
      "die Nachprüfung zeigt {0} von {1} {2}, wo 95 % der Nachprüfungen weniger als {3} {4} zeigen würden: Die Achse, "
-     "der "
-     "Aufbau oder die Tabelle ist nicht, wofür sie gehalten wurde"},
+     "der Aufbau oder die Tabelle ist nicht, wofür sie gehalten wurde"},
     {"the reversal is corrected twice, the re-test shows {0#} of it: is a backlash of the control active beside the "
      "table?",
      "die Umkehrspanne wird zweimal korrigiert, die Nachprüfung zeigt {0} davon: Wirkt ein Umkehrspiel der Steuerung "
@@ -122,23 +205,29 @@ constexpr Phrase rows[] = {
      "die Umkehrspanne wird nicht korrigiert, die Nachprüfung zeigt {0} davon"},
     {"the table does what it should: the re-test shows {0#} ± {1#} (k = 2) of it",
      "die Tabelle tut, was sie soll: Die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr"},
-    {"the table goes from {0=} to {1=}, the targets from {2=} to {3=}: beyond its ends the control holds the last "
+    {"the table goes from {0#} to {1#}, the targets from {2#} to {3#}: beyond its ends the control holds the last "
      "value",
      "die Tabelle reicht von {0} bis {1}, die Ziele von {2} bis {3}: Jenseits ihrer Enden hält die Steuerung den "
-     "letzten "
-     "Wert"},
+     "letzten Wert"},
+    {"the table goes from {0#} to {1#}, where {2#} to {3#} were measured: beyond them it holds the value of the last "
+     "target, which nobody measured",
+     "die Tabelle reicht von {0} bis {1}, gemessen wurde von {2} bis {3}: Jenseits davon hält sie den Wert der "
+     "letzten Zielposition, was niemand gemessen hat"},
     {"the table has one curve for both directions: the reversal error stays as it is",
      "die Tabelle hat eine Kurve für beide Richtungen: Die Umkehrspanne bleibt, wie sie ist"},
-    {"the table is applied twice, the re-test shows {0#} ± {1#} (k = 2) of it: is an older one still active beside it, "
-     "or was the new one added to one that holds it already?",
-     "die Tabelle wirkt zweimal, die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr: Wirkt eine ältere noch daneben, oder "
-     "wurde die neue zu einer addiert, die sie schon enthält?"},
+    {"the table is applied twice, the re-test shows {0#} ± {1#} (k = 2) of it: is an older one still active beside "
+     "it, or was the new one added to one that holds it already?",
+     "die Tabelle wirkt zweimal, die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr: Wirkt eine ältere noch daneben, "
+     "oder wurde die neue zu einer addiert, die sie schon enthält?"},
     {"the table is not active, the re-test shows {0#} ± {1#} (k = 2) of it: is it loaded, switched on, and the axis "
      "referenced?",
-     "die Tabelle wirkt nicht, die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr: Ist sie geladen, eingeschaltet und die "
-     "Achse referenziert?"},
+     "die Tabelle wirkt nicht, die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr: Ist sie geladen, eingeschaltet und "
+     "die Achse referenziert?"},
     {"the table's two directions are exchanged: the re-test shows {0#} of its reversal",
      "die beiden Richtungen der Tabelle sind vertauscht: Die Nachprüfung zeigt {0} ihrer Umkehrspanne"},
+    {"the targets are in inches and the readings in mm", "die Zielpositionen sind in Zoll und die Messwerte in mm"},
+    {"the targets are in mm and the readings in inches", "die Zielpositionen sind in mm und die Messwerte in Zoll"},
+    {"these are no deviations of an axis", "das sind keine Abweichungen einer Achse"},
     {"{0=} from {1#} to {2#}, as predicted from the same readings",
      "{0} von {1} auf {2}, vorhergesagt aus denselben Messwerten"},
     {"{0=} of the re-test: {1#}", "{0} der Nachprüfung: {1}"},

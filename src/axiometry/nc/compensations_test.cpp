@@ -181,7 +181,7 @@ TEST(Compensations, APositiveCorrectionIsSpelledAsTheControlTakesIt) {
     SCOPED_TRACE(table->id);
     ASSERT_TRUE(by_hand.contains(table->id));
     AxisTableOptions options;
-    if (table.uses.steps_per_unit) options.steps_per_unit = 80.0;
+    if (table->uses.steps_per_unit) options.steps_per_unit = 80.0;
     if (table->id.starts_with("fanuc")) options.magnification = 2;
     const std::vector<double> up = {0.0, 10.0, 20.0};
     const AxisCorrection correction =
@@ -249,7 +249,7 @@ TEST(Compensations, LimitsOfTheDescriptorAreKept) {
     SCOPED_TRACE(table->id);
     const AxisTableLimits& limits = table->limits;
     AxisTableOptions options;
-    if (table.uses.steps_per_unit) options.steps_per_unit = 80.0;
+    if (table->uses.steps_per_unit) options.steps_per_unit = 80.0;
     if (limits.points > 0 && table->id != "haas") {
       std::vector<double> positions, zeros(limits.points + 1, 0.0);
       for (std::size_t k = 0; k <= limits.points; ++k) positions.push_back(static_cast<double>(k));
@@ -409,7 +409,7 @@ TEST(AxisTables, DependOnTheOptionsThatTheySay) {
     AxisTableOptions number = options, resolution = options, magnification = options, largest = options,
                      steps = options;
     number.number = 3;
-    resolution.resolution *= 2.0;
+    resolution.resolution /= 100.0;
     magnification.magnification += 1;
     largest.largest = 1;
     steps.steps_per_unit = 90.0;

@@ -20,9 +20,9 @@
 #include "axiometry/store/transaction.h"
 
 /// The archive of machines, axes, instruments, plans, tests, calibrations and compensations: SQLite in one file, or
-/// PostgreSQL for a team, behind one interface. Nothing measured can be changed or lost: rows of data, versions, documents and the audit
-/// trail are only ever added, which triggers in the database itself enforce; an edit makes a new version. Every call is
-/// one transaction that is on the disk when the call returns, or has left no trace.
+/// PostgreSQL for a team, behind one interface. Nothing measured can be changed or lost: rows of data, versions,
+/// documents and the audit trail are only ever added, which triggers in the database itself enforce; an edit makes a
+/// new version. Every call is one transaction that is on the disk when the call returns, or has left no trace.
 namespace axiometry::store {
 
 struct Opening {

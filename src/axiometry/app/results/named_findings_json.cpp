@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/results/named_findings_json.h"
 
+#include <string_view>
+#include <utility>
+
 namespace axiometry::app {
 
 json::Value findings_value(std::span<const NamedFinding> findings) {
@@ -12,6 +15,20 @@ json::Value findings_value(std::span<const NamedFinding> findings) {
     item.add("message", f.message);
   }
   return list;
+}
+
+std::vector<KeptFinding> kept_findings(const json::Value& result) {
+  std::vector<KeptFinding> kept;
+  const json::Value* findings = result.is(json::Kind::object) ? result.find("findings") : nullptr;
+  if (findings == nullptr || !findings->is(json::Kind::array)) return kept;
+  const auto text_of = [](const json::Value& finding, std::string_view name) {
+    const json::Value* text = finding.is(json::Kind::object) ? finding.find(name) : nullptr;
+    return text != nullptr && text->is(json::Kind::text) ? text->text() : std::string();
+  };
+  for (const json::Value& finding : findings->items())
+    if (std::string message = text_of(finding, "message"); !message.empty())
+      kept.push_back({text_of(finding, "severity"), std::move(message)});
+  return kept;
 }
 
 }  // namespace axiometry::app

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "axiometry/base/json.h"
 #include "axiometry/model/named_finding.h"
@@ -10,5 +12,13 @@ namespace axiometry::app {
 
 /// [{"id", "severity": "serious" or "note", "message"}], in order: docs/results.md, "findings".
 json::Value findings_value(std::span<const NamedFinding> findings);
+
+/// A finding as a result that was kept tells it.
+struct KeptFinding {
+  std::string severity;  ///< "serious" or "note"
+  std::string message;
+};
+/// Of the member "findings"; what is of another kind is left out.
+std::vector<KeptFinding> kept_findings(const json::Value& result);
 
 }  // namespace axiometry::app

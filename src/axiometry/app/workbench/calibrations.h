@@ -62,7 +62,7 @@ Result<KeptCalibration> revise_calibration(store::Store& archive, store::Id id, 
 /// A new version that says so. Fails with `conflict` when it is so already.
 Result<KeptCalibration> withdraw_calibration(store::Store& archive, store::Id id, bool withdrawn, const store::By& by);
 
-/// Fails with not_found on an extension that no writer has; "json" is the result that was kept.
+/// Fails on an extension that no writer has; "json" is the result that was kept.
 Result<Rendered> calibration_report(const store::Store& archive, store::Id id, std::optional<int> version,
                                     const ReportRequest& request);
 

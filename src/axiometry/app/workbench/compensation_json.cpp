@@ -7,6 +7,7 @@
 
 #include "axiometry/app/files/given_members.h"
 #include "axiometry/app/workbench/workbench_json.h"
+#include "axiometry/language/language.h"
 
 namespace axiometry::app {
 namespace {
@@ -28,7 +29,7 @@ Value test_value(const TestOfCompensation& test) {
 }
 
 /// One row for each parameter, in the order in which they were kept, with what is known of it.
-Value figures_value(const std::vector<store::KeptFigure>& figures) {
+Value course_value(const std::vector<store::KeptFigure>& figures) {
   Value rows = Value::array();
   std::vector<std::string_view> parameters;
   for (const store::KeptFigure& figure : figures)
@@ -55,23 +56,23 @@ const store::KeptFile* file_in(const Compensation& c, std::string_view role) {
 }
 
 /// A control that this program does not know any more is called by its id.
-Value control_value(const std::string& id) {
+Value control_value(const std::string& id, const Reader& reader) {
   const auto control = nc::axis_table_named(id);
   Value object = Value::object();
   object.add("id", id);
-  object.add("title", control ? (*control)->title : std::string_view(id));
+  object.add("title", control ? language::translated((*control)->title, reader.language, reader.numbers) : id);
   return object;
 }
 
 /// What stands in lists and on the page alike.
-Value head_value(const ListedCompensation& listed) {
+Value head_value(const ListedCompensation& listed, const Reader& reader) {
   const Compensation& c = listed.compensation.value;
   const store::KeptFile* table = file_in(c, "table");
   Value object = Value::object();
   object.add("id", id_value(listed.compensation.id));
   object.add("version", listed.compensation.version);
   object.add("made_at", listed.made_at);
-  object.add("control", control_value(c.control));
+  object.add("control", control_value(c.control, reader));
   object.add("file_name", table == nullptr ? std::string() : table->name);
   object.add("test", test_value(listed.test));
   object.add("retest", listed.retest ? test_value(*listed.retest) : Value());
@@ -81,11 +82,11 @@ Value head_value(const ListedCompensation& listed) {
   object.add("notes", c.notes);
   object.add("withdrawn", c.withdrawn);
   object.add("serious", c.serious);
-  object.add("figures", figures_value(c.figures));
+  object.add("figures", course_value(c.figures));
   return object;
 }
 
-Value versions_value(const std::vector<Versioned<Compensation>>& versions) {
+Value table_versions_value(const std::vector<Versioned<Compensation>>& versions) {
   Value list = Value::array();
   for (const auto& version : versions) {
     Value& item = list.push(Value::object());
@@ -115,10 +116,10 @@ Value controls_to_json(const Reader& reader) {
   return list;
 }
 
-Value to_json(std::span<const ListedCompensation> listed) {
+Value to_json(std::span<const ListedCompensation> listed, const Reader& reader) {
   Value object = Value::object();
   Value& rows = object.add("compensations", Value::array());
-  for (const ListedCompensation& line : listed) rows.push(head_value(line));
+  for (const ListedCompensation& line : listed) rows.push(head_value(line, reader));
   return object;
 }
 
@@ -134,7 +135,7 @@ Value to_json(const KeptCompensation& kept, const Reader& reader) {
   const Versioned<Compensation>& compensation = kept.head.compensation;
   const Compensation& c = compensation.value;
   const store::KeptFile* table = file_in(c, "table");
-  Value object = head_value(kept.head);
+  Value object = head_value(kept.head, reader);
   object.add("change", to_json(compensation.change));
   object.add("program", c.program);
   object.add("options", object_of_text(c.options));
@@ -142,7 +143,7 @@ Value to_json(const KeptCompensation& kept, const Reader& reader) {
   object.add("table", kept.table);
   object.add("table_sha256", table == nullptr ? std::string() : table->content);
   object.add("existing", existing_value(c));
-  object.add("versions", versions_value(kept.versions));
+  object.add("versions", table_versions_value(kept.versions));
   return object;
 }
 

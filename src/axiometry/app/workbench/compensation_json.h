@@ -12,7 +12,7 @@
 namespace axiometry::app {
 
 json::Value controls_to_json(const Reader& reader);  ///< of every control, with its texts in the reader's language
-json::Value to_json(std::span<const ListedCompensation> listed);
+json::Value to_json(std::span<const ListedCompensation> listed, const Reader& reader);
 json::Value to_json(const MadeCompensation& made, const Reader& reader);
 json::Value to_json(const KeptCompensation& kept, const Reader& reader);
 

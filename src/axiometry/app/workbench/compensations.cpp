@@ -21,7 +21,7 @@ using json::Value;
 using store::Compensation;
 using store::Versioned;
 
-constexpr std::string_view result_format = "compensation-result";
+constexpr std::string_view compensation_result_format = "compensation-result";
 constexpr std::string_view table_role = "table";
 constexpr std::string_view existing_role = "existing";
 
@@ -38,7 +38,7 @@ Result<PreparedTest> usable_test(const Workbench& workbench, store::Id id, std::
   return prepared;
 }
 
-NamedTest named(const PreparedTest& prepared) { return {prepared.record.state.title, prepared.test}; }
+NamedTest named_test(const PreparedTest& prepared) { return {prepared.record.state.title, prepared.test}; }
 
 /// "X-test-12-linuxcnc.comp".
 std::string table_name(const PreparedTest& test, const CompensatedAxis& made) {
@@ -55,7 +55,7 @@ struct Made {
 Result<Made> made_of(const Workbench& workbench, const NewCompensation& wanted) {
   AXIOMETRY_TRY(const CompensateRequest request, compensate_request_from(wanted.options));
   AXIOMETRY_TRY(PreparedTest test, usable_test(workbench, wanted.test, wanted.version));
-  MeasuredAxis measured{named(test)};
+  MeasuredAxis measured{named_test(test)};
   measured.existing = wanted.existing;
   AXIOMETRY_TRY(CompensatedAxis axis, compensate(std::move(measured), request));
   return Made{std::move(test), std::move(axis)};
@@ -82,7 +82,7 @@ std::vector<store::KeptFigure> figures_of(const CompensatedAxis& made) {
 /// What the archive keeps of what was found: program, figures, serious findings, and the result among the contents.
 store::Content take_found(Compensation& compensation, const CompensatedAxis& made, const std::string& name) {
   store::Content result =
-      content_made(name + ".json", std::string(result_format), json::dump(present(made, {}).json, 0));
+      content_made(name + ".json", std::string(compensation_result_format), json::dump(present(made, {}).json, 0));
   compensation.program = fmt::format("axiometry {}", version);
   compensation.serious = static_cast<int>(std::ranges::count_if(made.findings, &NamedFinding::serious));
   compensation.figures = figures_of(made);
@@ -108,14 +108,14 @@ Result<CompensatedAxis> made_again(const Workbench& workbench, store::Id id, con
   if (!options) return fail(ErrorKind::damaged, "found options of the archive that cannot be read");
   AXIOMETRY_TRY(const CompensateRequest request, compensate_request_from(*options));
   AXIOMETRY_TRY(const PreparedTest test, workbench.prepared(kept.test, kept.test_version));
-  MeasuredAxis measured{named(test)};
+  MeasuredAxis measured{named_test(test)};
   if (const store::KeptFile* existing = file_of(kept, existing_role)) {
     AXIOMETRY_TRY(store::Content content, archive.content(existing->content));
     measured.existing = NamedTable{existing->name, std::move(content.bytes)};
   }
   if (kept.retest) {
     AXIOMETRY_TRY(const PreparedTest retest, workbench.prepared(*kept.retest, kept.retest_version));
-    measured.retest = named(retest);
+    measured.retest = named_test(retest);
   }
   AXIOMETRY_TRY(CompensatedAxis made, compensate(std::move(measured), request));
   AXIOMETRY_TRY(const store::Content table, kept_table(archive, kept));

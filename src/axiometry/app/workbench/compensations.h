@@ -87,7 +87,7 @@ Result<KeptCompensation> revise_compensation(const Workbench& workbench, store::
 Result<KeptCompensation> withdraw_compensation(store::Store& archive, store::Id id, bool withdrawn,
                                                const store::By& by);
 
-/// Fails with not_found on an extension that no writer has; "json" is the result that was kept.
+/// Fails on an extension that no writer has; "json" is the result that was kept.
 Result<Rendered> compensation_report(const Workbench& workbench, store::Id id, std::optional<int> version,
                                      const ReportRequest& request);
 

@@ -356,7 +356,8 @@ Result<PreparedTest> Workbench::prepared(store::Id id, std::optional<int> versio
   AXIOMETRY_TRY(const Changes changes, kept_changes(record.state));
   AXIOMETRY_TRY(EvaluateOptions options, evaluate_options(kept.options));
   AXIOMETRY_TRY(Test measured, state_->measured(record));
-  AXIOMETRY_TRY(Test test, prepare_test(std::move(measured), with_archive(std::move(options), changes, kept.from_archive)));
+  AXIOMETRY_TRY(Test test,
+                prepare_test(std::move(measured), with_archive(std::move(options), changes, kept.from_archive)));
   return PreparedTest{std::move(record), std::move(test)};
 }
 

@@ -110,7 +110,6 @@ const AxisTable aerotech_axis_table = {
     .extension = ".cal",
     .curves = TableCurves::both_ways,
     .limits = {.equidistant = true, .closes = true},
-    .uses = {.number = true},
     .sign = aerotech::sign,
     .loading =
         "Name it among the calibration files of the controller, switch the calibration of the axis on, reset the "

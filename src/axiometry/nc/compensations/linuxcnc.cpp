@@ -10,7 +10,6 @@ const AxisTable linuxcnc_axis_table = {
     .extension = ".comp",
     .curves = TableCurves::each_way,
     .limits = {.points = linuxcnc::points_most},
-    .uses = {.number = true},
     .sign =
         "A number is where the axis really was (forward, then reverse) when the nominal position was "
         "commanded, without the table: one above the nominal moves the axis in the negative direction.",

@@ -10,7 +10,6 @@ const AxisTable linuxcnc_trims_axis_table = {
     .extension = ".comp",
     .curves = TableCurves::each_way,
     .limits = {.points = linuxcnc::points_most},
-    .uses = {.number = true},
     .sign =
         "A number is added to the command (forward, then reverse): a positive one moves the axis in the "
         "positive direction.",
