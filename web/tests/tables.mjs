@@ -85,13 +85,13 @@ export const tables = {
     assert.ok(await figure(page, 'E', '95 % below') > await figure(page, 'E', 'Predicted'));
     assert.equal(await page.locator('.table-results .mark').count(), 2, 'a verdict at E and at A as they were measured, none at a prediction');
     await shows(page.locator('main'), /Verified of this format[\s\S]*Inferred, not seen\s+nothing/);
+    const file = await downloaded(page, () => page.getByRole('button', { name: 'Download' }).click());
+    assert.equal(file.bytes.toString(), (await page.locator('.listing pre').nth(1).textContent()), 'what is downloaded is what is shown');
+    assert.equal(file.bytes.toString().trim().split('\n').length, targets.length);
     const chart = page.locator('.chart').first();
     await chart.focus();
     await page.keyboard.press('ArrowRight');
     await shows(chart.locator('.tip'), /Before ↑[\s\S]*Before ↓[\s\S]*Predicted ↑[\s\S]*Predicted ↓/);
-    const file = await downloaded(page, () => page.getByRole('button', { name: 'Download' }).click());
-    assert.equal(file.bytes.toString(), (await page.locator('.listing pre').nth(1).textContent()), 'what is downloaded is what is shown');
-    assert.equal(file.bytes.toString().trim().split('\n').length, targets.length);
   },
 
   async 'tables: a control is searched and chosen by keys alone, and remembered for the machine'(world) {
@@ -169,7 +169,7 @@ export const tables = {
     await shows(page.locator('.table-outcome .notice.bad'), /No table is made of this[\s\S]*found/);
     assert.equal(await page.locator('.listing').count(), 0);
     await step.fill('25');
-    await shows(page.locator('.table-results h2'), /positions from 0 to 500 mm/);
+    await shows(page.locator('.table-results h2'), /21 positions from 0 to 500 mm/);
     assert.equal(await page.locator('.nodes tbody tr').count(), 21);
     await shows(page.locator('details.more summary'), '1 option other than usual');
     await page.getByRole('button', { name: 'As usual' }).click();
@@ -204,7 +204,7 @@ export const tables = {
     await page.getByRole('radio', { name: /2026-03-09/ }).check();
     await with_reason(page, 'Save as version 3', 'sign put right');
     await shows(page.locator('.compensation-chain'), /Measured again[\s\S]*2026-03-09[\s\S]*% ± \d+ % of the table act/);
-    await shows(page.locator('.table-results'), /the table does what it should/);
+    await shows(page.locator('.table-results'), /The table does what it should/);
     assert.ok(await figure(page, 'E', 'Re-test') < 0.2 * await figure(page, 'E', 'Before'));
     await shows(page.locator('.legend').first(), 'Re-test');
     await page.goto(`/tests/${retest}`);
@@ -282,24 +282,32 @@ export const tables = {
     await page.locator('.listing').waitFor({ state: 'detached' });
   },
 
-  async 'tables: one that was dropped is read by its control, and where several can, a person says whose it is'(world) {
+  async 'tables: one that was dropped anywhere on the page is read by the control that can, or by the one that is chosen'(world) {
     const page = await world.page();
     await page.goto('/tables');
     await shows(page.locator('main'), 'Choose or drop the file of a table.');
-    const drop = async (name, text, target) => {
-      const data = await page.evaluateHandle(([name, text]) => { const all = new DataTransfer(); all.items.add(new File([text], name)); return all; }, [name, text]);
+    const drop = async (files, target) => {
+      const data = await page.evaluateHandle((given) => { const all = new DataTransfer(); for (const [name, text] of given) all.items.add(new File([text], name)); return all; }, files);
       await page.dispatchEvent(target, 'drop', { dataTransfer: data });
     };
-    await drop('x.comp', comp_file([[0, 2, 3], [250, -1, 1], [500, 4, 5]]), 'header.bar');
-    await shows(page.locator('main'), 'Several controls can read it, and their signs may be opposite.');
+    await drop([['x.comp', comp_file([[0, 2, 3], [250, -1, 1], [500, 4, 5]])], ['other.comp', '0 0 0\n']], 'header.bar');
+    await shows(page.locator('.chosen-control'), /LinuxCNC, COMP_FILE_TYPE 0[\s\S]*the only one that can read the file as it is/);
     assert.equal(new URL(page.url()).pathname, '/tables', 'it is not taken for a test');
-    await page.locator('.candidates').getByRole('button', { name: 'LinuxCNC, COMP_FILE_TYPE 0' }).click();
+    await shows(page.locator('main'), 'One table at a time: 1 other file was not taken.');
     const nodes = page.locator('.nodes');
     await nodes.locator('summary').click();
     await shows(nodes, /0\s+−2\.00\s+−3\.00/);
-    await drop('y.comp', 'nothing of it', 'main');
-    await shows(page.locator('.notice.bad'), /found/);
+    await drop([['y.comp', 'nothing of it']], 'main');
+    await shows(page.locator('main'), 'No control can read it as it is.');
     assert.equal(await nodes.count(), 0, 'not the table before');
+    assert.doesNotMatch(await page.locator('main').innerText(), /One table at a time/);
+    await page.getByRole('combobox', { name: 'Search a control' }).fill('FILE_TYPE 1');
+    await page.keyboard.press('Enter');
+    await shows(page.locator('.notice.bad'), /found[\s\S]*line 1/);
+    // A trim is added, whatever the other type would make of the same line.
+    await drop([['trims.comp', '0 0.002 0.003\n250 -0.001 0.001\n500 0.004 0.005\n']], 'main');
+    await nodes.locator('summary').click();
+    await shows(nodes, /0\s+2\.00\s+3\.00/);
   },
 
   async 'tables: what is refused as a test may be looked at as a table'(world) {
@@ -344,6 +352,21 @@ export const tables = {
     await with_reason(page, 'Save as version 5', 'second');
     await shows(page.getByRole('dialog'), 'Somebody else was first');
     assert.equal(await page.getByRole('dialog').getByLabel('Notes').inputValue(), 'mine');
+  },
+
+  async 'a press soon after a page was reached is not lost, whatever had the focus before'(world) {
+    await milled(world, 'LinuxCNC');
+    const test = await measured(world, '2026-03-02');
+    const page = await world.page();
+    for (let turn = 0; turn < 4; turn += 1) {
+      await page.goto(`/tests/${test}`);
+      await page.getByRole('link', { name: 'Correct the axis' }).click();
+      await page.locator('.listing').waitFor();
+      await page.locator('.chart').first().focus();
+      await page.keyboard.press('ArrowRight');
+      await page.locator('.chart .tip').waitFor();
+      await downloaded(page, () => page.getByRole('button', { name: 'Download' }).click());
+    }
   },
 
   async 'names of marks on a chart lie over no other name, and no line of a mark goes through a name'() {
