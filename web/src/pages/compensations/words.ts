@@ -11,7 +11,7 @@ const named = {
 
 /** A sentence of the program, its flags called as the fields of this page. */
 export const page_words = (text: string): string =>
-  text.replace(/--([a-z]+(?:-[a-z]+)*)/g, (flag, name: string) => (name in named ? `“${t(named[name as keyof typeof named])}”` : flag));
+  text.replace(/--([a-z]+(?:-[a-z]+)*)/g, (flag, name: string) => (name in named ? t('quoted', { text: t(named[name as keyof typeof named]) }) : flag));
 
 export const in_page_words = (findings: readonly VolumetricFinding[]): VolumetricFinding[] =>
   findings.map((finding) => ({ ...finding, message: page_words(finding.message) }));
