@@ -17,6 +17,7 @@ const sections = [
   ['/tracking', 'tracking', ['/tracking']],
   ['/volume', 'volume', ['/volume']],
   ['/calibrations', 'calibrations', ['/calibrations']],
+  ['/compensations', 'tables', ['/compensations', '/tables']],
   ['/settings', 'settings', ['/settings', '/audit']],
 ] as const;
 
@@ -106,9 +107,14 @@ function use_focus_on_arrival(path: string): void {
     if (arrived !== '' && arrived !== path) { arrived_at = performance.now(); focus_content(); }
     arrived = path;
   }, [path]);
+  useEffect(() => {
+    const end = new AbortController();
+    for (const sign of ['pointerdown', 'keydown'] as const) window.addEventListener(sign, () => { arrived_at = -Infinity; }, { capture: true, signal: end.signal });
+    return () => end.abort();
+  }, []);
 }
 
-/** A page whose heading comes with its data has nothing to focus at first, or loses it; once the user went on, it is theirs. */
+/** A page whose heading comes with its data has nothing to focus at first, or loses it; once the user went on, by a press or a key, it is theirs. */
 function expecting(): boolean {
   const at = document.activeElement;
   const free = at === null || at === document.body || at.id === 'content';

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import { signal } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import { add_files } from './pages/tests/incoming';
 import { go } from './router';
@@ -6,9 +7,12 @@ import { t } from './shell_texts';
 
 const carries_files = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
 
+/** A page to which any dropped file belongs, while it is shown. */
+export const drop_taker = signal<((files: readonly File[]) => void) | null>(null);
+
 /**
  * Files may be dropped on any page: they are shown on the page of tests. A part of a page that takes files itself
- * prevents the default of its own drop event.
+ * prevents the default of its own drop event; a page that takes all of them says so by `drop_taker`.
  */
 export function DropAnywhere() {
   const [over, set_over] = useState(false);
@@ -25,7 +29,9 @@ export function DropAnywhere() {
       set_over(false);
       if (!carries_files(event) || event.defaultPrevented) return;
       event.preventDefault();
-      add_files([...(event.dataTransfer?.files ?? [])]);
+      const files = [...(event.dataTransfer?.files ?? [])];
+      if (drop_taker.peek()) { drop_taker.peek()?.(files); return; }
+      add_files(files);
       if (location.pathname !== '/') go('/');
     }, { signal });
     return () => end.abort();

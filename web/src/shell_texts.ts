@@ -9,6 +9,7 @@ export const t = texts({
   capture: ['Capture', 'Erfassung'],
   tracking: ['Tracking', 'Tracking'],
   calibrations: ['Calibrations', 'Kalibrierungen'],
+  tables: ['Tables', 'Tabellen'],
   volume: ['Volume', 'Arbeitsraum'],
   settings: ['Settings', 'Einstellungen'],
   sections: ['Sections', 'Bereiche'],

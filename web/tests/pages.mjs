@@ -17,6 +17,16 @@ async function calibrated(world, kind, files) {
   return (await answer.json()).id;
 }
 
+/** Keeps the table that a control takes of a test, and the test that is held against it. */
+async function corrected(world, test, options, retest) {
+  const form = new FormData();
+  form.append('options', JSON.stringify(options));
+  const answer = await fetch(`${world.server.address}/api/tests/${test}/compensations`, { method: 'POST', body: form });
+  const { id } = await answer.json();
+  if (retest) await world.api('POST', `/api/compensations/${id}/versions`, { base_version: 1, retest, reason: 're-test' });
+  return id;
+}
+
 /** Fills the store of the world; the paths of all pages. */
 export async function visited(world) {
   const first = await world.kept();
@@ -32,6 +42,8 @@ export async function visited(world) {
   });
   const lines = await calibrated(world, 'lines', { lengths: 'tracking-evaluate.files/lengths.csv', plan: 'tracking-evaluate.files/seven.json' });
   const volume = await calibrated(world, 'volumetric', { lengths: 'volumetric.files/lengths.csv', machine: 'volumetric.files/machine.json' });
+  const table = await corrected(world, third, { control: 'linuxcnc' }, second);
+  await corrected(world, first, { control: 'siemens-cec' });
   const { machines } = await world.api('GET', '/api/machines');
   const machine = machines.find((one) => one.axes.length > 0) ?? machines[0];
   const axis = machine?.axes[0];
@@ -40,7 +52,7 @@ export async function visited(world) {
     '/', `/tests/${first}`, `/tests/${second}`, `/tests/${first}/report`, `/compare?tests=${first},${second},${third}`,
     '/machines', ...(machine ? [`/machines/${machine.id}`] : []), ...(axis ? [`/axes/${axis.id}`] : []),
     '/instruments', `/instruments/${instruments[0].id}`, '/plans', '/plans/new', `/plans/${plan}`,
-    '/tracking', '/volume', '/calibrations', `/calibrations/${lines}`, `/calibrations/${volume}`, '/captures', '/captures/new', `/captures/${capture.id}`, '/settings', '/audit', '/no/such/page',
+    '/tracking', '/volume', '/calibrations', `/calibrations/${lines}`, `/calibrations/${volume}`, '/compensations', `/compensations/${table}`, `/tests/${third}/table`, '/tables', '/captures', '/captures/new', `/captures/${capture.id}`, '/settings', '/audit', '/no/such/page',
   ];
 }
 

@@ -41,6 +41,11 @@ export async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
   return (await response.json()) as T;
 }
 
+/** The bytes at this path. */
+export async function bytes_of(path: string): Promise<Blob> {
+  return (await answered(fetch(path, { headers: headers() }))).blob();
+}
+
 const is_receipt = (content: unknown): content is Receipt => (content as Partial<Receipt> | null)?.kept === true;
 
 /** What was kept and cannot be shown is answered by a receipt in its place, which says so. */

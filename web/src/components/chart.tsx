@@ -13,7 +13,7 @@ import { aligned, make_plot, unzoom, zoom } from './chart/plot';
 import { pointed_at, watch_fingers } from './chart/pointer';
 import { PlainTip, plain_words } from './chart/tip';
 
-export type { ChartBand, ChartLine, ChartModel, ChartPlace, ChartProps, ChartSeries, Ends, Shape, Values } from './chart/model';
+export type { ChartBand, ChartLine, ChartMark, ChartModel, ChartPlace, ChartProps, ChartSeries, Ends, Shape, Values } from './chart/model';
 export { ChartLegend, Swatch } from './chart/legend';
 
 const t = texts({
@@ -115,7 +115,7 @@ export function Chart(props: ChartProps) {
       p.setData(aligned(props), !is_zoomed.current);
       if (is_zoomed.current) p.redraw(true, false);
     });
-  }, [shape, props.x, props.series, props.bands, props.lines]);
+  }, [shape, props.x, props.series, props.bands, props.lines, props.marks]);
 
   const place: ChartPlace | null = at ?? ((props.cursor ?? null) === null ? null : { index: props.cursor as number, series: null });
   const key = (event: KeyboardEvent) => {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import type { Axis, Machine } from '../api/types';
+import type { Axis, CompensationHead, CompensationList, Machine } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
+import { TablesOfAxis } from './compensations/of_axis';
 import { LimitsLine } from './machine';
 import './machines.css';
 import { AxisDialog } from './machines/axis_dialog';
@@ -10,10 +11,13 @@ import { EntityHistory } from './machines/history';
 import { t } from './machines/texts';
 import { AxisTrend } from './machines/trend';
 
+const no_tables: readonly CompensationHead[] = [];
+
 /** One axis: its limits and its whole history. */
 export function AxisPage({ parts }: { parts: Record<string, string> }) {
   const axis = use_get<Axis>(`/api/axes/${parts['id']}`);
   const machine = use_get<Machine>(axis.data ? `/api/machines/${axis.data.machine}` : null);
+  const tables = use_get<CompensationList>(`/api/compensations?axis=${encodeURIComponent(parts['id'] ?? '')}`);
   const [editing, set_editing] = useState(false);
   const found = axis.data;
   if (axis.error && !found) return <FailureNotice error={axis.error} retry={axis.reload} />;
@@ -32,8 +36,9 @@ export function AxisPage({ parts }: { parts: Record<string, string> }) {
       </div>
       <section class="panel">
         <header><h2>{t('trend')} <span class="quiet small limits-line">{t(found.kind)}</span> <LimitsLine axis={found} /></h2></header>
-        <AxisTrend axis={found.id} version={found.version} height={420} />
+        <AxisTrend axis={found.id} version={found.version} height={420} tables={tables.data?.compensations ?? no_tables} />
       </section>
+      <TablesOfAxis list={tables} />
       {found.notes !== '' && <p class="panel notes">{found.notes}</p>}
       <EntityHistory path={`/api/axes/${found.id}`} subject={`axis ${found.id}`} version={found.version} />
       {editing && (

@@ -8,6 +8,8 @@ import { CalibrationsPage } from './calibrations';
 import { CapturePage } from './capture';
 import { NewCapturePage } from './capture_new';
 import { CapturesPage } from './captures';
+import { CompensationPage } from './compensation';
+import { CompensationsPage } from './compensations';
 import { ComparePage } from './compare';
 import { InstrumentPage } from './instrument';
 import { InstrumentsPage } from './instruments';
@@ -17,6 +19,8 @@ import { PlanPage } from './plan';
 import { PlansPage } from './plans';
 import { ReportPage } from './report';
 import { SettingsPage } from './settings';
+import { TablePage } from './table';
+import { TablesPage } from './tables';
 import { OneTestPage } from './test';
 import { TestsPage } from './tests';
 import { TrackingPage } from './tracking';
@@ -34,6 +38,10 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/tests/:id/report', ReportPage],
   ['/calibrations', CalibrationsPage],
   ['/calibrations/:id', CalibrationPage],
+  ['/compensations', CompensationsPage],
+  ['/compensations/:id', CompensationPage],
+  ['/tables', TablesPage],
+  ['/tests/:id/table', TablePage],
   ['/tracking', TrackingPage],
   ['/volume', VolumePage],
   ['/plans', PlansPage],

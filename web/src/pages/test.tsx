@@ -7,6 +7,8 @@ import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
 import { texts } from '../i18n/texts';
 import { place, unsaved } from '../router';
+import './compensations.css';
+import { TablesOfTest } from './compensations/of_test';
 import { Budget } from './test/budget';
 import { Documents } from './test/documents';
 import { keep_draft } from './test/draft_store';
@@ -93,6 +95,7 @@ function Whole({ state, vocabulary, adopt }: { state: TestState; vocabulary: Voc
               <Findings state={state} vocabulary={vocabulary} />
               <Parameters state={state} vocabulary={vocabulary} />
               <Budget state={state} />
+              <TablesOfTest test={state.test.value.id} />
               <Versions state={state} vocabulary={vocabulary} />
               <Documents state={state} />
             </div>

@@ -31,6 +31,9 @@ export interface ChartBand { key: string; upper: Values; lower: Values; colour: 
 /** A limit: a line across the whole chart, with its name beside it. */
 export interface ChartLine { value: number; colour: string; label: string; dash?: readonly number[]; hidden?: boolean }
 
+/** Something that happened at an x: a line from top to bottom, its name above the plot. */
+export interface ChartMark { x: number; label: string; colour: string; aside?: number }
+
 export interface ChartModel {
   x: readonly number[];      // ascending; for "time" seconds since 1970 in UTC
   x_kind?: 'number' | 'angle' | 'time';   // an angle in degrees has steps of 15, 30, 45 and 90
@@ -41,6 +44,7 @@ export interface ChartModel {
   series: readonly ChartSeries[];
   bands?: readonly ChartBand[];
   lines?: readonly ChartLine[];
+  marks?: readonly ChartMark[];
 }
 
 /** Where the cursor is: which x, and which series where the pointer or the keys chose one. */
@@ -56,10 +60,13 @@ export interface ChartProps extends ChartModel {
   on_choose?: (place: ChartPlace) => void;          // a click on a point, or Enter
 }
 
+/** Rows above the plot for names of marks: as many as there are marks, but so few that the plot stays the picture. */
+export const mark_rows = ({ marks }: ChartModel): number => Math.min(marks?.length ?? 0, 3);
+
 /** What makes another plot necessary; everything else is only drawn again. */
 export function structure(model: ChartModel): string {
   const looks = model.series.map((s) => [s.key, s.colour, s.width, s.dash, s.shape, s.size, s.opacity, s.across, s.aside]);
-  return JSON.stringify([model.x_kind, model.x_label, model.y_label, looks]);
+  return JSON.stringify([model.x_kind, model.x_label, model.y_label, looks, mark_rows(model)]);
 }
 
 /** Lowest and highest of what is visible from index `first` to `last`, with a margin; 0 to 1 when there is nothing. */

@@ -4,7 +4,8 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { marked } from '../../numbers';
 import { paint_line_labels } from './labels';
-import { y_range, type ChartModel } from './model';
+import { mark_row_px, paint_marks } from './marks';
+import { mark_rows, y_range, type ChartModel } from './model';
 import { inside, paint_band, paint_line, paint_points, paint_whiskers, token } from './paint';
 
 export interface PlotEvents {
@@ -98,7 +99,7 @@ export function make_plot(model: () => ChartModel, events: PlotEvents, size: { w
   const kind = shape.x_kind ?? 'number';
   const options: uPlot.Options = {
     ...size,
-    padding: [8, kind === 'time' ? 44 : 20, 0, 0], // half of the last date stands beside the plot
+    padding: [8 + mark_rows(shape) * mark_row_px, kind === 'time' ? 44 : 20, 0, 0], // half of the last date stands beside the plot
     tzDate: (second) => uPlot.tzDate(new Date(second * 1000), 'Etc/UTC'),
     legend: { show: false },
     cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: true, uni: 24, dist: 6 } },
@@ -131,6 +132,7 @@ export function make_plot(model: () => ChartModel, events: PlotEvents, size: { w
     ],
     hooks: {
       drawAxes: [
+        (plot) => paint_marks(plot, model(), pixels()),
         (plot) => inside(plot, (pen) => {
           for (const band of model().bands ?? []) if (!band.hidden) paint_band(plot, pen, model().x, band);
           pen.globalAlpha = 1;

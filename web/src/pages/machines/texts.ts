@@ -65,4 +65,7 @@ export const t = texts({
   by_method: ['uncertainty: {method}', 'Unsicherheit: {method}'],
   other_limits: ['Held against limits of {n|its|their} own, which are not drawn: {named}.', 'Gegen eigene, nicht gezeichnete Grenzwerte beurteilt: {named}.'],
   click_hint: ['Bars: uncertainty. Dashed lines: limits. A click on a point opens its test.', 'Balken: Unsicherheit. Gestrichelt: Grenzwerte. Ein Klick auf einen Punkt öffnet die Prüfung.'],
+  tables_hint: ['Lines from top to bottom: a table was made of the test before them.', 'Senkrechte Linien: Aus der Prüfung davor entstand eine Tabelle.'],
+  table_made: ['table {id} was made of it ({control})', 'daraus entstand Tabelle {id} ({control})'],
+  table_proved: ['re-test of table {id} ({control})', 'Nachprüfung der Tabelle {id} ({control})'],
 });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import type { Limit, Parameter, Trend } from '../../api/types';
+import type { CompensationHead, Limit, Parameter, Trend } from '../../api/types';
 import { use_get } from '../../api/use';
-import { Chart, ChartLegend, type ChartLine, type ChartPlace, type ChartSeries, type Ends } from '../../components/chart';
+import { Chart, ChartLegend, type ChartLine, type ChartMark, type ChartPlace, type ChartSeries, type Ends } from '../../components/chart';
 import { day_seconds } from '../../components/dates';
 import { FailureNotice } from '../../components/failure';
 import { ParameterSymbol } from '../../components/symbol';
@@ -12,11 +12,13 @@ import { absent, shortest, unit_sign } from '../../numbers';
 import { go } from '../../router';
 import { column_decimals, FigureCell, ParameterHead, shown_of, some_interval, some_U, uncertainty_text } from '../../components/figure_cell';
 import { differ, method_of, named_method, record_note } from '../../components/uncertainty';
+import { short_control } from '../compensations/lines';
 import { look, parameters, plain_symbol, verdict_of } from './parameters';
 import { t } from './texts';
 
 type Point = Trend['points'][number];
 const most_named = 3;
+const no_tables: readonly CompensationHead[] = [];
 
 /** A test that does not say when it was measured stands where it was received. */
 const day_of = (point: Point): string => point.measured_on || point.received_at.slice(0, 10);
@@ -42,7 +44,7 @@ function ends_of({ value, U, low, high }: Point['figures'][number]): Ends | null
 }
 
 /** The history of an axis: chosen parameters over time with their uncertainty as bars and limits as lines, and the same as numbers. */
-export function AxisTrend({ axis, version, height }: { axis: number; version: number; height: number }) {
+export function AxisTrend({ axis, version, height, tables = no_tables }: { axis: number; version: number; height: number; tables?: readonly CompensationHead[] }) {
   const [wanted, set_wanted] = useState<readonly Parameter[]>(['A', 'E', 'R', 'B']);
   const trend = use_get<Trend>(`/api/axes/${axis}/trend?parameters=${parameters.join(',')}&limit=500`);
   const drawn = useRef(version);
@@ -58,8 +60,8 @@ export function AxisTrend({ axis, version, height }: { axis: number; version: nu
         label={t('parameters')} on_toggle={toggle}
         items={given.map((key) => ({ key, label: <ParameterSymbol parameter={key} />, look: look(key), shown: wanted.includes(key) }))}
       />
-      <TrendChart trend={trend.data} wanted={wanted} height={height} />
-      <p class="quiet small">{t('click_hint')} <span class="record-note">{record_note(trend.data.points.map(({ figures }) => figures))}</span> <OtherLimits trend={trend.data} wanted={wanted} /></p>
+      <TrendChart trend={trend.data} wanted={wanted} height={height} tables={tables} />
+      <p class="quiet small">{t('click_hint')} {tables.length > 0 && t('tables_hint')} <span class="record-note">{record_note(trend.data.points.map(({ figures }) => figures))}</span> <OtherLimits trend={trend.data} wanted={wanted} /></p>
       <TrendTable trend={trend.data} wanted={given.filter((key) => wanted.includes(key))} />
     </div>
   );
@@ -85,7 +87,24 @@ function OtherLimits({ trend, wanted }: { trend: Trend; wanted: readonly Paramet
   return <span class="other-limits">{t('other_limits', { n: others.length, named })}</span>;
 }
 
-function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly Parameter[]; height: number }) {
+/** Where tables were made stands behind the test that they were made of. */
+function marks_of(tables: readonly CompensationHead[], points: readonly Point[], x: readonly number[]): ChartMark[] {
+  return tables.flatMap((table) => {
+    const k = points.findIndex(({ test }) => test === table.test.id);
+    const at = k >= 0 ? (x[k] as number) : day_seconds(table.test.measured_on);
+    return at === null ? [] : [{ x: at, label: short_control(table.control.title), colour: '--ink-quiet', aside: 10 }];
+  });
+}
+
+/** What tables have to do with a test, in words. */
+function table_words(tables: readonly CompensationHead[], test: number): string[] {
+  return tables.flatMap((table) => [
+    ...(table.test.id === test ? [t('table_made', { id: table.id, control: short_control(table.control.title) })] : []),
+    ...(table.retest?.id === test ? [t('table_proved', { id: table.id, control: short_control(table.control.title) })] : []),
+  ]);
+}
+
+function TrendChart({ trend, wanted, height, tables }: { trend: Trend; wanted: readonly Parameter[]; height: number; tables: readonly CompensationHead[] }) {
   const unit = unit_sign(trend.unit);
   const points = useMemo(() => [...trend.points].sort(by_day), [trend]);
   const x = useMemo(() => times(points), [points]);
@@ -96,6 +115,7 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
       values: figures.map((figure) => figure?.value ?? null), whisker: figures.map((figure) => (figure ? ends_of(figure) : null)),
     };
   }), [points, wanted]);
+  const marks = useMemo(() => marks_of(tables, points, x), [tables, points, x]);
   const lines = useMemo((): ChartLine[] => limits_of(trend, points).filter((limit) => wanted.includes(limit.parameter)).map((limit) => ({
     value: limit.value, colour: look(limit.parameter).colour,
     label: t('limit_line', { parameter: plain_symbol(limit.parameter), value: shortest(limit.value), unit }),
@@ -117,6 +137,7 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
             ))}
           </tbody>
         </table>
+        {table_words(tables, point.test).map((words) => <div key={words}>{words}</div>)}
         {method_of(point.figures) !== null && <div class="quiet">{t('by_method', { method: named_method(method_of(point.figures)) })}</div>}
       </>
     );
@@ -129,12 +150,13 @@ function TrendChart({ trend, wanted, height }: { trend: Trend; wanted: readonly 
       return [plain_symbol(key), shown?.value ?? absent, shown ? uncertainty_text(shown) : '', unit].filter((part) => part !== '').join(' ');
     });
     const method = named_method(method_of(point?.figures ?? []));
-    return `${point ? day_of(point) : ''}, ${point?.title}: ${said.join('; ')}${method === '' ? '' : `; ${t('by_method', { method })}`}`;
+    const further = [...(point ? table_words(tables, point.test) : []), ...(method === '' ? [] : [t('by_method', { method })])];
+    return `${point ? day_of(point) : ''}, ${point?.title}: ${[said.join('; '), ...further].join('; ')}`;
   };
   return (
     <Chart
       name={t('trend_of', { axis: trend.axis.name })} height={height} x={x} x_kind="time" x_label={t('measured')}
-      y_label={t('value_in', { unit })} y_zero series={series} lines={lines} tip={tip} spoken={spoken}
+      y_label={t('value_in', { unit })} y_zero series={series} lines={lines} marks={marks} tip={tip} spoken={spoken}
       on_choose={(place) => { const point = points[place.index]; if (point) go(`/tests/${point.test}`); }}
     />
   );

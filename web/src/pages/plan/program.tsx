@@ -7,6 +7,7 @@ import type { Vocabulary } from '../../api/types';
 import { CopyButton } from '../../components/copy';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
+import { Listing, line_count } from '../../components/listing';
 import { Markdown } from '../../components/markdown';
 import { t } from './texts';
 
@@ -126,15 +127,10 @@ function OptionFields({ options, change, loops, of_lines }: { options: Options; 
 }
 
 function ProgramText({ text, stale }: { text: string; stale: boolean }) {
-  const lines = useMemo(() => text.replace(/\r?\n$/, '').split('\n').length, [text]);
-  const numbers = useMemo(() => Array.from({ length: lines }, (_, i) => i + 1).join('\n'), [lines]);
   return (
     <>
-      <div class={`listing${stale ? ' stale' : ''}`} role="region" aria-label={t('program_text')} tabIndex={0}>
-        <pre aria-hidden="true">{numbers}</pre>
-        <pre>{text}</pre>
-      </div>
-      <p class="quiet small">{t('lines', { n: lines })}</p>
+      <Listing text={text} label={t('program_text')} stale={stale} />
+      <p class="quiet small">{t('lines', { n: line_count(text) })}</p>
     </>
   );
 }

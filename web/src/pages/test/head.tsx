@@ -20,6 +20,7 @@ const t = texts({
   not_a_result: ['not a result of this standard', 'kein Ergebnis nach dieser Norm'],
   report: ['Report', 'Bericht'],
   compare: ['Compare', 'Vergleichen'],
+  correct: ['Correct the axis', 'Achse korrigieren'],
   raw: ['Raw file', 'Rohdatei'],
   edit: ['Edit', 'Bearbeiten'],
   close: ['Close the editor', 'Bearbeiten beenden'],
@@ -109,6 +110,7 @@ export function Head({ state }: { state: TestState }) {
           </button>
           <a class="button primary" href={`/tests/${test.id}/report${query({ version })}`}>{t('report')}</a>
           <a class="button" href={`/compare?tests=${test.id}`}>{t('compare')}</a>
+          <a class="button" href={`/tests/${test.id}/table${query({ version })}`}>{t('correct')}</a>
           <a class="button" href={`/api/tests/${test.id}/raw`} download={test.file.name}>{t('raw')}</a>
           <button type="button" onClick={() => set_asking(true)}>{t(turn)}</button>
         </div>

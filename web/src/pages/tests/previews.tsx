@@ -6,6 +6,8 @@ import { FailureNotice } from '../../components/failure';
 import { VerdictMark } from '../../components/verdict';
 import { bytes } from '../../numbers';
 import { go } from '../../router';
+import { largest_table } from '../compensations/existing';
+import { held_table } from '../compensations/held';
 import { keep_plan } from '../plan/import';
 import { HowRead } from './asked_columns';
 import { Contents } from './contents';
@@ -75,10 +77,10 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
         </div>
       </div>
       {one.error && (one.error.kind === 'bad_input'
-        ? <Refusal message={one.error.message} place={one.error.place} on_formats={on_formats} />
+        ? <Refusal one={one} message={one.error.message} place={one.error.place} on_formats={on_formats} />
         : <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />)}
       {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : !is_asked(one) && (
-        <Refusal message={preview.refused.message} place={place_of(preview.refused)} on_formats={on_formats} />
+        <Refusal one={one} message={preview.refused.message} place={place_of(preview.refused)} on_formats={on_formats} />
       ))}
       {preview?.table && one.state !== 'kept' && <HowRead one={one} table={preview.table} />}
       {one.received
@@ -136,13 +138,20 @@ function place_of({ line, column }: { line: number | null; column: number | null
   return line ? `${line}${column ? `:${column}` : ''}` : '';
 }
 
-function Refusal({ message, place, on_formats }: { message: string; place: string; on_formats: () => void }) {
+/** What is refused as a test may be what a control corrects by, which has a page of its own. */
+function look_at_table(file: File): void {
+  held_table.value = file;
+  go('/tables');
+}
+
+function Refusal({ one, message, place, on_formats }: { one: Incoming; message: string; place: string; on_formats: () => void }) {
   return (
     <div class="notice bad" role="alert">
       <p>
         <strong>{t('refused')}</strong>{place !== '' && <span class="number"> ({t('refused_at', { place })})</span>}: {message}
       </p>
       <button type="button" class="plain link" onClick={on_formats}>{t('formats')}</button>
+      {one.file.size > 0 && one.file.size <= largest_table && <> · <button type="button" class="plain link" onClick={() => look_at_table(one.file)}>{t('as_table')}</button></>}
     </div>
   );
 }

@@ -5,6 +5,7 @@ export const t = texts({
   title: ['Tests', 'Prüfungen'],
   choose: ['Choose files…', 'Dateien wählen…'],
   drop_here: ['Drop files anywhere on the page, or', 'Dateien irgendwo auf der Seite ablegen, oder'],
+  as_table: ['Look at it as a table of a control', 'Als Tabelle einer Steuerung ansehen'],
   formats: ['Which formats?', 'Welche Formate?'],
   formats_title: ['Formats that can be read', 'Lesbare Formate'],
   formats_more: [

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { VolumetricFinding } from '../../api/types';
+import { t } from './texts';
+
+/** What the command line calls by a flag has a name of its own on this page. */
+const named = {
+  axis: 'axis_name', start: 'start', end: 'end', step: 'step', points: 'points', reference: 'reference', number: 'number', resolution: 'resolution',
+  magnification: 'magnification', largest: 'largest', 'steps-per-unit': 'steps_per_unit', smooth: 'smooth', 'hold-ends': 'hold_ends', curves: 'one_curve',
+  inch: 'inch', method: 'method', existing: 'flag_existing', retest: 'flag_retest',
+} as const;
+
+/** A sentence of the program, its flags called as the fields of this page. */
+export const page_words = (text: string): string =>
+  text.replace(/--([a-z]+(?:-[a-z]+)*)/g, (flag, name: string) => (name in named ? t('quoted', { text: t(named[name as keyof typeof named]) }) : flag));
+
+export const in_page_words = (findings: readonly VolumetricFinding[]): VolumetricFinding[] =>
+  findings.map((finding) => ({ ...finding, message: page_words(finding.message) }));
