@@ -11,6 +11,7 @@ import json
 import math
 import pathlib
 import sys
+import time
 import tempfile
 
 from described import OPENAPI
@@ -353,6 +354,35 @@ def captures(play):
     if "id" in begun:
         play.expect(200, "GET", f"/api/captures/{begun['id']}?after=0")
         play.expect(200, "POST", f"/api/captures/{begun['id']}/stop", {})
+    captured_lengths(play)
+
+
+def captured_lengths(play):
+    plan = play.expect(200, "POST", "/api/volumetric/plan", {
+        "machine": {"chain": "XFYZ", "travel_mm": {"X": [0, 800], "Y": [0, 500], "Z": [-500, 0]}, "tools_mm": {"T1": [0, 0, -120]},
+                    "stations_mm": {"S1": [-100, -50, -700]}},
+        "limits": {"incidence_most_deg": 85}, "points": 6, "dwell_s": 2, "feed_mm_per_min": 20000}).json()["plan"]
+    subject = {"kind": "volume", "plan": plan, "part": 1}
+    play.expect(422, "POST", "/api/captures", {"lengths": {**subject, "part": 2}, "source": "simulator"})
+    begun = play.expect(201, "POST", "/api/captures", {"lengths": subject, "source": "simulator", "options": {"speed": "60"}}).json()
+    if "id" not in begun:
+        return
+    path = f"/api/captures/{begun['id']}"
+    for _ in range(300):
+        state = play.expect(200, "GET", path).json()["state"]
+        if state not in ("waiting", "running"):
+            break
+        time.sleep(0.1)
+    play.checks.that("the lengths of a part are captured", state == "complete", state)
+    play.expect(200, "GET", f"{path}/plan")
+    parts = play.expect(200, "POST", "/api/captures/parts", subject).json()
+    play.checks.that("the capture is found by its plan", len(parts["captures"]) == 1, parts)
+    play.expect(200, "GET", f"{path}/files/raw")
+    play.expect(404, "GET", f"{path}/files/order")
+    play.expect(200, "POST", "/api/captures/lengths", {"captures": [begun["id"]]})
+    play.expect(422, "POST", "/api/captures/lengths", {"captures": []})
+    play.expect(200, "POST", f"{path}/discard", {})
+    play.expect(404, "POST", f"{path}/discard", {})
 
 
 def examples(play, program, folder):

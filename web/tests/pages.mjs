@@ -27,6 +27,15 @@ async function corrected(world, test, options, retest) {
   return id;
 }
 
+/** A volume whose lengths are captured within a minute: two stations, one tool, few points. */
+export const small_volume = {
+  machine: {
+    name: 'Mill 5', chain: 'XFYZ', travel_mm: { X: [0, 800], Y: [0, 500], Z: [-500, 0] }, tools_mm: { T1: [0, 0, -120] },
+    stations_mm: { S1: [-100, -50, -700], S2: [900, -50, -800] }, repeatability_um: 0.5,
+  },
+  limits: { incidence_most_deg: 85 }, points: 8, dwell_s: 2, feed_mm_per_min: 20000, date: '2026-11-25',
+};
+
 /** Fills the store of the world; the paths of all pages. */
 export async function visited(world) {
   const first = await world.kept();
@@ -35,6 +44,10 @@ export async function visited(world) {
   const { id: plan } = await world.plan();
   const capture = await world.api('POST', '/api/captures', {
     plan, source: 'simulator', layout: '', options: { speed: '60', preset: 'good', seed: '1' },
+  });
+  const { plan: of_volume } = await world.api('POST', '/api/volumetric/plan', small_volume);
+  const lengths = await world.api('POST', '/api/captures', {
+    lengths: { kind: 'volume', plan: of_volume, part: 1 }, source: 'simulator', options: { speed: '10', preset: 'broken-beam' },
   });
   await world.api('POST', '/api/instruments', {
     role: 'Laser interferometer', manufacturer: 'Example', type: 'LI-1', serial_number: '1234', certificate: 'C-77',
@@ -52,7 +65,7 @@ export async function visited(world) {
     '/', `/tests/${first}`, `/tests/${second}`, `/tests/${first}/report`, `/compare?tests=${first},${second},${third}`,
     '/machines', ...(machine ? [`/machines/${machine.id}`] : []), ...(axis ? [`/axes/${axis.id}`] : []),
     '/instruments', `/instruments/${instruments[0].id}`, '/plans', '/plans/new', `/plans/${plan}`,
-    '/tracking', '/volume', '/calibrations', `/calibrations/${lines}`, `/calibrations/${volume}`, '/compensations', `/compensations/${table}`, `/tests/${third}/table`, '/tables', '/captures', '/captures/new', `/captures/${capture.id}`, '/settings', '/audit', '/no/such/page',
+    '/tracking', '/volume', '/calibrations', `/calibrations/${lines}`, `/calibrations/${volume}`, '/compensations', `/compensations/${table}`, `/tests/${third}/table`, '/tables', '/captures', '/captures/new', `/captures/${capture.id}`, `/captures/${lengths.id}`, '/settings', '/audit', '/no/such/page',
   ];
 }
 

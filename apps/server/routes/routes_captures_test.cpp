@@ -8,7 +8,9 @@
 #include <thread>
 
 #include "axiometry/app/live/capture_keeping.h"
+#include "axiometry/app/live/length_plans_test_support.h"
 #include "axiometry/app/workbench/workbench.h"
+#include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 #include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
@@ -194,6 +196,110 @@ TEST_F(CaptureRoutes, AFailingRequestBeginsNothing) {
   EXPECT_EQ(send("GET", "/api/captures/1").status, 404);
   EXPECT_EQ(send("POST", "/api/captures/1/stop").status, 404);
   EXPECT_FALSE(std::filesystem::exists(captures_folder()));
+}
+
+std::string length_wish(std::size_t part, const std::string& more = "") {
+  Value lengths = Value::object();
+  lengths.add("kind", "volume");
+  lengths.add("plan", *testing_support::volume_body().find("plan"));
+  lengths.add("part", part);
+  return "{\"lengths\": " + json::dump(lengths) + R"(, "source": "simulator", "options": {"speed": 60})" + more + "}";
+}
+
+TEST_F(CaptureRoutes, CaptureTheLengthsOfAPlanPartByPartToOneTable) {
+  const Value first = value_of(send("POST", "/api/captures", length_wish(1)), 201);
+  EXPECT_TRUE(first.find("plan")->is(json::Kind::null));
+  EXPECT_EQ(number(*first.find("lengths"), "due"), 1);
+  EXPECT_EQ(text(*first.find("lengths"), "title"), "part 1 (station A, tool T1)");
+  const Value second = value_of(send("POST", "/api/captures", length_wish(2)), 201);
+  const Value end = wait_for_end(static_cast<int>(number(first, "id")));
+  EXPECT_EQ(text(end, "state"), "complete") << json::dump(end);
+  EXPECT_EQ(end.find("lengths")->find("caught")->items().size(), testing_support::volume_points);
+  EXPECT_EQ(
+      wait_for_end(static_cast<int>(number(second, "id"))).find("lengths")->find("end")->find("files")->items().size(),
+      3u);
+
+  const Value plan = value_of(send("GET", "/api/captures/1/plan"), 200);
+  ASSERT_EQ(plan.find("stops")->items().size(), testing_support::volume_points);
+  EXPECT_EQ(text(plan.find("stops")->items()[0], "name"), "point 1");
+  const std::string plan_text = json::dump(*plan.find("plan"));
+  const Value parts =
+      value_of(send("POST", "/api/captures/parts", R"({"kind": "volume", "part": 1, "plan": )" + plan_text + "}"), 200);
+  EXPECT_EQ(parts.find("parts")->items().size(), 2u);
+  EXPECT_EQ(parts.find("captures")->items().size(), 2u);
+  EXPECT_EQ(text(parts, "plan_id"), text(plan, "plan_id"));
+
+  const Response table = send("POST", "/api/captures/lengths", R"({"captures": [1, 2]})");
+  EXPECT_EQ(table.status, 200);
+  const auto read = formats::read_volumetric_lengths(table.body);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->readings.size(), 2 * testing_support::volume_points);
+  const Response raw = send("GET", "/api/captures/1/files/raw");
+  EXPECT_THAT(raw.body, testing::StartsWith("time_s,length_mm\n"));
+  EXPECT_THAT(raw.headers, testing::Contains(testing::Pair("Content-Disposition", HasSubstr("capture-1.raw"))));
+  EXPECT_EQ(send("GET", "/api/captures/1/files/order").status, 404);
+
+  EXPECT_EQ(send("POST", "/api/captures/1/discard").status, 200);
+  EXPECT_EQ(send("POST", "/api/captures/1/discard").status, 404);
+  EXPECT_EQ(send("POST", "/api/captures/lengths", R"({"captures": [1, 2]})").status, 404);
+}
+
+TEST_F(CaptureRoutes, CapturesOfLengthsAreToldInGerman) {
+  value_of(send("POST", "/api/captures", length_wish(1, R"(, "layout": "")")), 201);
+  wait_for_end(1);
+  const Value state = value_of(send("GET", "/api/captures/1", "", {}, language::Language::german), 200);
+  EXPECT_EQ(text(*state.find("lengths"), "title"), "Teil 1 (Station A, Werkzeug T1)");
+  for (const Value& note : state.find("lengths")->find("end")->find("notes")->items())
+    EXPECT_THAT(note.text(), HasSubstr("Aufzeichnung"));
+  const Value plan = value_of(send("GET", "/api/captures/1/plan", "", {}, language::Language::german), 200);
+  EXPECT_EQ(text(plan.find("stops")->items()[0], "name"), "Punkt 1");
+  EXPECT_EQ(text(plan.find("stops")->items()[0], "group"), "Teil 1");
+}
+
+TEST_F(CaptureRoutes, AFailingRequestForLengthsBeginsNothing) {
+  keep_plan();
+  const std::string plan = json::dump(*testing_support::volume_body().find("plan"));
+  const auto lengths = [&](const std::string& more) {
+    return R"({"source": "simulator", "lengths": {"plan": )" + plan + more + "}}";
+  };
+  struct Bad {
+    std::string body;
+    int status;
+    const char* message;
+  };
+  const Bad table[] = {
+      {lengths(""), 422, "found the kind"},
+      {lengths(R"(, "kind": "house")"), 422, "expected lines or volume"},
+      {lengths(R"(, "kind": "lines")"), 422, ""},
+      {lengths(R"(, "kind": "volume")"), 422, "found part 0 asked for"},
+      {lengths(R"(, "kind": "volume", "part": 3)"), 422, "expected 1 to 2"},
+      {lengths(R"(, "kind": "volume", "part": 1.5)"), 422, "part"},
+      {lengths(R"(, "kind": "volume", "part": 1, "file": "/etc/passwd")"), 422, "unknown member \"file\""},
+      {R"({"source": "simulator", "lengths": 5})", 422, "lengths: found number"},
+      {R"({"source": "simulator", "plan": 1, "lengths": {}})", 422, "found a plan beside lengths"},
+      {length_wish(1, R"(, "options": {"zero": "first-target"})"), 422, ""},
+  };
+  for (const Bad& bad : table) {
+    const Response response = send("POST", "/api/captures", bad.body);
+    EXPECT_EQ(response.status, bad.status) << bad.body << response.body;
+    EXPECT_THAT(message(response), HasSubstr(bad.message));
+  }
+  EXPECT_TRUE(value_of(send("GET", "/api/captures"), 200).find("captures")->items().empty());
+  for (const char* body : {"{}", R"({"captures": []})", R"({"captures": "1"})", R"({"captures": [0]})"})
+    EXPECT_EQ(send("POST", "/api/captures/lengths", body).status, 422) << body;
+  EXPECT_EQ(send("POST", "/api/captures/lengths", R"({"captures": [7]})").status, 404);
+  EXPECT_EQ(send("GET", "/api/captures/1/plan").status, 404);
+  EXPECT_FALSE(std::filesystem::exists(captures_folder()));
+}
+
+TEST_F(CaptureRoutes, ACaptureOfATestIsNoneOfLengths) {
+  keep_plan();
+  value_of(send("POST", "/api/captures", R"({"plan": 1, "source": "simulator", "options": {"speed": 60}})"), 201);
+  EXPECT_EQ(send("GET", "/api/captures/1/plan").status, 404);
+  EXPECT_EQ(send("GET", "/api/captures/1/files/raw").status, 404);
+  EXPECT_EQ(send("POST", "/api/captures/1/discard").status, 409);
+  EXPECT_EQ(send("POST", "/api/captures/lengths", R"({"captures": [1]})").status, 404);
+  EXPECT_EQ(text(wait_for_end(1), "state"), "complete");
 }
 
 }  // namespace

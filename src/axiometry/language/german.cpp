@@ -32,6 +32,7 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_tracking_requests,
                                  german_volumetric_findings,
                                  german_volume_recordings,
+                                 german_length_captures,
                                  german_volume_report,
                                  german_volume_plan,
                                  german_calibrations,

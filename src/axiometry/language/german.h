@@ -35,6 +35,7 @@ extern const std::span<const Phrase> german_terminal;             ///< summaries
 extern const std::span<const Phrase> german_requests;             ///< requests to the workbench
 extern const std::span<const Phrase> german_tracking_requests;    ///< and about a tracking interferometer
 extern const std::span<const Phrase> german_volume_recordings;    ///< lengths of a calibration out of several files
+extern const std::span<const Phrase> german_length_captures;      ///< and captured live from the workbench
 extern const std::span<const Phrase> german_calibrations;         ///< calibrations in the archive
 extern const std::span<const Phrase> german_compensation;         ///< tables by which controls correct an axis
 extern const std::span<const Phrase> german_control_tables;       ///< what is refused of their files

@@ -213,7 +213,9 @@ export interface components {
         };
         Capture: {
             id: components["schemas"]["Id"];
-            plan: components["schemas"]["Id"];
+            /** @description Null of lengths. */
+            plan: components["schemas"]["Id"] | null;
+            /** @description From 1; 0 for all lines of a plan of lines. */
             part: number;
             source: components["schemas"]["Source"];
             started: string;
@@ -251,7 +253,12 @@ export interface components {
             so_far: components["schemas"]["Evaluated"] | null;
             /** @description Kept as this test when it has ended with readings. */
             test: components["schemas"]["Id"] | null;
+            /** @description Of a capture of lengths, in place of targets, readings and test. */
+            lengths: components["schemas"]["CapturedLengths"] | null;
             error: string | null;
+        };
+        CaptureIds: {
+            captures: components["schemas"]["Id"][];
         };
         CaptureList: {
             captures: components["schemas"]["Capture"][];
@@ -267,8 +274,65 @@ export interface components {
                 [key: string]: string | number | boolean;
             };
         } | {
+            lengths: components["schemas"]["LengthSubject"];
+            /** @description Its id. */
+            source: string;
+            /** @description Of the stream; recognised by itself when empty or left out. */
+            layout?: string;
+            /** @description By the names of the flags of `axiometry capture`; of the simulator `speed`, `preset` and `seed`. */
+            options?: {
+                [key: string]: string | number | boolean;
+            };
+        } | {
             /** @description Number of an interrupted capture that is gone on with. */
             resume: components["schemas"]["Id"];
+        };
+        CapturedLengths: {
+            kind: components["schemas"]["LengthPlanKind"];
+            /** @description The same for all captures of one plan, also where that was made again on another day. */
+            plan_id: string;
+            /** @description Of the part. */
+            title: string;
+            /** @description The stop that comes next, from 1. */
+            due: number | null;
+            /** @description As far as is known: a later standstill may show that one belongs elsewhere. Null where nothing changed after the revision that was named, and in lists. */
+            caught: {
+                stop: number;
+                /** @description As shown, mean over the rest. */
+                length_mm: number;
+                /** @description Standard deviation of its samples. */
+                scatter_um: number;
+                /** @description Of the recording, when the reflector came to rest. */
+                time_s: number;
+                /** @description With another dead path than the one before. */
+                begins_segment: boolean;
+            }[] | null;
+            /** @description Stops before which the beam was broken though the plan keeps it. */
+            broken_before: number[];
+            /** @description When it has ended; its files are in the archive. */
+            end: {
+                /** @description Lengths in the table. */
+                found: number;
+                /** @description What could not be matched, where the beam was broken. */
+                notes: string[];
+                files: ("raw" | "times" | "lengths")[];
+            } | null;
+        };
+        CapturedPlan: {
+            kind: components["schemas"]["LengthPlanKind"];
+            plan: components["schemas"]["LengthPlan"];
+            plan_id: string;
+            part: number;
+            parts: components["schemas"]["LengthPart"][];
+            /** @description Of the part, in the order in which they come. */
+            stops: {
+                /** @description The line, or the part. */
+                group: string;
+                name: string;
+                reflector_mm: components["schemas"]["Place"];
+                /** @description The plan expects that the beam is lost on the way there. */
+                begins_segment: boolean;
+            }[];
         };
         CapturedReading: {
             deviation: number;
@@ -1063,6 +1127,30 @@ export interface components {
             }[];
             /** @description As `axiometry tracking evaluate --json` or `axiometry volumetric identify --json` writes it, in the reader's language; docs/results.md explains it. */
             result: Record<string, never>;
+        };
+        LengthPart: {
+            part: number;
+            title: string;
+            stops: number;
+        };
+        LengthParts: {
+            kind: components["schemas"]["LengthPlanKind"];
+            plan_id: string;
+            parts: components["schemas"]["LengthPart"][];
+            /** @description Of this plan, the newest first. */
+            captures: components["schemas"]["Capture"][];
+        };
+        LengthPlan: components["schemas"]["TrackingPlanFile"] | components["schemas"]["VolumetricPlanFile"];
+        /**
+         * @description `lines`: a tracking plan, whose parts are its lines; `volume`: a volumetric plan, whose parts are its runs.
+         * @enum {string}
+         */
+        LengthPlanKind: "lines" | "volume";
+        LengthSubject: {
+            kind: components["schemas"]["LengthPlanKind"];
+            plan: components["schemas"]["LengthPlan"];
+            /** @description From 1. 0, or left out: all lines of a plan of lines. */
+            part?: number;
         };
         Limit: {
             parameter: components["schemas"]["Parameter"];
@@ -1992,6 +2080,12 @@ export interface components {
             speeds?: number[];
             /** @description Of the simulator. */
             presets?: {
+                id: string;
+                title: string;
+                sign: string;
+            }[];
+            /** @description Of the simulator, for captures of lengths. */
+            length_presets?: {
                 id: string;
                 title: string;
                 sign: string;
@@ -2959,8 +3053,11 @@ export type CalibrationPage = components['schemas']['CalibrationPage'];
 export type CalibrationRevision = components['schemas']['CalibrationRevision'];
 export type CalibrationRow = components['schemas']['CalibrationRow'];
 export type Capture = components['schemas']['Capture'];
+export type CaptureIds = components['schemas']['CaptureIds'];
 export type CaptureList = components['schemas']['CaptureList'];
 export type CaptureRequest = components['schemas']['CaptureRequest'];
+export type CapturedLengths = components['schemas']['CapturedLengths'];
+export type CapturedPlan = components['schemas']['CapturedPlan'];
 export type CapturedReading = components['schemas']['CapturedReading'];
 export type Change = components['schemas']['Change'];
 export type Changes = components['schemas']['Changes'];
@@ -3021,6 +3118,11 @@ export type CompensationList = components['schemas']['CompensationList'];
 export type KeptCompensation = components['schemas']['KeptCompensation'];
 export type CompensationRevision = components['schemas']['CompensationRevision'];
 export type KeptCalibration = components['schemas']['KeptCalibration'];
+export type LengthPart = components['schemas']['LengthPart'];
+export type LengthParts = components['schemas']['LengthParts'];
+export type LengthPlan = components['schemas']['LengthPlan'];
+export type LengthPlanKind = components['schemas']['LengthPlanKind'];
+export type LengthSubject = components['schemas']['LengthSubject'];
 export type Limit = components['schemas']['Limit'];
 export type LimitSource = components['schemas']['LimitSource'];
 export type LocateOptions = components['schemas']['LocateOptions'];

@@ -3,13 +3,14 @@ import { useState } from 'preact/hooks';
 import { ApiError, send } from '../api/client';
 import { use_get } from '../api/use';
 import type { Capture, Plan } from '../api/types';
-import { Dialog } from '../components/dialog';
 import { FailureNotice } from '../components/failure';
 import { fixed, position_unit, unit_sign, when } from '../numbers';
 import { LiveChart, LiveTable } from './capture/filling';
+import { LengthsCapture } from './capture/lengths';
 import { directions_of, is_over, use_live, use_screen_on, type Reading } from './capture/live';
 import { Readout } from './capture/readout';
 import { SoFar } from './capture/so_far';
+import { StopButton } from './capture/stop';
 import { t } from './capture/texts';
 import './capture.css';
 
@@ -18,7 +19,7 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
   const [turn, set_turn] = useState(0);
   const live = use_live(parts['id'] ?? '', turn);
   const { capture, readings } = live;
-  const plan = use_get<Plan>(capture === null ? null : `/api/plans/${capture.plan}`);
+  const plan = use_get<Plan>(capture === null || capture.plan === null ? null : `/api/plans/${capture.plan}`);
   const running = capture !== null && !is_over(capture);
   use_screen_on(running);
   const deviation_unit = unit_sign(capture?.unit ?? 'um');
@@ -27,6 +28,7 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
     runs: Math.max(runs_of(plan.data, capture), ...readings.map(({ run }) => run)),
   };
   const directions = directions_of(capture?.approaches ?? 0, shared.targets.length, shared.runs);
+  if (capture?.lengths) return <LengthsCapture live={live} capture={capture} lengths={capture.lengths} again={() => set_turn(turn + 1)} />;
   return (
     <>
       <header class="page-head">
@@ -34,7 +36,7 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
           <h1 tabIndex={-1}>{plan.data?.title ?? t('capture')}</h1>
           {capture && <p class="crumb">{capture.source.title} · {t('started')} {when(capture.started)}{running && ` · ${t(capture.state)}`}</p>}
         </div>
-        {capture && running && <StopButton capture={capture} done={readings.length} stopped={live.set} />}
+        {capture && running && <StopButton capture={capture} what={t('stop_what', { n: readings.length, all: capture.approaches })} stopped={live.set} />}
       </header>
       {live.error && <FailureNotice error={live.error} />}
       {plan.error && <FailureNotice error={plan.error} retry={plan.reload} />}
@@ -52,37 +54,6 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
         </div>
       )}
       <Said readings={readings} unit={deviation_unit} />
-    </>
-  );
-}
-
-function StopButton({ capture, done, stopped }: { capture: Capture; done: number; stopped: (capture: Capture) => void }) {
-  const [asking, set_asking] = useState(false);
-  const [error, set_error] = useState<ApiError | null>(null);
-  const stop = () => {
-    set_asking(false);
-    send<Capture>('POST', `/api/captures/${capture.id}/stop`, {}).then(
-      stopped,
-      (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)),
-    );
-  };
-  return (
-    <>
-      <button type="button" class="stop" onClick={() => set_asking(true)}>{t('stop')}</button>
-      {error && <FailureNotice error={error} retry={stop} />}
-      {asking && (
-        <Dialog
-          title={t('stop_ask')} on_close={() => set_asking(false)}
-          actions={
-            <>
-              <button type="button" data-first onClick={() => set_asking(false)}>{t('go_on')}</button>
-              <button type="button" class="stop" onClick={stop}>{t('stop')}</button>
-            </>
-          }
-        >
-          <p>{t('stop_what', { n: done, all: capture.approaches })}</p>
-        </Dialog>
-      )}
     </>
   );
 }

@@ -2,17 +2,17 @@
 import { useState } from 'preact/hooks';
 import { ApiError, send } from '../api/client';
 import { use_get } from '../api/use';
-import type { Capture, Plan, PlanList, Source, SourceList } from '../api/types';
+import type { Capture, Plan, PlanList, SourceList } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { Field } from '../components/field';
-import { parsed, position_unit, shortest } from '../numbers';
+import { position_unit, shortest } from '../numbers';
 import { go, place } from '../router';
-import { layouts, of_option, option_keys, t } from './capture/texts';
+import { sent, SourceChoice, SourceOptions, type SourceForm } from './capture/source_fields';
+import { t } from './capture/texts';
 import { lasting } from './plan/outcome';
 import './capture.css';
 
-type Texts = Record<string, string>;
-interface Form { plan: string; source: string; layout: string; options: Texts }
+interface Form extends SourceForm { plan: string }
 
 /** Everything a capture needs to begin: a plan to wait for, a stream to listen to. */
 export function NewCapturePage() {
@@ -64,16 +64,8 @@ export function NewCapturePage() {
           )}
         </Field>
         <Parts plan={plan.data} option={option} value={form.options['part'] ?? '1'} />
-        <Field label={t('source')} hint={t('sources_hint')}>
-          {(ids) => (
-            <select {...ids} value={source?.id ?? ''} onChange={(event) => set_form({ ...form, source: event.currentTarget.value })}>
-              {sources.data?.sources.map(({ id, title, kind }) => <option key={id} value={id}>{kind === 'simulator' ? title : `${title} (${t(kind)})`}</option>)}
-            </select>
-          )}
-        </Field>
-        {source?.kind === 'simulator'
-          ? <SimulatorFields source={source} options={form.options} option={option} />
-          : source && <StreamFields form={form} change={set_form} option={option} unit={unit_of(plan.data)} />}
+        <SourceChoice sources={sources.data?.sources ?? []} source={source} choose={(id) => set_form({ ...form, source: id })} />
+        {source && <SourceOptions source={source} form={form} change={(part) => set_form({ ...form, ...part })} unit={unit_of(plan.data)} />}
         {error && <FailureNotice error={error} />}
         <div class="row">
           <button type="submit" class="primary" disabled={busy || !source || chosen === ''}>{t(busy ? 'starting' : 'start')}</button>
@@ -81,15 +73,6 @@ export function NewCapturePage() {
       </form>
     </>
   );
-}
-
-const simulator_keys = ['speed', 'preset', 'seed'];
-
-/** Of what was typed only what concerns the source, numbers with a point. */
-function sent(options: Texts, source: Source): Texts {
-  const concerns = (key: string) => key === 'part' || simulator_keys.includes(key) === (source.kind === 'simulator');
-  const entries = Object.entries(options).filter(([key, text]) => text.trim() !== '' && concerns(key));
-  return Object.fromEntries(entries.map(([key, text]) => [key, parsed(text) === null ? text.trim() : String(parsed(text))]));
 }
 
 const unit_of = (plan: Plan | null) => position_unit(plan?.plan.axis.kind ?? 'linear');
@@ -111,68 +94,5 @@ function Parts({ plan, option, value }: { plan: Plan | null; option: (key: strin
         </select>
       )}
     </Field>
-  );
-}
-
-function SimulatorFields({ source, options, option }: { source: Source; options: Texts; option: (key: string, text: string) => void }) {
-  const presets = source.presets ?? [];
-  return (
-    <div class="pair">
-      <Field label={t('fault')} hint={presets.find(({ id }) => id === options['preset'])?.sign}>
-        {(ids) => (
-          <select {...ids} value={options['preset'] ?? ''} onChange={(event) => option('preset', event.currentTarget.value)}>
-            {presets.map(({ id, title }) => <option key={id} value={id}>{title}</option>)}
-          </select>
-        )}
-      </Field>
-      <Field label={t('speed')} hint={t('speed_hint')}>
-        {(ids) => (
-          <select {...ids} class="number" value={options['speed'] ?? ''} onChange={(event) => option('speed', event.currentTarget.value)}>
-            {(source.speeds ?? [1]).map((speed) => <option key={speed} value={String(speed)}>{shortest(speed)}</option>)}
-          </select>
-        )}
-      </Field>
-      <Field label={t('seed')}>
-        {(ids) => <input {...ids} class="number" inputMode="numeric" value={options['seed'] ?? ''} onInput={(event) => option('seed', event.currentTarget.value)} />}
-      </Field>
-    </div>
-  );
-}
-
-function StreamFields({ form, change, option, unit }: { form: Form; change: (form: Form) => void; option: (key: string, text: string) => void; unit: string }) {
-  return (
-    <>
-      <Field label={t('layout')}>
-        {(ids) => (
-          <select {...ids} value={form.layout} onChange={(event) => change({ ...form, layout: event.currentTarget.value })}>
-            <option value="">{t('recognised')}</option>
-            {layouts.map((id) => <option key={id} value={id}>{id}</option>)}
-          </select>
-        )}
-      </Field>
-      <details>
-        <summary>{t('more')}</summary>
-        <div class="pair">
-          {option_keys.map((key) => (
-            <Field key={key} label={of_option(key, { unit })}>
-              {(ids) => (
-                <input {...ids} class="number" inputMode="decimal" placeholder={t('auto')} value={form.options[key] ?? ''}
-                  onInput={(event) => option(key, event.currentTarget.value)} />
-              )}
-            </Field>
-          ))}
-        </div>
-        <div class="boxes">
-          <label>
-            <input type="checkbox" checked={form.options['reverse'] === '1'} onChange={(event) => option('reverse', event.currentTarget.checked ? '1' : '')} />
-            {of_option('reverse')}
-          </label>
-          <label>
-            <input type="checkbox" checked={form.options['zero'] === 'first-target'} onChange={(event) => option('zero', event.currentTarget.checked ? 'first-target' : '')} />
-            {of_option('zero')}
-          </label>
-        </div>
-      </details>
-    </>
   );
 }

@@ -10,7 +10,8 @@ import './capture.css';
 export function CapturesPage() {
   const captures = use_get<CaptureList>('/api/captures');
   const plans = use_get<PlanList>('/api/plans');
-  const title = (id: number) => plans.data?.plans.find((plan) => plan.id === id)?.title ?? `${t('plan')} ${id}`;
+  const title = ({ plan: id, lengths }: Capture) => lengths ? `${t(lengths.kind === 'lines' ? 'of_lines' : 'of_volume')}: ${lengths.title}`
+    : plans.data?.plans.find((plan) => plan.id === id)?.title ?? `${t('plan')} ${id ?? ''}`;
   return (
     <ListPage<Capture>
       title={t('captures')} actions={<a class="button primary" href="/captures/new">{t('new_capture')}</a>}
@@ -18,16 +19,29 @@ export function CapturesPage() {
       columns={[
         { key: 'plan', head: t('plan'), row_head: true, cell: (capture) => (
           <>
-            <a href={`/captures/${capture.id}`}>{title(capture.plan)}</a>
+            <a href={`/captures/${capture.id}`}>{title(capture)}</a>
             <span class="only-narrow quiet small">{capture.source.title} · {when(capture.started)}</span>
           </>
         ) },
         { key: 'started', head: t('started'), class: 'number-text wide-only', cell: (capture) => when(capture.started) },
         { key: 'source', head: t('source'), class: 'wide-only', cell: (capture) => capture.source.title },
         { key: 'state', head: t('state'), cell: (capture) => <State capture={capture} /> },
-        { key: 'test', head: t('test'), cell: (capture) => (capture.test === null ? absent : <a href={`/tests/${capture.test}`}>{t('to_test')}</a>) },
+        { key: 'test', head: t('became'), cell: (capture) => <Became capture={capture} /> },
       ]}
     />
+  );
+}
+
+function Became({ capture }: { capture: Capture }) {
+  if (capture.test !== null) return <a href={`/tests/${capture.test}`}>{t('to_test')}</a>;
+  const end = capture.lengths?.end;
+  if (!end) return <>{absent}</>;
+  const file = (role: string) => `/api/captures/${capture.id}/files/${role}`;
+  return (
+    <span class="row">
+      {end.files.includes('lengths') && <a href={file('lengths')} download>{t('found_of', { n: end.found, all: capture.approaches })}</a>}
+      {end.files.includes('raw') && <a href={file('raw')} download>{t('raw_recording')}</a>}
+    </span>
   );
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The way of a test with a tracking interferometer: machine, station, lines, program, lengths, results. All of it stands
-// on one page, and nothing of it in the archive.
-import { useEffect, useState } from 'preact/hooks';
+// on one page, and of it only captures and kept results are in the archive.
+import { useEffect, useMemo, useState } from 'preact/hooks';
 import { ApiError, download_made, offer, query } from '../api/client';
 import { as_json, use_posted } from '../api/posted';
 import type { MachineList, TrackingDraft, TrackingPoints, Vocabulary } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
 import { decimal } from '../settings';
+import { LengthPartsPanel } from './capture/length_parts';
 import { ProgramPanel } from './plan/program';
 import './plan.css';
 import './tracking.css';
@@ -32,6 +33,7 @@ export function TrackingPage() {
   const locate = (found: LocatedStation | null) => set_page((before) => ({ ...before, located: found }));
   const is_of_request = draft.error === null && draft.data !== null && JSON.stringify(draft.of) === JSON.stringify({ request });
   const plan = is_of_request && draft.data ? draft.data.plan : null;
+  const captured = useMemo(() => plan && { kind: 'lines' as const, plan }, [plan]);
   const settled = is_of_request ? (draft.data?.request ?? null) : null;
   const name = `${form.machine.trim()} ${t('lines')}`.trim();
   const sheet = (extension: string) => {
@@ -65,6 +67,7 @@ export function TrackingPage() {
             )} />
           {vocabulary.error && <FailureNotice error={vocabulary.error} retry={vocabulary.reload} />}
           {vocabulary.data && <ProgramPanel path="/api/tracking/lines/program" subject={settled && { request: settled }} of_lines name={name} vocabulary={vocabulary.data} step="4" />}
+          <LengthPartsPanel subject={captured} step="5" />
           <LengthsPanel plan={plan} located={located} />
         </div>
       </div>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way to the 21 errors of a machine: machine, plan, programs, lengths, errors. Nothing of it is in the archive.
+// The way to the 21 errors of a machine: machine, plan, programs, lengths, errors. Only captures and kept
+// results are in the archive.
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { query } from '../api/client';
 import { as_json, use_posted } from '../api/posted';
@@ -7,6 +8,7 @@ import type { MachineList, Vocabulary, VolumetricDraft, VolumetricPlanRequest } 
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
 import { decimal } from '../settings';
+import { LengthPartsPanel } from './capture/length_parts';
 import './plan.css';
 import { ProgramPanel } from './plan/program';
 import './tracking.css';
@@ -33,6 +35,7 @@ export function VolumePage() {
   const run = Math.min(chosen_run, Math.max(0, (draft?.plan.runs.length ?? 1) - 1));
   const name = `${form.machine.trim()} ${t('title')}`.trim();
   const subject = useMemo(() => draft && { plan: draft.plan }, [draft]);
+  const captured = useMemo(() => draft && { kind: 'volume' as const, plan: draft.plan }, [draft]);
   const shown = draft?.plan.runs[run];
   // Where stations were proposed, lengths are held against them too.
   const proposed = form.propose ? draft?.plan.machine.stations_mm : undefined;
@@ -59,6 +62,7 @@ export function VolumePage() {
             <ProgramPanel path="/api/volumetric/plan/program" subject={subject} part={run + 1} name={`${form.machine.trim()} ${shown?.station ?? ''} ${shown?.tool ?? ''}`.trim()}
               vocabulary={vocabulary.data} step="3" choice={<RunChoice draft={draft} run={run} choose={choose_run} />} />
           )}
+          <LengthPartsPanel subject={captured} step="4" />
           <LengthsPanel machine={measured} />
         </div>
       </div>

@@ -29,7 +29,7 @@ using json::Value;
 
 constexpr std::string_view order_prefix = "capture-", order_suffix = ".json";
 constexpr std::string_view order_end = "\n}\n";  // what is within the outermost braces stands farther right
-constexpr std::string_view test_note = "becomes test ", kept_note = "kept";
+constexpr std::string_view test_note = "becomes test ", kept_note = "kept", ended_note = "ended ";
 constexpr std::size_t sha256_digits = 64;
 constexpr const char* counter_name = "/last-number";
 
@@ -64,7 +64,10 @@ std::string text_of(const CaptureOrder& order) {
   value.add("options", std::move(options));
   value.add("actor", order.actor);
   value.add("started", order.started);
-  value.add("walked", formats::plan_value(order.walked));
+  if (order.lengths)
+    value.add("lengths", to_json(*order.lengths));
+  else
+    value.add("walked", formats::plan_value(order.walked));
   return json::dump(value) + "\n";
 }
 
@@ -80,12 +83,14 @@ std::optional<CaptureOrder> order_from(std::string_view bytes) {
     return member != nullptr && member->is(Kind::number) ? member->number() : 0.0;
   };
   const Value* walked = value->find("walked");
-  if (walked == nullptr) return {};
-  auto plan = formats::plan_from_value(*walked);
-  if (!plan) return {};
+  const Value* noted_lengths = value->find("lengths");
+  auto plan = walked == nullptr ? Result<Plan>(Plan()) : formats::plan_from_value(*walked);
+  auto lengths = noted_lengths == nullptr ? std::nullopt : length_order_from(*noted_lengths);
+  if (!plan || (walked == nullptr && !lengths)) return {};
   CaptureOrder order{.plan = static_cast<store::Id>(number("plan")),
                      .part = static_cast<std::size_t>(number("part")),
                      .walked = *std::move(plan),
+                     .lengths = std::move(lengths),
                      .source = text("source"),
                      .layout = text("layout"),
                      .options = {},
@@ -100,6 +105,7 @@ std::optional<CaptureOrder> order_from(std::string_view bytes) {
 /// Lines behind the order in its file, so that all of it goes together.
 struct Notes {
   std::vector<std::string> tests;
+  std::optional<LengthEnd> ended;
   bool kept = false;
 };
 
@@ -110,6 +116,9 @@ Notes notes_in(std::string_view bytes) {
     if (line == kept_note) notes.kept = true;
     if (line.starts_with(test_note) && line.size() == test_note.size() + sha256_digits)
       notes.tests.emplace_back(line.substr(test_note.size()));
+    if (!line.starts_with(ended_note)) continue;
+    if (const auto end = json::parse(line.substr(ended_note.size())); end && !notes.ended)
+      notes.ended = length_end_from(*end);
   }
   return notes;
 }
@@ -182,6 +191,7 @@ HeldCapture::HeldCapture(HeldCapture&& other) noexcept
       order_(std::move(other.order_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
       noted_tests_(std::move(other.noted_tests_)),
+      ended_(std::move(other.ended_)),
       kept_(other.kept_) {}
 
 HeldCapture::~HeldCapture() {
@@ -199,6 +209,13 @@ Result<void> HeldCapture::note_test(const std::string& sha256) {
 void HeldCapture::remove() {
   static_cast<void>(put_note(descriptor_, kept_note));
   remove_files(base_);
+}
+
+Result<void> HeldCapture::end(const LengthEnd& end) {
+  AXIOMETRY_TRY_VOID(put_note(descriptor_, ended_note, json::dump(to_json(end), 0)));
+  ended_ = end;
+  remove_raw(raw());
+  return {};
 }
 
 Result<void> CaptureFolder::make() const {
@@ -278,14 +295,31 @@ Result<HeldCapture> CaptureFolder::hold(store::Id id) const {
   held.order_ = *std::move(order);
   Notes notes = notes_in(std::string_view(bytes).substr(notes_at));
   held.noted_tests_ = std::move(notes.tests);
+  held.ended_ = std::move(notes.ended);
   held.kept_ = notes.kept;
   return held;
 }
 
 Result<HeldCapture> CaptureFolder::take(store::Id id) {
   auto held = hold(id);
-  if (held && held->kept_) return fail(ErrorKind::not_found, fmt::format("found no interrupted capture {}", id));
+  if (held && (held->kept_ || held->ended_))
+    return fail(ErrorKind::not_found, fmt::format("found no interrupted capture {}", id));
   return held;
+}
+
+std::vector<CaptureFolder::Ended> CaptureFolder::ended() const {
+  std::vector<Ended> ended;
+  for (const store::Id id : ids())
+    if (auto held = hold(id); held && held->ended_ && !held->kept_) ended.push_back({id, held->order_, *held->ended_});
+  return ended;
+}
+
+Result<void> CaptureFolder::discard(store::Id id) {
+  AXIOMETRY_TRY(HeldCapture held, hold(id));
+  if (!held.ended_)
+    return fail(ErrorKind::conflict, fmt::format("found capture {} not at its end, expected one that has ended", id));
+  held.remove();
+  return {};
 }
 
 std::vector<std::string> CaptureFolder::without_order() const {
@@ -305,6 +339,10 @@ std::vector<CaptureFolder::Left> CaptureFolder::left_behind() {
   for (const store::Id id : ids()) {
     auto held = hold(id);
     if (!held) continue;
+    if (held->ended_ && !held->kept_) {
+      remove_raw(held->raw());
+      continue;
+    }
     std::error_code error;
     const auto size = std::filesystem::file_size(held->raw(), error);
     if (error && error != std::errc::no_such_file_or_directory) continue;  // bytes may be there

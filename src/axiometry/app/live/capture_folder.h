@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/app/live/length_order.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/store/records.h"
@@ -19,7 +20,8 @@ namespace axiometry::app {
 struct CaptureOrder {
   store::Id plan = 0;
   std::size_t part = 1;                                      ///< of the plan
-  Plan walked;                                               ///< that part
+  Plan walked;                                               ///< that part; none of lengths
+  std::optional<LengthOrder> lengths{};                      ///< in place of both plans
   std::string source;                                        ///< id
   std::string layout;                                        ///< empty: recognised
   std::vector<std::pair<std::string, std::string>> options;  ///< by name, as they were given
@@ -45,6 +47,11 @@ class HeldCapture {
   /// The store has all of it: that is noted, and its files go.
   void remove();
 
+  /// The same of lengths, which are found by their order: that stays, with what it came to. Fails as the disk does;
+  /// then all files are there.
+  Result<void> end(const LengthEnd& end);
+  const std::optional<LengthEnd>& ended() const { return ended_; }
+
  private:
   friend class CaptureFolder;
   HeldCapture(std::string base, store::Id id, CaptureOrder order, int descriptor)
@@ -55,6 +62,7 @@ class HeldCapture {
   CaptureOrder order_;
   int descriptor_;  ///< of the order, locked
   std::vector<std::string> noted_tests_{};
+  std::optional<LengthEnd> ended_{};
   bool kept_ = false;  ///< the store has all of it
 };
 
@@ -76,6 +84,16 @@ class CaptureFolder {
   /// Whom nobody holds, the oldest first. Those that are in the store already, and those of which nothing came, are
   /// cleared away.
   std::vector<Left> left_behind();
+  struct Ended {
+    store::Id id = 0;
+    CaptureOrder order;
+    LengthEnd end;
+  };
+  /// Captures of lengths that came to their end, the oldest first.
+  std::vector<Ended> ended() const;
+  /// Forgets one of those; the store keeps what it came to. Fails with not_found, and with conflict as take() does.
+  Result<void> discard(store::Id id);
+
   /// Recordings whose orders cannot be read: nobody can go on with them or keep them here, but a plan can play them.
   std::vector<std::string> without_order() const;
 

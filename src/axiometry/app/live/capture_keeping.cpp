@@ -30,7 +30,8 @@ std::string name_of(const CaptureOrder& order) {
   std::string when = order.started.substr(0, 19);
   std::ranges::replace(when, 'T', ' ');
   std::erase(when, ':');
-  return file_name_part(fmt::format("{}{}", order.walked.axis.name.empty() ? "" : order.walked.axis.name + " ", when));
+  const std::string& of = order.lengths ? order.lengths->title : order.walked.axis.name;
+  return file_name_part(fmt::format("{}{}{}", of, of.empty() ? "" : " ", when));
 }
 
 Result<std::vector<Part>> recording_of(const HeldCapture& held) {
@@ -48,6 +49,7 @@ Result<std::vector<Part>> recording_of(const HeldCapture& held) {
 }
 
 store::By by_of(const CaptureOrder& order) {
+  if (order.lengths) return {order.actor, fmt::format("captured from {}: {}", order.source, order.lengths->title)};
   return {order.actor, fmt::format("captured from {} after plan {}", order.source, order.plan)};
 }
 
@@ -112,6 +114,38 @@ Result<std::optional<store::Id>> keep(Workbench& workbench, const CapturedEnd& e
   return std::optional<store::Id>();
 }
 
+Result<std::string> keep_length_plan(Workbench& workbench, const CaptureOrder& order, const std::string& plan) {
+  const std::string name = name_of(order) + ".plan.json";
+  return workbench.archive().keep({sha256(plan), name, "length-plan", plan}, by_of(order));
+}
+
+/// Where the lengths come from stands above them.
+std::string told_table(const CaptureOrder& order, const TaskLengths& lengths, const LengthEnd& end) {
+  std::string head = fmt::format("# captured on {} from {}: {}\n# raw recording: SHA-256 {}\n", order.started,
+                                 order.source, order.lengths->title, end.raw);
+  if (order.source == simulator_source().id) head += "# Simulated, not measured\n";
+  return head + lengths.table;
+}
+
+Result<LengthEnd> keep_lengths(Workbench& workbench, const HeldCapture& held,
+                               const std::optional<TaskLengths>& lengths) {
+  const CaptureOrder& order = held.order();
+  AXIOMETRY_TRY(const std::vector<Part> parts, recording_of(held));
+  const store::By by = by_of(order);
+  LengthEnd end;
+  for (const Part& part : parts) {
+    AXIOMETRY_TRY(std::string hash,
+                  workbench.archive().keep({sha256(part.bytes), part.name, "recording", part.bytes}, by));
+    (end.raw.empty() ? end.raw : end.times) = std::move(hash);
+  }
+  if (!lengths) return end;
+  end.found = lengths->found;
+  end.notes = lengths->notes;
+  const std::string table = told_table(order, *lengths, end);
+  AXIOMETRY_TRY(end.table, workbench.archive().keep({sha256(table), name_of(order) + ".csv", "lengths", table}, by));
+  return end;
+}
+
 }  // namespace
 
 CaptureKeeping keeping_in(Workbench& workbench) {
@@ -124,7 +158,17 @@ CaptureKeeping keeping_in(Workbench& workbench) {
             if (outcome) return outcome;
             draft.options.gum = false;  // for which something is missing
             return workbench.evaluate(whole, draft);
-          }};
+          },
+          .keep_plan = [&workbench](const CaptureOrder& order,
+                                    const std::string& plan) { return keep_length_plan(workbench, order, plan); },
+          .bytes = [&workbench](const std::string& sha256) -> Result<std::string> {
+            AXIOMETRY_TRY(store::Content content, workbench.archive().content(sha256));
+            return std::move(content.bytes);
+          },
+          .keep_lengths =
+              [&workbench](const HeldCapture& held, const std::optional<TaskLengths>& lengths) {
+                return keep_lengths(workbench, held, lengths);
+              }};
 }
 
 Result<std::string> captures_folder(const store::Info& store) {

@@ -12,6 +12,8 @@
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/live/capture_date.h"
+#include "axiometry/app/live/outage.h"
+#include "axiometry/app/live/plan_end.h"
 #include "axiometry/app/live/recording_room.h"
 #include "axiometry/app/live/recording_spared.h"
 #include "axiometry/app/recordings/raw_log.h"
@@ -23,24 +25,15 @@ namespace axiometry::app {
 namespace {
 
 using namespace std::chrono_literals;
-using Clock = std::chrono::steady_clock;
+using Clock = Outage::Clock;
 
 constexpr std::size_t live_block = std::size_t{64} << 10;
 constexpr std::size_t file_block = std::size_t{256} << 10;
 constexpr auto poll_time = 100ms;
 constexpr auto show_every = 100ms;
-constexpr auto first_pause = 500ms;
 constexpr auto longest_pause = 8s;
 constexpr auto sound_connection = 5s;  // with data, though no sample could be made of them yet
 constexpr std::uint64_t longest_without_break = std::uint64_t{1} << 20;
-
-/// A source that is away: since when, and what was tried.
-struct Outage {
-  Clock::time_point since;
-  Clock::duration pause = first_pause;  ///< before the next attempt
-  std::size_t attempts = 0;
-  std::size_t samples = 0;  ///< that had come before
-};
 
 /// One run from begin to end.
 class Run {
@@ -62,9 +55,12 @@ class Run {
   }
 
   /// All that came, whatever is to be made of it.
-  Result<HeardSource> heard() {
-    AXIOMETRY_TRY_VOID(hear());
-    return HeardSource{session_.complete(), stopped_, arrival_date(first_arrival_), std::move(session_)};
+  HeardLive heard() {
+    auto done = hear();
+    const bool on_disk = done || !connect_ || log_is_sound_;
+    return {{session_.complete(), stopped_, arrival_date(first_arrival_), std::move(session_)},
+            done ? std::nullopt : std::optional(std::move(done).error()),
+            on_disk};
   }
 
  private:
@@ -90,7 +86,7 @@ class Run {
   /// Nothing more is to be read, not even of a recording that is gone on with.
   bool over() {
     abandoned_ = abandoned_ || (observer_.abandoned && observer_.abandoned());
-    return abandoned_ || session_.complete();
+    return abandoned_ || end_of_plan_.has_come(session_);
   }
 
   void notice(const std::string& text) const {
@@ -252,7 +248,7 @@ class Run {
   /// where the connection had lasted, each other one after a pause twice as long as the one before.
   Result<std::unique_ptr<LiveStream>> reconnect(const std::string& reason) {
     const auto now = Clock::now();
-    bool at_once = !outage_ && now - connected_ >= first_pause;
+    bool at_once = !outage_ && now - connected_ >= Outage::first_pause;
     if (!outage_) {
       notice(fmt::format("connection lost ({}), trying again for {} s", reason, format_fixed(run_.give_up.in_s(), 0)));
       outage_ = {.since = now, .samples = session_.samples()};
@@ -349,6 +345,7 @@ class Run {
   bool abandoned_ = false;
   bool log_is_sound_ = false;
   Clock::time_point shown_;
+  PlanEnd end_of_plan_;
 };
 
 /// Listens where the run says and has the reading end as `outcome` does; an error names the source.
@@ -363,6 +360,16 @@ auto from_source(const CaptureRun& run, const CaptureObserver& observer, Capture
   return result;
 }
 
+template <typename Outcome>
+auto from_stream(const LiveCapture& capture, const CaptureObserver& observer, CaptureSession session, Outcome outcome)
+    -> std::invoke_result_t<Outcome, Run&> {
+  const CaptureRun run{
+      .from = capture.name, .raw = capture.raw, .resume = capture.resume, .out = {}, .give_up = capture.give_up};
+  Run reading(run, observer, std::move(session));
+  reading.listen(capture.connect, capture.raw_limit, capture.free);
+  return outcome(reading);
+}
+
 }  // namespace
 
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
@@ -374,16 +381,20 @@ Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& 
 }
 
 Result<HeardSource> hear_source(const CaptureRun& run, CaptureSession session, const CaptureObserver& observer) {
-  return from_source(run, observer, std::move(session), [](Run& reading) { return reading.heard(); });
+  return from_source(run, observer, std::move(session), [](Run& reading) -> Result<HeardSource> {
+    HeardLive all = reading.heard();
+    if (all.trouble) return std::unexpected(*std::move(all.trouble));
+    return std::move(all.heard);
+  });
 }
 
 Result<CaptureOutcome> run_live_capture(CaptureSession session, const LiveCapture& capture,
                                         const CaptureObserver& observer) {
-  const CaptureRun run{
-      .from = capture.name, .raw = capture.raw, .resume = capture.resume, .out = {}, .give_up = capture.give_up};
-  Run reading(run, observer, std::move(session));
-  reading.listen(capture.connect, capture.raw_limit, capture.free);
-  return reading();
+  return from_stream(capture, observer, std::move(session), [](Run& reading) { return reading(); });
+}
+
+HeardLive hear_live(CaptureSession session, const LiveCapture& capture, const CaptureObserver& observer) {
+  return from_stream(capture, observer, std::move(session), [](Run& reading) { return reading.heard(); });
 }
 
 }  // namespace axiometry::app

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "axiometry/app/files/disk_room.h"
@@ -76,5 +77,15 @@ struct LiveCapture {
 /// The same as run_capture(), without a file for the test.
 Result<CaptureOutcome> run_live_capture(CaptureSession session, const LiveCapture& capture,
                                         const CaptureObserver& observer);
+
+/// What a live source gave, also where it ended in trouble.
+struct HeardLive {
+  HeardSource heard;
+  std::optional<Error> trouble;
+  bool on_disk = true;  ///< all that the session has seen is in the raw file
+};
+
+/// The same as hear_source().
+HeardLive hear_live(CaptureSession session, const LiveCapture& capture, const CaptureObserver& observer);
 
 }  // namespace axiometry::app

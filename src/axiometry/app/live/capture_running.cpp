@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "axiometry/app/live/plan_end.h"
 #include "axiometry/app/recordings/raw_log.h"
 
 namespace axiometry::app {
@@ -29,7 +30,7 @@ CaptureService::Running::Running(HeldCapture held, Begun begun, const CaptureKee
             .kind = order.walked.axis.kind,
             .targets = order.walked.targets,
             .approaches = approaches(order.walked).size(),
-            .due = begun_->session.matcher().due(),
+            .due = order.lengths ? std::nullopt : begun_->session.matcher().due(),
             .now = {},
             .taken = 0,
             .readings = {},
@@ -39,6 +40,15 @@ CaptureService::Running::Running(HeldCapture held, Begun begun, const CaptureKee
             .so_far = nullptr,
             .test = {},
             .error = {}};
+  if (order.lengths) {
+    state_.approaches = order.lengths->stops;
+    state_.lengths = {.order = *order.lengths,
+                      .due = begun_->session.stops()->matcher().due(),
+                      .caught_at = 1,
+                      .caught = std::make_shared<const std::vector<CaughtLength>>(),
+                      .broken_before = {},
+                      .end = {}};
+  }
   thread_ = std::jthread([this] { run(); });
 }
 
@@ -66,6 +76,7 @@ CaptureState CaptureService::Running::state(std::optional<CaptureRevision> after
   if (!after) {
     copy.events.clear();
     copy.so_far.reset();
+    if (copy.lengths) copy.lengths->caught.reset();
     return copy;
   }
   // One who knows a later revision has seen another program's life of this capture.
@@ -73,6 +84,7 @@ CaptureState CaptureService::Running::state(std::optional<CaptureRevision> after
   copy.anew = all || *after == 0;
   for (const StampedReading& reading : state_.readings)
     if (all || reading.revision > *after) copy.readings.push_back(reading);
+  if (copy.lengths && !all && copy.lengths->caught_at <= *after) copy.lengths->caught.reset();
   return copy;
 }
 
@@ -122,13 +134,40 @@ void CaptureService::Running::take_readings(const CaptureSession& session) {
   state_.taken = state_.readings.size();
 }
 
+/// A standstill may change what the ones before it are taken for.
+void CaptureService::Running::take_lengths(const CaptureSession& session) {
+  const capture::StopMatcher& matcher = session.stops()->matcher();
+  if (matcher.standstills().size() == standstills_) return;
+  standstills_ = matcher.standstills().size();
+  LengthsState& lengths = *state_.lengths;
+  lengths.due = matcher.due();
+  lengths.broken_before.clear();
+  std::vector<CaughtLength> caught;
+  for (const capture::StopMatch& match : matcher.matches()) {
+    if (!gives_length(matcher, match)) continue;
+    const capture::Standstill& rest = matcher.standstills()[match.standstill];
+    const bool begins = match.begins_segment && !caught.empty();
+    if (begins && !matcher.stops()[match.stop].begins_segment) lengths.broken_before.push_back(match.stop);
+    caught.push_back({.stop = match.stop,
+                      .length_mm = rest.position.in_native(),
+                      .scatter_um = rest.spread.in_native() * 1e3,
+                      .time_s = rest.begin_s,
+                      .begins_segment = begins});
+  }
+  state_.taken = caught.size();
+  if (caught == *lengths.caught) return;
+  lengths.caught = std::make_shared<const std::vector<CaughtLength>>(std::move(caught));
+  lengths.caught_at = state_.revision;
+}
+
 void CaptureService::Running::now(const CaptureSession& session) {
   {
     const std::scoped_lock lock(mutex_);
     ++state_.revision;
     if (session.samples() > 0) state_.stage = Stage::running;
-    state_.due = session.matcher().due();
     state_.now = session.now();
+    if (state_.lengths) return take_lengths(session);
+    state_.due = session.matcher().due();
     take_readings(session);
   }
   if (evaluated_) return;
@@ -150,8 +189,13 @@ void CaptureService::Running::run() {
   End end{.stage = Stage::interrupted, .test = {}, .error = {}};
   try {
     const CaptureObserver watching = observer();
-    const auto outcome = run_live_capture(std::move(begun_->session), begun_->live, watching);
-    if (!interrupt_) end = conclude(outcome);
+    if (begun_->task) {
+      const HeardLive heard = hear_live(std::move(begun_->session), begun_->live, watching);
+      if (!interrupt_) end = conclude_lengths(heard);
+    } else {
+      const auto outcome = run_live_capture(std::move(begun_->session), begun_->live, watching);
+      if (!interrupt_) end = conclude(outcome);
+    }
   } catch (const std::exception& exception) {
     end = {.stage = Stage::failed,
            .test = {},
@@ -161,6 +205,12 @@ void CaptureService::Running::run() {
   begun_.reset();
   held_.reset();
   tell(std::move(end));
+}
+
+CaptureService::Running::End CaptureService::Running::left_for_later(const Error& error) {
+  return {.stage = Stage::interrupted,
+          .test = {},
+          .error = fmt::format("{}; what came stays on the disk and can be kept later", error.message)};
 }
 
 CaptureService::Running::End CaptureService::Running::conclude(const Result<CaptureOutcome>& outcome) {
@@ -179,17 +229,44 @@ CaptureService::Running::End CaptureService::Running::conclude(const Result<Capt
                               : (stop_ || concludes_ ? Stage::stopped : Stage::failed);
   std::string error = outcome ? "" : outcome.error().message;
   const auto kept = keeping_.keep({*held_, std::move(test_)});
-  if (!kept)
-    return {.stage = Stage::interrupted,
-            .test = {},
-            .error = fmt::format("{}; what came stays on the disk and can be kept later", kept.error().message)};
+  if (!kept) return left_for_later(kept.error());
   held_->remove();
   return {.stage = stage, .test = *kept, .error = std::move(error)};
+}
+
+/// What the state shows at the end is what the table holds, as far as both are known.
+CaptureService::Running::End CaptureService::Running::conclude_lengths(const HeardLive& heard) {
+  if (!heard.on_disk) return left_for_later(*heard.trouble);
+  {
+    const std::scoped_lock lock(mutex_);
+    ++state_.revision;
+    take_lengths(heard.heard.session);
+  }
+  const auto lengths = begun_->task->lengths(heard.heard.session);
+  auto kept = keeping_.keep_lengths(*held_, lengths ? std::optional(*lengths) : std::nullopt);
+  if (!kept) return left_for_later(kept.error());
+  const Stage stage = heard.trouble          ? (stop_ || concludes_ ? Stage::stopped : Stage::failed)
+                      : heard.heard.complete ? Stage::complete
+                                             : Stage::stopped;
+  kept->stage = stage_name(stage);
+  if (heard.trouble)
+    kept->error = heard.trouble->message;
+  else if (!lengths)
+    kept->error = lengths.error().message;
+  if (kept->raw.empty())
+    held_->remove();  // nothing came
+  else if (auto noted = held_->end(*kept); !noted)
+    return left_for_later(noted.error());
+  return {.stage = stage, .test = {}, .error = kept->error, .lengths = *kept};
 }
 
 void CaptureService::Running::tell(End end) {
   const std::scoped_lock lock(mutex_);
   ++state_.revision;
+  if (state_.lengths) {
+    if (end.stage != Stage::interrupted) state_.lengths->due.reset();
+    state_.lengths->end = std::move(end.lengths);
+  }
   state_.stage = end.stage;
   state_.now.reset();
   state_.test = end.test;

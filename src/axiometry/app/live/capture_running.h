@@ -20,6 +20,7 @@ struct CaptureService::Begun {
   CaptureSession session;
   LiveCapture live;
   std::optional<SimulatedCapture> simulated;
+  std::optional<LengthTask> task{};  ///< of lengths
 };
 
 /// One capture in its thread. Its state is read from others.
@@ -44,6 +45,7 @@ class CaptureService::Running {
     CaptureState::Stage stage;
     std::optional<store::Id> test;
     std::string error;
+    std::optional<LengthEnd> lengths{};
   };
 
   void run();
@@ -51,8 +53,11 @@ class CaptureService::Running {
   void tell_notice(const std::string& text);
   void now(const CaptureSession& session);
   void take_readings(const CaptureSession& session);
+  void take_lengths(const CaptureSession& session);
   void evaluate(Test test);
   End conclude(const Result<CaptureOutcome>& outcome);
+  static End left_for_later(const Error& error);
+  End conclude_lengths(const HeardLive& heard);
   void tell(End end);
 
   const std::string source_;
@@ -70,6 +75,7 @@ class CaptureService::Running {
   CaptureState state_;
   std::size_t notices_left_out_ = 0;
   CaptureRevision anew_at_ = 0;  // readings before it hold no longer
+  std::size_t standstills_ = 0;  // of lengths, that the state knows
   std::jthread thread_;          // last: it uses all of the above
 };
 

@@ -11,6 +11,8 @@
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/live/capture_running.h"
+#include "axiometry/app/live/own_options.h"
+#include "axiometry/app/live/simulated_lengths.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/recordings/capture_text.h"
 #include "axiometry/base/number_text.h"
@@ -20,61 +22,10 @@
 namespace axiometry::app {
 namespace {
 
-using OptionTexts = std::vector<std::pair<std::string, std::string>>;
 using Stage = CaptureState::Stage;
 
 constexpr std::size_t ended_remembered = 50;
 constexpr auto longest_stop = std::chrono::seconds(5);
-constexpr double longest_give_up_s = 86'400.0;
-
-/// Options of a capture that are none of its recording.
-struct OwnOptions {
-  double speed = 1.0;
-  std::string preset = "good";
-  std::optional<std::uint64_t> seed;
-  Duration give_up = Duration::s(60);
-  OptionTexts others;
-};
-
-std::unexpected<Error> bad_option(std::string_view name, std::string_view found, std::string_view expected) {
-  return fail(fmt::format("{}: found {}, expected {}", name, text::quoted(found), expected));
-}
-
-Result<void> put_own(const std::string& name, const std::string& value, OwnOptions& own) {
-  if (name == "speed") {
-    const auto speed = parse_number(value);
-    const auto speeds = simulation_speeds();
-    if (!speed || std::ranges::find(speeds, *speed) == speeds.end())
-      return bad_option(name, value, fmt::format("one of {}", fmt::join(speeds, ", ")));
-    own.speed = *speed;
-  } else if (name == "preset") {
-    own.preset = value;
-  } else if (name == "seed") {
-    own.seed = parse_count(value);
-    if (!own.seed || *own.seed >= seed_limit) return bad_option(name, value, "a whole number below 2^53");
-  } else {
-    const auto seconds = parse_number(value);
-    if (!seconds || *seconds < 0.0 || *seconds > longest_give_up_s)
-      return bad_option(name, value, fmt::format("seconds up to {}", longest_give_up_s));
-    own.give_up = Duration::s(*seconds);
-  }
-  return {};
-}
-
-Result<OwnOptions> own_options(const OptionTexts& options, CaptureSource::Kind kind) {
-  OwnOptions own;
-  for (const auto& [name, value] : options) {
-    if (value.empty()) continue;  // a field that was left empty
-    const bool of_simulator = name == "speed" || name == "preset" || name == "seed";
-    if (of_simulator && kind != CaptureSource::Kind::simulator)
-      return fail(fmt::format("found {}, expected it with the simulator only", name));
-    if (of_simulator || name == "give-up")
-      AXIOMETRY_TRY_VOID(put_own(name, value, own));
-    else
-      own.others.emplace_back(name, value);
-  }
-  return own;
-}
 
 Result<Plan> part_of(const Plan& whole, std::size_t part) {
   if (part == 1) {
@@ -134,7 +85,8 @@ Result<const CaptureSource*> CaptureService::source_named(const std::string& id)
 }
 
 /// Checks everything and reaches the source, but for one that is concluded without it.
-Result<CaptureService::Begun> CaptureService::begin(const CaptureOrder& order, Way way, std::uint64_t heard) const {
+Result<CaptureService::Begun> CaptureService::begin(const CaptureOrder& order, Way way, std::uint64_t heard,
+                                                    std::optional<LengthTask> task) const {
   auto named = source_named(order.source);
   if (!named && way != Way::conclude) return std::unexpected(std::move(named).error());
   CaptureSource source = named ? **named : without_address(order.source);
@@ -143,10 +95,20 @@ Result<CaptureService::Begun> CaptureService::begin(const CaptureOrder& order, W
   AXIOMETRY_TRY(CaptureOptions options, capture_options_from(own.others));
   options.stream = order.layout;
   options.recording.skip_damaged = true;
-  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(order.walked, options));
-  Begun begun{std::move(source), std::move(session), {.name = {}, .connect = {}, .raw = {}}, {}};
+  if (order.lengths && !task) {
+    AXIOMETRY_TRY(task, task_of(*order.lengths, order.part));
+  }
+  AXIOMETRY_TRY(CaptureSession session, task ? task->open(options) : CaptureSession::open(order.walked, options));
+  Begun begun{std::move(source), std::move(session), {.name = {}, .connect = {}, .raw = {}}, {}, std::move(task)};
   begun.live.give_up = own.give_up;
   begun.live.raw_limit = settings_.raw_limit;
+  if (simulated && begun.task) {
+    if (way == Way::conclude) return begun;
+    AXIOMETRY_TRY(
+        begun.live.connect,
+        simulated_lengths_source({*begun.task, own.preset, own.seed.value_or(1), {.speed = own.speed, .skip = heard}}));
+    return begun;
+  }
   if (simulated)
     begun.simulated = {
         .plan = order.walked, .preset = own.preset, .seed = own.seed.value_or(1), .speed = own.speed, .skip = heard};
@@ -217,13 +179,19 @@ Result<CaptureState> CaptureService::start(const CaptureWish& wish) {
                      .actor = wish.actor,
                      .started = store::now_text()};
   AXIOMETRY_TRY(order.walked, part_of(wish.whole, options.part.value_or(1)));
-  if (source->kind == CaptureSource::Kind::simulator && !own.seed) {
-    std::erase_if(order.options, [](const auto& option) { return option.first == "seed"; });
-    order.options.emplace_back("seed", fmt::format("{}", drawn_seed()));
-  }
-  AXIOMETRY_TRY_VOID(reserve(*source));
+  if (source->kind == CaptureSource::Kind::simulator && !own.seed) put_seed(order.options, drawn_seed());
+  return start(std::move(order), *source);
+}
+
+/// Of a source and an order that were looked at.
+Result<CaptureState> CaptureService::start(CaptureOrder order, const CaptureSource& source,
+                                           std::optional<LengthTask> task) {
+  AXIOMETRY_TRY_VOID(reserve(source));
   auto state = [&]() -> Result<CaptureState> {
-    AXIOMETRY_TRY(Begun begun, begin(order, Way::listen, 0));
+    AXIOMETRY_TRY(Begun begun, begin(order, Way::listen, 0, std::move(task)));
+    if (order.lengths) {
+      AXIOMETRY_TRY(order.lengths->plan, keeping_.keep_plan(order, json::dump(begun.task->plan_value()) + "\n"));
+    }
     auto held = [&] {
       const std::scoped_lock lock(mutex_);
       return folder_.add(order);
@@ -231,7 +199,7 @@ Result<CaptureState> CaptureService::start(const CaptureWish& wish) {
     if (!held) return std::unexpected(std::move(held).error());
     return launch(*std::move(held), std::move(begun), Way::listen);
   }();
-  release(source->id);
+  release(source.id);
   return state;
 }
 
@@ -269,7 +237,10 @@ Result<CaptureState> CaptureService::restart(store::Id id, Way way) {
 
 /// Lets go of it before it comes back with a failure.
 Result<CaptureState> CaptureService::go_on(HeldCapture held) {
-  AXIOMETRY_TRY(const auto test, keeping_.kept(held));
+  std::optional<store::Id> test;
+  if (!held.order().lengths) {
+    AXIOMETRY_TRY(test, keeping_.kept(held));
+  }
   if (test) {
     held.remove();
     return fail(ErrorKind::conflict, fmt::format("found capture {} in the archive already, as test {}, expected one "
@@ -323,7 +294,20 @@ CaptureState CaptureService::state_of(const CaptureOrder& order, store::Id id, S
   state.anew = true;
   state.kind = order.walked.axis.kind;
   state.targets = order.walked.targets;
-  state.approaches = approaches(order.walked).size();
+  if (order.lengths) {
+    state.approaches = order.lengths->stops;
+    state.lengths = {.order = *order.lengths, .due = {}, .caught_at = 0, .caught = {}, .broken_before = {}, .end = {}};
+  } else {
+    state.approaches = approaches(order.walked).size();
+  }
+  return state;
+}
+
+CaptureState CaptureService::state_of(const CaptureFolder::Ended& ended) const {
+  CaptureState state = state_of(ended.order, ended.id, stage_named(ended.end.stage).value_or(Stage::stopped));
+  state.taken = ended.end.found;
+  state.error = ended.end.error;
+  if (state.lengths) state.lengths->end = ended.end;
   return state;
 }
 
@@ -333,6 +317,8 @@ Result<CaptureState> CaptureService::state(store::Id id, CaptureRevision after) 
   if (const auto restarting = restarting_.find(id); restarting != restarting_.end()) return restarting->second;
   for (const CaptureFolder::Left& left : folder_.left_behind())
     if (left.id == id) return state_of(left.order, left.id, Stage::interrupted);
+  for (const CaptureFolder::Ended& ended : folder_.ended())
+    if (ended.id == id) return state_of(ended);
   return fail(ErrorKind::not_found, fmt::format("found no capture {} that runs or has run lately", id));
 }
 
@@ -344,6 +330,8 @@ std::vector<CaptureState> CaptureService::states() {
     if (!captures_.contains(id)) states.push_back(state);
   for (const CaptureFolder::Left& left : folder_.left_behind())
     if (!captures_.contains(left.id)) states.push_back(state_of(left.order, left.id, Stage::interrupted));
+  for (const CaptureFolder::Ended& ended : folder_.ended())
+    if (!captures_.contains(ended.id)) states.push_back(state_of(ended));
   std::ranges::sort(states, std::greater(), &CaptureState::id);
   return states;
 }

@@ -10,6 +10,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,13 @@ struct CaptureKeeping {
   /// files; nothing where it has become none.
   std::function<Result<std::optional<store::Id>>(const HeldCapture&)> kept;
   std::function<Result<Outcome>(const CaptureOrder&, const Test&)> evaluate;
+
+  /// Of lengths: keeps the file of a plan, and gives its SHA-256; and gives bytes by that.
+  std::function<Result<std::string>(const CaptureOrder&, const std::string& plan)> keep_plan{};
+  std::function<Result<std::string>(const std::string& sha256)> bytes{};
+  /// Keeps the raw recording, and the table where there is one. When it fails, the files stay and the capture can be
+  /// resumed. Called twice for the same capture, it gives the same.
+  std::function<Result<LengthEnd>(const HeldCapture&, const std::optional<TaskLengths>&)> keep_lengths{};
 };
 
 struct CaptureSettings {
@@ -47,6 +55,15 @@ struct CaptureSettings {
   std::size_t most_at_once = 8;                        ///< captures that run
   std::size_t most_concluding = 2;                     ///< interrupted ones that are read to their end to be kept
   std::uint64_t raw_limit = std::uint64_t{256} << 20;  ///< bytes of one recording
+};
+
+/// What is asked of a new capture of lengths.
+struct LengthWish {
+  LengthTask task;
+  std::string source;                                        ///< id
+  std::string layout;                                        ///< empty: recognised
+  std::vector<std::pair<std::string, std::string>> options;  ///< as of a CaptureWish
+  std::string actor;
 };
 
 /// What is asked of a new capture.
@@ -76,6 +93,7 @@ class CaptureService {
   /// Fails on a source, layout or option that there is not, as CaptureSession::open() does; with unavailable when the
   /// source cannot be reached and when too many captures run; with conflict when another one listens to it.
   Result<CaptureState> start(const CaptureWish& wish);
+  Result<CaptureState> start(const LengthWish& wish);
 
   /// Goes on with an interrupted one: its recording is played first, then the source is listened to again. Fails as
   /// start() does, and as CaptureFolder::take(); with conflict where it has become a test already.
@@ -89,9 +107,18 @@ class CaptureService {
   /// With the readings after that revision. Fails with not_found.
   Result<CaptureState> state(store::Id id, CaptureRevision after = 0);
 
-  /// All that run, were interrupted, or ended since the program began (the last fifty), the newest first; without
-  /// readings, events and evaluation.
+  /// All that run, were interrupted, or ended since the program began (the last fifty), and all of lengths until they
+  /// are discarded, the newest first; without readings, events and evaluation.
   std::vector<CaptureState> states();
+
+  /// The part of the plan that a capture of lengths is about. Fails with not_found on one of a test, and as the archive
+  /// does.
+  Result<LengthTask> task_of(const CaptureState& state) const;
+  /// A file of a capture of lengths that has ended: "raw", "times" or "lengths". Fails with not_found.
+  Result<std::string> length_file(store::Id id, std::string_view role);
+  /// Forgets a capture of lengths that has ended; its files stay in the archive. Fails with not_found, and with
+  /// conflict on one that goes on or was interrupted.
+  Result<void> discard(store::Id id);
 
  private:
   class Running;
@@ -100,9 +127,13 @@ class CaptureService {
 
   CaptureService(CaptureSettings settings, CaptureKeeping keeping, CaptureFolder folder);
   Result<const CaptureSource*> source_named(const std::string& id) const;
-  Result<Begun> begin(const CaptureOrder& order, Way way, std::uint64_t heard) const;
+  Result<LengthTask> task_of(const LengthOrder& order, std::size_t part) const;
+  /// `task`: of lengths, where it is at hand; else it is read from the archive.
+  Result<Begun> begin(const CaptureOrder& order, Way way, std::uint64_t heard,
+                      std::optional<LengthTask> task = {}) const;
   Result<void> reserve(const CaptureSource& source);
   void release(const std::string& source);
+  Result<CaptureState> start(CaptureOrder order, const CaptureSource& source, std::optional<LengthTask> task = {});
   CaptureState launch(HeldCapture held, Begun begun, Way way);
   bool may_conclude() const;
   Result<CaptureState> restart(store::Id id, Way way);
@@ -110,6 +141,7 @@ class CaptureService {
   Result<CaptureState> play(HeldCapture held, Way way);
   std::shared_ptr<Running> find(store::Id id) const;
   CaptureState state_of(const CaptureOrder& order, store::Id id, CaptureState::Stage stage) const;
+  CaptureState state_of(const CaptureFolder::Ended& ended) const;
   void forget_old();
 
   CaptureSettings settings_;

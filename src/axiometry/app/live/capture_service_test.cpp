@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/live/capture_service.h"
 
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -15,6 +14,7 @@
 #include <thread>
 
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/live/piece_server_test_support.h"
 #include "tests/support/simulated_recording.h"
 #include "tests/support/temporary_folder.h"
 
@@ -23,6 +23,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing_support::PieceServer;
 using testing_support::recording;
 using testing_support::short_plan;
 using Stage = CaptureState::Stage;
@@ -90,49 +91,6 @@ class CaptureServiceTest : public testing::Test {
   testing_support::TemporaryFolder temporary_;
   const std::string folder_ = temporary_.file("captures");
   Archive archive_;
-};
-
-/// Serves pieces of a stream on 127.0.0.1, one for each who connects.
-class PieceServer {
- public:
-  explicit PieceServer(std::vector<std::string> pieces) : pieces_(std::move(pieces)) {
-    listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    EXPECT_EQ(::bind(listener_, reinterpret_cast<sockaddr*>(&address), size), 0);
-    EXPECT_EQ(::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size), 0);
-    EXPECT_EQ(::listen(listener_, 4), 0);
-    port_ = ntohs(address.sin_port);
-    thread_ = std::jthread([this] { serve(); });
-  }
-  ~PieceServer() {
-    ::shutdown(listener_, SHUT_RDWR);
-    thread_.join();
-    ::close(listener_);
-  }
-  CaptureSource source() const { return *parse_capture_source("laser=tcp://127.0.0.1:" + std::to_string(port_)); }
-
- private:
-  void serve() {
-    for (const std::string& piece : pieces_) {
-      const int peer = ::accept(listener_, nullptr, nullptr);
-      if (peer < 0) return;
-      for (std::size_t at = 0; at < piece.size();) {
-        const ssize_t sent =
-            ::send(peer, piece.data() + at, std::min<std::size_t>(1000, piece.size() - at), MSG_NOSIGNAL);
-        if (sent < 0) break;
-        at += static_cast<std::size_t>(sent);
-      }
-      ::close(peer);
-    }
-  }
-
-  std::vector<std::string> pieces_;
-  int listener_ = -1;
-  unsigned port_ = 0;
-  std::jthread thread_;
 };
 
 TEST(CaptureSource, IsNamedOnTheCommandLine) {

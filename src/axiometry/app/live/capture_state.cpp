@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "axiometry/app/live/simulated_lengths.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/simulation/presets.h"
 
@@ -58,6 +61,40 @@ Value list_of(const Things& things, Spell spell) {
   return list;
 }
 
+Value caught_value(const CaughtLength& caught) {
+  Value value = Value::object();
+  value.add("stop", caught.stop + 1);
+  value.add("length_mm", caught.length_mm);
+  value.add("scatter_um", caught.scatter_um);
+  value.add("time_s", caught.time_s);
+  value.add("begins_segment", caught.begins_segment);
+  return value;
+}
+
+Value end_value(const LengthEnd& end, const Reader& reader) {
+  Value value = Value::object();
+  value.add("found", end.found);
+  value.add("notes", list_of(end.notes, [&](const std::string& note) { return Value(told_to(reader, note)); }));
+  Value files = Value::array();
+  for (const auto& [role, sha256] :
+       {std::pair("raw", &end.raw), std::pair("times", &end.times), std::pair("lengths", &end.table)})
+    if (!sha256->empty()) files.push(role);
+  value.add("files", std::move(files));
+  return value;
+}
+
+Value lengths_value(const LengthsState& lengths, const Reader& reader) {
+  Value value = Value::object();
+  value.add("kind", kind_name(lengths.order.kind));
+  value.add("plan_id", lengths.order.plan_id);
+  value.add("title", told_to(reader, lengths.order.title));
+  value.add("due", lengths.due ? Value(*lengths.due + 1) : Value());
+  value.add("caught", lengths.caught ? list_of(*lengths.caught, caught_value) : Value());
+  value.add("broken_before", list_of(lengths.broken_before, [](std::size_t stop) { return Value(stop + 1); }));
+  value.add("end", lengths.end ? end_value(*lengths.end, reader) : Value());
+  return value;
+}
+
 }  // namespace
 
 std::string_view stage_name(CaptureState::Stage stage) {
@@ -72,6 +109,13 @@ std::string_view stage_name(CaptureState::Stage stage) {
   return "";
 }
 
+std::optional<CaptureState::Stage> stage_named(std::string_view name) {
+  using enum CaptureState::Stage;
+  for (const CaptureState::Stage stage : {waiting, running, complete, stopped, failed, interrupted})
+    if (stage_name(stage) == name) return stage;
+  return {};
+}
+
 bool has_ended(CaptureState::Stage stage) {
   return stage != CaptureState::Stage::waiting && stage != CaptureState::Stage::running;
 }
@@ -84,20 +128,22 @@ Value to_json(const CaptureSource& source, const Reader& reader) {
   value.add("kind", kind_name(source.kind));
   if (source.kind != CaptureSource::Kind::simulator) return value;
   value.add("speeds", list_of(simulation_speeds(), [](double speed) { return Value(speed); }));
-  value.add("presets", list_of(simulation::presets(), [&](const simulation::Preset& preset) {
-              Value row = Value::object();
-              row.add("id", preset.id);
-              row.add("title", told(preset.title));
-              row.add("sign", told(preset.sign));
-              return row;
-            }));
+  const auto row_of = [&](const auto& preset) {
+    Value row = Value::object();
+    row.add("id", preset.id);
+    row.add("title", told(preset.title));
+    row.add("sign", told(preset.sign));
+    return row;
+  };
+  value.add("presets", list_of(simulation::presets(), row_of));
+  value.add("length_presets", list_of(length_presets(), row_of));
   return value;
 }
 
 Value to_json(const CaptureState& state, const Reader& reader) {
   Value value = Value::object();
   value.add("id", static_cast<double>(state.id));
-  value.add("plan", static_cast<double>(state.plan));
+  value.add("plan", state.lengths ? Value() : Value(static_cast<double>(state.plan)));
   value.add("part", state.part);
   value.add("source", to_json(state.source, reader));
   value.add("started", state.started);
@@ -118,6 +164,7 @@ Value to_json(const CaptureState& state, const Reader& reader) {
   value.add("notices", list_of(state.notices, [&](const std::string& text) { return Value(told_to(reader, text)); }));
   value.add("so_far", state.so_far ? to_json(*state.so_far, reader) : Value());
   value.add("test", state.test ? Value(static_cast<double>(*state.test)) : Value());
+  value.add("lengths", state.lengths ? lengths_value(*state.lengths, reader) : Value());
   value.add("error", state.error.empty() ? Value() : Value(told_to(reader, state.error)));
   return value;
 }

@@ -9,6 +9,7 @@
 
 #include "axiometry/app/files/reader.h"
 #include "axiometry/app/live/capture_source.h"
+#include "axiometry/app/live/length_order.h"
 #include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/json.h"
 #include "axiometry/capture/capture_result.h"
@@ -24,6 +25,27 @@ using CaptureRevision = std::uint64_t;
 struct StampedReading {
   CaptureRevision revision = 0;  ///< with which it came
   capture::CapturedReading reading;
+};
+
+/// A length at a stop, as far as is known: a later standstill may show that one belongs elsewhere.
+struct CaughtLength {
+  std::size_t stop = 0;         ///< of the part, from 0
+  double length_mm = 0.0;       ///< as shown, mean over the rest
+  double scatter_um = 0.0;      ///< standard deviation of its samples
+  double time_s = 0.0;          ///< when it came to rest
+  bool begins_segment = false;  ///< with another dead path than the one before
+
+  friend bool operator==(const CaughtLength&, const CaughtLength&) = default;
+};
+
+/// Of a capture of lengths, in place of targets and readings.
+struct LengthsState {
+  LengthOrder order;
+  std::optional<std::size_t> due;                           ///< the stop that comes next, from 0
+  CaptureRevision caught_at = 0;                            ///< with which the following changed
+  std::shared_ptr<const std::vector<CaughtLength>> caught;  ///< nullptr where it is known already
+  std::vector<std::size_t> broken_before;  ///< stops before which the beam was broken though the plan keeps it
+  std::optional<LengthEnd> end;
 };
 
 struct CaptureState {
@@ -55,10 +77,12 @@ struct CaptureState {
   std::vector<std::string> notices;
   std::shared_ptr<const Outcome> so_far;
   std::optional<store::Id> test;  ///< it was kept as
+  std::optional<LengthsState> lengths{};
   std::string error;
 };
 
 std::string_view stage_name(CaptureState::Stage stage);
+std::optional<CaptureState::Stage> stage_named(std::string_view name);
 bool has_ended(CaptureState::Stage stage);
 
 /// Capture and Source of apps/server/openapi.json.

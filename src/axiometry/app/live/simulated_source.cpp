@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "axiometry/app/live/capture_source.h"
+#include "axiometry/app/live/played_source.h"
 #include "axiometry/app/recordings/raw_recording.h"
 #include "axiometry/base/text.h"
 #include "axiometry/simulation/presets.h"
@@ -24,18 +25,17 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::array speeds = {1.0, 10.0, 60.0};
-constexpr double rate_hz = 100.0;                           // a rest of half a second still has fifty samples
 constexpr double packet_s = 0.05;                           // of real time, as instruments send them
 constexpr std::size_t most_waiting = std::size_t{4} << 20;  // bytes that nobody has read
 
 /// A thread simulates and waits for the time of each packet; read() takes what has come.
 class SimulatedStream final : public LiveStream {
  public:
-  SimulatedStream(simulation::Request request, RecordingEncoder encoder, double speed, std::uint64_t skip)
-      : request_(std::move(request)),
+  SimulatedStream(PlayedRecording recording, RecordingEncoder encoder, const SimulatedPace& pace)
+      : recording_(std::move(recording)),
         encoder_(std::move(encoder)),
-        speed_(speed),
-        skip_(skip),
+        speed_(pace.speed),
+        skip_(pace.skip),
         packet_(encoder_.head()),
         thread_([this](const std::stop_token& stop) { produce(stop); }) {}
 
@@ -52,8 +52,7 @@ class SimulatedStream final : public LiveStream {
 
  private:
   void produce(const std::stop_token& stop) {
-    const auto made = simulation::record(request_, {.rate = rate_hz},
-                                         [&](std::span<const Sample> samples) { return take(samples, stop); });
+    const auto made = recording_([&](std::span<const Sample> samples) { return take(samples, stop); });
     send();
     const std::scoped_lock lock(mutex_);
     over_ = true;
@@ -92,7 +91,7 @@ class SimulatedStream final : public LiveStream {
     changed_.notify_all();
   }
 
-  const simulation::Request request_;
+  const PlayedRecording recording_;
   RecordingEncoder encoder_;
   const double speed_;
   const Clock::time_point begin_ = Clock::now();
@@ -113,6 +112,13 @@ class SimulatedStream final : public LiveStream {
 
 std::span<const double> simulation_speeds() { return speeds; }
 
+Result<Connect> played_source(PlayedRecording recording, const RawSetting& setting, const SimulatedPace& pace) {
+  AXIOMETRY_TRY(const RecordingEncoder encoder, RecordingEncoder::make(RawLayout::text, setting));
+  return Connect([recording = std::move(recording), encoder, pace]() -> Result<std::unique_ptr<LiveStream>> {
+    return std::make_unique<SimulatedStream>(recording, encoder, pace);
+  });
+}
+
 Result<Connect> simulated_source(const SimulatedCapture& capture) {
   const simulation::Preset* preset = simulation::find_preset(capture.preset);
   if (preset == nullptr) {
@@ -126,12 +132,13 @@ Result<Connect> simulated_source(const SimulatedCapture& capture) {
                               .departures = {},
                               .seed = capture.seed,
                               .fault = std::string(preset->id)};
-  AXIOMETRY_TRY(const std::size_t samples, simulation::count_samples(request, {.rate = rate_hz}));
-  const RawSetting setting{capture.plan.axis.kind, samples, rate_hz, Length::nm(632.991)};
-  AXIOMETRY_TRY(const RecordingEncoder encoder, RecordingEncoder::make(RawLayout::text, setting));
-  return Connect([=, speed = capture.speed, skip = capture.skip]() -> Result<std::unique_ptr<LiveStream>> {
-    return std::make_unique<SimulatedStream>(request, encoder, speed, skip);
-  });
+  AXIOMETRY_TRY(const std::size_t samples, simulation::count_samples(request, {.rate = simulated_rate_hz}));
+  const RawSetting setting{capture.plan.axis.kind, samples, simulated_rate_hz, Length::nm(632.991)};
+  const auto record = [request](const SampleSink& sink) -> Result<void> {
+    AXIOMETRY_TRY_VOID(simulation::record(request, {.rate = simulated_rate_hz}, sink));
+    return {};
+  };
+  return played_source(record, setting, {capture.speed, capture.skip});
 }
 
 void mark_simulated(Test& test, const SimulatedCapture& capture) {

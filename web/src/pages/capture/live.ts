@@ -5,6 +5,7 @@ import { ApiError, get } from '../../api/client';
 import type { Capture } from '../../api/types';
 
 export type Reading = Capture['readings'][number];
+export type Caught = NonNullable<NonNullable<Capture['lengths']>['caught']>;
 export type Direction = Reading['direction'];
 export const is_over = (capture: Capture): boolean => ['complete', 'stopped', 'failed', 'interrupted'].includes(capture.state);
 
@@ -15,6 +16,7 @@ export const directions_of = (approaches: number, targets: number, runs: number)
 export interface Live {
   capture: Capture | null;
   readings: Reading[];
+  caught: Caught;  // of lengths
   lost: boolean; // the program does not answer; what is shown is the last that was known
   error: ApiError | null; // it answered that it cannot
   set: (capture: Capture) => void;
@@ -26,7 +28,7 @@ const longest_wait_ms = 5000;
 
 /** `turn`: another number begins again, as after an interruption. */
 export function use_live(id: string, turn: number): Live {
-  const [known, set_known] = useState<{ capture: Capture; readings: Reading[] } | null>(null);
+  const [known, set_known] = useState<{ capture: Capture; readings: Reading[]; caught: Caught } | null>(null);
   const [lost, set_lost] = useState(false);
   const [error, set_error] = useState<ApiError | null>(null);
   useEffect(() => {
@@ -36,19 +38,21 @@ export function use_live(id: string, turn: number): Live {
     let revision = 0;
     let failures = 0;
     let readings: Reading[] = [];
+    let caught: Caught = [];
     const later = (wait: number) => {
       timer = window.setTimeout(ask, wait);
     };
     const take = (answer: Capture): void => {
       if (answer.revision < revision) {
         // Another run of the program, which counts from the beginning.
-        [revision, readings] = [0, []];
+        [revision, readings, caught] = [0, [], []];
         return later(0);
       }
       if (answer.anew === true) readings = answer.readings;
       else if (answer.readings.length > 0) readings = [...readings, ...answer.readings];
+      caught = answer.lengths?.caught ?? caught;
       revision = answer.revision;
-      set_known({ capture: answer, readings });
+      set_known({ capture: answer, readings, caught });
       if (!is_over(answer)) return later(document.hidden ? hidden_ms : often_ms);
       if (answer.state !== 'interrupted') return;
       revision = 0; // somebody else may go on with it, which counts from the beginning
@@ -88,8 +92,8 @@ export function use_live(id: string, turn: number): Live {
     };
   }, [id, turn]);
   return {
-    capture: known?.capture ?? null, readings: known?.readings ?? [], lost, error,
-    set: (capture) => set_known((before) => ({ capture, readings: before?.readings ?? [] })),
+    capture: known?.capture ?? null, readings: known?.readings ?? [], caught: known?.caught ?? [], lost, error,
+    set: (capture) => set_known((before) => ({ capture, readings: before?.readings ?? [], caught: capture.lengths?.caught ?? before?.caught ?? [] })),
   };
 }
 

@@ -39,7 +39,7 @@ export function Readout({ capture, readings, targets, runs, unit, deviation_unit
   );
 }
 
-function Where({ position, unit, rest }: { position: number; unit: string; rest: boolean }) {
+export function Where({ position, unit, rest }: { position: number; unit: string; rest: boolean }) {
   return (
     <div class="where">
       <p class="position number">{fixed(position, 3)}<span class="unit"> {unit}</span></p>
@@ -53,7 +53,7 @@ function Where({ position, unit, rest }: { position: number; unit: string; rest:
   );
 }
 
-function Progress({ capture, done }: { capture: Capture; done: number }) {
+export function Progress({ capture, done }: { capture: Capture; done: number }) {
   const elapsed_s = (Date.now() - Date.parse(capture.started)) / 1000;
   const left = capture.approaches - done;
   const tells = capture.state === 'running' && done >= 5 && left > 0;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useMemo, useState } from 'preact/hooks';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { ApiError, made_of_files, offer, query } from '../../api/client';
 import type { TrackingEvaluation, TrackingPlanFile } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { FileDrop } from '../../components/file_drop';
 import { KeepCalibration, type SentCalibration } from '../../components/keep_calibration';
+import { set_query } from '../../router';
 import { decimal, language } from '../../settings';
+import { t as t_lengths } from '../capture/length_texts';
+import { use_taken_lengths } from '../capture/taken_lengths';
 import type { LocatedStation } from './form';
 import { Results } from './results';
 import { t } from './texts';
@@ -65,8 +68,20 @@ function use_evaluation(sent: Sent | null): { found: Found | null; error: ApiErr
 
 /** The lengths that were measured, and what comes of them. */
 export function LengthsPanel({ plan, located }: { plan: TrackingPlanFile | null; located: LocatedStation | null }) {
-  const [own_plan, set_own_plan] = useState<File | null>(null);
-  const [lengths, set_lengths] = useState<File | null>(null);
+  const [chosen_plan, set_own_plan] = useState<File | null>(null);
+  const [dropped, set_dropped] = useState<File | null>(null);
+  const captured = use_taken_lengths('lines');
+  const heading = useRef<HTMLHeadingElement>(null);
+  const taken = dropped === null ? captured.taken : null;
+  const lengths = dropped ?? taken?.file ?? null;
+  const captured_plan = useMemo(() => (taken ? as_file(JSON.stringify(taken.plan), 'lines.plan.json') : null), [taken]);
+  const own_plan = captured_plan ?? chosen_plan;
+  const set_lengths = (file: File) => { set_query({ captures: null }); set_dropped(file); };
+  useEffect(() => {
+    if (!captured.taken) return;
+    set_dropped(null);
+    heading.current?.scrollIntoView();
+  }, [captured.taken]);
   const [limits, set_limits] = useState('');
   const [reversed, set_reversed] = useState(false);
   const [busy, set_busy] = useState(false);
@@ -97,7 +112,7 @@ export function LengthsPanel({ plan, located }: { plan: TrackingPlanFile | null;
   return (
     <section class="panel" aria-labelledby="tracking-lengths">
       <header>
-        <h2 id="tracking-lengths"><span class="step">5</span>{t('lengths')}</h2>
+        <h2 id="tracking-lengths" ref={heading}><span class="step">6</span>{t('lengths')}</h2>
         {found && (
           <div class="row no-print">
             {['pdf', 'html', 'json'].map((extension) => <button key={extension} type="button" disabled={busy} onClick={() => void save(extension)}>{t('report')} {extension.toUpperCase()}</button>)}
@@ -107,16 +122,18 @@ export function LengthsPanel({ plan, located }: { plan: TrackingPlanFile | null;
       </header>
       <div class="tracking-form no-print">
         <p class="hint">{t('lengths_how')}</p>
+        {taken?.is_simulated && <p class="notice">{t_lengths('simulated')}</p>}
+        {captured.error && <FailureNotice error={captured.error} />}
         <FileDrop label={t('choose_lengths')} hint={t('drop_lengths')} accept=".csv,.txt,text/csv" take={set_lengths}>
           {lengths && <span class="mono small">{lengths.name}</span>}
         </FileDrop>
         <div class="row">
           <span class="quiet small">
-            {own_plan ? t('plan_of', { file: own_plan.name }) : plan ? t('plan_here') : t('no_plan')}
+            {taken ? t('with_captured_plan') : own_plan ? t('plan_of', { file: own_plan.name }) : plan ? t('plan_here') : t('no_plan')}
             {station_text !== null && located && ` ${t('with_station', { file: located.file })}`}
           </span>
-          <PlanChoice take={set_own_plan} />
-          {own_plan && <button type="button" class="plain small" onClick={() => set_own_plan(null)}>{t('discard')}</button>}
+          {!taken && <PlanChoice take={set_own_plan} />}
+          {!taken && own_plan && <button type="button" class="plain small" onClick={() => set_own_plan(null)}>{t('discard')}</button>}
         </div>
         <div class="lengths-options">
           <Field label={t('tolerances')} hint={t('tolerances_hint')}>

@@ -4,8 +4,8 @@ import { texts } from '../../i18n/texts';
 export const t = texts({
   title: ['Tracking interferometer', 'Nachführendes Interferometer'],
   lead: [
-    'Seven lines from one station test all axes of a machine and its diagonals. Say what the machine is and where the instrument stands; the picture shows what can be measured from there, and the program drives it. Nothing is kept in the archive before you keep a result: take the files along.',
-    'Sieben Linien von einem Standort prüfen alle Achsen einer Maschine und ihre Diagonalen. Angeben, was für eine Maschine es ist und wo das Gerät steht; das Bild zeigt, was sich von dort messen lässt, und das Programm fährt es ab. Ins Archiv kommt nichts, bevor ein Ergebnis behalten wird: die Dateien mitnehmen.',
+    'Seven lines from one station test all axes of a machine and its diagonals. Say what the machine is and where the instrument stands; the picture shows what can be measured from there, and the program drives it. Nothing is kept in the archive before you capture lengths or keep a result: take the files along.',
+    'Sieben Linien von einem Standort prüfen alle Achsen einer Maschine und ihre Diagonalen. Angeben, was für eine Maschine es ist und wo das Gerät steht; das Bild zeigt, was sich von dort messen lässt, und das Programm fährt es ab. Ins Archiv kommt nichts, bevor Längen erfasst oder ein Ergebnis behalten werden: die Dateien mitnehmen.',
   ],
   afresh: ['Begin anew', 'Neu beginnen'],
   // 1
@@ -106,7 +106,7 @@ export const t = texts({
   last_good: ['Shown is the plan before this change.', 'Gezeigt wird der Plan vor dieser Änderung.'],
   plan_file: ['Plan file', 'Plandatei'],
   sheet: ['Sheet', 'Blatt'],
-  // 5
+  // 6
   lengths: ['Measured lengths', 'Gemessene Längen'],
   lengths_how: [
     'Drop the lengths that the instrument recorded: a table with the columns line, target, direction, run, length_difference_mm, or length_difference_mm alone in the order of the program.',
@@ -115,6 +115,7 @@ export const t = texts({
   choose_lengths: ['Choose lengths…', 'Längen wählen…'],
   drop_lengths: ['Drop the lengths here', 'Längen hier ablegen'],
   choose_plan: ['Use another plan file…', 'Andere Plandatei verwenden…'],
+  with_captured_plan: ['The lengths that were captured, with the plan that was captured.', 'Die erfassten Längen, mit dem Plan, nach dem erfasst wurde.'],
   plan_here: ['with the plan of this page', 'mit dem Plan dieser Seite'],
   plan_of: ['with the plan {file}', 'mit dem Plan {file}'],
   no_plan: ['There is no plan yet with which they could be read.', 'Noch gibt es keinen Plan, nach dem sie zu lesen wären.'],

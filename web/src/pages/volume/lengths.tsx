@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useMemo, useState } from 'preact/hooks';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { ApiError, made_of_files, offer, query } from '../../api/client';
-import type { VolumetricMachine, VolumetricResult } from '../../api/types';
+import type { VolumetricMachine, VolumetricPlanFile, VolumetricResult } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { FileDrop } from '../../components/file_drop';
 import { KeepCalibration, type SentCalibration } from '../../components/keep_calibration';
 import { fixed } from '../../numbers';
+import { set_query } from '../../router';
 import { decimal, language } from '../../settings';
+import { t as t_lengths } from '../capture/length_texts';
+import { use_taken_lengths } from '../capture/taken_lengths';
 import { read_result } from './field';
 import { ResidualChart } from './residuals';
 import { VolumeResult } from './result';
@@ -49,14 +52,25 @@ async function found_by(sent: Sent, signal: AbortSignal): Promise<Found> {
 }
 
 /** Lengths to errors; or a result that was found before. */
-export function LengthsPanel({ machine }: { machine: VolumetricMachine | null }) {
-  const [lengths, set_lengths] = useState<File | null>(null);
+export function LengthsPanel({ machine: of_form }: { machine: VolumetricMachine | null }) {
+  const [dropped, set_dropped] = useState<File | null>(null);
+  const captured = use_taken_lengths('volume');
+  const panel = useRef<HTMLHeadingElement>(null);
   const [reversal, set_reversal] = useState<Reversal>('none');
   const [found, set_found] = useState<Found | null>(null);
   const [opened, set_opened] = useState<{ file: File; result: VolumetricResult } | null>(null);
   const [error, set_error] = useState<ApiError | null>(null);
   const [busy, set_busy] = useState(false);
+  const taken = dropped === null ? captured.taken : null;
+  const lengths = dropped ?? taken?.file ?? null;
+  const machine = taken ? (taken.plan as VolumetricPlanFile).machine : of_form;
   const text = machine && JSON.stringify(machine);
+  useEffect(() => {
+    if (!captured.taken) return;
+    set_dropped(null);
+    panel.current?.scrollIntoView();
+  }, [captured.taken]);
+  const set_lengths = (file: File | null) => { set_query({ captures: null }); set_dropped(file); };
   const sent = useMemo((): Sent | null => (lengths && text ? { lengths, machine: text, reversal } : null), [lengths, text, reversal]);
   const spoken = language.value;
   useEffect(() => {
@@ -79,9 +93,11 @@ export function LengthsPanel({ machine }: { machine: VolumetricMachine | null })
   return (
     <>
       <section class="panel no-print" aria-labelledby="volume-lengths">
-        <header><h2 id="volume-lengths"><span class="step">4</span>{t('lengths')}</h2></header>
+        <header><h2 id="volume-lengths" ref={panel}><span class="step">5</span>{t('lengths')}</h2></header>
         <div class="tracking-form">
           <p class="hint">{t('lengths_how')}</p>
+          {taken && <p class="notice">{t('with_captured_plan')} {taken.is_simulated && t_lengths('simulated')}</p>}
+          {captured.error && <FailureNotice error={captured.error} />}
           <FileDrop label={t('choose_lengths')} hint={`${t('drop_lengths')}. ${t('with_machine')}`} accept=".csv,.txt,text/csv" take={set_lengths}>
             {lengths && <span class="mono small">{lengths.name}</span>}
           </FileDrop>

@@ -5,8 +5,8 @@ import { texts } from '../../i18n/texts';
 export const t = texts({
   title: ['Volumetric calibration', 'Volumetrische Kalibrierung'],
   lead: [
-    'One tracking interferometer, set up in several places one after the other, measures lengths to points all over the working volume; from them come all 21 errors of the three linear axes and the error of the tool point at every place. Say what the machine is; the program proposes where to stand and where to measure, and what that will tell. Nothing is kept in the archive before you keep a result: take the files along.',
-    'Ein nachführendes Interferometer, nacheinander an mehreren Plätzen aufgestellt, misst Längen zu Punkten im ganzen Arbeitsraum; daraus folgen alle 21 Abweichungen der drei Linearachsen und die Abweichung des Werkzeugpunkts an jeder Stelle. Angeben, was für eine Maschine es ist; das Programm schlägt vor, wo das Gerät steht und wo gemessen wird, und was das verraten wird. Ins Archiv kommt nichts, bevor ein Ergebnis behalten wird: die Dateien mitnehmen.',
+    'One tracking interferometer, set up in several places one after the other, measures lengths to points all over the working volume; from them come all 21 errors of the three linear axes and the error of the tool point at every place. Say what the machine is; the program proposes where to stand and where to measure, and what that will tell. Nothing is kept in the archive before you capture lengths or keep a result: take the files along.',
+    'Ein nachführendes Interferometer, nacheinander an mehreren Plätzen aufgestellt, misst Längen zu Punkten im ganzen Arbeitsraum; daraus folgen alle 21 Abweichungen der drei Linearachsen und die Abweichung des Werkzeugpunkts an jeder Stelle. Angeben, was für eine Maschine es ist; das Programm schlägt vor, wo das Gerät steht und wo gemessen wird, und was das verraten wird. Ins Archiv kommt nichts, bevor Längen erfasst oder ein Ergebnis behalten werden: die Dateien mitnehmen.',
   ],
   afresh: ['Begin anew', 'Neu beginnen'],
   // 1
@@ -105,12 +105,13 @@ export const t = texts({
   u_mean: ['u, mean', 'u, Mittel'],
   u_most: ['u, largest', 'u, größte'],
   expected_note: ['Standard uncertainties (k = 1), from the uncertainties that stand in the form.', 'Standardunsicherheiten (k = 1), aus den Unsicherheiten im Formular.'],
-  // 4
+  // 5
   lengths: ['Lengths', 'Längen'],
   lengths_how: [
     'Drop what was measured: a table with the columns station, tool, segment, x_mm, y_mm, z_mm, length_mm, in the order of measurement. The points of the plan are that table with an empty last column.',
     'Ablegen, was gemessen wurde: eine Tabelle mit den Spalten station, tool, segment, x_mm, y_mm, z_mm, length_mm in der Reihenfolge der Messung. Die Punkte des Plans sind diese Tabelle mit leerer letzter Spalte.',
   ],
+  with_captured_plan: ['The lengths that were captured, with the machine and the stations of the plan that was captured.', 'Die erfassten Längen, mit der Maschine und den Standorten des Plans, nach dem erfasst wurde.'],
   choose_lengths: ['Choose lengths', 'Längen wählen'],
   drop_lengths: ['or drop the table here', 'oder die Tabelle hier ablegen'],
   with_machine: ['With the machine above.', 'Mit der Maschine oben.'],

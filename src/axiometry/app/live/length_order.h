@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/live/length_task.h"
+#include "axiometry/base/json.h"
+
+/// What is noted of a capture of lengths beside what it receives: its order, and what it came to.
+namespace axiometry::app {
+
+struct LengthOrder {
+  LengthPlanKind kind = LengthPlanKind::lines;
+  std::string plan;     ///< SHA-256 of its file in the archive
+  std::string plan_id;  ///< LengthTask::plan_id(): captures of one measurement have the same
+  std::string title;    ///< of the part
+  std::size_t stops = 0;
+};
+
+/// Files of the archive by their SHA-256; empty where there is none.
+struct LengthEnd {
+  std::string stage;  ///< stage_name()
+  std::string raw;
+  std::string times;  ///< of arrival, beside the raw recording
+  std::string table;
+  std::size_t found = 0;           ///< lengths in the table
+  std::vector<std::string> notes;  ///< sentences, of TaskLengths
+  std::string error;
+};
+
+json::Value to_json(const LengthOrder& order);
+json::Value to_json(const LengthEnd& end);
+
+/// Nothing where it is not what was written.
+std::optional<LengthOrder> length_order_from(const json::Value& value);
+std::optional<LengthEnd> length_end_from(const json::Value& value);
+
+}  // namespace axiometry::app

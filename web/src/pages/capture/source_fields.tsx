@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a capture listens, and what it is told of the stream.
+import type { Source } from '../../api/types';
+import { Field } from '../../components/field';
+import { parsed, shortest } from '../../numbers';
+import { layouts, of_option, option_keys, t } from './texts';
+
+type Texts = Record<string, string>;
+export interface SourceForm { source: string; layout: string; options: Texts }
+
+const simulator_keys = ['speed', 'preset', 'seed'];
+
+/** Of what was typed only what concerns the source, numbers with a point. */
+export function sent(options: Texts, source: Source): Texts {
+  const concerns = (key: string) => key === 'part' || simulator_keys.includes(key) === (source.kind === 'simulator');
+  const entries = Object.entries(options).filter(([key, text]) => text.trim() !== '' && concerns(key));
+  return Object.fromEntries(entries.map(([key, text]) => [key, parsed(text) === null ? text.trim() : String(parsed(text))]));
+}
+
+export function SourceChoice({ sources, source, choose }: { sources: readonly Source[]; source: Source | undefined; choose: (id: string) => void }) {
+  return (
+    <Field label={t('source')} hint={t('sources_hint')}>
+      {(ids) => (
+        <select {...ids} value={source?.id ?? ''} onChange={(event) => choose(event.currentTarget.value)}>
+          {sources.map(({ id, title, kind }) => <option key={id} value={id}>{kind === 'simulator' ? title : `${title} (${t(kind)})`}</option>)}
+        </select>
+      )}
+    </Field>
+  );
+}
+
+interface OptionsProps { source: Source; form: SourceForm; change: (part: Partial<SourceForm>) => void; unit: string; of_lengths?: boolean }
+
+/** What the chosen source is told, or what its stream does not say itself. */
+export function SourceOptions(props: OptionsProps) {
+  const option = (key: string, text: string) => props.change({ options: { ...props.form.options, [key]: text } });
+  return props.source.kind === 'simulator' ? <SimulatorFields {...props} option={option} /> : <StreamFields {...props} option={option} />;
+}
+
+interface FieldsProps extends OptionsProps { option: (key: string, text: string) => void }
+
+function SimulatorFields({ source, form: { options }, option, of_lengths }: FieldsProps) {
+  const presets = (of_lengths ? source.length_presets : source.presets) ?? [];
+  return (
+    <div class="pair">
+      <Field label={t(of_lengths ? 'happens' : 'fault')} hint={presets.find(({ id }) => id === options['preset'])?.sign}>
+        {(ids) => (
+          <select {...ids} value={options['preset'] ?? ''} onChange={(event) => option('preset', event.currentTarget.value)}>
+            {presets.map(({ id, title }) => <option key={id} value={id}>{title}</option>)}
+          </select>
+        )}
+      </Field>
+      <Field label={t('speed')} hint={t('speed_hint')}>
+        {(ids) => (
+          <select {...ids} class="number" value={options['speed'] ?? ''} onChange={(event) => option('speed', event.currentTarget.value)}>
+            {(source.speeds ?? [1]).map((speed) => <option key={speed} value={String(speed)}>{shortest(speed)}</option>)}
+          </select>
+        )}
+      </Field>
+      <Field label={t('seed')}>
+        {(ids) => <input {...ids} class="number" inputMode="numeric" placeholder={of_lengths ? t('of_plan') : ''} value={options['seed'] ?? ''} onInput={(event) => option('seed', event.currentTarget.value)} />}
+      </Field>
+    </div>
+  );
+}
+
+function StreamFields({ form, change, option, unit, of_lengths }: FieldsProps) {
+  const keys = option_keys.filter((key) => !(of_lengths && key === 'datum'));
+  return (
+    <>
+      <Field label={t('layout')}>
+        {(ids) => (
+          <select {...ids} value={form.layout} onChange={(event) => change({ layout: event.currentTarget.value })}>
+            <option value="">{t('recognised')}</option>
+            {layouts.map((id) => <option key={id} value={id}>{id}</option>)}
+          </select>
+        )}
+      </Field>
+      <details>
+        <summary>{t('more')}</summary>
+        <div class="pair">
+          {keys.map((key) => (
+            <Field key={key} label={of_option(key, { unit })}>
+              {(ids) => (
+                <input {...ids} class="number" inputMode="decimal" placeholder={t('auto')} value={form.options[key] ?? ''}
+                  onInput={(event) => option(key, event.currentTarget.value)} />
+              )}
+            </Field>
+          ))}
+        </div>
+        <div class="boxes">
+          <label>
+            <input type="checkbox" checked={form.options['reverse'] === '1'} onChange={(event) => option('reverse', event.currentTarget.checked ? '1' : '')} />
+            {of_option(of_lengths ? 'reverse_lengths' : 'reverse')}
+          </label>
+          {!of_lengths && (
+            <label>
+              <input type="checkbox" checked={form.options['zero'] === 'first-target'} onChange={(event) => option('zero', event.currentTarget.checked ? 'first-target' : '')} />
+              {of_option('zero')}
+            </label>
+          )}
+        </div>
+      </details>
+    </>
+  );
+}
