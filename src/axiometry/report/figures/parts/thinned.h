@@ -9,13 +9,13 @@ namespace axiometry::report::plot {
 
 /// A curve of more points than a page can show, with as many as it can: of the points within each column of 0.4 pt, a
 /// third of the thickness of the line of means, the lowest and the highest, and the first and the last of all.
-/// Everywhere within half a column of where it was; extremes stay at their height. Curves of up to 4000 points stay as
+/// Everywhere within half a column of where it was; extremes stay at their height. Curves of up to 1500 points stay as
 /// they are.
 ///
 /// Contract: x does not fall.
 std::vector<Point> thinned(std::vector<Point> curve);
 
 /// Beyond as many targets marks at each would be one broad line.
-inline constexpr std::size_t most_points_shown = 4000;
+inline constexpr std::size_t most_points_shown = 1500;
 
 }  // namespace axiometry::report::plot
