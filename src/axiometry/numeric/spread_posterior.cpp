@@ -12,10 +12,10 @@
 namespace axiometry::numeric {
 namespace {
 
-constexpr std::size_t grid_size = 128;           // 4.5 % from point to point; draws move within a step
-constexpr std::size_t values_of_freedom = 1024;  // of the sum of squares, that many cells share
-constexpr std::size_t level_step = 2;            // levels stand on every second grid point
-constexpr double lowest = 0.02;                  // of the larger of noise and pooled scatter
+constexpr std::size_t grid_size = 128;          // 4.5 % from point to point; draws move within a step
+constexpr std::size_t values_of_freedom = 256;  // of the sum of squares, that many cells share
+constexpr std::size_t level_step = 2;           // levels stand on every second grid point
+constexpr double lowest = 0.02;                 // of the larger of noise and pooled scatter
 constexpr double highest = 6.0;
 constexpr double negligible = 1e-6;      // posterior weight, against the largest, that is left out
 constexpr double window_in_omega = 3.5;  // the normal prior of ln σ beyond is left out: 5e-4
