@@ -51,8 +51,6 @@ class SpreadPosterior {
     std::span<const double> cells;
   };
   void draw(const Randoms& randoms, std::span<double> sds) const;
-  /// What `choice` picks: draws of one number after the other find their tables in the cache.
-  std::size_t hypothesis_of(double choice) const { return hypotheses_.empty() ? 0 : choice_(choice); }
 
   /// The variance of one reading, scatter and noise, pooled over the cells and at least u².
   double pooled_variance() const { return pooled_variance_; }
