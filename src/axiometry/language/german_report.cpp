@@ -81,6 +81,10 @@ constexpr Phrase rows[] = {
      "Keine Entscheidung über {0}: in dieser Prüfung nicht anwendbar."},
     {"Note", "Hinweis"},
     {"Number of approaches {0#}", "Anzahl der Anfahrten {0}"},
+    {"One target in {0} of {1} stands here, with the first, the last and those at which a result is the lowest or the "
+     "highest; the CSV and JSON of the results have all of them",
+     "Hier steht eine Zielposition von je {0} der insgesamt {1}, dazu die erste, die letzte und alle, an denen ein "
+     "Ergebnis am kleinsten oder am größten ist; CSV und JSON der Ergebnisse enthalten alle"},
     {"Parameter", "Kennwert"},
     {"Parameters of the axis", "Kennwerte der Achse"},
     {"Parameters of the diagonal", "Kennwerte der Diagonale"},

@@ -40,4 +40,11 @@ void AffineRows::apply(Rows<const float> sources, Rows<float> rows, std::size_t 
                                         rows.stride);
 }
 
+void subtract_products(std::span<const double> factors, Rows<const double> sources, std::span<double> row,
+                       VectorTarget target) {
+  AXIOMETRY_CONTRACT(sources.hold(factors.size(), row.size()));
+  affine_kernel_of(target).subtract(factors.data(), factors.size(), {sources.values.data(), sources.stride, row.size()},
+                                    row.data());
+}
+
 }  // namespace axiometry::numeric

@@ -49,4 +49,9 @@ class AffineRows {
   std::vector<float> factors_single_;
 };
 
+/// row −= Σ f_k x_k, one product after the other, x_k the rows of the sources: the same bits on every target. Contract:
+/// as many sources as factors, of at least as many trials as the row has.
+void subtract_products(std::span<const double> factors, Rows<const double> sources, std::span<double> row,
+                       VectorTarget target = best_vector_target());
+
 }  // namespace axiometry::numeric

@@ -51,9 +51,34 @@ void apply_single(const AffineMapView<float>& map, AffineInput<float> input, flo
   apply_all<Floats>(map, input, rows, stride);
 }
 
+template <size_t registers>
+[[gnu::always_inline]] inline void subtract_some(const double* factors, size_t terms, const double* sources,
+                                                 size_t stride, double* row) {
+  Doubles left[registers];
+  for (size_t k = 0; k < registers; ++k) left[k] = load<Doubles>(row + k * lanes<Doubles>);
+  for (size_t term = 0; term < terms; ++term) {
+    const Doubles factor = all<Doubles>(factors[term]);
+    for (size_t k = 0; k < registers; ++k)
+      left[k] -= factor * load<Doubles>(sources + term * stride + k * lanes<Doubles>);
+  }
+  for (size_t k = 0; k < registers; ++k) store(row + k * lanes<Doubles>, left[k]);
+}
+
+void subtract(const double* factors, size_t terms, AffineInput<double> input, double* row) {
+  constexpr size_t registers = 5;  // sums that wait for each other would take four times as long
+  constexpr size_t wide = registers * lanes<Doubles>;
+  size_t t = 0;
+  for (; t + wide <= input.trials; t += wide)
+    subtract_some<registers>(factors, terms, input.values + t, input.stride, row + t);
+  for (; t + lanes<Doubles> <= input.trials; t += lanes<Doubles>)
+    subtract_some<1>(factors, terms, input.values + t, input.stride, row + t);
+  for (; t < input.trials; ++t)
+    for (size_t term = 0; term < terms; ++term) row[t] -= factors[term] * input.values[term * input.stride + t];
+}
+
 }  // namespace
 
 extern const AffineKernel affine_kernel;
-const AffineKernel affine_kernel = {apply, apply_single};
+const AffineKernel affine_kernel = {apply, apply_single, subtract};
 
 }  // namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET

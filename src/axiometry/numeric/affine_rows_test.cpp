@@ -58,5 +58,27 @@ TEST(AffineRows, MayBeNone) {
   none.apply(Rows<const double>{}, Rows<double>{}, 10);
 }
 
+TEST(AffineRows, TakeProductsAwayOneAfterTheOtherOnEveryTarget) {
+  const std::vector<double> factors = {0.3, -1.0 / 3.0, 1e-7};
+  for (std::size_t trials : {0u, 1u, 7u, 16u, 40u, 80u, 100u}) {
+    const std::size_t stride = trials + 3;
+    std::vector<double> x(factors.size() * stride), y(trials);
+    fill_normal({1, 3, trials}, x);
+    fill_normal({1, 4, trials}, y);
+    for (VectorTarget target : available_vector_targets()) {
+      std::vector<double> row = y;
+      subtract_products(factors, Rows<const double>{x, stride}, row, target);
+      for (std::size_t t = 0; t < trials; ++t) {
+        double left = y[t];
+        for (std::size_t k = 0; k < factors.size(); ++k) {
+          const double product = factors[k] * x[k * stride + t];
+          left -= product;
+        }
+        EXPECT_EQ(row[t], left) << vector_target_name(target);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace axiometry::numeric

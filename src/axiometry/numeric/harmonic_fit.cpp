@@ -6,12 +6,14 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/fourier.h"
 
 namespace axiometry::numeric {
 namespace {
@@ -173,22 +175,75 @@ class LineSpectrum {
 
   SpectralLine at(double frequency) const { return of(frequency, turns(frequency)); }
 
+  /// Of every frequency, from the longest period on: one by one for few places, which gives the same bits as at().
+  std::vector<SpectralLine> of(const FrequencyGrid& grid) const {
+    return centred_.size() < places_by_transform ? one_by_one(grid) : by_transform(grid);
+  }
+
+ private:
+  static constexpr std::size_t places_by_transform = 256;  // where sums one by one take longer
+
+  /// Of cosine c and sine s at the places: products with each other, and with constant, ramp and rest.
+  struct Sums {
+    double cc = 0, ss = 0, cs = 0, c0 = 0, s0 = 0, c1 = 0, s1 = 0, cr = 0, sr = 0;
+  };
+
   std::vector<std::complex<double>> turns(double frequency) const {
     std::vector<std::complex<double>> result;
     for (double x : centred_) result.push_back(std::polar(1.0, two_pi * frequency * x));
     return result;
   }
 
-  SpectralLine of(double frequency, std::span<const std::complex<double>> turns) const {
-    double cc = 0, ss = 0, cs = 0, c0 = 0, s0 = 0, c1 = 0, s1 = 0, cr = 0, sr = 0;
-    for (std::size_t k = 0; k < turns.size(); ++k) {
-      const double c = turns[k].real(), s = turns[k].imag();
-      cc += c * c, ss += s * s, cs += c * s;
-      c0 += c, s0 += s;
-      c1 += c * ramp_[k], s1 += s * ramp_[k];
-      cr += c * rest_[k], sr += s * rest_[k];
+  std::vector<SpectralLine> one_by_one(const FrequencyGrid& grid) const {
+    std::vector<SpectralLine> lines;
+    lines.reserve(grid.count);
+    const std::vector<std::complex<double>> further = turns(grid.step);
+    std::vector<std::complex<double>> turned;
+    for (std::size_t k = 0; k < grid.count; ++k) {
+      constexpr std::size_t drift_limit = 256;  // rounding of the products grows with their number
+      const double frequency = grid.first + grid.step * static_cast<double>(k);
+      if (k % drift_limit == 0)
+        turned = turns(frequency);
+      else
+        for (std::size_t i = 0; i < turned.size(); ++i) turned[i] *= further[i];
+      lines.push_back(of(frequency, turned));
     }
-    c0 *= constant_, s0 *= constant_;
+    return lines;
+  }
+
+  /// cos² and sin² are what the cosine of twice the angle tells.
+  std::vector<SpectralLine> by_transform(const FrequencyGrid& grid) const {
+    const std::vector<double> ones(centred_.size(), 1.0);
+    const std::array<std::span<const double>, 3> columns = {ones, ramp_, rest_};
+    const auto sums = fourier_sums(centred_, columns, grid);
+    const auto twice = fourier_sums(centred_, std::span(columns).first(1), {2 * grid.first, 2 * grid.step, grid.count});
+    const double n = static_cast<double>(centred_.size());
+    std::vector<SpectralLine> lines;
+    lines.reserve(grid.count);
+    for (std::size_t k = 0; k < grid.count; ++k) {
+      const std::complex<double> one = sums[0][k], ramp = sums[1][k], rest = sums[2][k], both = twice[0][k];
+      lines.push_back(of(grid.first + grid.step * static_cast<double>(k),
+                         Sums{0.5 * (n + both.real()), 0.5 * (n - both.real()), 0.5 * both.imag(), one.real(),
+                              one.imag(), ramp.real(), ramp.imag(), rest.real(), rest.imag()}));
+    }
+    return lines;
+  }
+
+  SpectralLine of(double frequency, std::span<const std::complex<double>> turned) const {
+    Sums sums;
+    for (std::size_t k = 0; k < turned.size(); ++k) {
+      const double c = turned[k].real(), s = turned[k].imag();
+      sums.cc += c * c, sums.ss += s * s, sums.cs += c * s;
+      sums.c0 += c, sums.s0 += s;
+      sums.c1 += c * ramp_[k], sums.s1 += s * ramp_[k];
+      sums.cr += c * rest_[k], sums.sr += s * rest_[k];
+    }
+    return of(frequency, sums);
+  }
+
+  SpectralLine of(double frequency, const Sums& sums) const {
+    const auto& [cc, ss, cs, without0, without1, c1, s1, cr, sr] = sums;
+    const double c0 = without0 * constant_, s0 = without1 * constant_;
     const double CC = cc - c0 * c0 - c1 * c1, SS = ss - s0 * s0 - s1 * s1, CS = cs - c0 * s0 - c1 * s1;
     SpectralLine line{1.0 / frequency, 0.0, 0.0};
     if (squares_ == 0.0) return line;
@@ -197,7 +252,7 @@ class LineSpectrum {
     if (determinant > dependent * cc * ss) {
       by_cosine = (cr * SS - sr * CS) / determinant;
       by_sine = (sr * CC - cr * CS) / determinant;
-    } else if (std::max(CC, SS) > dependent * static_cast<double>(turns.size())) {
+    } else if (std::max(CC, SS) > dependent * static_cast<double>(centred_.size())) {
       // Only one of both can be seen: as at every half period.
       by_cosine = CC >= SS ? cr / CC : 0.0;
       by_sine = CC >= SS ? 0.0 : sr / SS;
@@ -207,7 +262,6 @@ class LineSpectrum {
     return line;
   }
 
- private:
   std::span<const double> places_;
   std::vector<double> centred_;
   std::vector<double> ramp_;  ///< of length 1
@@ -310,17 +364,7 @@ Spectrum spectrum(const HarmonicData& data, PeriodBand band) {
   const auto frequency = [&](std::size_t k) { return low + step * static_cast<double>(k); };
 
   Spectrum result;
-  result.lines.reserve(count);
-  const std::vector<std::complex<double>> further = sums.turns(step);
-  std::vector<std::complex<double>> turns;
-  for (std::size_t k = 0; k < count; ++k) {
-    constexpr std::size_t drift_limit = 256;  // rounding of the products grows with their number
-    if (k % drift_limit == 0)
-      turns = sums.turns(frequency(k));
-    else
-      for (std::size_t i = 0; i < turns.size(); ++i) turns[i] *= further[i];
-    result.lines.push_back(sums.of(frequency(k), turns));
-  }
+  result.lines = sums.of(FrequencyGrid{low, step, count});
   const auto highest = std::ranges::max_element(result.lines, {}, &SpectralLine::reduction);
   const auto at = static_cast<std::size_t>(highest - result.lines.begin());
   result.at_end = at == 0 || at + 1 == count;

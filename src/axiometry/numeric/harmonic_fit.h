@@ -90,8 +90,9 @@ struct Spectrum {
 /// How many periods spectrum() looks at: ten per 1/T.
 double spectral_lines(const HarmonicData& data, PeriodBand band);
 
-/// Contract: at least five places, a valid band, at most 1e7 spectral lines. Takes time in proportion to places times
-/// lines. Values on a line without any rest have no reduction anywhere.
+/// Contract: at least five places, a valid band, at most 1e7 spectral lines. Takes time in proportion to places and
+/// lines: of many places the sums come from Fourier transforms (fourier.h), as many digits as one by one, other
+/// roundings. Values on a line without any rest have no reduction anywhere.
 Spectrum spectrum(const HarmonicData& data, PeriodBand band);
 
 /// Probability that white noise alone has a peak of at least this reduction at some period of the band.

@@ -140,10 +140,39 @@ TEST(Spectrum, AgreesWithTheFitAtEveryLine) {
   }
 }
 
+/// Validation: sums by transforms against the fit, also where targets every half period show one of sine and cosine.
+TEST(Spectrum, OfManyPlacesAgreesWithTheFitAtEveryLine) {
+  std::vector<double> even;
+  for (int k = 0; k < 400; ++k) even.push_back(100.0 + 2.0 * k);
+  for (const auto& x : {uneven_places(400, 7), even}) {
+    const auto e = noise(400, 7);
+    std::vector<double> y;
+    for (std::size_t k = 0; k < 400; ++k) y.push_back(e[k] + 3.0 * std::sin(x[k] / 3.0) - 0.01 * x[k]);
+    const Spectrum s = spectrum({x, y}, {4.2, 300.0});
+    const double about_line = [&] {
+      double mx = 0, my = 0, xx = 0, xy = 0, yy = 0;
+      for (std::size_t k = 0; k < 400; ++k) mx += x[k] / 400, my += y[k] / 400;
+      for (std::size_t k = 0; k < 400; ++k)
+        xx += (x[k] - mx) * (x[k] - mx), xy += (x[k] - mx) * (y[k] - my), yy += (y[k] - my) * (y[k] - my);
+      return yy - xy * xy / xx;
+    }();
+    for (std::size_t k = 0; k < s.lines.size(); k += 7) {
+      const auto fit = fit_harmonics({x, y}, s.lines[k].period, orders(1));
+      ASSERT_TRUE(fit);
+      EXPECT_NEAR(s.lines[k].amplitude, std::hypot(fit->sine(1), fit->cosine(1)), 1e-9) << s.lines[k].period;
+      EXPECT_NEAR(s.lines[k].reduction, 1.0 - fit->sum_of_squares / about_line, 1e-11) << s.lines[k].period;
+    }
+    EXPECT_NEAR(s.highest.period, 2 * std::numbers::pi * 3.0, 0.02);
+  }
+}
+
 TEST(Spectrum, FindsNothingOnAStraightLine) {
   const auto x = uneven_places(30, 8);
   const auto y = values_at(x, [](double p) { return 1e3 + 0.37 * p; });
   EXPECT_EQ(spectrum({x, y}, {2.0, 15.0}).highest.reduction, 0.0);
+  const auto many = uneven_places(300, 8);
+  const auto on_line = values_at(many, [](double p) { return 1e3 + 0.37 * p; });
+  EXPECT_EQ(spectrum({many, on_line}, {2.0, 15.0}).highest.reduction, 0.0);
 }
 
 TEST(FalseAlarm, IsAsFrequentAsStatedAmongWhiteNoise) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +19,13 @@
 /// … 0.75. What the readings say decides between them: a hierarchical model (Gelman et al., Bayesian Data Analysis,
 /// 2013, chapter 5) on a grid, so that draws are independent.
 ///
+/// A cell tells no more than its ν and its sum of squares S. Of many cells (more than `cells_one_by_one`) those of one
+/// ν share 256 values of S, equally spaced in ln(S + v), v the smallest variance that is considered: the logarithm of
+/// a cell's likelihood is taken between four of them (Lagrange), its σ from either of two, by chance and in the share
+/// of its distance. Steps are below 5 %: weights of hypotheses agree to five digits with those of cells one by one,
+/// and means of σ within 0.5 % (spread_posterior_test.cpp), where a grid point of σ stands for 4.5 %. Time and memory
+/// are then those of 256 cells, beside what each draw of each cell takes.
+///
 /// σ_c² is never below zero, which is what subtracting u² from a sample variance cannot promise.
 namespace axiometry::numeric {
 
@@ -27,7 +36,10 @@ struct CellScatter {
 
 class SpreadPosterior {
  public:
-  SpreadPosterior(std::span<const CellScatter> cells, double noise_sd);
+  static constexpr std::size_t cells_one_by_one = 512;
+
+  /// `by_classes`: whether cells share values, which is decided by their number unless said.
+  SpreadPosterior(std::span<const CellScatter> cells, double noise_sd, std::optional<bool> by_classes = {});
 
   std::size_t size() const { return cells_; }
 
@@ -49,15 +61,27 @@ class SpreadPosterior {
     std::size_t level = 0;         ///< index in the grid
     std::size_t window_begin = 0;  ///< grid points considered
     std::size_t window = 0;
-    std::vector<float> cumulative;  ///< cells × window; empty when all cells are alike
+    std::vector<float> cumulative;  ///< of cells or classes × window; empty when all cells are alike
   };
 
-  void consider_hypotheses(const std::vector<double>& likelihoods);
+  /// Values that cells share, and how many cells each stands for.
+  struct Classes {
+    std::vector<CellScatter> values;
+    std::vector<double> counts;
+  };
+  Classes classes_of(std::span<const CellScatter> cells, double smallest_variance);
+  void consider_hypotheses(const std::vector<double>& likelihoods, std::span<const double> counts);
 
   std::size_t cells_ = 0;
   double pooled_variance_ = 0.0;
   double grid_step_ = 0.0;    ///< of ln σ
   std::vector<double> grid_;  ///< σ
+  /// Of a cell: it is of this class, or with a probability of `next` of the one behind.
+  struct Membership {
+    std::uint32_t place = 0;
+    float next = 0.0F;
+  };
+  std::vector<Membership> memberships_;  ///< empty where every cell is a class of its own
   std::vector<Hypothesis> hypotheses_;
   WeightedChoice choice_;
 };

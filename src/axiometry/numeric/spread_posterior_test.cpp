@@ -72,5 +72,51 @@ TEST(SpreadPosterior, SeesCellsThatDiffer) {
   EXPECT_GT(moments(found[0]).mean, 2.5 * moments(found[21]).mean);
 }
 
+/// Mean σ of every cell, over its uniform number, of the hypothesis that a choice picks.
+std::vector<double> mean_sds(const SpreadPosterior& posterior, double choice) {
+  constexpr std::size_t steps = 2000;
+  std::vector<double> means(posterior.size(), 0.0), sds(posterior.size()), uniforms(posterior.size());
+  for (std::size_t k = 0; k < steps; ++k) {
+    std::ranges::fill(uniforms, (double(k) + 0.5) / double(steps));
+    posterior.draw({choice, 0.5, uniforms}, sds);
+    for (std::size_t c = 0; c < sds.size(); ++c) means[c] += sds[c] / double(steps);
+  }
+  return means;
+}
+
+/// Cells that share values against cells one by one: hypotheses are as likely, and every cell has the same σ on
+/// average, within what 2000 steps of its uniform number tell. Cells of other degrees of freedom and cells without any
+/// scatter among them; noise that explains nothing, a part, or all.
+TEST(SpreadPosterior, IsTheSameWhereManyCellsShareValues) {
+  constexpr std::size_t count = 600;
+  std::vector<double> z(5 * count);
+  fill_normal({8, 0, 0}, z);
+  std::vector<CellScatter> cells;
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::size_t freedom = c % 7 == 0 ? c % 3 : 4;
+    double squares = 0.0;
+    for (std::size_t k = 0; k < freedom; ++k) squares += z[5 * c + k] * z[5 * c + k] * std::exp(0.6 * z[5 * c + 4]);
+    cells.push_back({c % 50 == 1 ? 0.0 : squares, double(freedom)});
+  }
+  for (double noise : {0.0, 0.6, 1.2}) {
+    const SpreadPosterior one_by_one(cells, noise, false), shared(cells, noise, true);
+    for (double choice : {0.03, 0.5, 0.99}) {
+      const auto expected = mean_sds(one_by_one, choice), found = mean_sds(shared, choice);
+      for (std::size_t c = 0; c < count; ++c)
+        ASSERT_NEAR(found[c], expected[c], 0.005 * expected[c]) << noise << ' ' << choice << ' ' << c;
+    }
+  }
+}
+
+/// No σ that they have in common is likely, in any of the hypotheses: products of their likelihoods are far below what
+/// a double holds.
+TEST(SpreadPosterior, IsFoundOfManyCellsThatContradictEachOther) {
+  std::vector<CellScatter> cells(60, {500.0, 500.0});
+  for (std::size_t c = 0; c < 30; ++c) cells[c].sum_of_squares = 500.0 * 1e-4;
+  const auto found = draws(SpreadPosterior(cells, 0.0), 200);
+  EXPECT_NEAR(moments(found[0]).mean, 0.0145, 0.006);  // the grid ends at a fiftieth of the pooled s
+  EXPECT_NEAR(moments(found[59]).mean, 1.0, 0.05);
+}
+
 }  // namespace
 }  // namespace axiometry::numeric

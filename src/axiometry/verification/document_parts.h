@@ -22,6 +22,9 @@ struct Page {
   Ledger& ledger;
 };
 
+/// The place of the target of a row by its number in the first column; nothing where it is none.
+std::optional<std::size_t> target_of(const PrintedTable& table, std::size_t row, std::size_t targets);
+
 /// The row of `tolerances` of a parameter; nullptr when it has no limit.
 const json::Value* decision_of(const json::Value& result, std::string_view parameter_key);
 

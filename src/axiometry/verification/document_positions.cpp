@@ -19,24 +19,17 @@ bool is_of_readings(const PrintedTable& table) {
   return false;
 }
 
-/// The place of a target by its number in the first column; nothing where it is none.
-std::optional<std::size_t> target_of(const PrintedTable& table, std::size_t row, std::size_t targets) {
-  const auto number = decimal_of(table.cell(row, std::size_t{0}));
-  if (!number || number->exponent != 0 || number->digits < 1 || number->digits > targets) return std::nullopt;
-  return number->digits.convert_to<std::size_t>() - 1;
-}
-
-void check_target(const PrintedTable& table, std::size_t row, const ExactPosition& position, const Page& page) {
-  page.ledger.text([&] { return fmt::format("target {} in \"{}\"", row + 1, table.caption()); },
-                   table.cell(row, std::size_t{1}), position.target, Interval::of(1e-12));
+void check_target(const PrintedTable& table, std::size_t row, std::size_t target, const Page& page) {
+  page.ledger.text([&] { return fmt::format("target {} in \"{}\"", target + 1, table.caption()); },
+                   table.cell(row, std::size_t{1}), page.found.positions[target].target, Interval::of(1e-12));
 }
 
 /// A cell that may be empty.
 void check_cell(const PrintedTable& table, std::size_t row, std::size_t column, const Exact& right, const Page& page) {
   const std::string printed = table.cell(row, column);
   const auto place = [&] {
-    return fmt::format("{} {} of target {} in \"{}\"", table.group(column), table.head(column), row + 1,
-                       table.caption());
+    return fmt::format("{} {} of target {} in \"{}\"", table.group(column), table.head(column),
+                       table.cell(row, std::size_t{0}), table.caption());
   };
   if (right && !says_nothing(printed)) return page.ledger.text(place, printed, *right, page.found.rounding);
   ++page.ledger.figures;
@@ -51,7 +44,7 @@ void check_readings_table(const PrintedTable& table, const Series& series, const
                          "the number of a target");
       continue;
     }
-    check_target(table, row, page.found.positions[*target], page);
+    check_target(table, row, *target, page);
     for (std::size_t column = 2; column < table.column_count(); ++column) {
       // "j = 1" and then "2", "3", …
       const std::string_view head = table.head(column);
@@ -90,7 +83,7 @@ void check_results_table(const PrintedTable& table, const Page& page) {
     const auto target = target_of(table, row, page.found.positions.size());
     if (!target) continue;
     const ExactPosition& position = page.found.positions[*target];
-    check_target(table, row, position, page);
+    check_target(table, row, *target, page);
     for (std::size_t column = 2; column < table.column_count(); ++column)
       if (const auto right = quantity_of(table.head(column), table.group(column), position))
         check_cell(table, row, column, *right, page);
@@ -98,6 +91,12 @@ void check_results_table(const PrintedTable& table, const Page& page) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> target_of(const PrintedTable& table, std::size_t row, std::size_t targets) {
+  const auto number = decimal_of(table.cell(row, std::size_t{0}));
+  if (!number || number->exponent != 0 || number->digits < 1 || number->digits > targets) return std::nullopt;
+  return number->digits.convert_to<std::size_t>() - 1;
+}
 
 void check_position_section(const report::Section& section, const Page& page) {
   bool results = false;

@@ -159,17 +159,23 @@ void check_corrected_axis_table(const PrintedTable& table, const Page& page) {
 }
 
 void check_corrected_position_table(const PrintedTable& table, const Page& page) {
-  for (std::size_t row = 0; row < table.row_count() && row < page.found.corrected_positions.size(); ++row) {
-    page.ledger.text([&] { return fmt::format("target {} in \"{}\"", row + 1, table.caption()); },
-                     table.cell(row, std::size_t{1}), page.found.positions[row].target, Interval::of(1e-12));
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const auto target = target_of(table, row, page.found.corrected_positions.size());
+    if (!target) {
+      page.ledger.differ(fmt::format("line {} of \"{}\"", row + 1, table.caption()), table.cell(row, std::size_t{0}),
+                         "the number of a target");
+      continue;
+    }
+    page.ledger.text([&] { return fmt::format("target {} in \"{}\"", *target + 1, table.caption()); },
+                     table.cell(row, std::size_t{1}), page.found.positions[*target].target, Interval::of(1e-12));
     for (std::size_t column = 2; column < table.column_count(); ++column) {
       const bool measured = table.head(column) == "measured";
       if (!measured && table.head(column) != "corrected") continue;
-      const ExactPosition& p = measured ? page.found.positions[row] : page.found.corrected_positions[row];
+      const ExactPosition& p = measured ? page.found.positions[*target] : page.found.corrected_positions[*target];
       const std::string_view group = table.group(column);
       const Exact right = group.contains("↑") ? p.R_up() : group.contains("↓") ? p.R_down() : p.R();
       const std::string printed = table.cell(row, column);
-      const auto place = [&] { return fmt::format("{} {} of target {}", group, table.head(column), row + 1); };
+      const auto place = [&] { return fmt::format("{} {} of target {}", group, table.head(column), *target + 1); };
       if (right && !says_nothing(printed)) {
         page.ledger.text(place, printed, *right, page.found.rounding);
       } else if (right || !says_nothing(printed)) {

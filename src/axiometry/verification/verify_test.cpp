@@ -120,6 +120,27 @@ TEST(Verification, FindsAGumResultWithFewApproachesAgain) {
   EXPECT_TRUE(counts) << counts.error().message;
 }
 
+TEST(Verification, FindsTheTargetsAgainThatAReportOfVeryManyShows) {
+  std::vector<double> targets;
+  testing_support::RunDeviations first, second;
+  for (std::size_t i = 0; i < 1500; ++i) {
+    targets.push_back(double(i));
+    first.push_back(0.01 * double(i * i % 313));
+    second.push_back(0.01 * double(i * i % 311) + 0.001 * double(i));
+  }
+  axiometry::Test test{{}, testing_support::make_series(targets, {first, second}, {second, first}), {}};
+  test.metadata.uncertainty.environmental_variation = Deviation::native(0.1);
+  const app::Evaluated e = evaluated(std::move(test), {});
+  EXPECT_TRUE(app::second_opinion(e, {}, {}));
+  report::Document document = document_of(e);
+  for (report::Section& section : document.sections)  // a line under another target's number
+    if (section.id == "uncertainty")
+      for (report::Block& block : section.blocks)
+        if (auto* table = std::get_if<report::Table>(&block); table != nullptr && table->rows.size() > 400)
+          table->rows[7][0].text = report::plain("23");
+  EXPECT_FALSE(checked(e, app::to_json(e), document));
+}
+
 TEST(Verification, FindsItAgainInEveryUnitAndStyle) {
   const app::Evaluated e = table2("iso14253-1");
   for (const auto unit : {report::DisplayUnit::mm, report::DisplayUnit::nm, report::DisplayUnit::native})

@@ -12,6 +12,7 @@
 #include "axiometry/standards/readings/reading_correction.h"
 #include "tests/support/document_parts.h"
 #include "tests/support/report_subject.h"
+#include "tests/support/series.h"
 
 namespace axiometry::report {
 namespace {
@@ -463,6 +464,34 @@ TEST(ProvenanceSection, SaysWhereTheTrailOfTheArchiveEndedBeforeItWasIssued) {
 TEST(Compose, GivesEverySectionAnIdOfItsOwn) {
   const auto ids = section_ids(composed(reported_table2()));
   EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size());
+}
+
+TEST(Compose, ShowsSomeOfVeryManyTargetsAndTellsWhereTheOthersAre) {
+  std::vector<double> targets;
+  testing_support::RunDeviations first, second;
+  for (std::size_t i = 0; i < 1500; ++i) {
+    targets.push_back(double(i));
+    first.push_back(0.01 * double(i * i % 313));
+    second.push_back(0.01 * double(i * i % 311) + 0.001 * double(i));
+  }
+  axiometry::Test test{{}, testing_support::make_series(targets, {first, second}, {second, first}), {}};
+  test.metadata.uncertainty.environmental_variation = Deviation::native(0.1);
+  const Document document = composed(reported(std::move(test)));
+  std::size_t of_targets = 0;
+  for (const std::string_view id : {"positions", "uncertainty"})
+    for (const Table& table : tables(section(document, id))) {
+      if (table.groups.empty() || plain_text(table.groups.front().head) != "Target") continue;
+      ++of_targets;
+      EXPECT_GT(table.rows.size(), 490u);
+      EXPECT_LT(table.rows.size(), 530u);
+      EXPECT_EQ(plain_text(table.rows.front()[0].text), "1");
+      EXPECT_EQ(plain_text(table.rows[1][0].text), "4");
+      EXPECT_EQ(plain_text(table.rows[1][1].text), "3");  // its position
+      EXPECT_EQ(plain_text(table.rows.back()[0].text), "1500");
+      ASSERT_FALSE(table.notes.empty());
+      EXPECT_THAT(plain_text(table.notes.back()), StartsWith("One target in 3 of 1500 stands here, "));
+    }
+  EXPECT_EQ(of_targets, 3u) << "readings, results, corrected repeatability";
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ std::vector<QuantityGroup> groups_for(const Series& series, std::span<const Posi
   return groups;
 }
 
-Table result_table(const Subject& subject, const Options& options) {
+Table result_table(const Subject& subject, const ShownTargets& shown, const Options& options) {
   const AxisKind kind = subject.test.metadata.axis.kind;
   const auto groups = groups_for(subject.test.series, subject.assessment.evaluation.positions);
   const int decimals = position_decimals(subject.test.series.targets());
@@ -97,15 +97,16 @@ Table result_table(const Subject& subject, const Options& options) {
       table.columns.push_back(
           {symbol(quantity.symbol), Align::decimal, false, false, &quantity == group.quantities.data()});
   }
-  std::size_t number = 0;
-  for (const PositionResult& position : subject.assessment.evaluation.positions) {
-    std::vector<TableCell> row = {text_cell(fmt::format("{}", ++number)),
+  for (const std::size_t place : shown.places) {
+    const PositionResult& position = subject.assessment.evaluation.positions[place];
+    std::vector<TableCell> row = {text_cell(fmt::format("{}", place + 1)),
                                   text_cell(format_fixed(position.target.in_native(), decimals, options.numbers))};
     for (const auto& group : groups)
       for (const Quantity& quantity : group.quantities)
         row.push_back(deviation_cell(quantity.value(position), options));
     table.rows.push_back(std::move(row));
   }
+  note_left_out(table, shown);
   return table;
 }
 
@@ -115,12 +116,14 @@ Section position_section(const Subject& subject, const Options& options) {
   Section section{"positions", "Deviations and results at the target positions", true, {}};
   const Test& test = subject.test;
   const AxisKind kind = test.metadata.axis.kind;
+  const ShownTargets shown = shown_targets(subject.assessment.evaluation);
   const std::string_view title =
       test.as_measured ? "Table 2 – Positioning deviations, corrected," : "Table 2 – Positioning deviations";
-  for (Table& table : reading_tables(test.series, kind, title, options)) section.blocks.emplace_back(std::move(table));
-  section.blocks.emplace_back(result_table(subject, options));
+  for (Table& table : reading_tables(test.series, shown, kind, title, options))
+    section.blocks.emplace_back(std::move(table));
+  section.blocks.emplace_back(result_table(subject, shown, options));
   if (test.as_measured)
-    for (Table& table : reading_tables(*test.as_measured, kind, "Positioning deviations as measured,", options))
+    for (Table& table : reading_tables(*test.as_measured, shown, kind, "Positioning deviations as measured,", options))
       section.blocks.emplace_back(std::move(table));
   return section;
 }

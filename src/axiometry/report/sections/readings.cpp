@@ -50,7 +50,12 @@ std::string_view direction_text(Direction direction) {
 
 }  // namespace
 
-std::vector<Table> reading_tables(const Series& series, AxisKind kind, std::string_view title, const Options& options) {
+void note_left_out(Table& table, const ShownTargets& shown) {
+  if (shown.note) table.notes.push_back(sentence(*shown.note));
+}
+
+std::vector<Table> reading_tables(const Series& series, const ShownTargets& shown, AxisKind kind,
+                                  std::string_view title, const Options& options) {
   const int decimals = position_decimals(series.targets());
   std::vector<Table> tables;
   for (const auto& strips : layout(series)) {
@@ -71,7 +76,7 @@ std::vector<Table> reading_tables(const Series& series, AxisKind kind, std::stri
             {first ? joined({italic("j"), plain(" = "), number}) : number, Align::decimal, false, false, first});
       }
     }
-    for (std::size_t target = 0; target < series.target_count(); ++target) {
+    for (const std::size_t target : shown.places) {
       std::vector<TableCell> row = {
           text_cell(fmt::format("{}", target + 1)),
           text_cell(format_fixed(series.targets()[target].in_native(), decimals, options.numbers))};
@@ -80,6 +85,7 @@ std::vector<Table> reading_tables(const Series& series, AxisKind kind, std::stri
           row.push_back(deviation_cell(series.reading(target, strip.direction, run), options));
       table.rows.push_back(std::move(row));
     }
+    note_left_out(table, shown);
     tables.push_back(std::move(table));
   }
   return tables;

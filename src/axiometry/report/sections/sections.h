@@ -10,6 +10,7 @@
 #include "axiometry/model/fields.h"
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
+#include "axiometry/report/shown_targets.h"
 #include "axiometry/standards/iso230_2/rules/claims.h"
 
 /// The sections of a report, one source each. compose() puts them together.
@@ -55,7 +56,10 @@ Section identification_section(const Subject& subject, const Options& options);
 
 /// Table 2: every reading, before and after a correction where there was one, and the results at every target.
 Section position_section(const Subject& subject, const Options& options);
-std::vector<Table> reading_tables(const Series& series, AxisKind kind, std::string_view title, const Options& options);
+/// Of the targets that are shown: with a note where others are left out.
+std::vector<Table> reading_tables(const Series& series, const ShownTargets& shown, AxisKind kind,
+                                  std::string_view title, const Options& options);
+void note_left_out(Table& table, const ShownTargets& shown);
 
 /// Annex A. Nothing but a remark when no input of it was given.
 Section uncertainty_section(const Subject& subject, const Options& options);

@@ -140,7 +140,8 @@ Table corrected_position_table(const Subject& subject, const Options& options) {
     table.columns.push_back({plain("corrected"), Align::decimal});
   }
   table.columns.push_back({plain("Remark"), Align::start, false, false, true});
-  for (std::size_t i = 0; i < measured.size(); ++i) {
+  const ShownTargets shown = shown_targets(subject.assessment.evaluation);
+  for (const std::size_t i : shown.places) {
     const auto& before = measured[i];
     const auto& after = corrected.positions[i];
     const bool floored = std::ranges::find(corrected.floored, i) != corrected.floored.end();
@@ -156,6 +157,7 @@ Table corrected_position_table(const Subject& subject, const Options& options) {
         joined({plain("Floored: the environmental variation exceeds the spread of the readings, "), symbol("s_i"),
                 plain("² < ("), symbol("U_EVE"), plain("/2)², and 0 was taken for the corrected "), symbol("s_i"),
                 plain(" of that direction.")})};
+  note_left_out(table, shown);
   return table;
 }
 

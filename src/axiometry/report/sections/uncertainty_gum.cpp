@@ -102,7 +102,11 @@ std::vector<Component> existing(const GumUncertainty& gum, PerDirection directio
 class PositionTable {
  public:
   PositionTable(const GumUncertainty& gum, const Subject& subject, const Options& options)
-      : gum_(gum), subject_(subject), options_(options), decimals_(decimals(gum, options)) {}
+      : gum_(gum),
+        subject_(subject),
+        options_(options),
+        shown_(shown_targets(subject.assessment.evaluation)),
+        decimals_(decimals(gum, options)) {}
 
   Table operator()() {
     const AxisKind kind = subject_.test.metadata.axis.kind;
@@ -110,13 +114,15 @@ class PositionTable {
     table_.dense = true;
     table_.caption =
         plain(fmt::format("Components of the standard uncertainty at the targets, {}", deviation_unit(kind)));
-    table_.rows.resize(gum_.positions.size());
+    table_.rows.resize(shown_.places.size());
     table_.groups.push_back({plain("Target"), 2});
     table_.columns = {{italic("i"), Align::decimal, true},
                       {joined({symbol("P_i"), plain(fmt::format(", {}", position_unit(kind)))}), Align::decimal}};
-    for (std::size_t i = 0; i < gum_.positions.size(); ++i)
-      table_.rows[i] = {text_cell(fmt::format("{}", i + 1)),
-                        text_cell(format_fixed(gum_.positions[i].target.in_native(), decimals, options_.numbers))};
+    for (std::size_t row = 0; row < shown_.places.size(); ++row) {
+      const std::size_t i = shown_.places[row];
+      table_.rows[row] = {text_cell(fmt::format("{}", i + 1)),
+                          text_cell(format_fixed(gum_.positions[i].target.in_native(), decimals, options_.numbers))};
+    }
     add_direction("x̄_i↑", &PositionUncertainty::up);
     add_direction("x̄_i↓", &PositionUncertainty::down);
     add_mean();
@@ -124,6 +130,7 @@ class PositionTable {
         plain("Approaches: of the mean of the approaches. Thermal: expansion of the machine and of the "
               "device. Alignment, resolution of the axis, instrument with calibration and environment: "
               "as in the table of inputs.")};
+    note_left_out(table_, shown_);
     return std::move(table_);
   }
 
@@ -148,7 +155,8 @@ class PositionTable {
   template <typename Value>
   void add_column(RichText head, bool opens_group, const Value& value) {
     table_.columns.push_back({std::move(head), Align::decimal, false, false, opens_group});
-    for (std::size_t i = 0; i < gum_.positions.size(); ++i) table_.rows[i].push_back(value(gum_.positions[i]));
+    for (std::size_t row = 0; row < shown_.places.size(); ++row)
+      table_.rows[row].push_back(value(gum_.positions[shown_.places[row]]));
   }
 
   void add_direction(std::string_view sign, PerDirection direction) {
@@ -181,6 +189,7 @@ class PositionTable {
   const GumUncertainty& gum_;
   const Subject& subject_;
   const Options& options_;
+  ShownTargets shown_;
   int decimals_ = 0;
   Table table_;
 };

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "axiometry/report/figures/parts/ink.h"
+#include "axiometry/report/figures/parts/thinned.h"
 #include "axiometry/report/translated.h"
 
 namespace axiometry::report::plot {
@@ -17,6 +18,8 @@ constexpr std::size_t most_readings_drawn = 20000;
 bool draws_readings(const Plate& plate) {
   return plate.test.series.reading_count() <= most_readings_drawn && plate.test.series.run_count() > 1;
 }
+
+bool marks_means(const Plate& plate) { return plate.evaluation.positions.size() <= most_points_shown; }
 
 bool has_band(const Plate& plate, Direction direction) {
   return std::ranges::any_of(plate.evaluation.positions,
@@ -40,6 +43,7 @@ std::vector<Stretch> stretches(const Plate& plate, const PlateLayout& layout, Va
     open = true;
     result.back().push_back({layout.target_x[i], layout.y(*native)});
   }
+  for (Stretch& stretch : result) stretch = thinned(std::move(stretch));
   return result;
 }
 
@@ -115,6 +119,7 @@ void draw_means(Operations& operations, const Plate& plate, const PlateLayout& l
   }
   Disc mark = mean_mark(direction, mark_radius(layout));
   for (const Stretch& stretch : means) {
+    if (!marks_means(plate) && stretch.size() > 1) continue;
     for (const Point& point : stretch) {
       mark.centre = point;
       operations.push_back(mark);
@@ -152,10 +157,11 @@ std::vector<LegendEntry> legend_of(const Plate& plate) {
   std::vector<LegendEntry> entries;
   for (const Direction direction : plate.directions) {
     const Runs mean_symbol = {barred("x"), index_letter("i"), plain(arrow(direction))};
-    entries.push_back({.line = ink::mean_line(direction),
-                       .band = std::nullopt,
-                       .mark = mean_mark(direction, full_mark_radius),
-                       .text = mean_symbol});
+    entries.push_back(
+        {.line = ink::mean_line(direction),
+         .band = std::nullopt,
+         .mark = marks_means(plate) ? std::optional(mean_mark(direction, full_mark_radius)) : std::nullopt,
+         .text = mean_symbol});
     if (!has_band(plate, direction)) continue;
     const Runs band = {plain(" ± 2"), italic("s"), index_letter("i"), plain(arrow(direction))};
     entries.push_back({.line = ink::boundary_line(direction),

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/affine_rows.h"
 #include "axiometry/numeric/principal_axes.h"
 
 namespace axiometry::iso230_2 {
@@ -333,14 +334,12 @@ void DriftPosterior::subtract(numeric::RandomKey key, std::span<const double> sh
       c = own.mean[k] + own.sd[k] * c;
     }
   }
+  std::vector<double> of_place(seen_.count);
   for (std::size_t r = 0; r < places; ++r) {
     const auto row = rows.row(r, trials);
     if (std::isnan(row[0])) continue;  // no reading here
-    for (std::size_t k = 0; k < seen_.count; ++k) {
-      const double shape = shapes[k * places + r];
-      const double* c = coordinates.data() + k * trials;
-      for (std::size_t t = 0; t < trials; ++t) row[t] -= shape * c[t];
-    }
+    for (std::size_t k = 0; k < seen_.count; ++k) of_place[k] = shapes[k * places + r];
+    numeric::subtract_products(of_place, numeric::Rows<const double>{coordinates, trials}, row);
   }
 }
 

@@ -78,6 +78,7 @@ class SettledTrials {
   }
 
   std::span<const ParameterInfo* const> outputs() const { return model_.outputs(); }
+  const TrialModel& trials() const { return model_; }
 
   void operator()(std::uint64_t block, uncertainty::BlockOutputs outputs) const {
     model_(block, outputs);
@@ -221,7 +222,8 @@ Result<void> propagate_hypotheses(MonteCarlo& result, const Subject& subject, st
   std::vector<SettledTrials> models;
   for (const NoiseModel& noise : noises) {
     const TrialModelOptions chosen{subject.measurand, subject.options.type_a, subject.options.seed, true, std::nullopt};
-    models.emplace_back(TrialModel(subject.test.series, subject.inputs, noise, chosen), subject.test.series,
+    const TrialModel* const alike = models.empty() ? nullptr : &models.back().trials();
+    models.emplace_back(TrialModel(subject.test.series, subject.inputs, noise, chosen, alike), subject.test.series,
                         subject.evaluation);
   }
   const auto outputs = models.front().outputs();

@@ -45,7 +45,8 @@ struct ReadingPosterior::State {
   std::span<const double> next_normals() { return std::span(normals).subspan(trials * normals_used++, trials); }
 };
 
-ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noise, Asked asked)
+ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noise, Asked asked,
+                                   const ReadingPosterior* alike)
     : targets_(series.target_count()), runs_(series.run_count()), noise_(noise) {
   const double r = noise.up_down_correlation;
   shared_variance_ = std::abs(r) * square(noise.target);
@@ -70,7 +71,7 @@ ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noi
   }
   if (exact_ && asked == Asked::readings) return;
   find_run_shifts();
-  find_curves(series);
+  find_curves(series, alike);
 }
 
 /// Departure of each run, and the means without it: the additive model x̄_c + q_j, by alternating means. Without
@@ -147,47 +148,52 @@ void ReadingPosterior::find_run_sds() {
   run_choice_ = numeric::WeightedChoice::from_log_weights(log_weights);
 }
 
-void ReadingPosterior::find_curves(const Series& series) {
+void ReadingPosterior::find_curves(const Series& series, const ReadingPosterior* alike) {
   double of_mean = 0.0;  // variance of a cell's mean, on average over the cells
   for (const Cell& cell : cells_)
     of_mean += spread_->pooled_variance() / static_cast<double>(cell.count * cells_.size());
   const double of_direction = of_mean + own_variance_;
-  std::vector<double> first, second;
-  std::vector<Curve::Term> first_terms, second_terms;
+  CurveData first{.alike = alike}, second{.alike = alike};
   if (cells_.size() == 2 * targets_) {  // the middle of ↑ and ↓, and ↑ − ↓
     for (std::size_t i = 0; i < targets_; ++i) {
       const std::size_t down = targets_ + i;
-      first.push_back(0.5 * (cells_[i].mean + cells_[down].mean));
-      second.push_back(cells_[i].mean - cells_[down].mean);
-      first_terms.insert(first_terms.end(), {{i, i, 1.0}, {down, i, 1.0}});
-      second_terms.insert(second_terms.end(), {{i, i, 0.5}, {down, i, -0.5}});
+      first.values.push_back(0.5 * (cells_[i].mean + cells_[down].mean));
+      second.values.push_back(cells_[i].mean - cells_[down].mean);
+      first.terms.insert(first.terms.end(), {{i, i, 1.0}, {down, i, 1.0}});
+      second.terms.insert(second.terms.end(), {{i, i, 0.5}, {down, i, -0.5}});
     }
     const double in_middle = down_sign_ > 0.0 ? shared_variance_ : 0.0;
     const double in_difference = down_sign_ > 0.0 ? 0.0 : 4.0 * shared_variance_;
-    add_curve(series, first, 0.5 * of_direction + in_middle, 2, std::move(first_terms));
-    add_curve(series, second, 2.0 * of_direction + in_difference, 1, std::move(second_terms));
-    return;
+    first.noise_variance = 0.5 * of_direction + in_middle;
+    second.noise_variance = 2.0 * of_direction + in_difference;
+    second.trend_terms = 1;
+  } else {
+    for (std::size_t c = 0; c < cells_.size(); ++c) {  // each direction for itself
+      CurveData& own = cells_[c].place < targets_ ? first : second;
+      own.terms.push_back({c, own.values.size(), 1.0});
+      own.values.push_back(cells_[c].mean);
+    }
+    first.noise_variance = second.noise_variance = of_direction + shared_variance_;
   }
-  for (std::size_t c = 0; c < cells_.size(); ++c) {  // each direction for itself
-    const bool up = cells_[c].place < targets_;
-    (up ? first_terms : second_terms).push_back({c, up ? first.size() : second.size(), 1.0});
-    (up ? first : second).push_back(cells_[c].mean);
-  }
-  add_curve(series, first, of_direction + shared_variance_, 2, std::move(first_terms));
-  add_curve(series, second, of_direction + shared_variance_, 2, std::move(second_terms));
+  add_curve(series, std::move(first));
+  add_curve(series, std::move(second));
 }
 
-void ReadingPosterior::add_curve(const Series& series, std::span<const double> values, double noise_variance,
-                                 std::size_t trend_terms, std::vector<Curve::Term> terms) {
-  if (values.empty()) return;
-  std::vector<double> places(values.size());
-  for (const Curve::Term& term : terms) places[term.place] = series.targets()[cells_[term.cell].target].in_native();
-  curves_.push_back({numeric::CurvePosterior({places, values, noise_variance, trend_terms}), std::move(terms)});
-  curve_values_ += values.size();
+void ReadingPosterior::add_curve(const Series& series, CurveData data) {
+  if (data.values.empty()) return;
+  std::vector<double> places(data.values.size());
+  for (const Curve::Term& term : data.terms)
+    places[term.place] = series.targets()[cells_[term.cell].target].in_native();
+  const numeric::CurvePosterior* alike = curves_.empty() ? nullptr : &curves_.front().posterior;
+  if (data.alike != nullptr && curves_.size() < data.alike->curves_.size())
+    alike = &data.alike->curves_[curves_.size()].posterior;
+  curves_.push_back({numeric::CurvePosterior({places, data.values, data.noise_variance, data.trend_terms}, alike),
+                     std::move(data.terms)});
+  curve_normals_ += curves_.back().posterior.normals_each();
 }
 
 /// σ, σ_ρ and μ of every trial.
-ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std::size_t trials) const {
+ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std::size_t trials, Asked asked) const {
   const std::size_t cells = cells_.size();
   State state{trials,
               std::vector<double>(cells * trials),
@@ -196,30 +202,43 @@ ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std
               {},
               {},
               0};
-  const std::size_t rows_shared = targets_ + 2 * cells;
-  const std::size_t rows_of_readings = runs_ + cells * runs_;
-  state.normals.resize((rows_shared + rows_of_readings) * trials);
+  // No more than are taken: what takes them takes them in this order.
+  const std::size_t rows_shared = (shared_variance_ > 0.0 ? targets_ : 0) + 2 * cells;
+  const std::size_t rows_of_readings = runs_ + (noise_.reading > 0.0 ? cells * runs_ : 0);
+  if (asked == Asked::readings) state.normals.resize((rows_shared + rows_of_readings) * trials);
   const std::size_t uniforms_each = 4 + curves_.size() + cells;
   std::vector<double> uniforms(uniforms_each * trials);
-  std::vector<double> curve_normals(curve_values_ * trials);
+  std::vector<double> curve_normals(curve_normals_ * trials);
   numeric::fill_uniform({key.seed, key.stream, 2 * key.block}, uniforms);
   numeric::fill_normal({key.seed, key.stream, 2 * key.block + 1}, curve_normals);
   numeric::fill_normal({key.seed, key.stream + 1, key.block}, state.normals);
-  std::vector<double> values(std::max(cells, targets_));
+  std::vector<double> values(cells);
   for (std::size_t t = 0; t < trials; ++t) {
     const std::span<const double> u = std::span(uniforms).subspan(t * uniforms_each, uniforms_each);
     spread_->draw({u[0], u[1], u.last(cells)}, values);
     for (std::size_t c = 0; c < cells; ++c) state.sd(c)[t] = values[c];
     state.run_sds[t] = run_sds_[run_choice_(u[2])] * std::exp(run_step_ * (u[3] - 0.5));
-    std::span<const double> normals = std::span(curve_normals).subspan(t * curve_values_, curve_values_);
-    for (std::size_t k = 0; k < curves_.size(); ++k) {
-      const std::size_t size = curves_[k].posterior.size();
-      curves_[k].posterior.draw(u[4 + k], normals.first(size), values);
-      normals = normals.subspan(size);
-      for (const Curve::Term& term : curves_[k].terms) state.mean(term.cell)[t] += term.factor * values[term.place];
+  }
+  draw_means(state, uniforms, curve_normals);
+  return state;
+}
+
+/// μ of every trial; `uniforms` and `normals` hold what belongs to one trial after the other.
+void ReadingPosterior::draw_means(State& state, std::span<const double> uniforms,
+                                  std::span<const double> normals) const {
+  const std::size_t trials = state.trials, uniforms_each = uniforms.size() / trials;
+  std::vector<double> choices(trials), values;
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    const numeric::CurvePosterior& posterior = curves_[k].posterior;
+    for (std::size_t t = 0; t < trials; ++t) choices[t] = uniforms[t * uniforms_each + 4 + k];
+    values.resize(posterior.size() * trials);
+    posterior.draw({choices, normals, curve_normals_}, numeric::Rows<double>{values, trials});
+    normals = normals.subspan(posterior.normals_each());
+    for (const Curve::Term& term : curves_[k].terms) {
+      const auto of_cell = state.mean(term.cell);
+      for (std::size_t t = 0; t < trials; ++t) of_cell[t] += term.factor * values[term.place * trials + t];
     }
   }
-  return state;
 }
 
 /// From the long-run means to those of the cells' own approaches: what x̄ − μ holds is shared between the target's
@@ -299,6 +318,15 @@ void ReadingPosterior::draw_cell(std::size_t index, std::span<const double> shif
   const std::size_t trials = state.trials;
   const auto mean = state.mean(index);
   const auto machine = state.machine(index);
+  if (noise_.reading == 0.0) {
+    for (std::size_t j = 0; j < runs_; ++j) {
+      if (std::isnan(cell.residuals[j])) continue;
+      const auto row = readings.row(cell.place * runs_ + j, trials);
+      for (std::size_t t = 0; t < trials; ++t)
+        row[t] = mean[t] + shifts[j * trials + t] + machine[t] * cell.residuals[j];
+    }
+    return;
+  }
   std::vector<double> noise_sd(trials), about(trials, 0.0);
   for (std::size_t t = 0; t < trials; ++t) noise_sd[t] = std::sqrt(machine[t]) * noise_.reading;
   for (std::size_t j = 0; j < runs_; ++j) {
@@ -326,7 +354,7 @@ void ReadingPosterior::draw_readings(numeric::RandomKey key, numeric::Rows<doubl
         std::ranges::fill(readings.row(cell.place * runs_ + j, readings.stride), cell.readings[j]);
     return;
   }
-  State state = draw_state(key, readings.stride);
+  State state = draw_state(key, readings.stride, Asked::readings);
   share_means(state);
   const std::vector<double> shifts = draw_run_shifts(state);
   for (std::size_t c = 0; c < cells_.size(); ++c) draw_cell(c, shifts, state, readings);
@@ -337,7 +365,7 @@ void ReadingPosterior::draw_long_run(numeric::RandomKey key, numeric::Rows<doubl
   AXIOMETRY_CONTRACT(!curves_.empty());
   std::ranges::fill(means.values, missing);
   std::ranges::fill(sds.values, missing);
-  State state = draw_state(key, means.stride);
+  State state = draw_state(key, means.stride, Asked::long_run);
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     std::ranges::copy(state.mean(c), means.row(cells_[c].place, means.stride).begin());
     const auto sd = state.sd(c);

@@ -38,8 +38,10 @@ class ReadingPosterior {
  public:
   enum class Asked { long_run, readings };  ///< what will be drawn: both, or readings alone
 
-  /// Takes a time that grows with the third power of the targets, but none for readings alone of exact() instruments.
-  ReadingPosterior(const Series& series, const ReadingNoise& noise, Asked asked = Asked::long_run);
+  /// Takes a time that grows with the readings, but none for readings alone of exact() instruments. What depends on the
+  /// targets alone is shared with `alike`, if that has the same ones.
+  ReadingPosterior(const Series& series, const ReadingNoise& noise, Asked asked = Asked::long_run,
+                   const ReadingPosterior* alike = nullptr);
 
   /// What perfect instruments would have read: rows in the order of Series::cell (direction, target, run), NaN
   /// where no reading is. Uses the streams from `key.stream` on, `streams` of them.
@@ -79,10 +81,18 @@ class ReadingPosterior {
   void take_cell_means();
   void find_spread();
   void find_run_sds();
-  void find_curves(const Series& series);
-  void add_curve(const Series& series, std::span<const double> values, double noise_variance, std::size_t trend_terms,
-                 std::vector<Curve::Term> terms);
-  State draw_state(numeric::RandomKey key, std::size_t trials) const;
+  /// Values of a curve, where they come from, and whose places it may have.
+  struct CurveData {
+    std::vector<double> values;
+    std::vector<Curve::Term> terms;
+    double noise_variance = 0.0;
+    std::size_t trend_terms = 2;
+    const ReadingPosterior* alike = nullptr;
+  };
+  void find_curves(const Series& series, const ReadingPosterior* alike);
+  void add_curve(const Series& series, CurveData data);
+  void draw_means(State& state, std::span<const double> uniforms, std::span<const double> normals) const;
+  State draw_state(numeric::RandomKey key, std::size_t trials, Asked asked) const;
   void share_means(State& state) const;
   std::vector<double> draw_run_shifts(State& state) const;
   void draw_cell(std::size_t index, std::span<const double> shifts, State& state, numeric::Rows<double> readings) const;
@@ -102,7 +112,7 @@ class ReadingPosterior {
   numeric::WeightedChoice run_choice_;
   std::optional<numeric::SpreadPosterior> spread_;
   std::vector<Curve> curves_;
-  std::size_t curve_values_ = 0;  ///< places of all curves together
+  std::size_t curve_normals_ = 0;  ///< that one draw of all curves takes
 };
 
 }  // namespace axiometry::iso230_2

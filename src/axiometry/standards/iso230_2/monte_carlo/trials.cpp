@@ -55,14 +55,20 @@ double cosine_error(double theta_deg, bool of_artefact) {
 }  // namespace
 
 TrialModel::TrialModel(const Series& series, const UncertaintyInputs& inputs, const NoiseModel& noise,
-                       const TrialModelOptions& options)
+                       const TrialModelOptions& options, const TrialModel* alike)
     : series_(series), inputs_(inputs), options_(options), layout_(series), drift_(noise.drift) {
   find_length_errors();
   if (inputs.station) station_.emplace(series.targets(), *inputs.station);
   noise_ = options.sampling ? noise.shares : std::vector<ReadingNoise>{ReadingNoise{}};
   if (!options.sampling) drift_.reset();
   const std::optional<Series> still = drift_ ? std::optional(without(series, drift_->expected())) : std::nullopt;
-  for (const ReadingNoise& share : noise_) posteriors_.emplace_back(still ? *still : series, share, asked_of(options));
+  posteriors_.reserve(noise_.size());
+  for (const ReadingNoise& share : noise_) {
+    const ReadingPosterior* const other = !posteriors_.empty() ? &posteriors_.back()
+                                          : alike != nullptr   ? &alike->posteriors_.back()
+                                                               : nullptr;
+    posteriors_.emplace_back(still ? *still : series, share, asked_of(options), other);
+  }
 }
 
 /// Draws of one input.

@@ -30,9 +30,10 @@ struct TrialModelOptions {
 
 class TrialModel {
  public:
-  /// Refers to series and inputs, which must outlive it. The noise is that of the model, whatever the inputs say.
+  /// Refers to series and inputs, which must outlive it. The noise is that of the model, whatever the inputs say. What
+  /// depends on the targets alone is shared with `alike`, if that has the same ones.
   TrialModel(const Series& series, const UncertaintyInputs& inputs, const NoiseModel& noise,
-             const TrialModelOptions& options);
+             const TrialModelOptions& options, const TrialModel* alike = nullptr);
 
   /// Parameters that exist, in the order of `parameters`: one row of outputs each.
   std::span<const ParameterInfo* const> outputs() const { return layout_.outputs(); }
