@@ -81,10 +81,11 @@ constexpr Phrase rows[] = {
      "Keine Entscheidung über {0}: in dieser Prüfung nicht anwendbar."},
     {"Note", "Hinweis"},
     {"Number of approaches {0#}", "Anzahl der Anfahrten {0}"},
-    {"One target in {0} of {1} stands here, with the first, the last and those at which a result is the lowest or the "
-     "highest; the CSV and JSON of the results have all of them",
+    {"One target in {0} of {1} stands here, with the first, the last and those at which a result of clause 3 is the "
+     "lowest or the highest; CSV and JSON have these results of all targets, the file of the test has all readings",
      "Hier steht eine Zielposition von je {0} der insgesamt {1}, dazu die erste, die letzte und alle, an denen ein "
-     "Ergebnis am kleinsten oder am größten ist; CSV und JSON der Ergebnisse enthalten alle"},
+     "Ergebnis nach Abschnitt 3 am kleinsten oder am größten ist; CSV und JSON enthalten diese Ergebnisse an allen "
+     "Zielpositionen, die Datei der Prüfung alle Messwerte"},
     {"Parameter", "Kennwert"},
     {"Parameters of the axis", "Kennwerte der Achse"},
     {"Parameters of the diagonal", "Kennwerte der Diagonale"},

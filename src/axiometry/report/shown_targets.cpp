@@ -64,8 +64,8 @@ ShownTargets shown_targets(const iso230_2::Evaluation& evaluation) {
   const auto doubled = std::ranges::unique(shown.places);
   shown.places.erase(doubled.begin(), doubled.end());
   shown.note = fmt::format(
-      "One target in {} of {} stands here, with the first, the last and those at which a result is the lowest or the "
-      "highest; the CSV and JSON of the results have all of them",
+      "One target in {} of {} stands here, with the first, the last and those at which a result of clause 3 is the "
+      "lowest or the highest; CSV and JSON have these results of all targets, the file of the test has all readings",
       step, count);
   return shown;
 }

@@ -47,8 +47,9 @@ TEST(ShownTargets, AreAboutFiveHundredOfMore) {
     ASSERT_TRUE(shown.note);
   }
   EXPECT_EQ(*shown_targets(results_of(20000)).note,
-            "One target in 40 of 20000 stands here, with the first, the last and those at which a result is the lowest "
-            "or the highest; the CSV and JSON of the results have all of them");
+            "One target in 40 of 20000 stands here, with the first, the last and those at which a result of clause 3 "
+            "is the lowest or the highest; CSV and JSON have these results of all targets, the file of the test has "
+            "all readings");
 }
 
 /// What the note says of extremes, of each result in turn; no place is a multiple of the step.
