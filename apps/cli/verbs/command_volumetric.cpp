@@ -16,6 +16,7 @@ void add_volumetric(const Verb& program, int& exit_code) {
   add_volumetric_plan(*verb, exit_code);
   add_volumetric_predict(*verb, exit_code);
   add_volumetric_export(*verb, exit_code);
+  add_volumetric_compensate(*verb, exit_code);
 }
 
 }  // namespace axiometry::cli

@@ -12,5 +12,6 @@ void add_volumetric_simulate(const Verb& volumetric, int& exit_code);
 void add_volumetric_plan(const Verb& volumetric, int& exit_code);
 void add_volumetric_predict(const Verb& volumetric, int& exit_code);
 void add_volumetric_export(const Verb& volumetric, int& exit_code);
+void add_volumetric_compensate(const Verb& volumetric, int& exit_code);
 
 }  // namespace axiometry::cli

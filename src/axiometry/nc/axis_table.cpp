@@ -19,7 +19,9 @@ constexpr std::array named_options = {
                      [](const AxisTableOptions& o) { return o.magnification != AxisTableOptions{}.magnification; }},
     NamedTableOption{"largest", &AxisTableUses::largest, [](const AxisTableOptions& o) { return o.largest != 0; }},
     NamedTableOption{"steps_per_unit", &AxisTableUses::steps_per_unit,
-                     [](const AxisTableOptions& o) { return o.steps_per_unit != 0.0; }}};
+                     [](const AxisTableOptions& o) { return o.steps_per_unit != 0.0; }},
+    NamedTableOption{"output_axis", &AxisTableUses::output_axis,
+                     [](const AxisTableOptions& o) { return !o.output_axis.empty() && o.output_axis != o.axis; }}};
 
 }  // namespace
 

@@ -16,7 +16,8 @@ namespace axiometry::nc {
 
 /// What stands in a table beside its values, or must be known of the control to read them.
 struct AxisTableOptions {
-  std::string axis = "X";  ///< as the control names it
+  std::string axis = "X";     ///< as the control names it
+  std::string output_axis{};  ///< that is moved while `axis` stands at the positions; empty: `axis` itself
   AxisKind kind = AxisKind::linear;
   bool in_inch = false;         ///< of a linear axis: the control's unit of length
   unsigned number = 0;          ///< of the table, encoder, joint or first point, as the control counts
@@ -54,6 +55,7 @@ struct AxisTableUses {
   bool magnification = false;
   bool largest = false;
   bool steps_per_unit = false;
+  bool output_axis = false;
 };
 
 struct AxisTable {

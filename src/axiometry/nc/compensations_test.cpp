@@ -413,11 +413,14 @@ TEST(AxisTables, DependOnTheOptionsThatTheySay) {
     magnification.magnification += 1;
     largest.largest = 1;
     steps.steps_per_unit = 90.0;
+    AxisTableOptions output = options;
+    output.output_axis = "Y";
     EXPECT_EQ(made_with(table, correction, number) != before, table.uses.number);
     EXPECT_EQ(made_with(table, correction, resolution) != before, table.uses.resolution);
     EXPECT_EQ(made_with(table, correction, magnification) != before, table.uses.magnification);
     EXPECT_EQ(made_with(table, correction, largest) != before, table.uses.largest);
     EXPECT_EQ(made_with(table, correction, steps) != before, table.uses.steps_per_unit);
+    EXPECT_EQ(made_with(table, correction, output) != before, table.uses.output_axis);
   });
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "axiometry/app/compensate/table_positions.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -60,36 +61,9 @@ struct Setting {
   std::vector<double> nodes{};
 };
 
-bool is_wished(const compensation::GridRequest& grid) { return grid.start || grid.end || grid.step || grid.points; }
-
-/// The spacing of targets that are evenly spaced from a reference point on.
-std::optional<double> spacing_from(double reference, const std::vector<double>& targets) {
-  constexpr double slack = 1e-6;
-  if (targets.size() < 2) return std::nullopt;
-  const double step = (targets.back() - targets.front()) / static_cast<double>(targets.size() - 1);
-  for (const double target : targets) {
-    const double steps = (target - reference) / step;
-    if (std::abs(steps - std::round(steps)) > slack) return std::nullopt;
-  }
-  return step;
-}
-
 Result<std::vector<double>> nodes_of(const Setting& s) {
-  const nc::AxisTableLimits& limits = s.control.limits;
-  if (limits.points == 1) return std::vector{s.options.reference};
-  if (s.existing && !is_wished(s.request.grid)) return s.existing->positions();
-  const std::vector<double> targets = target_positions(s.series);
-  if (limits.points == 2 && !is_wished(s.request.grid) && targets.size() > 1)
-    return std::vector{targets.front(), targets.back()};
-  compensation::GridRequest wish = s.request.grid;
-  compensation::GridLimits allowed{limits.points, limits.equidistant, limits.step_native, {}};
-  if (limits.origin != nc::TableOrigin::anywhere) allowed.anchor = s.options.reference;
-  if (limits.origin == nc::TableOrigin::on_grid && !is_wished(wish) &&
-      (targets.size() <= limits.points || limits.points == 0))
-    wish.step = spacing_from(s.options.reference, targets);
-  if (limits.origin == nc::TableOrigin::first && !wish.start) wish.start = s.options.reference;
-  if (limits.origin == nc::TableOrigin::last && !wish.end) wish.end = s.options.reference;
-  return compensation::grid_of(targets, wish, allowed);
+  if (s.control.limits.points != 1 && s.existing && !is_wished(s.request.grid)) return s.existing->positions();
+  return table_positions(s.control, s.options.reference, s.request.grid, target_positions(s.series));
 }
 
 /// The new table before it is rounded: the change that the readings ask for, upon what was there.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sag and angularity compensation of SINUMERIK with the axis as its own input: a table for each direction of travel.
+// Sag and angularity compensation of SINUMERIK: a table for each direction of travel of the input axis, which is moved
+// itself, or another one.
 #include <fmt/format.h>
 
 #include <array>
@@ -25,21 +26,29 @@ namespace {
 constexpr std::string_view sign =
     "A positive number moves the axis in the negative direction: it is what is too far (inferred of these tables).";
 
+const std::string& output_of(const AxisTableOptions& options) {
+  return options.output_axis.empty() ? options.axis : options.output_axis;
+}
+
 void write_table(std::string& text, unsigned table, std::string_view direction, const std::vector<double>& values,
                  const siemens::Grid& grid, const AxisTableOptions& options, bool is_modulo) {
   for (std::size_t k = 0; k < values.size(); ++k)
     fmt::format_to(std::back_inserter(text), "$AN_CEC[{},{}]={}\n", table, k,
                    fixed_number(-values[k] * unit_per_deviation(options), table_decimals(options)));
   fmt::format_to(std::back_inserter(text),
-                 "$AN_CEC_INPUT_AXIS[{0}]=({1})\n$AN_CEC_OUTPUT_AXIS[{0}]=({1})\n$AN_CEC_STEP[{0}]={2}\n"
+                 "$AN_CEC_INPUT_AXIS[{0}]=({1})\n$AN_CEC_OUTPUT_AXIS[{0}]=({7})\n$AN_CEC_STEP[{0}]={2}\n"
                  "$AN_CEC_MIN[{0}]={3}\n$AN_CEC_MAX[{0}]={4}\n$AN_CEC_DIRECTION[{0}]={5}\n"
                  "$AN_CEC_MULT_BY_TABLE[{0}]=0\n$AN_CEC_IS_MODULO[{0}]={6}\n",
-                 table, options.axis, grid.step, grid.first, grid.last, direction, is_modulo ? 1 : 0);
+                 table, options.axis, grid.step, grid.first, grid.last, direction, is_modulo ? 1 : 0,
+                 output_of(options));
 }
 
 Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options) {
   AXIOMETRY_TRY_VOID(check_limits(correction, siemens_cec_axis_table));
   AXIOMETRY_TRY_VOID(check_axis_word(options));
+  AxisTableOptions output = options;
+  output.axis = output_of(options);
+  AXIOMETRY_TRY_VOID(check_axis_word(output));
   AXIOMETRY_TRY(const siemens::Grid grid, siemens::grid_of_table(correction, options));
   const bool is_modulo = is_whole_turn(correction);
   std::string text = "%_N_NC_CEC_INI\nCHANDATA(1)\n" + comment_lines(";", sign);
@@ -57,11 +66,11 @@ struct Table {
   bool has_input = false, has_output = false;
 };
 
-Result<void> take_axis(const TableLine& line, const Assignment& a, const AxisTableOptions& options, bool& has_it) {
+Result<void> take_axis(const TableLine& line, const Assignment& a, const std::string& expected, bool& has_it) {
   std::string_view axis = a.value;
   if (axis.size() > 2 && axis.front() == '(' && axis.back() == ')') axis = text::trim(axis.substr(1, axis.size() - 2));
-  if (has_it || !text::equal_ignoring_case(axis, options.axis))
-    return fail(fmt::format("found the axis {}, expected {} once", text::quoted(axis), text::quoted(options.axis)),
+  if (has_it || !text::equal_ignoring_case(axis, expected))
+    return fail(fmt::format("found the axis {}, expected {} once", text::quoted(axis), text::quoted(expected)),
                 {line.number, 0});
   has_it = true;
   return {};
@@ -75,8 +84,8 @@ Result<void> take(const TableLine& line, const AxisTableOptions& options, std::m
   if (!number || *number < 0 || *number > tables_most) return refused(line, expected);
   Table& table = tables[*number];
   const std::string name = text::to_lower(a->name);
-  if (name == "$an_cec_input_axis") return take_axis(line, *a, options, table.has_input);
-  if (name == "$an_cec_output_axis") return take_axis(line, *a, options, table.has_output);
+  if (name == "$an_cec_input_axis") return take_axis(line, *a, options.axis, table.has_input);
+  if (name == "$an_cec_output_axis") return take_axis(line, *a, output_of(options), table.has_output);
   const auto value = parse_number(a->value);
   if (!value) return refused(line, expected);
   if (name == "$an_cec" && a->indices.size() == 2) return table.values.put(a->indices[1], *value, line);
@@ -136,7 +145,7 @@ const AxisTable siemens_cec_axis_table = {
     .extension = ".ini",
     .curves = TableCurves::each_way,
     .limits = {.equidistant = true, .closes = true},
-    .uses = {.number = true},
+    .uses = {.number = true, .output_axis = true},
     .sign = siemens_cec::sign,
     .loading =
         "MD18342[t] must be at least the number of points (828D: 8 tables of at most 200). Switch the tables off "

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/volumetric/volume_compensation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "axiometry/app/compensate/table_positions.h"
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/results/named_findings_json.h"
+#include "axiometry/app/volumetric/result_model.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/compensation/fit.h"
+#include "axiometry/volumetric/field/field_rows.h"
+
+namespace axiometry::app {
+namespace {
+
+using json::Value;
+using volumetric::Approaches;
+using volumetric::ErrorModel;
+
+constexpr std::size_t places = 201;  // along the line: between what tables can hold
+constexpr std::string_view axis_letters = "XYZ";
+
+/// Displacements of the tool point along one direction while one axis moves through the middle of the volume.
+struct LineOfVolume {
+  std::vector<double> positions_mm;
+  std::vector<double> up_um, down_um;
+  double largest_u_um = 0.0;
+};
+
+Approaches approaching(std::size_t axis, double direction) {
+  Approaches approaches{};
+  approaches[axis] = direction;
+  return approaches;
+}
+
+Result<LineOfVolume> line_through_middle(const ErrorModel& model, const VolumeCompensationRequest& request,
+                                         Vector3 tool_mm) {
+  LineOfVolume line;
+  for (std::size_t k = 0; k < places; ++k) {
+    Vector3 shares{0.5, 0.5, 0.5};
+    shares[request.along] = static_cast<double>(k) / static_cast<double>(places - 1);
+    const Vector3 q = volumetric::place_in(model.observed(), shares);
+    line.positions_mm.push_back(q[request.along]);
+    for (const auto& [values, direction] : {std::pair(&line.up_um, 1.0), std::pair(&line.down_um, -1.0)}) {
+      const auto field = model.at(q, tool_mm, approaching(request.along, direction));
+      const auto& value = field.error_um[request.component];
+      if (!value)
+        return fail(
+            "found that the lengths do not tell the error of the tool point with this tool, expected all of it: a "
+            "control would take a number that nobody measured");
+      values->push_back(*value);
+      line.largest_u_um =
+          std::max(line.largest_u_um, std::sqrt(field.covariance_um2[request.component][request.component]));
+    }
+  }
+  return line;
+}
+
+Result<Series> series_of(const LineOfVolume& line) {
+  std::vector<Position> targets;
+  std::vector<double> deviations;
+  for (const double position : line.positions_mm) targets.push_back(Position::native(position));
+  deviations.insert(deviations.end(), line.up_um.begin(), line.up_um.end());
+  deviations.insert(deviations.end(), line.down_um.begin(), line.down_um.end());
+  return Series::make_dense(std::move(targets), 1, std::move(deviations));
+}
+
+/// Range of the displacements of both directions, with what a control adds.
+double range_with(const LineOfVolume& line, const AxisCorrection* added) {
+  double least = 0.0, most = 0.0;
+  bool is_first = true;
+  for (std::size_t k = 0; k < places; ++k)
+    for (const Direction direction : {Direction::up, Direction::down}) {
+      const double found = direction == Direction::up ? line.up_um[k] : line.down_um[k];
+      const double value = found + (added == nullptr ? 0.0 : added->at(line.positions_mm[k], direction));
+      least = is_first ? value : std::min(least, value);
+      most = is_first ? value : std::max(most, value);
+      is_first = false;
+    }
+  return most - least;
+}
+
+std::string errors_of(std::size_t along, std::size_t component) {
+  std::string names = volumetric::error_name({along, component});
+  constexpr std::array<std::pair<std::array<std::size_t, 2>, std::string_view>, 3> squares = {
+      {{{1, 0}, "C0Y"}, {{2, 0}, "B0Z"}, {{2, 1}, "A0Z"}}};
+  for (const auto& [pair, name] : squares)
+    if (pair[0] == along && pair[1] == component) names += fmt::format(", {}", name);
+  return names;
+}
+
+nc::AxisTableOptions table_options(const VolumeCompensationRequest& request) {
+  nc::AxisTableOptions options = request.how.table;
+  options.kind = AxisKind::linear;
+  options.axis = request.how.axis.empty() ? std::string(1, axis_letters[request.along]) : request.how.axis;
+  if (request.component != request.along && options.output_axis.empty())
+    options.output_axis = std::string(1, axis_letters[request.component]);
+  options.step = request.how.grid.step.value_or(0.0);
+  return options;
+}
+
+Result<void> check_axes(const VolumeCompensationRequest& request, const nc::AxisTable& control) {
+  if (request.component == request.along || control.uses.output_axis) return {};
+  return fail(
+      fmt::format("found a table that moves {} by the position of {} for {}, expected one of the axis itself: "
+                  "the format takes no other",
+                  axis_letters[request.component], axis_letters[request.along], control.title));
+}
+
+std::vector<NamedFinding> findings_of(const VolumeCompensation& made) {
+  std::vector<NamedFinding> findings;
+  if (made.line_before_um < 4.0 * made.largest_u_um)
+    findings.push_back(
+        {"volume-table-of-uncertainty", true,
+         fmt::format("the displacements on the line differ by {:.2f} µm, and each is known to ±{:.2f} µm (k = 2): the "
+                     "table is mostly what the lengths do not tell",
+                     made.line_before_um, 2.0 * made.largest_u_um)});
+  if (made.effect.after.percent_95 > made.effect.before.percent_95)
+    findings.push_back(
+        {"volume-not-better", true,
+         fmt::format("the line through the middle becomes better, and the volume not: 95 % of the tool point's errors "
+                     "lie below {:.2f} µm with this table alone, {:.2f} µm without",
+                     made.effect.after.percent_95, made.effect.before.percent_95)});
+  return findings;
+}
+
+Value sizes_value(const volumetric::FieldSizes& sizes) {
+  Value value = Value::object();
+  value.add("largest", sizes.largest.value);
+  value.add("percent_95", sizes.percent_95);
+  value.add("mean", sizes.mean);
+  return value;
+}
+
+}  // namespace
+
+Result<VolumeCompensation> compensate_volume(const VolumeCompensationRequest& request) {
+  AXIOMETRY_TRY_VOID(check_request(request.how));
+  AXIOMETRY_TRY(const ErrorModel model, model_of_result(request.result));
+  return in_file(compensate_volume(model, request), request.result);
+}
+
+Result<VolumeCompensation> compensate_volume(const ErrorModel& model, const VolumeCompensationRequest& request) {
+  AXIOMETRY_TRY_VOID(check_request(request.how));
+  AXIOMETRY_TRY(const nc::AxisTable* control, nc::axis_table_named(request.how.control));
+  AXIOMETRY_TRY_VOID(check_axes(request, *control));
+  AXIOMETRY_TRY(const std::size_t tool, tool_of_model(model, request.tool));
+  const Vector3 tool_mm = model.machine().tools[tool].offset_mm;
+  const nc::AxisTableOptions options = table_options(request);
+  AXIOMETRY_TRY(const LineOfVolume line, line_through_middle(model, request, tool_mm));
+  AXIOMETRY_TRY(const Series series, series_of(line));
+  AXIOMETRY_TRY(const std::vector<double> nodes,
+                table_positions(*control, options.reference, request.how.grid, line.positions_mm));
+  const TableCurves curves = request.how.curves.value_or(control->curves);
+  AXIOMETRY_TRY(compensation::Fit fit, compensation::fit_correction(series, options.kind,
+                                                                    {nodes, curves, request.how.method,
+                                                                     request.how.smooth, request.how.hold_ends}));
+  const double zero = std::clamp(options.reference, nodes.front(), nodes.back());
+  AXIOMETRY_TRY(fit.correction,
+                compensation::with_zero_at(fit.correction,
+                                           control->limits.zero_upwards ? TableCurves::with_backlash : curves, zero));
+  AXIOMETRY_TRY(std::string text, control->write(fit.correction, options));
+  AXIOMETRY_TRY(AxisCorrection applied, in_file(control->read(text, options), "the table that was made"));
+  const double before = range_with(line, nullptr), after = range_with(line, &applied);
+  if (!(after < before))
+    return fail(
+        fmt::format("found that the control would not become better by this table: displacements on the line "
+                    "differ by {:.2f} µm with it, by {:.2f} µm without; no table is written",
+                    after, before));
+  const auto effect = volumetric::table_effect(
+      model, tool_mm, std::max<std::size_t>(2, std::min<std::size_t>(nodes.size(), 41)), [&](Vector3 q) {
+        Vector3 taken{};
+        const double position = q[request.along];
+        taken[request.component] = -0.5 * (applied.at(position, Direction::up) + applied.at(position, Direction::down));
+        return taken;
+      });
+  if (!effect)
+    return fail(
+        "found that the lengths do not tell the error of the tool point with this tool, expected all of it: a "
+        "control would take a number that nobody measured");
+  VolumeCompensation made{control,
+                          options,
+                          std::move(text),
+                          std::move(applied),
+                          errors_of(request.along, request.component),
+                          before,
+                          after,
+                          line.largest_u_um,
+                          *effect,
+                          {}};
+  made.findings = findings_of(made);
+  return made;
+}
+
+Value to_json(const VolumeCompensation& made) {
+  Value root = Value::object();
+  root.add("control", made.control->id);
+  root.add("axis", made.options.axis);
+  root.add("output_axis", made.options.output_axis.empty() ? made.options.axis : made.options.output_axis);
+  root.add("errors", made.errors);
+  root.add("unit", deviation_unit_key(made.options.kind));
+  root.add("sign", made.control->sign);
+  root.add("table", nodes_to_json(made.applied));
+  Value& line = root.add("line_range", Value::object());
+  line.add("before", made.line_before_um);
+  line.add("after", made.line_after_um);
+  line.add("u", made.largest_u_um);
+  Value& volume = root.add("volume", Value::object());
+  volume.add("before", sizes_value(made.effect.before));
+  volume.add("after", sizes_value(made.effect.after));
+  root.add("findings", findings_value(made.findings));
+  return root;
+}
+
+}  // namespace axiometry::app
