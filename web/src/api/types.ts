@@ -847,7 +847,7 @@ export interface components {
                 rotary: boolean;
             };
             /** @description Those that the control has a use for; others are refused. */
-            options: ("number" | "resolution" | "magnification" | "largest" | "steps_per_unit")[];
+            options: ("number" | "resolution" | "magnification" | "largest" | "steps_per_unit" | "output_axis")[];
             /** @description What a positive number in the file does. */
             sign: string;
             /** @description How the table gets into the control. */
