@@ -206,6 +206,9 @@ def late_source(program, folder, lines):
     demand("connected after " in errors, f"the late source was not told: {errors}")
     demand(process.returncode == 0, f"a whole plan from a late source gave exit code {process.returncode}: {output}")
     server.close()
+    silent = socket.socket()  # has a port and does not listen
+    silent.bind(("127.0.0.1", 0))
+    port = silent.getsockname()[1]
     begun = time.monotonic()
     process = capture(program, folder, "--from", f"tcp://127.0.0.1:{port}", "--out", f"{folder}/never.json",
                       "--give-up", "1")
@@ -217,6 +220,7 @@ def late_source(program, folder, lines):
     process.send_signal(signal.SIGINT)
     process.communicate(timeout=10)
     demand(process.returncode == 130, f"Ctrl-C while waiting for a source gave exit code {process.returncode}")
+    silent.close()
 
 
 def half_a_run(program, folder, lines):

@@ -130,7 +130,6 @@ constexpr Phrase rows[] = {
     {"{0#} avoided", "{0} gemieden"},
     {"{0#} in {1#} run", "{0} in {1} Durchlauf"},
     {"{0#} in {1#} runs", "{0} in {1} Durchläufen"},
-    {"{0#} run", "{0} Durchlauf"},
     {"{0#} run there and back at the feed speed", "{0} Lauf hin und zurück mit der Vorschubgeschwindigkeit"},
     {"{0#} runs", "{0} Durchläufe"},
     {"{0#} runs there and back at the feed speed", "{0} Läufe hin und zurück mit der Vorschubgeschwindigkeit"},
