@@ -88,7 +88,8 @@ std::string true_text(const app::SimulationSummary& summary, AxisKind kind) {
   for (const auto& info : iso230_2::parameters)
     if (const auto& x = summary.true_parameters.*info.member; x && info.acceptance)
       (info.key.size() == 1 ? both : each) += fmt::format(" {} {}", info.symbol, format_fixed(x->in_native(), 2));
-  if (both.empty() && each.empty()) return "True in this test: no parameter of clause 3, which it does not have";
+  if (both.empty() && each.empty())
+    return "True in this test: no figure, it has none of the parameters that acceptance uses";
   return fmt::format("True in this test:{} {}", both.empty() ? each : both, deviation_unit(kind));
 }
 
