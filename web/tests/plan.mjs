@@ -55,6 +55,7 @@ export const plan = {
   async 'a rotary axis is programmed with rollover where its control has it'(world) {
     const page = await world.page();
     await page.goto('/plans/new');
+    await page.getByLabel('Name of the axis').fill('C');
     await page.getByLabel('Kind').selectOption('rotary');
     await page.getByLabel('Control', { exact: true }).selectOption('siemens-840d');
     await shows(page.locator('.listing'), /ROLLOVER OFF/);
