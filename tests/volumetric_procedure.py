@@ -24,6 +24,8 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "capture"))
 import kill_test  # noqa: E402
 
+CAPTURED = (0, 5)  # 5: readings are lost, as the simulation was told to
+
 MACHINE = {
     "chain": "XFYZ", "travel_mm": {"X": [0, 800], "Y": [-300, 300], "Z": [-450, 0]},
     "tools_mm": {"short": [0, 0, -120], "long": [0, 0, -260], "side": [110, -70, -150]},
@@ -102,11 +104,11 @@ def live(bench):
     """Every part out of a stream, the second one killed and gone on with."""
     sent = {k: (bench.folder / f"run{k}.csv").read_bytes().splitlines(keepends=True) for k in (1, 2)}
     capture = ["capture", "--plan", "plan.json"]
-    bench.run(*capture, "--part", 1, "--from", "run1.csv", "--out", "file1.csv")
+    bench.run(*capture, "--part", 1, "--from", "run1.csv", "--out", "file1.csv", codes=CAPTURED)
 
     server = kill_test.Server(sent[1])
     bench.refused("expected the one that is measured: --part 1 to 12", *capture, "--from", f"tcp://127.0.0.1:{server.port}", "--out", "live1.csv")
-    bench.run(*capture, "--part", 1, "--from", f"tcp://127.0.0.1:{server.port}", "--out", "live1.csv", "--give-up", 1)
+    bench.run(*capture, "--part", 1, "--from", f"tcp://127.0.0.1:{server.port}", "--out", "live1.csv", "--give-up", 1, codes=CAPTURED)
     server.close()
     assert bench.rows("live1.csv") == bench.rows("file1.csv")
     server = kill_test.Server(sent[1])
@@ -123,11 +125,11 @@ def live(bench):
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
     assert not killed.exists(), "a table before the end"
-    bench.run(*capture, "--part", 2, "--from", f"tcp://127.0.0.1:{server.port}", "--resume", "live2.csv.raw", "--out", "live2.csv", "--give-up", 1)
+    bench.run(*capture, "--part", 2, "--from", f"tcp://127.0.0.1:{server.port}", "--resume", "live2.csv.raw", "--out", "live2.csv", "--give-up", 1, codes=CAPTURED)
     server.close()
     same_lengths(bench, "live2.csv", POINTS - 4)
     for part in range(3, PARTS + 1):
-        bench.run(*capture, "--part", part, "--from", f"run{part}.csv", "--out", f"live{part}.csv", "-q")
+        bench.run(*capture, "--part", part, "--from", f"run{part}.csv", "--out", f"live{part}.csv", "-q", codes=CAPTURED)
     result = bench.identify(*(f"live{part}.csv" for part in range(PARTS, 0, -1)))
     assert len(result["source"]["files"]) == PARTS and not result["unseen"], result["source"]
     bench.refused("expected each station with each tool in one file", "volumetric", "identify", "--plan", "plan.json", "live1.csv", "file1.csv")

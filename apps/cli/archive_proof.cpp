@@ -9,6 +9,7 @@
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/seal_key.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/json.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "cli/seal_stamp.h"
@@ -126,10 +127,10 @@ void print(const store::Verification& found, const std::string& location, const 
   for (const std::string& sentence : found.proved) fmt::print("proved: {}\n", printable(sentence));
   for (const std::string& sentence : not_proved) fmt::print("not proved: {}\n", printable(sentence));
   if (found.head.entries > 0) fmt::print("head: entry {}, {}\n", found.head.entries, found.head.sha256);
-  fmt::print("{}: contents {}, tests {}, lines of audit trail {}: {}\n", printable(location), found.contents,
-             found.tests, found.entries,
-             found.problems.empty() ? "all that is there is as it was written"
-                                    : fmt::format("{} problems", found.problems.size()));
+  fmt::print(
+      "{}: contents {}, tests {}, lines of audit trail {}: {}\n", printable(location), found.contents, found.tests,
+      found.entries,
+      found.problems.empty() ? "all that is there is as it was written" : counted(found.problems.size(), "problem"));
 }
 
 /// A seal with a stamp beside it is replaced by none without: the stamp would be another's.

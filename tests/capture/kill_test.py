@@ -6,7 +6,8 @@ Usage: kill_test.py PROGRAM [KILLS]
 
 A server streams a made-up run much faster than real time. The program is killed with SIGKILL; then its raw file is
 played again (--from RAW), and gone on with (--resume RAW). Every reading that was shown must be there again, the same to
-the last digit, and the test file must be whole. Also: connections that break in the middle of lines.
+the last digit, and the test file must be whole. Also: connections that break in the middle of lines, a source that is
+there only later, or never, and a run that ends in its middle.
 """
 import json
 import os
@@ -30,10 +31,10 @@ MOST_UNREAD = 8000  # bytes, of a second of the run: what a kill loses must not 
 class Server:
     """Sends lines to whoever connects, from where the time of the stream is now; breaks off where it is told to."""
 
-    def __init__(self, lines, pause=0.001, block=40, breaks=()):
+    def __init__(self, lines, pause=0.001, block=40, breaks=(), port=0):
         self.lines, self.pause, self.block, self.breaks = lines, pause, block, set(breaks)
         self.at, self.done = 0, False
-        self.socket = socket.create_server(("127.0.0.1", 0))
+        self.socket = socket.create_server(("127.0.0.1", port))
         self.port = self.socket.getsockname()[1]
         threading.Thread(target=self.serve, daemon=True).start()
 
@@ -194,6 +195,45 @@ def interrupted(program, folder, lines):
     server.close()
 
 
+def late_source(program, folder, lines):
+    """The instrument is switched on after the program, or never."""
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+    process = capture(program, folder, "--from", f"tcp://127.0.0.1:{port}", "--out", f"{folder}/late.json")
+    demand("trying again for 60 s" in process.stderr.readline(), "a source that is not there yet was not told")
+    server = Server(lines, port=port)
+    output, errors = process.communicate(timeout=60)
+    demand("connected after " in errors, f"the late source was not told: {errors}")
+    demand(process.returncode == 0, f"a whole plan from a late source gave exit code {process.returncode}: {output}")
+    server.close()
+    silent = socket.socket()  # has a port and does not listen
+    silent.bind(("127.0.0.1", 0))
+    port = silent.getsockname()[1]
+    begun = time.monotonic()
+    process = capture(program, folder, "--from", f"tcp://127.0.0.1:{port}", "--out", f"{folder}/never.json",
+                      "--give-up", "1")
+    _, errors = process.communicate(timeout=30)
+    demand(process.returncode == 2 and "attempts in 1 s" in errors, f"{process.returncode}: {errors}")
+    demand(0.9 < time.monotonic() - begun < 10, "it was not given up in time")
+    process = capture(program, folder, "--from", f"tcp://127.0.0.1:{port}", "--out", f"{folder}/never.json")
+    process.stderr.readline()
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=10)
+    demand(process.returncode == 130, f"Ctrl-C while waiting for a source gave exit code {process.returncode}")
+    silent.close()
+
+
+def half_a_run(program, folder, lines):
+    """A script learns that readings are missing."""
+    server = Server(lines[:len(lines) // 2])
+    out = f"{folder}/half.json"
+    process = capture(program, folder, "--from", f"tcp://127.0.0.1:{server.port}", "--out", out, "--give-up", "0")
+    output, _ = process.communicate(timeout=60)
+    demand(process.returncode == 5, f"half a run gave exit code {process.returncode}: {output}")
+    check_test_file(out, readings_of(output))
+    server.close()
+
+
 def main():
     program = str(pathlib.Path(sys.argv[1]).resolve())
     kills = int(sys.argv[2]) if len(sys.argv) > 2 else 25
@@ -204,6 +244,8 @@ def main():
         shown = [kill_once(program, folder, lines, rng, number) for number in range(kills)]
         broken_connections(program, folder, lines, rng)
         interrupted(program, folder, lines)
+        late_source(program, folder, lines)
+        half_a_run(program, folder, lines)
     total = sum(1 for _, _, a in made_up_run.stops() if a)
     amid = sum(0 < count < total for count in shown)
     print(f"{kills} kills, {amid} amid the run, {sum(shown)} readings shown before them, none lost or different")

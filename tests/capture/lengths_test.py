@@ -20,9 +20,12 @@ import time
 import kill_test
 
 
-def run(*arguments, **options):
+LOST = (0, 5)  # a break may cost a reading
+
+
+def run(*arguments, codes=(0,), **options):
     done = subprocess.run(list(map(str, arguments)), capture_output=True, text=True, timeout=120, **options)
-    assert done.returncode == 0, (arguments, done.returncode, done.stderr)
+    assert done.returncode in codes, (arguments, done.returncode, done.stderr)
     return done.stdout
 
 
@@ -64,7 +67,8 @@ def main():
         # Broken off within a line, in the middle of the test: one gap, a reading lost at most, none shifted.
         server = kill_test.Server(lines, breaks=(9_000,))
         broken = folder / "broken.csv"
-        run(*capture, "--from", f"tcp://127.0.0.1:{server.port}", "--out", broken, "--give-up", 5)
+        run(*capture, "--from", f"tcp://127.0.0.1:{server.port}", "--out", broken, "--give-up", 5,
+            codes=LOST)
         server.close()
         found = readings(broken)
         assert len(found) >= len(whole) - 1, len(found)
@@ -82,10 +86,11 @@ def main():
         os.kill(process.pid, signal.SIGKILL)
         process.wait()
         assert not killed.exists(), "a table before the end"
-        run(*capture, "--from", f"tcp://127.0.0.1:{server.port}", "--resume", kept, "--out", killed, "--give-up", 1)
+        run(*capture, "--from", f"tcp://127.0.0.1:{server.port}", "--resume", kept, "--out", killed, "--give-up", 1,
+            codes=LOST)
         server.close()
         again = folder / "again.csv"
-        run(*capture, "--from", kept, "--out", again)
+        run(*capture, "--from", kept, "--out", again, codes=LOST)
         assert readings(killed) == readings(again)
         assert len(readings(killed)) >= len(whole) - 3, len(readings(killed))
         print("lengths from live streams: ok")

@@ -7,7 +7,8 @@ Usage: linuxcnc_interpreter.py PROGRAM [--runs N]
 PROGRAM is axiometry. Plans of every cycle, linear and rotary, become programs in mm and inches, looped and written out,
 with and without a trigger; `rs274` (Debian package linuxcnc-uspace) interprets them without a machine or a display and
 prints the canonical commands. The plans are walked here a second time, from their JSON and the meaning of the cycles.
-Programs for grbl, whose words are a part of LinuxCNC's, go the same way. Then lines in space (linuxcnc_lines.py).
+Programs for grbl, whose words are a part of LinuxCNC's, go the same way. Then lines in space (linuxcnc_lines.py), and
+rotary axes with rollover and work offsets (linuxcnc_rollover.py).
 """
 import argparse
 import itertools
@@ -21,6 +22,7 @@ import sys
 import tempfile
 
 import linuxcnc_lines
+import linuxcnc_rollover
 
 INCH = 25.4
 AXES = "XYZABCUVW"
@@ -90,11 +92,12 @@ def walk(plan):
     return path
 
 
-def interpret(folder, program):
+def interpret(folder, program, *options):
     """Canonical commands, name and arguments; fails when the interpreter does."""
     (folder / "test.ngc").write_text(program, encoding="ascii")
-    done = subprocess.run(["rs274", "-g", "-t", "tool.tbl", "-v", "test.var", "test.ngc"], cwd=folder, text=True,
-                          capture_output=True, stdin=subprocess.DEVNULL, timeout=120)
+    (folder / "test.var").write_text("", encoding="ascii")
+    done = subprocess.run(["rs274", "-g", "-t", "tool.tbl", "-v", "test.var", *options, "test.ngc"], cwd=folder,
+                          text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=120)
     if done.returncode != 0:
         raise AssertionError(f"rs274 fails:\n{done.stdout[-500:]}\n{done.stderr[-2000:]}")
     commands = [COMMAND.match(line) for line in done.stdout.splitlines()]
@@ -176,7 +179,6 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "tool.tbl").write_text("T1 P1 D0.125 Z0.5\n", encoding="ascii")
-        (folder / "test.var").write_text("", encoding="ascii")
         cycles = ("standard", "step", "pilgrim", "unidirectional", "user-defined")
         modes = {"linuxcnc": "CANON_EXACT_STOP", "grbl": "CANON_EXACT_PATH"}  # grbl stops by its dwells
         for (dialect, exact), cycle, kind, inch, unrolled, trigger in itertools.product(
@@ -200,9 +202,11 @@ def main():
                 moves += len(visits)
         try:
             lines = linuxcnc_lines.check(program, folder, rng, arguments.runs, make_plan, walk, interpret)
+            turns = linuxcnc_rollover.check(program, folder, rng, arguments.runs, make_plan, walk, interpret)
         except AssertionError as error:
             sys.exit(str(error))
     print(f"{lines[0]} programs of lines in space, {lines[1]} moves;")
+    print(f"{turns[0]} programs with rollover, {turns[1]} moves;")
     print(f"{count} programs, {moves} moves: as LinuxCNC's interpreter drives them, so are they planned")
 
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "tests/support/nc_rollover.h"
 
 /// What a part program makes a machine do, found by running its text. Shares nothing with the writers; knows just
 /// enough of each language to run a positioning test, and throws on everything else.
@@ -26,7 +28,8 @@ struct Visit {
   double dwell_before_m_code_s = 0.0;
   std::size_t dwells = 0;  ///< blocks
   std::vector<unsigned> m_codes = {};
-  std::size_t stops = 0;  ///< M0
+  std::size_t stops = 0;   ///< M0
+  std::string frame = {};  ///< word by which the position is that of the machine, or the work offset's; "" as it is
 };
 
 struct Trace {
@@ -34,37 +37,8 @@ struct Trace {
   bool inch = false;
   bool ended = false;
   std::vector<Visit> visits;
+  bool crlf = false;  ///< whether every line ended so
 };
-
-inline double nc_number(std::string_view text) {
-  double x = 0.0;
-  const auto [end, fault] = std::from_chars(text.data() + text.starts_with('+'), text.data() + text.size(), x);
-  if (fault != std::errc() || end != text.data() + text.size())
-    throw std::runtime_error("no number: " + std::string(text));
-  if (text.starts_with("-0") && x == 0.0) throw std::runtime_error("negative zero");
-  return x;
-}
-
-/// Everything up to `end` from `text`, which loses it.
-inline std::string_view take_until(std::string_view& text, std::string_view end) {
-  const std::size_t at = text.find(end);
-  if (at == std::string_view::npos) throw std::runtime_error("no " + std::string(end) + " in " + std::string(text));
-  const std::string_view taken = text.substr(0, at);
-  text.remove_prefix(at + end.size());
-  return taken;
-}
-
-inline std::string_view trimmed(std::string_view s) {
-  while (s.starts_with(' ')) s.remove_prefix(1);
-  while (s.ends_with(' ')) s.remove_suffix(1);
-  return s;
-}
-
-inline std::vector<std::string_view> lines_of(std::string_view program) {
-  std::vector<std::string_view> lines;
-  while (!program.empty()) lines.push_back(take_until(program, "\n"));
-  return lines;
-}
 
 /// The axis and what it has done.
 class NcMachine {
@@ -72,10 +46,25 @@ class NcMachine {
   /// Axes with their coordinates, which go there together.
   using Words = std::vector<std::pair<std::string, std::string_view>>;
 
-  void move(const Words& words, double feed, bool inch, double feed_per_inch = 1.0) {
+  explicit NcMachine(NcSetup setup) : setup_(setup) {}
+
+  /// The work offset, or the frame, of all moves from now on.
+  void select_frame(std::string frame) { frame_ = std::move(frame); }
+
+  /// By the words' numbers from where the axes stand.
+  void move_by(const Words& words, double feed, bool inch, double feed_per_inch = 1.0) {
+    incremental_ = true;
+    move(words, feed, inch, feed_per_inch);
+    incremental_ = false;
+  }
+
+  /// `frame` is that of this move alone.
+  void move(const Words& words, double feed, bool inch, double feed_per_inch = 1.0,
+            const std::optional<std::string>& frame = {}) {
     check_running();
     if (words.empty()) throw std::runtime_error("a move of no axis");
     Visit visit;
+    visit.frame = frame.value_or(frame_);
     if (!trace_.visits.empty()) visit.at = trace_.visits.back().at;
     trace_.inch = inch;
     for (const auto& [axis, coordinate] : words) {
@@ -83,8 +72,14 @@ class NcMachine {
       if (visit.named.find(axis) != std::string::npos) throw std::runtime_error("an axis twice: " + axis);
       const bool scaled = inch && axis.find_first_of("ABC") == std::string::npos;
       const double unit = scaled ? 25.4 : 1.0;
-      const auto decimals = static_cast<int>(coordinate.size() - coordinate.find('.') - 1);
-      visit.at[axis] = nc_number(coordinate) * unit;
+      const auto decimals = static_cast<int>(coordinate.size() - coordinate.ends_with(')') - coordinate.find('.') - 1);
+      if (axis.find_first_of("ABC") != std::string::npos) {
+        const double at = visit.at.contains(axis) ? visit.at[axis] : setup_.start_deg;
+        visit.at[axis] = incremental_ ? at + nc_number(coordinate) : turned_to(setup_.rotary, at, coordinate);
+      } else {
+        if (incremental_) throw std::runtime_error("a linear axis by increments");
+        visit.at[axis] = nc_number(coordinate) * unit;
+      }
       if (visit.named.empty()) visit.position = visit.at[axis];
       visit.named += axis;
       visit.resolution = std::pow(10.0, -decimals) * unit;
@@ -127,6 +122,9 @@ class NcMachine {
     return trace_.visits.back();
   }
 
+  NcSetup setup_;
+  std::string frame_;
+  bool incremental_ = false;
   Trace trace_;
 };
 

@@ -33,8 +33,9 @@ inline double number_after(std::string_view text, std::string_view word) {
 }
 
 /// Fanuc and what follows it: O number between per cents, WHILE … DO1 with #1. Without a number, no per cents (grbl).
-inline Trace run_macro_b(std::string_view program, const WordRules& rules, bool with_number, bool macros) {
-  WordMachine machine(rules);
+inline Trace run_macro_b(std::string_view program, const WordRules& rules, NcSetup setup, bool with_number,
+                         bool macros) {
+  WordMachine machine(rules, setup);
   std::vector<std::string> lines;
   for (std::string_view line : lines_of(program)) lines.push_back(without_bracket_comments(line));
   if (with_number) {
@@ -69,8 +70,8 @@ inline Trace run_macro_b(std::string_view program, const WordRules& rules, bool 
 }
 
 /// LinuxCNC: o1 repeat [5] … o1 endrepeat.
-inline Trace run_o_words(std::string_view program, const WordRules& rules) {
-  WordMachine machine(rules);
+inline Trace run_o_words(std::string_view program, const WordRules& rules, NcSetup setup) {
+  WordMachine machine(rules, setup);
   std::vector<std::string> lines;
   for (std::string_view line : lines_of(program)) lines.push_back(without_bracket_comments(line));
   std::string label;
@@ -98,8 +99,8 @@ inline Trace run_o_words(std::string_view program, const WordRules& rules) {
 }
 
 /// Okuma: VC1 counts, IF [VC1 LT 5] NR1 jumps to the block of that name.
-inline Trace run_okuma(std::string_view program, const WordRules& rules) {
-  WordMachine machine(rules);
+inline Trace run_okuma(std::string_view program, const WordRules& rules, NcSetup setup) {
+  WordMachine machine(rules, setup);
   std::vector<std::string> lines;
   for (std::string_view line : lines_of(program)) lines.push_back(without_bracket_comments(line));
   if (lines.empty() || !lines.front().starts_with('O')) throw std::runtime_error("no program name");

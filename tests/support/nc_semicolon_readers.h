@@ -13,8 +13,8 @@ inline std::string without_semicolon_comment(std::string_view line) {
 }
 
 /// Siemens: FOR … ENDFOR over a variable that was declared first, MSG("…").
-inline Trace run_siemens(std::string_view program, const WordRules& rules) {
-  WordMachine machine(rules);
+inline Trace run_siemens(std::string_view program, const WordRules& rules, NcSetup setup) {
+  WordMachine machine(rules, setup);
   std::vector<std::string> lines;
   for (std::string_view line : lines_of(program)) lines.push_back(without_semicolon_comment(line));
   std::string variable;
@@ -49,8 +49,8 @@ inline Trace run_siemens(std::string_view program, const WordRules& rules) {
 }
 
 /// Fagor 8055: (RPT N1,N2) N4 drives the blocks between two labels four times more.
-inline Trace run_fagor(std::string_view program, const WordRules& rules) {
-  WordMachine machine(rules);
+inline Trace run_fagor(std::string_view program, const WordRules& rules, NcSetup setup) {
+  WordMachine machine(rules, setup);
   std::vector<std::string> lines;
   for (std::string_view line : lines_of(program)) lines.push_back(without_semicolon_comment(line));
   if (lines.empty() || !lines.front().starts_with('%') || !lines.front().ends_with(",MX--,"))

@@ -35,12 +35,35 @@ export const plan = {
     assert.match(program.bytes.toString(), /G4 P4(\.0)?\b/);
     await page.getByLabel('in inches').check();
     await shows(page.locator('.listing'), /G20/);
+    assert.equal(await page.getByLabel(/rollover/).count(), 0, 'a linear axis has none');
+    await page.getByLabel('Coordinates', { exact: true }).selectOption('machine');
+    await shows(page.locator('.listing'), /G53 G1 X/);
+    await page.getByLabel('Coordinates', { exact: true }).selectOption('offset');
+    await shows(page.locator('.listing'), /POSITIONS IN THE WORK OFFSET G54/);
+    await page.getByLabel('Work offset', { exact: true }).fill('G70');
+    await shows(page.locator('.program'), /found the frame "G70", expected one of active, machine/);
+    await page.getByLabel('Coordinates', { exact: true }).selectOption('active');
+    await shows(page.locator('.listing'), /THAT IS ACTIVE/);
     const sheet = await downloaded(page, () => page.getByRole('button', { name: 'Plan sheet PDF' }).click());
     assert.equal(sheet.bytes.subarray(0, 5).toString(), '%PDF-');
     const id = Number(new URL(page.url()).pathname.split('/').pop());
     const kept = await world.api('GET', `/api/plans/${id}`);
     assert.equal(kept.version, 2);
     assert.equal(kept.request.dwell_s, 4);
+  },
+
+  async 'a rotary axis is programmed with rollover where its control has it'(world) {
+    const page = await world.page();
+    await page.goto('/plans/new');
+    await page.getByLabel('Name of the axis').fill('C');
+    await page.getByLabel('Kind').selectOption('rotary');
+    await page.getByLabel('Control', { exact: true }).selectOption('siemens-840d');
+    await shows(page.locator('.listing'), /ROLLOVER OFF/);
+    await page.getByLabel(/rollover/).check();
+    await shows(page.locator('.listing'), /=ACP\(/);
+    await shows(page.locator('.listing'), /=ACN\(/);
+    await page.getByLabel('Control', { exact: true }).selectOption('grbl');
+    await shows(page.locator('.program'), /found rollover asked for, expected none/);
   },
 
   async 'plan files are imported as they are, chosen or dropped, and one that is none says where'(world) {

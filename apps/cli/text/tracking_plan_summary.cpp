@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/report/documents/plan_sheet.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/translated.h"
@@ -84,7 +85,7 @@ std::string tracking_plan_summary(const app::PlannedLines& planned, const report
                      said(fmt::format("Station at {}", place(plan.setup.station.position_mm, options))) + "\n\n";
   text += line_table(plan, options, terminal) + notes(plan, options, terminal);
   const std::string kept =
-      said(fmt::format("{} of {} lines.", plan.lines.size(), plan.lines.size() + plan.lost.size()));
+      said(fmt::format("{} of {}.", plan.lines.size(), counted(plan.lines.size() + plan.lost.size(), "line")));
   return text + said(fmt::format("Takes about {}.", report::duration_text(planned.duration))) + " " +
          (plan.lost.empty() ? terminal.green(kept) : terminal.yellow(kept)) + "\n";
 }

@@ -13,6 +13,7 @@
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/tracking/tracking_plan.h"
 #include "axiometry/app/volumetric/plan_volume.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -106,9 +107,15 @@ int failed(const Error& error) {
   return InterruptGuard::interrupted() ? exit_interrupted : exit_bad_input;
 }
 
+/// A script must not take half a test for a whole one: 0 stands for every reading of the plan.
+int capture_exit_code(std::size_t found, std::size_t planned) {
+  if (InterruptGuard::interrupted()) return exit_interrupted;
+  return found < planned ? exit_incomplete : exit_done;
+}
+
 void print_end(const app::CaptureOutcome& outcome, const app::CaptureRun& run) {
-  fmt::print("{} of {} readings from {} samples{}{}\n", outcome.result.readings.size(), outcome.result.approaches,
-             outcome.samples, outcome.lost > 0 ? fmt::format(", {} lost", outcome.lost) : "",
+  fmt::print("{} of {} from {}{}{}\n", outcome.result.readings.size(), counted(outcome.result.approaches, "reading"),
+             counted(outcome.samples, "sample"), outcome.lost > 0 ? fmt::format(", {} lost", outcome.lost) : "",
              run.out.empty() || run.out == "-" ? "" : fmt::format("; {}", report::printable(run.out)));
 }
 
@@ -129,7 +136,7 @@ void print_lengths(const CaptureArguments& arguments, const std::vector<std::str
   if (arguments.quiet || arguments.run.out == "-") return;
   for (const std::string& note : notes) fmt::print("{}\n", report::printable(note));
   if (!arguments.run.out.empty())
-    fmt::print("{} of {} lengths; {}\n", found, planned, report::printable(arguments.run.out));
+    fmt::print("{} of {}; {}\n", found, counted(planned, "length"), report::printable(arguments.run.out));
 }
 
 /// The lines of a tracking plan.
@@ -141,7 +148,7 @@ int capture_lengths(const CaptureArguments& arguments) {
   if (!outcome) return failed(outcome.error());
   const app::CapturedLengths& lengths = outcome->lengths;
   print_lengths(arguments, lengths.notes, lengths.readings.size(), lengths.approaches);
-  return outcome->stopped ? exit_interrupted : exit_done;
+  return capture_exit_code(lengths.readings.size(), lengths.approaches);
 }
 
 /// A part of a volumetric plan.
@@ -166,7 +173,7 @@ int capture_part(const CaptureArguments& arguments) {
   if (!outcome) return failed(outcome.error());
   const app::PartLengths& lengths = outcome->lengths;
   print_lengths(arguments, lengths.notes, lengths.lengths.readings.size(), lengths.planned);
-  return outcome->stopped ? exit_interrupted : exit_done;
+  return capture_exit_code(lengths.lengths.readings.size(), lengths.planned);
 }
 
 int capture(const CaptureArguments& arguments) {
@@ -192,7 +199,7 @@ int capture(const CaptureArguments& arguments) {
   display.clear();
   if (!outcome) return failed(outcome.error());
   if (!arguments.quiet && arguments.run.out != "-") print_end(*outcome, arguments.run);
-  return outcome->stopped ? exit_interrupted : exit_done;
+  return capture_exit_code(outcome->result.readings.size(), outcome->result.approaches);
 }
 
 /// What only the whole command line can tell.
@@ -240,7 +247,7 @@ void add_capture(const Verb& program, int& exit_code) {
       ->type_name("FILE")
       ->excludes(raw);
   verb->add_option("--give-up", arguments->give_up,
-                   "How long a source that is away, or closes at once, is tried again (60)")
+                   "How long a source that is not there yet, or away, or closes at once, is tried again (60)")
       ->type_name("S");
   verb->add_flag("--quiet,-q", arguments->quiet, "No lines in the terminal");
   add_capture_flags(*verb, arguments->options);
@@ -258,7 +265,10 @@ void add_capture(const Verb& program, int& exit_code) {
   axiometry capture --plan lines.json --from tcp://192.168.1.20:5000 --out lengths.csv    lines of a tracking plan
   axiometry capture --plan plan.json --part 2 --from tcp://192.168.1.20:5000 --out S1_T2.csv  part of a volumetric plan
 
-Ends when every approach has come, when the stream ends, or with Ctrl-C (exit code 130); what has come is kept.)");
+Ends when every approach has come, when the stream ends, or with Ctrl-C; what has come is kept.
+
+Exit codes: 0 every reading of the plan has come, 1 usage, 2 bad input, 5 ended before, or readings are missing,
+130 Ctrl-C.)");
 }
 
 }  // namespace axiometry::cli

@@ -12,6 +12,7 @@
 #include "axiometry/app/cases/check.h"
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/files/source.h"
+#include "axiometry/base/counted.h"
 #include "cli/verbs/commands.h"
 
 namespace axiometry::cli {
@@ -48,7 +49,7 @@ int check(const std::vector<std::string>& names, bool figures) {
     }
     passed += report->passed();
     for (const app::CaseComparison& failure : report->failures()) fmt::print("{}: {}\n", name, app::to_string(failure));
-    if (report->passed()) fmt::print("{}: {} expectations met\n", name, report->comparisons.size());
+    if (report->passed()) fmt::print("{}: {} met\n", name, counted(report->comparisons.size(), "expectation"));
     if (figures) print_figures(*report);
   }
   fmt::print("{} passed, {} failed\n", passed, names.size() - passed);

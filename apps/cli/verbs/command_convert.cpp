@@ -9,6 +9,7 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/convert/convert.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -90,7 +91,7 @@ void print_preview(const formats::Guess& guess) {
 int show_guess(const ConvertArguments& arguments) {
   const auto guess = app::guess_file(arguments.convert.input);
   if (!guess) return complain(guess.error());
-  fmt::print("{} rows from line {}", guess->row_count, guess->first_line);
+  fmt::print("{} from line {}", counted(guess->row_count, "row"), guess->first_line);
   if (guess->questions.empty()) fmt::print(", least confidence {:.0f}%", 100.0 * guess->confidence());
   fmt::print("\n");
   print_preview(*guess);

@@ -7,6 +7,7 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/plan/nc_program.h"
+#include "axiometry/base/text.h"
 #include "axiometry/nc/numbers.h"
 #include "cli/failure.h"
 #include "cli/text/terminal.h"
@@ -19,6 +20,8 @@ constexpr const char* examples = R"(Examples:
   axiometry nc plan.json --dialect fanuc --out O2302.nc
   axiometry nc plan.json --dialect siemens-840d --inch --trigger 27 > X_TEST.MPF
   axiometry nc plan.json --dialect linuxcnc --unrolled --stop-at-start
+  axiometry nc c.plan.json --dialect siemens-840d --rollover on          a rotary axis that counts to 360° only
+  axiometry nc plan.json --dialect fanuc --frame G55 --trigger 27
   axiometry nc tracking.json --dialect linuxcnc --out lines.ngc          all lines in one program
   axiometry nc tracking.json --line xy --dialect heidenhain              one of them
   axiometry nc volume.json --part 2 --dialect fanuc --stop-at-start      one station with one tool
@@ -34,6 +37,7 @@ struct NcArguments {
   unsigned trigger = 0;
   unsigned number = 0;
   bool list = false;
+  std::string rollover = "off";
   bool inch = false;
   bool no_block_numbers = false;
 };
@@ -95,11 +99,22 @@ void add_nc(const Verb& program, int& exit_code) {
   verb->add_flag("--stop-at-start", options.stop_at_start, "Stop before the first target, to set the instrument");
   verb->add_flag("--stop-at-lines", options.stop_at_lines,
                  "The same before each line of a tracking plan, to find the beam again");
+  verb->add_option(
+          "--frame", options.frame,
+          "Whose coordinates positions are: active (what the control has then), machine, or a work offset such "
+          "as G54 (active)")
+      ->type_name("FRAME");
+  verb->add_option("--rollover", arguments->rollover,
+                   "on where the rotary axis counts to 360° only (modulo): words that say which way (off)")
+      ->type_name("on|off");
   const Flag list = verb->add_flag("--list", arguments->list, "List the dialects");
   verb->add_option("--manual", arguments->manual, "Explain a dialect")->type_name("ID")->excludes(list);
   verb->footer(examples);
   verb->callback([arguments, trigger, number, &exit_code] {
     auto& chosen = arguments->request.options;
+    if (arguments->rollover != "on" && arguments->rollover != "off")
+      throw UsageError("--rollover", fmt::format("found {}, expected on or off", text::quoted(arguments->rollover)));
+    chosen.rollover = arguments->rollover == "on";
     if (arguments->inch) chosen.unit = nc::LengthUnit::inch;
     chosen.block_numbers = !arguments->no_block_numbers;
     if (trigger->count() > 0) chosen.trigger_m_code = arguments->trigger;

@@ -8,6 +8,7 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/simulate/simulate.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/simulation/presets.h"
@@ -81,19 +82,28 @@ void choose_options(const SimulateArguments& arguments, app::SimulationRequest& 
   }
 }
 
+/// "True in this test: A 9.79 E 7.69 µm"; of a test from one direction its unidirectional parameters.
+std::string true_text(const app::SimulationSummary& summary, AxisKind kind) {
+  std::string both, each;
+  for (const auto& info : iso230_2::parameters)
+    if (const auto& x = summary.true_parameters.*info.member; x && info.acceptance)
+      (info.key.size() == 1 ? both : each) += fmt::format(" {} {}", info.symbol, format_fixed(x->in_native(), 2));
+  if (both.empty() && each.empty())
+    return "True in this test: no figure, it has none of the parameters that acceptance uses";
+  return fmt::format("True in this test:{} {}", both.empty() ? each : both, deviation_unit(kind));
+}
+
 void print_summary(const SimulateArguments& arguments, const app::SimulationSummary& summary, AxisKind kind) {
   const app::SimulationOutputs& out = arguments.outputs;
   if (arguments.quiet || out.test == "-" || out.raw == "-" || out.truth == "-") return;
   if (!out.test.empty())
-    fmt::print("{}: {} readings at {} targets, seed {}\n", out.test, summary.readings, summary.targets, arguments.seed);
+    fmt::print("{}: {} at {}, seed {}\n", out.test, counted(summary.readings, "reading"),
+               counted(summary.targets, "target"), arguments.seed);
   if (!out.raw.empty())
-    fmt::print("{}: {} samples in {} s\n", out.raw, summary.samples, format_fixed(summary.duration.in_s(), 1));
+    fmt::print("{}: {} in {} s\n", out.raw, counted(summary.samples, "sample"),
+               format_fixed(summary.duration.in_s(), 1));
   if (!out.truth.empty()) fmt::print("{}: the truth\n", out.truth);
-  fmt::print("True in this test:");
-  for (const auto& info : iso230_2::parameters)
-    if (const auto& x = summary.true_parameters.*info.member; x && info.acceptance && info.key.size() == 1)
-      fmt::print(" {} {}", info.symbol, format_fixed(x->in_native(), 2));
-  fmt::print(" {}\n", deviation_unit(kind));
+  fmt::print("{}\n", true_text(summary, kind));
 }
 
 int simulate(const SimulateArguments& arguments) {

@@ -12,6 +12,7 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/workbench/calibration_json.h"
 #include "axiometry/app/workbench/calibrations.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -97,7 +98,7 @@ Result<int> keep(const CalibrationArguments& a) {
   AXIOMETRY_TRY(const auto kept, app::keep_calibration(*archive, calibration, {"import", "axiometry store calibrate"}));
   const Calibration& c = kept.calibration.value;
   fmt::print("calibration {}: {}\n", kept.calibration.id, report::printable(c.title));
-  if (c.serious > 0) fmt::print("{} serious findings: the result should not be used as it is\n", c.serious);
+  if (c.serious > 0) fmt::print("{}: the result should not be used as it is\n", counted(c.serious, "serious finding"));
   return c.serious > 0 || c.verdict == "does not conform" ? exit_exceeded : exit_done;
 }
 

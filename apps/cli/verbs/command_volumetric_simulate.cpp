@@ -8,6 +8,7 @@
 #include "axiometry/app/files/number_list.h"
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/volumetric/simulate_calibration.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -133,9 +134,10 @@ int run(const Arguments& a) {
   if (!written) return failed(written.error());
   if (a.quiet || a.files.lengths == "-" || a.files.truth == "-" || a.files.recordings == "-") return exit_done;
   if (!a.files.lengths.empty())
-    fmt::print("{}: {} lengths of {} stations and {} tools, seed {}\n", a.files.lengths,
-               calibration->simulated.lengths.readings.size(), calibration->machine.stations.size(),
-               calibration->machine.tools.size(), a.request.seed);
+    fmt::print("{}: {} of {} and {}, seed {}\n", a.files.lengths,
+               counted(calibration->simulated.lengths.readings.size(), "length"),
+               counted(calibration->machine.stations.size(), "station"),
+               counted(calibration->machine.tools.size(), "tool"), a.request.seed);
   if (written->recordings > 0)
     fmt::print("{}: {} recording{}, {} samples\n", a.files.recordings, written->recordings,
                written->recordings == 1 ? "" : "s", written->samples);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/model/axis_correction.h"
 #include "axiometry/numeric/median.h"
@@ -111,7 +112,8 @@ double chosen_step(std::span<const double> targets, std::size_t most, const Ends
 
 Result<std::vector<double>> grid_of(std::span<const double> targets, const GridRequest& request,
                                     const GridLimits& limits) {
-  if (targets.size() < 2) return fail(fmt::format("found {} targets, expected at least two", targets.size()));
+  if (targets.size() < 2)
+    return fail(fmt::format("found {}, expected at least two", counted(targets.size(), "target")));
   const std::size_t most = limits.points > 0 ? limits.points : AxisCorrection::nodes_max;
   const bool is_wished = request.start || request.end || request.step || request.points;
   const bool fits_fixed_step = !(limits.step > 0.0) && !limits.anchor;
@@ -120,7 +122,7 @@ Result<std::vector<double>> grid_of(std::span<const double> targets, const GridR
   if (request.step && !(*request.step > 0.0))
     return fail(fmt::format("found a step of {}, expected one above 0", format_exact(*request.step)));
   if (request.points && *request.points < 2)
-    return fail(fmt::format("found {} points, expected at least two", *request.points));
+    return fail(fmt::format("found {}, expected at least two", counted(*request.points, "point")));
 
   if (request.points) {
     const double start = request.start.value_or(targets.front());

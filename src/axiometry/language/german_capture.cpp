@@ -19,6 +19,9 @@ constexpr Phrase rows[] = {
      "Stillstand bei {0}, weiter als {1} von jeder Zielposition"},
     {"at rest for {0#} s at target {1#}, expected at least {2#}",
      "{0}\u00a0s Stillstand an Zielposition {1}; erwartet: mindestens {2}"},
+    {"connected after {0#} attempts", "nach {0} Versuchen verbunden"},
+    {"connected again after {0#} s and {1#} attempt; samples are missing",
+     "nach {0}\u00a0s und {1} Versuch wieder verbunden; Abtastwerte fehlen"},
     {"connected again after {0#} s and {1#} attempts; samples are missing",
      "nach {0}\u00a0s und {1} Versuchen wieder verbunden; Abtastwerte fehlen"},
     {"connection lost ({0=}), trying again for {1#} s", "Verbindung verloren ({0}), neue Versuche {1}\u00a0s lang"},
@@ -61,6 +64,8 @@ constexpr Phrase rows[] = {
      "weniger als {0}\u00a0MiB frei auf dem Datenträger der Aufzeichnung: Sie endet hier"},
     {"found more beside resume, expected it alone", "mehr als resume; erwartet: nur dieses"},
     {"found no interrupted capture {0=}", "keine unterbrochene Messung {0}"},
+    {"found no length for any of the {0#} approaches of the plan in {1#} standstill",
+     "keine Länge für eine der {0} Anfahrten des Plans in {1} Stillstand"},
     {"found no length for any of the {0#} approaches of the plan in {1#} standstills",
      "keine Länge für eine der {0} Anfahrten des Plans in {1} Stillständen"},
     {"found no reading at target {0#} of the plan, expected one from every approach: left out of the test",
@@ -140,6 +145,7 @@ constexpr Phrase rows[] = {
      "Linie {0}: vor {1} (bei {2}\u00a0s) springen die Längen wie auf keinem Weg des Plans: Der Strahl war "
      "unterbrochen, "
      "und die Längen von dort an haben eine andere Totstrecke"},
+    {"line {0=}: no length for {1} and {2#} other: {3}", "Linie {0}: keine Länge für {1} und {2} weitere: {3}"},
     {"line {0=}: no length for {1} and {2#} others: {3}", "Linie {0}: keine Länge für {1} und {2} weitere: {3}"},
     {"line {0=}: no length for {1}: {2}", "Linie {0}: keine Länge für {1}: {2}"},
     {"missed: {0}", "ausgelassen: {0}"},
@@ -155,6 +161,7 @@ constexpr Phrase rows[] = {
      "lengths from there on have another dead path",
      "Teil {0}: vor {1} (bei {2}\u00a0s) springen die Längen wie auf keinem Weg des Plans: Der Strahl war "
      "unterbrochen, und die Längen von dort an haben eine andere Totstrecke"},
+    {"part {0#}: no length for {1} and {2#} other: {3}", "Teil {0}: keine Länge für {1} und {2} weiteren: {3}"},
     {"part {0#}: no length for {1} and {2#} others: {3}", "Teil {0}: keine Länge für {1} und {2} weitere: {3}"},
     {"part {0#}: no length for {1}: {2}", "Teil {0}: keine Länge für {1}: {2}"},
     {"part {0#}: point {1#}: {2}", "Teil {0}: Punkt {1}: {2}"},
@@ -170,6 +177,8 @@ constexpr Phrase rows[] = {
      "die Uhr der Abtastwerte wurde {0}-mal vorgestellt, zuerst in Zeile {1}; das gilt als Lücke"},
     {"the clock of the samples was set back {0#} times, first in line {1#}; it was taken on",
      "die Uhr der Abtastwerte wurde {0}-mal zurückgestellt, zuerst in Zeile {1}; sie wurde weitergeführt"},
+    {"the connection did not come back in {0#} attempt: the recording ends here",
+     "die Verbindung kam in {0} Versuch nicht wieder: Die Aufzeichnung endet hier"},
     {"the connection did not come back in {0#} attempts: the recording ends here",
      "die Verbindung kam in {0} Versuchen nicht wieder: Die Aufzeichnung endet hier"},
     {"the counter of the samples was set back {0#} times, first in line {1#}; it was taken on",
@@ -198,6 +207,7 @@ constexpr Phrase rows[] = {
     {"{0#} earlier messages are not shown", "{0} frühere Meldungen werden nicht gezeigt"},
     {"{0#} further remarks of that kind on readings", "{0} weitere Bemerkungen dieser Art zu Messwerten"},
     {"{0#} of {1#} samples left out as outliers", "{0} von {1} Abtastwerten als Ausreißer weggelassen"},
+    {"{0=}, trying again for {1#} s", "{0}; neue Versuche {1}\u00a0s lang"},
     {"{0} came again after {1#} readings, which were dropped",
      "{0} kam nach {1} Messwerten noch einmal; diese wurden verworfen"},
 };

@@ -72,6 +72,9 @@ constexpr Phrase rows[] = {
     {"{0#} measured {1#}, mean {2#}, interval {3#} to {4#}", "{0} gemessen {1}, Mittelwert {2}, Intervall {3} bis {4}"},
     {"{0#} moves: too many to draw", "{0} Bewegungen: zu viele zum Zeichnen"},
     {"{0#} others together", "{0} weitere zusammen"},
+    {"{0#} target, {1#} run, {2#} reading.", "{0} Zielposition, {1} Durchlauf, {2} Messwert."},
+    {"{0#} target, {1#} run, {2#} readings.", "{0} Zielposition, {1} Durchlauf, {2} Messwerte."},
+    {"{0#} target, {1#} runs, {2#} readings.", "{0} Zielposition, {1} Durchläufe, {2} Messwerte."},
     {"{0#} targets, {1#} run, {2#} readings.", "{0} Zielpositionen, {1} Durchlauf, {2} Messwerte."},
     {"{0#} targets, {1#} runs, {2#} readings.", "{0} Zielpositionen, {1} Durchläufe, {2} Messwerte."},
 };

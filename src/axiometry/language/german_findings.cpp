@@ -248,6 +248,8 @@ constexpr Phrase rows[] = {
      "{0} Standardunsicherheiten; erwartet: zwei, eine für jede Richtung quer zur Linie"},
     {"found {0#} standard uncertainty, expected two, one for each direction across the line",
      "{0} Standardunsicherheit; erwartet: zwei, eine für jede Richtung quer zur Linie"},
+    {"found {0#} target over {1#}, expected at least {2#} ({3})",
+     "{0} Zielposition über {1}; erwartet: mindestens {2} ({3})"},
     {"found {0#} targets over {1#}, expected at least {2#} ({3})",
      "{0} Zielpositionen über {1}; erwartet: mindestens {2} ({3})"},
     {"found {0#} °C at {1} and no correction for differential expansion, expected one off 20 °C: the machine expands "
@@ -360,6 +362,7 @@ constexpr Phrase rows[] = {
     {"without R(θ) of the {0} nothing depends on it", "ohne R(θ) ({0}) hängt nichts davon ab"},
     {"{0#} approach in each direction", "{0} Anfahrt in jeder Richtung"},
     {"{0#} approach {1#}", "{0} Anfahrt {1}"},
+    {"{0#} approach ↑ and {1#} ↓", "{0} Anfahrt ↑ und {1} ↓"},
     {"{0#} approaches in each direction", "{0} Anfahrten in jeder Richtung"},
     {"{0#} approaches {1#}", "{0} Anfahrten {1}"},
     {"{0#} approaches ↑ and {1#} ↓", "{0} Anfahrten ↑ und {1} ↓"},

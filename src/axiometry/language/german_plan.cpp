@@ -60,6 +60,10 @@ constexpr Phrase rows[] = {
      "ein Stützpunkt ist nicht endlich; erwartet: Positionen"},
     {"found a stretch of {0#} of the normal working area, expected at most {1#}",
      "ein Teilstück von {0} des normalen Arbeitsbereichs; erwartet: höchstens {1}"},
+    {"found a way from {0#} to {1#}, beyond one turn from 0°: where the control counts to 360° only, its program is to "
+     "be written with rollover (axiometry nc --rollover on)",
+     "ein Weg von {0} bis {1}, über eine Umdrehung ab 0° hinaus: Wo die Steuerung nur bis 360° zählt, ist ihr Programm "
+     "als das einer Modulo-Achse zu schreiben (axiometry nc --rollover on)"},
     {"found more approaches than any test has", "mehr Anfahrten, als irgendeine Prüfung hat"},
     {"found no axis travel, expected both of its ends", "kein Verfahrweg; erwartet: seine beiden Enden"},
     {"found no dwell at the targets, expected a rest long enough to reach and record each",
@@ -95,6 +99,7 @@ constexpr Phrase rows[] = {
      "{0} {1}, reicht mit Überläufen von {2} von {3}; erwartet: Raum innerhalb {4}"},
     {"found the {0} {1}, expected its lower end and then its higher one, within ±{2#}",
      "{0} {1}; erwartet: das untere Ende und dann das obere, innerhalb ±{2}"},
+    {"found {0#} target, expected 2 to {1#}", "{0} Zielposition; erwartet: 2 bis {1}"},
     {"found {0#} targets over {1#}, expected at most {2#}", "{0} Zielpositionen über {1}; erwartet: höchstens {2}"},
     {"found {0#} targets, expected 2 to {1#}", "{0} Zielpositionen; erwartet: 2 bis {1}"},
     {"found {0#} targets, expected at most {1#}", "{0} Zielpositionen; erwartet: höchstens {1}"},

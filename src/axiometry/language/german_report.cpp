@@ -208,6 +208,12 @@ constexpr Phrase rows[] = {
     {"{0#} consumer’s", "{0} Abnehmer"},
     {"{0#} covers only the contributors that were given; see the budget.",
      "{0} umfasst nur die angegebenen Beiträge; siehe Bilanz."},
+    {"{0#} figures and {1#} verdict recomputed, none differs",
+     "{0} Zahlen und {1} Entscheidung nachgerechnet, keine weicht ab"},
+    {"{0#} figures and {1#} verdict recomputed, none differs; {2#} figures of GUM and Monte Carlo compared, not "
+     "recomputed",
+     "{0} Zahlen und {1} Entscheidung nachgerechnet, keine weicht ab; {2} Zahlen von GUM und Monte Carlo verglichen, "
+     "nicht nachgerechnet"},
     {"{0#} figures and {1#} verdicts recomputed, none differs",
      "{0} Zahlen und {1} Entscheidungen nachgerechnet, keine weicht ab"},
     {"{0#} figures and {1#} verdicts recomputed, none differs; {2#} figures of GUM and Monte Carlo compared, not "

@@ -25,6 +25,8 @@ constexpr Phrase rows[] = {
      "In den Koordinaten des Reflektors. Das Gerät muss dort nicht genau stehen: Wo es stand, folgt aus "
      "den Längen."},
     {"Positioning of each axis alone", "Positionieren jeder Achse allein"},
+    {"Reach of the reflector with all tools, and {0#} station.",
+     "Reichweite des Reflektors mit allen Werkzeugen, und {0} Station."},
     {"Reach of the reflector with all tools, and {0#} stations.",
      "Reichweite des Reflektors mit allen Werkzeugen, und {0} Stationen."},
     {"Read the findings before the plan is measured.", "Vor der Messung die Feststellungen lesen."},

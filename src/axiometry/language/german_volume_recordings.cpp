@@ -39,6 +39,8 @@ constexpr Phrase rows[] = {
     {"found neither a machine nor a plan, expected --machine or --plan",
      "weder eine Maschine noch ein Plan; erwartet: --machine oder --plan"},
     {"found no file of lengths, expected at least one", "keine Datei mit Längen; erwartet: mindestens eine"},
+    {"found no length for any of the {0#} points of {1} in {2#} standstill",
+     "keine Länge für einen der {0} Punkte von {1} in {2} Stillstand"},
     {"found no length for any of the {0#} points of {1} in {2#} standstills",
      "keine Länge für einen der {0} Punkte von {1} in {2} Stillständen"},
     {"found no point in {0}, expected at least one", "kein Punkt in {0}; erwartet: mindestens einer"},

@@ -29,6 +29,8 @@ struct ProgramOptions {
   bool stop_at_lines = false;             ///< likewise before the first target of each plan: the beam is to be found
   std::optional<Duration> duration = {};  ///< of all plans, as their sheets estimate it, told in a comment
   std::string_view title = {};            ///< of a program of several plans, told in a comment
+  std::string frame = "active";           ///< whose coordinates positions are (nc/work_frame.h)
+  bool rollover = false;                  ///< whether the rotary axis knows its position within one turn only
 };
 
 struct Dialect {

@@ -160,7 +160,7 @@ TEST_P(EveryDialect, KeepsTextOfPeopleInItsComments) {
         "#1=99", "[[]]", "\r\n\t\x01\x7f", "a very long name that goes on and on and on and on and on and on"}) {
     plan.machine = plan.title = plan.date = plan.clause = nasty;
     const std::string program = write(dialect, plan);
-    for (char c : program) ASSERT_TRUE(c == '\n' || (c >= ' ' && c < '\x7f')) << program;
+    for (char c : program) ASSERT_TRUE(c == '\r' || c == '\n' || (c >= ' ' && c < '\x7f')) << program;
     Trace trace;
     ASSERT_NO_THROW(trace = run_program(dialect.id, program)) << program;
     EXPECT_EQ(trace.visits.size(), bare) << program;
@@ -249,9 +249,9 @@ TEST(Dialects, RefuseOptionsThatTheirControlsDoNotHave) {
   EXPECT_EQ(refusal("fanuc", plan, {.number = 10'000}), "found program number 10000, expected 1 to 9999");
   EXPECT_EQ(refusal("haas", plan, {.number = 10'000}), "");
   EXPECT_EQ(refusal("fanuc", plan, {.trigger_m_code = 30}),
-            "found M30 as trigger, expected an M code that leaves program, spindle and tool alone");
+            "found M30 as trigger, which ends the program, expected one of M7…M9, M24…M28, M57…M59, M150…M189");
   EXPECT_EQ(refusal("linuxcnc", plan, {.trigger_m_code = 62}),
-            "found M62 as trigger, expected one of M7 to M9, M100 to M199");
+            "found M62 as trigger, which may steer anything on this control, expected one of M7…M9, M100…M199");
   EXPECT_EQ(refusal("fanuc", plan, {.decimals = 7}), "found 7 decimals, expected 0 to 6");
   EXPECT_NE(refusal("heidenhain", plan, {.block_numbers = false}), "");
 }
@@ -309,8 +309,8 @@ TEST(Dialects, LoopAsOftenAsThePlanHasRuns) {
   const Plan plan = small_plan();
   const std::map<std::string, std::string> loops = {
       {"fanuc", "WHILE [#1 LE 5] DO1\n"}, {"siemens_840d", "FOR AXM_RUN = 1 TO 5\n"},
-      {"heidenhain", " REP 4\n"},         {"linuxcnc", " repeat [5]\n"},
-      {"okuma", "IF [VC1 LT 5] NR"},      {"fagor", ") N4\n"},
+      {"heidenhain", " REP 4\r\n"},       {"linuxcnc", " repeat [5]\n"},
+      {"okuma", "IF [VC1 LT 5] NR"},      {"fagor", ") N4\r\n"},
   };
   for (const auto& [id, text] : loops) {
     const std::string program = write(*find_dialect(id), plan);

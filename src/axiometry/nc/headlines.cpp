@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string_view>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/nc/script.h"
@@ -93,9 +94,10 @@ void add_once(std::vector<std::string>& lines, const Plan& plan) {
   if (!plan.date.empty()) lines.push_back("DATE " + plan.date);
 }
 
-void add_end(std::vector<std::string>& lines, const ProgramOptions& options, const Plan& first) {
+void add_end(std::vector<std::string>& lines, const ProgramOptions& options, std::string_view frame,
+             const Plan& first) {
   if (options.duration) lines.push_back("DURATION ABOUT " + duration_text(*options.duration));
-  lines.emplace_back("POSITIONS IN THE WORK OFFSET THAT IS ACTIVE");
+  lines.emplace_back(frame);
   const auto line = spatial_line(first.axis);
   if (!line) return;
   lines.emplace_back("ALL WAYS ARE STRAIGHT, AT FEED, AND MUST BE FREE");
@@ -107,7 +109,7 @@ void add_end(std::vector<std::string>& lines, const ProgramOptions& options, con
 
 std::string line_name(const Plan& line) { return line.axis.name.empty() ? "THE LINE" : "LINE " + line.axis.name; }
 
-std::vector<std::string> headlines(const Plan& plan, const ProgramOptions& options) {
+std::vector<std::string> headlines(const Plan& plan, const ProgramOptions& options, std::string_view frame) {
   const bool in_space = spatial_line(plan.axis).has_value();
   std::vector<std::string> lines;
   if (in_space && !plan.axis.name.empty()) lines.push_back(line_name(plan));
@@ -116,11 +118,11 @@ std::vector<std::string> headlines(const Plan& plan, const ProgramOptions& optio
   if (!plan.title.empty()) lines.push_back("TITLE " + plan.title);
   add_once(lines, plan);
   add_movement(lines, plan);
-  add_end(lines, options, plan);
+  add_end(lines, options, frame, plan);
   return lines;
 }
 
-std::vector<std::string> headlines(std::span<const Plan> plans, const ProgramOptions& options) {
+std::vector<std::string> headlines(std::span<const Plan> plans, const ProgramOptions& options, std::string_view frame) {
   std::vector<std::string> lines;
   if (!options.title.empty()) lines.push_back(fmt::format("TITLE {}", options.title));
   add_once(lines, plans.front());
@@ -131,7 +133,7 @@ std::vector<std::string> headlines(std::span<const Plan> plans, const ProgramOpt
   for (std::size_t k = 0; k < 3; ++k)
     lines.push_back(
         fmt::format("{} MOVES FROM {} TO {} MM", axis_letters[k], native(range.lowest[k]), native(range.highest[k])));
-  add_end(lines, options, plans.front());
+  add_end(lines, options, frame, plans.front());
   return lines;
 }
 

@@ -202,7 +202,7 @@ TEST_P(LinesInEveryDialect, KeepTextOfPeopleInTheirComments) {
     for (Plan& plan : plans) plan.machine = plan.title = plan.date = plan.axis.name = nasty;
     const auto program = dialect.write(plans, {.title = nasty});
     ASSERT_TRUE(program) << program.error().message;
-    for (char c : *program) ASSERT_TRUE(c == '\n' || (c >= ' ' && c < '\x7f')) << *program;
+    for (char c : *program) ASSERT_TRUE(c == '\r' || c == '\n' || (c >= ' ' && c < '\x7f')) << *program;
     for (std::string_view line : testing_support::lines_of(*program)) ASSERT_LE(line.size(), 79u) << line;
     Trace trace;
     ASSERT_NO_THROW(trace = run_program(dialect.id, *program)) << *program;
@@ -304,8 +304,8 @@ TEST(Lines, ShareTheLoopsThatAControlHas) {
   std::vector<Plan> plans(300, diagonal());
   const auto program = find_dialect("heidenhain")->write(plans, {});
   ASSERT_TRUE(program);
-  EXPECT_NE(program->find(" LBL 254\n"), std::string::npos);
-  EXPECT_EQ(program->find(" LBL 255\n"), std::string::npos);
+  EXPECT_NE(program->find(" LBL 254\r\n"), std::string::npos);
+  EXPECT_EQ(program->find(" LBL 255\r\n"), std::string::npos);
   const std::string_view told = "AT MOST 254 LOOPS";
   const std::size_t at = program->find(told);
   ASSERT_NE(at, std::string::npos);

@@ -18,10 +18,6 @@
 namespace axiometry::nc {
 namespace {
 
-/// Stops, ends and calls of programs; spindle; tool and pallet change: at a machine on which somebody stands beside
-/// optics, none of these is a trigger.
-constexpr std::array<unsigned, 13> never_a_trigger = {0, 1, 2, 3, 4, 6, 13, 14, 17, 30, 60, 98, 99};
-
 /// Of a line.
 constexpr std::array<std::string_view, 3> axes_in_space = {"X", "Y", "Z"};
 
@@ -68,20 +64,6 @@ Result<long> dwell_steps(Duration dwell, const ControlLimits& limits) {
   return static_cast<long>(std::ceil(steps - 1e-6));  // what was given in whole steps is not one more
 }
 
-Result<void> check_trigger(std::optional<unsigned> code, const ControlLimits& limits) {
-  if (!code) return {};
-  if (std::ranges::find(never_a_trigger, *code) != never_a_trigger.end())
-    return fail(
-        fmt::format("found M{} as trigger, expected an M code that leaves program, spindle and tool alone", *code));
-  for (const auto& [first, last] : limits.m_codes)
-    if (*code >= first && *code <= last) return {};
-  std::vector<std::string> ranges;
-  for (const auto& [first, last] : limits.m_codes)
-    if (first <= last)
-      ranges.push_back(first == last ? fmt::format("M{}", first) : fmt::format("M{} to M{}", first, last));
-  return fail(fmt::format("found M{} as trigger, expected one of {}", *code, fmt::join(ranges, ", ")));
-}
-
 Result<void> check_coordinate(double x, std::string_view axis, const Plan& plan, const ControlLimits& limits) {
   if (std::abs(x) <= limits.farthest.in_native()) return {};
   return fail(fmt::format("found a way to {}{}{} {}, expected positions within ±{}", axis, axis.empty() ? "" : " ",
@@ -102,6 +84,13 @@ Result<void> check_reach(const Plan& plan, const ControlLimits& limits) {
   for (Vector3 point : points)
     for (std::size_t k = 0; k < 3; ++k) AXIOMETRY_TRY_VOID(check_coordinate(point[k], axes_in_space[k], plan, limits));
   return {};
+}
+
+Result<void> check_rollover(AxisKind kind, bool asked, const ControlLimits& limits) {
+  if (!asked) return {};
+  if (kind != AxisKind::rotary) return fail("found rollover asked for, expected it of a rotary axis alone");
+  if (limits.rollover != RolloverWords::none) return {};
+  return fail("found rollover asked for, expected none: the rotary axes of this control count on through 0° and 360°");
 }
 
 std::string_view word_of(Direction direction) { return direction == Direction::up ? "UP" : "DOWN"; }
@@ -186,6 +175,7 @@ class Writer {
   /// Everything that the plan's axes do.
   void walk_plan(const Plan& plan, const Spelling& spelling, const std::vector<Stretch>& stretches) {
     spelling_ = &spelling;
+    if (options_.rollover) turn_.emplace(limits_.rollover, spelling.coordinates);
     for (Vector3 point : plan.way_in_mm) way(point, "WAY IN");
     start_ = spelling.line ? "TO " + line_name(plan) : "TO THE START";
     const bool stops = options_.stop_at_lines || (options_.stop_at_start && !std::exchange(started_, true));
@@ -211,6 +201,8 @@ class Writer {
 
   void remark(std::string text) { list_.push_back(Remark{std::move(text)}); }
   bool has_loops() const { return loops_ > 0; }
+  /// Of the last plan; 0 where no word is an increment.
+  int increment_decimals() const { return turn_ ? turn_->decimals_needed() : 0; }
   std::vector<Instruction> finish() && { return std::move(list_); }
 
  private:
@@ -219,12 +211,27 @@ class Writer {
   }
 
   void stretch(const Stretch& s) {
+    // Words that tell the way from the position before are right every time only where each ends as it began.
+    const bool returns = !turn_ || turn_->is_at(s.moves.back().to);
+    if (s.times > 1 && !returns) {
+      for (const PlannedMove& move : s.moves) drive(move, false);
+      Stretch rest = s;
+      --rest.times;
+      for (PlannedMove& move : rest.moves)
+        if (move.approach) ++move.approach->run;
+      return once_or_loop(rest, true);
+    }
+    once_or_loop(s, false);
+  }
+
+  /// `goes_on`: it is what is left of a stretch, whose runs may have come in any order.
+  void once_or_loop(const Stretch& s, bool goes_on) {
     const bool loop = s.times > 1;
     if (loop) {
       remark(loop_remark(s));
       list_.push_back(LoopBegin{++loops_, s.times});
     }
-    for (const PlannedMove& move : s.moves) drive(move, loop);
+    for (const PlannedMove& move : s.moves) drive(move, loop || goes_on);
     if (loop) list_.push_back(LoopEnd{loops_, s.times});
   }
 
@@ -234,14 +241,24 @@ class Writer {
     if (move.approach)
       remark = fmt::format("TARGET {} {}", move.approach->target + 1, word_of(move.approach->direction));
     if (move.approach && !loop) remark += fmt::format(" RUN {}", move.approach->run + 1);
-    list_.push_back(Move{spelling_->at(move.to, first), spelling_->feed, std::move(remark)});
+    if (turn_)
+      turn_to(move.to, remark);
+    else
+      list_.push_back(Move{spelling_->at(move.to, first), spelling_->feed, std::move(remark)});
     if (!move.approach) return;
     add_rest(list_, spelling_->dwell, options_, limits_);
+  }
+
+  void turn_to(Position position, const std::string& remark) {
+    for (TurnWord& word : turn_->to(position))
+      list_.push_back(Move{{{spelling_->axis, std::move(word.coordinate), word.way}}, spelling_->feed, "ON THE WAY"});
+    std::get<Move>(list_.back()).remark = remark;
   }
 
   const ProgramOptions& options_;
   const ControlLimits& limits_;
   const Spelling* spelling_ = nullptr;
+  std::optional<Turn> turn_;
   std::size_t loops_left_ = 0;
   std::size_t loops_ = 0;
   std::string start_;  ///< what is said of the next move, the first of a plan
@@ -251,9 +268,9 @@ class Writer {
 
 std::string decimals_remark(const Coordinates& coordinates, const Plan& plan, const ProgramOptions& options) {
   const double error = coordinates.target_error(plan).in_native() * deviation_per_position(plan.axis.kind);
-  std::string text = fmt::format("COORDINATES WITH {} DECIMALS", coordinates.decimals());
-  if (coordinates.decimals() > options.decimals)
-    text += fmt::format(", {} WOULD MOVE {}", options.decimals, coordinates.moved());
+  const int decimals = coordinates.decimals();
+  std::string text = fmt::format("COORDINATES WITH {} DECIMAL{}", decimals, decimals == 1 ? "" : "S");
+  if (decimals > options.decimals) text += fmt::format(", {} WOULD MOVE {}", options.decimals, coordinates.moved());
   if (error > 1e-5)
     text += fmt::format(", ROUNDED BY UP TO {:.4f} {}", error, plan.axis.kind == AxisKind::linear ? "UM" : "ARCSEC");
   return text;
@@ -272,11 +289,30 @@ Result<void> check_lines(std::span<const Plan> plans) {
   return {};
 }
 
-std::vector<std::string> tour_heading(const PointTour& tour, std::size_t readings, const Coordinates& coordinates) {
+/// What is said of a rotary axis, whether it has rollover or not.
+std::vector<std::string> rollover_remarks(const Plan& plan, const Coordinates& coordinates, bool rollover,
+                                          const ControlLimits& limits, int decimals) {
+  if (plan.axis.kind != AxisKind::rotary || limits.rollover == RolloverWords::none) return {};
+  if (!rollover) return {"ROLLOVER OFF, THE AXIS MUST COUNT ON BELOW 0 AND ABOVE 360 DEG, AND NOT GO THE SHORT WAY"};
+  const bool directed = limits.rollover == RolloverWords::directed;
+  const std::string start = Turn(limits.rollover, coordinates).to(reach(plan).lowest).front().coordinate;
+  const std::string first = fmt::format("THE FIRST MOVE, TO {} DEG, GOES {}", start,
+                                        directed ? "THE SHORT WAY" : "THE WAY THAT THE CONTROL CHOOSES");
+  if (directed) return {"ROLLOVER ON, ANGLES OF ONE TURN WITH THEIR DIRECTION", first};
+  std::vector<std::string> remarks = {"ROLLOVER ON, ALL MOVES BUT THE FIRST ARE INCREMENTS", first,
+                                      "DO NOT BEGIN IN THE MIDDLE"};
+  if (decimals > 0)
+    remarks.push_back(fmt::format("THE CONTROL MUST KEEP {} DECIMAL{}, WHAT IT DROPS WOULD ADD UP", decimals,
+                                  decimals == 1 ? "" : "S"));
+  return remarks;
+}
+
+std::vector<std::string> tour_heading(const PointTour& tour, std::size_t readings, const Coordinates& coordinates,
+                                      const WorkFrame& frame) {
   std::vector<std::string> heading = tour.heading;
   heading.push_back(fmt::format("{} READINGS, FEED {} MM/MIN ALONG THE PATH, DWELL {} S", readings,
                                 format_exact(tour.feed_mm_per_min), format_exact(tour.dwell.in_s())));
-  heading.emplace_back("POSITIONS IN THE WORK OFFSET THAT IS ACTIVE");
+  heading.push_back(frame.remark);
   heading.emplace_back("ALL WAYS ARE STRAIGHT, AT FEED, AND MUST BE FREE");
   const Vector3 first = tour.stops.front().at_mm;
   heading.push_back(fmt::format("THE FIRST FROM WHERE THE AXES STAND TO X {} Y {} Z {}", format_exact(first.x),
@@ -291,7 +327,9 @@ Result<Script> make_script(const PointTour& tour, const ProgramOptions& options,
   const auto readings = static_cast<std::size_t>(std::ranges::count(tour.stops, true, &TourStop::is_reading));
   if (readings == 0) return fail("found no point to read a length at, expected at least one");
   AXIOMETRY_TRY_VOID(check_axes_in_space(limits));
-  AXIOMETRY_TRY_VOID(check_trigger(options.trigger_m_code, limits));
+  AXIOMETRY_TRY_VOID(check_trigger(options.trigger_m_code, limits.m_codes));
+  AXIOMETRY_TRY_VOID(check_rollover(AxisKind::linear, options.rollover, limits));
+  AXIOMETRY_TRY(WorkFrame frame, work_frame(options.frame, limits.frames));
   Plan plan;  // of a linear axis: what the checks of feed and coordinates ask
   plan.feed = tour.feed_mm_per_min;
   std::vector<Vector3> points;
@@ -305,7 +343,8 @@ Result<Script> make_script(const PointTour& tour, const ProgramOptions& options,
   AXIOMETRY_TRY(const long dwell, dwell_steps(tour.dwell, limits));
   Script script;
   script.inch = coordinates.in_inch();
-  script.heading = tour_heading(tour, readings, coordinates);
+  script.heading = tour_heading(tour, readings, coordinates, frame);
+  script.frame = std::move(frame);
   std::size_t reading = 0;
   for (const TourStop& stop : tour.stops) {
     Move move{{}, feed, stop.is_reading ? fmt::format("POINT {} OF {}", ++reading, readings) : "ON THE WAY"};
@@ -324,11 +363,14 @@ Result<Script> make_script(const PointTour& tour, const ProgramOptions& options,
 
 Result<Script> make_script(std::span<const Plan> plans, const ProgramOptions& options, const ControlLimits& limits) {
   AXIOMETRY_TRY_VOID(check_lines(plans));
-  AXIOMETRY_TRY_VOID(check_trigger(options.trigger_m_code, limits));
+  AXIOMETRY_TRY_VOID(check_trigger(options.trigger_m_code, limits.m_codes));
+  AXIOMETRY_TRY_VOID(check_rollover(plans.front().axis.kind, options.rollover, limits));
   const bool several = plans.size() > 1;
   Script script;
+  AXIOMETRY_TRY(script.frame, work_frame(options.frame, limits.frames));
   script.inch = options.unit == LengthUnit::inch;
-  script.heading = several ? headlines(plans, options) : headlines(plans.front(), options);
+  script.heading =
+      several ? headlines(plans, options, script.frame.remark) : headlines(plans.front(), options, script.frame.remark);
   Writer writer(options, limits);
   for (std::size_t k = 0; k < plans.size(); ++k) {
     const Plan& plan = plans[k];
@@ -345,6 +387,10 @@ Result<Script> make_script(std::span<const Plan> plans, const ProgramOptions& op
       std::ranges::move(remarks, std::back_inserter(script.heading));
     }
     writer.walk_plan(plan, *spelling, stretches);
+    if (!several)
+      std::ranges::move(
+          rollover_remarks(plan, spelling->coordinates, options.rollover, limits, writer.increment_decimals()),
+          std::back_inserter(script.heading));
   }
   script.has_loops = writer.has_loops();
   script.instructions = std::move(writer).finish();

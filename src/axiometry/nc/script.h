@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -12,16 +11,13 @@
 #include "axiometry/base/result.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/nc/dialect.h"
+#include "axiometry/nc/trigger.h"
+#include "axiometry/nc/turn.h"
+#include "axiometry/nc/work_frame.h"
 
 /// What every part program of one or several plans has, before it is spelled for one control: numbers are rounded and
 /// printed here, so that all dialects do it alike.
 namespace axiometry::nc {
-
-/// From `first` to `last`; none when `last` is less.
-struct MCodes {
-  unsigned first = 1;
-  unsigned last = 0;
-};
 
 /// What a control can be told at all.
 struct ControlLimits {
@@ -34,9 +30,11 @@ struct ControlLimits {
   double feed_per_inch = 1.0;  ///< what 1 inch/min is written as; 10 where the unit is a tenth of an inch
   Duration dwell_step = Duration::s(0.001);
   Duration dwell_longest = Duration::s(9'999.0);
-  bool dwell_stops = false;                      ///< whether only a dwell, be it of 0 s, makes the axis come to rest
-  std::size_t loops = 0;                         ///< how many a program may have
-  std::array<MCodes, 2> m_codes = {{{0, 999}}};  ///< there are, for the trigger
+  bool dwell_stops = false;  ///< whether only a dwell, be it of 0 s, makes the axis come to rest
+  std::size_t loops = 0;     ///< how many a program may have
+  TriggerCodes m_codes = {{{7, 9}}};
+  FrameWords frames = {};
+  RolloverWords rollover = RolloverWords::increments;
 };
 
 /// Only a comment.
@@ -47,6 +45,7 @@ struct Remark {
 struct AxisWord {
   std::string axis;        ///< in capitals
   std::string coordinate;  ///< "-12.5000", with a decimal point
+  AxisWay way = AxisWay::position;
 };
 /// To a position, straight and with all axes at once, at a feed along the path.
 struct Move {
@@ -76,6 +75,7 @@ using Instruction = std::variant<Remark, Move, Dwell, Trigger, OperatorStop, Loo
 
 struct Script {
   std::vector<std::string> heading;  ///< comments before everything else
+  WorkFrame frame;
   bool inch = false;
   bool has_loops = false;
   std::vector<Instruction> instructions;
@@ -86,12 +86,13 @@ struct Script {
 /// out. Another one names its axis. Numbers of loops and their limit go over all plans.
 ///
 /// Coordinates have as many decimals as the options say, and up to 6 where the targets of the plan need them
-/// (Coordinates::make()). A dwell is rounded up to the control's step.
+/// (Coordinates::make()). A dwell is rounded up to the control's step. With rollover the words of a rotary axis are
+/// those of Turn, and a loop begins where its first time leaves the axis.
 ///
 /// Fails on no plan, on several of which one has no line in space, on an axis that the control cannot name, a number of
 /// decimals beyond 0 to 6, positions that cannot be told apart with 6, a position, a feed or a dwell beyond the
-/// control's range, an M code that is none of the control's, ends the program or moves spindle or tool. Needs sound
-/// plans.
+/// control's range, an M code that is no trigger, a frame that the control has not, and rollover of an axis that is not
+/// rotary or of a control that needs no words for it. Needs sound plans.
 Result<Script> make_script(std::span<const Plan> plans, const ProgramOptions& options, const ControlLimits& limits);
 
 /// A tour: its heading, then its stops in order, at each reading a dwell and the trigger. With stop_at_start the
@@ -100,11 +101,12 @@ Result<Script> make_script(std::span<const Plan> plans, const ProgramOptions& op
 Result<Script> make_script(const PointTour& tour, const ProgramOptions& options, const ControlLimits& limits);
 
 /// Of a program of one plan. "DWELL 3 S" and the like: what stands at its top, one comment each.
-std::vector<std::string> headlines(const Plan& plan, const ProgramOptions& options);
+/// `frame` says what its positions are.
+std::vector<std::string> headlines(const Plan& plan, const ProgramOptions& options, std::string_view frame);
 
 /// Of a program of several plans, each a line in space, what is true of all of them: how many, and between which
 /// coordinates each axis moves.
-std::vector<std::string> headlines(std::span<const Plan> lines, const ProgramOptions& options);
+std::vector<std::string> headlines(std::span<const Plan> lines, const ProgramOptions& options, std::string_view frame);
 
 /// What stands before one of them.
 std::vector<std::string> line_headlines(const Plan& line);

@@ -12,6 +12,19 @@
 namespace axiometry::nc {
 namespace {
 
+/// "C-4.0", "X1=5.0", "C=ACP(356.0)". "X1100" would be the axis X at 1100.
+std::string axis_text(const AxisWord& word) {
+  const auto way = [&](std::string_view rule) { return fmt::format("{}={}({})", word.axis, rule, word.coordinate); };
+  switch (word.way) {
+    case AxisWay::short_way: return way("DC");
+    case AxisWay::upwards: return way("ACP");
+    case AxisWay::downwards: return way("ACN");
+    case AxisWay::position:
+    case AxisWay::increment: break;
+  }
+  return fmt::format("{}{}{}", word.axis, word.axis.size() > 1 ? "=" : "", word.coordinate);
+}
+
 struct Block {
   std::string text;
   bool numbered = false;
@@ -19,7 +32,7 @@ struct Block {
 
 class Writer {
  public:
-  explicit Writer(const WordControl& control) : c_(control) {}
+  Writer(const WordControl& control, const WorkFrame& frame) : c_(control), frame_(frame) {}
 
   void lines(const Lines& templates, bool numbered, std::string_view number = "") {
     for (std::string_view line : templates)
@@ -33,13 +46,19 @@ class Writer {
 
   void operator()(const Move& move) {
     std::string axes;
-    for (const auto& [axis, coordinate] : move.axes) {
-      // "X1100" would be the axis X at 1100.
-      axes += fmt::format("{}{}{}{}", axes.empty() ? "" : " ", axis, axis.size() > 1 ? "=" : "", coordinate);
+    bool increment = false;  // which no frame shifts
+    for (const AxisWord& word : move.axes) {
+      axes += (axes.empty() ? "" : " ") + axis_text(word);
+      increment = increment || word.way == AxisWay::increment;
     }
+    increments_ = increments_ || increment;
     const bool point = c_.feed_point && move.feed.find('.') == std::string::npos;
     std::string text = fmt::format(fmt::runtime(c_.move), fmt::arg("axes", axes),
                                    fmt::arg("feed", point ? move.feed + "." : move.feed));
+    if (increment)
+      text.insert(0, "G91 ");
+    else if (!frame_.of_move.empty())
+      text.insert(0, frame_.of_move + " ");
     if (!move.remark.empty()) {
       const std::string remark = comment(safe(move.remark));
       if (number_length + text.size() + 1 + remark.size() <= c_.line_length)
@@ -69,6 +88,14 @@ class Writer {
   void operator()(const LoopBegin& loop) { loop_lines(c_.loop_begin, loop.number, loop.times); }
   void operator()(const LoopEnd& loop) { loop_lines(c_.loop_end, loop.number, loop.times); }
 
+  /// In words that say where, whatever the program had.
+  void start_frame() {
+    if (!frame_.start.empty()) blocks_.push_back({frame_.start, true});
+  }
+  void end_increments() {
+    if (increments_) blocks_.push_back({"G90", true});
+  }
+
   /// With block numbers in tens while there are enough of them, else in ones, else with none.
   std::string finish(bool block_numbers) && {
     std::size_t numbered = 0;
@@ -82,7 +109,7 @@ class Writer {
     for (const Block& block : blocks_) {
       if (block.numbered && step > 0) program += fmt::format("N{} ", number += step);
       program += block.text;
-      program += '\n';
+      program += c_.crlf ? "\r\n" : "\n";
     }
     return program;
   }
@@ -105,7 +132,9 @@ class Writer {
   static constexpr std::size_t number_length = 9;  ///< "N1234567 " at most
 
   const WordControl& c_;
+  const WorkFrame& frame_;
   std::vector<Block> blocks_;
+  bool increments_ = false;
 };
 
 Result<std::string> program_number(const WordControl& control, std::optional<unsigned> asked) {
@@ -127,13 +156,15 @@ struct Wording {
 };
 
 std::string worded(const WordControl& control, const Script& script, const Wording& wording) {
-  Writer writer(control);
+  Writer writer(control, script.frame);
   writer.lines(control.head, false, wording.number);
   // The comments first, so that they are read before anything moves.
   for (const std::string& line : script.heading) writer(Remark{line});
   if (script.has_loops) writer.lines(control.declare, false);
   writer.lines(wording.inch ? control.start_inch : control.start_mm, true);
+  writer.start_frame();
   for (const Instruction& instruction : script.instructions) std::visit(writer, instruction);
+  writer.end_increments();
   writer.lines(control.end, true);
   writer.lines(control.tail, false);
   return std::move(writer).finish(wording.block_numbers);

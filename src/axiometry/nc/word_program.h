@@ -52,7 +52,7 @@ struct WordControl {
   Lines start_mm = {};                          ///< the safe start
   Lines start_inch = {};                        ///< in an inch program
   bool rotary_in_mm = false;                    ///< whether the program of a rotary axis has the metric start always
-  std::string_view move = "G1 {axes} F{feed}";  ///< {axes}: "X1.0 Y2.0", "X1=1.0"
+  std::string_view move = "G1 {axes} F{feed}";  ///< {axes}: "X1.0 Y2.0", "X1=1.0", "C=ACP(1.0)"
   bool feed_point = true;                       ///< whether a whole feed has a decimal point
   std::string_view dwell = {};                  ///< {seconds}, with a point, or {steps} of the control
   Lines stop = {"M0 ({message})"};              ///< {message}
@@ -62,13 +62,16 @@ struct WordControl {
   unsigned label_highest = 0;  ///< labels of the loops are numbers below it
   Lines end = {};              ///< numbered
   Lines tail = {};             ///< after it, never numbered
+  bool crlf = false;           ///< whether lines end with CR LF
   unsigned block_number_highest = 99'999;
   std::size_t line_length = 79;  ///< comments are wrapped to it
 };
 
 /// What Fanuc's machining centres with custom macros have in common with those that follow them.
 inline constexpr WordControl fanuc_like = {
-    .limits = {.loops = 10'000},
+    .limits = {.loops = 10'000,
+               .m_codes = {{{7, 9}, {24, 28}, {57, 59}, {150, 189}}},
+               .frames = {.offsets = {{{"G{}", 54, 59}, {"G54.1 P{}", 1, 48}}}}},
     .number = WordControl::ProgramNumber{},
     .head = {"%", "O{number}"},
     .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61"},

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/uncertainty/fine_counts.h"
 
 namespace axiometry::uncertainty {
@@ -305,7 +306,7 @@ class Run {
 
 Result<void> check_options(const MonteCarloOptions& options) {
   const std::size_t trials = options.trials.value_or(options.trials_max);
-  if (trials < 100) return fail(fmt::format("found {} trials, expected at least 100", trials));
+  if (trials < 100) return fail(fmt::format("found {}, expected at least 100", counted(trials, "trial")));
   if (trials > 4'000'000'000) return fail(fmt::format("found {} trials, expected at most 4000000000", trials));
   if (!(options.coverage > 0.0 && options.coverage < 1.0))
     return fail(fmt::format("found the coverage probability {}, expected one between 0 and 1", options.coverage));

@@ -159,7 +159,7 @@ function PlanView({ draft, on_paper, unit, title, vocabulary, request, plan, fai
       <div class="stack">
         {failure}
         {draft && <Outcome draft={draft} figure_on_paper={figure_on_paper} unit={unit} part={part} choose={set_wanted}>{note}</Outcome>}
-        {vocabulary && draft && <ProgramPanel path="/api/plans/draft/program" subject={request ? { request } : plan !== null ? { plan } : null} part={part?.part ?? 1} name={title} vocabulary={vocabulary} />}
+        {vocabulary && draft && <ProgramPanel path="/api/plans/draft/program" subject={request ? { request } : plan !== null ? { plan } : null} part={part?.part ?? 1} rotary={unit === position_unit('rotary')} name={title} vocabulary={vocabulary} />}
       </div>
       {draft && <TargetTable targets={part?.targets ?? draft.targets} unit={unit} />}
     </>

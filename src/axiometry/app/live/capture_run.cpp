@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <memory>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -31,7 +32,6 @@ constexpr std::size_t live_block = std::size_t{64} << 10;
 constexpr std::size_t file_block = std::size_t{256} << 10;
 constexpr auto poll_time = 100ms;
 constexpr auto show_every = 100ms;
-constexpr auto longest_pause = 8s;
 constexpr auto sound_connection = 5s;  // with data, though no sample could be made of them yet
 constexpr std::uint64_t longest_without_break = std::uint64_t{1} << 20;
 
@@ -169,8 +169,8 @@ class Run {
   }
 
   Result<void> read_live() {
-    AXIOMETRY_TRY(auto stream, connect_());
-    connected_ = Clock::now();
+    AXIOMETRY_TRY(auto stream, first_connection());
+    if (!stream) return {};  // stopped meanwhile: nothing has come
     if (!run_.resume.empty()) {
       AXIOMETRY_TRY_VOID(hold(run_.resume));
       AXIOMETRY_TRY(auto none, play_raw(run_.resume));
@@ -236,39 +236,49 @@ class Run {
   /// An outage ends when samples come again, not with a connection: a source may take each and close it at once.
   void note_return() {
     if (!outage_) return;
-    const auto now = Clock::now();
-    if (session_.samples() == outage_->samples && now - connected_ < sound_connection) return;
-    notice(fmt::format("connected again after {} s and {} attempts; samples are missing",
-                       format_fixed(std::chrono::duration<double>(connected_ - outage_->since).count(), 1),
-                       outage_->attempts));
+    if (session_.samples() == outage_->samples() && Clock::now() - connected_ < sound_connection) return;
+    notice(fmt::format("connected again after {} s and {}; samples are missing",
+                       format_fixed(outage_->lasted_s(connected_), 1), outage_->attempts_text()));
     outage_.reset();
   }
 
   /// Nothing when it was stopped, or when the other side has not come back in time. The first attempt follows at once
-  /// where the connection had lasted, each other one after a pause twice as long as the one before.
+  /// where the connection had lasted.
   Result<std::unique_ptr<LiveStream>> reconnect(const std::string& reason) {
-    const auto now = Clock::now();
-    bool at_once = !outage_ && now - connected_ >= Outage::first_pause;
+    const bool at_once = !outage_ && Clock::now() - connected_ >= first_pause;
     if (!outage_) {
       notice(fmt::format("connection lost ({}), trying again for {} s", reason, format_fixed(run_.give_up.in_s(), 0)));
-      outage_ = {.since = now, .samples = session_.samples()};
+      outage_.emplace(session_.samples(), run_.give_up);
     }
-    const auto last_moment = outage_->since + std::chrono::duration_cast<Clock::duration>(
-                                                  std::chrono::duration<double>(run_.give_up.in_s()));
-    while (true) {
-      if (!at_once && !wait_until(std::min(Clock::now() + outage_->pause, last_moment)))
-        return std::unique_ptr<LiveStream>();
-      if (Clock::now() >= last_moment) break;
-      if (!at_once) outage_->pause = std::min<Clock::duration>(2 * outage_->pause, longest_pause);
-      at_once = false;
-      ++outage_->attempts;
-      auto again = connect_();
-      if (!again) continue;
-      connected_ = Clock::now();
-      return again;
-    }
-    notice(fmt::format("the connection did not come back in {} attempts: the recording ends here", outage_->attempts));
-    return std::unique_ptr<LiveStream>();
+    return try_again(at_once, [&] {
+      notice(fmt::format("the connection did not come back in {}: the recording ends here", outage_->attempts_text()));
+      return std::unique_ptr<LiveStream>();
+    });
+  }
+
+  /// A source may be switched on later than the program. Nothing when it was stopped meanwhile.
+  Result<std::unique_ptr<LiveStream>> first_connection() {
+    auto stream = connect_();
+    connected_ = Clock::now();
+    if (stream || run_.give_up.in_s() <= 0.0) return stream;
+    const std::string seconds = format_fixed(run_.give_up.in_s(), 0);
+    notice(fmt::format("{}, trying again for {} s", stream.error().to_string(), seconds));
+    outage_.emplace(0, run_.give_up, 1);
+    auto found = try_again(false, [&]() -> Result<std::unique_ptr<LiveStream>> {
+      stream.error().message += fmt::format(" ({} in {} s)", outage_->attempts_text(), seconds);
+      return std::move(stream);
+    });
+    if (found && *found) notice(fmt::format("connected after {}", outage_->attempts_text()));
+    outage_.reset();
+    return found;
+  }
+
+  template <typename GivenUp>
+  Result<std::unique_ptr<LiveStream>> try_again(bool at_once, GivenUp given_up) {
+    Outage::Result found = outage_->try_again(at_once, connect_, [this](auto until) { return wait_until(until); });
+    if (found.given_up) return given_up();
+    connected_ = Clock::now();
+    return std::move(found.stream);
   }
 
   /// False when it was stopped meanwhile.

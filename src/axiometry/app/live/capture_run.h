@@ -20,7 +20,7 @@ struct CaptureRun {
   std::string raw;     ///< of a live source: file of all bytes that came; must not exist
   std::string resume;  ///< instead: such a file, which is played first and goes on
   std::string out;     ///< test file, rewritten after every reading; "-" writes it once at the end; may be empty
-  Duration give_up = Duration::s(60);  ///< how long a source is tried again until samples come
+  Duration give_up = Duration::s(60);  ///< how long a source is tried, at first and again, until samples come
 };
 
 /// What happens, for people who watch. Any may be empty.
@@ -69,7 +69,7 @@ struct LiveCapture {
   Connect connect;                       ///< none: what was recorded is played, and that is all
   std::string raw;                       ///< file of all bytes that come; must not exist
   std::string resume{};                  ///< instead: such a file, which is played first and goes on
-  Duration give_up = Duration::s(60);    ///< how long a source is tried again until samples come
+  Duration give_up = Duration::s(60);    ///< how long a source is tried, at first and again, until samples come
   std::uint64_t raw_limit = UINT64_MAX;  ///< bytes that come at most; then the capture stops
   FreeBytes free = free_bytes;           ///< of the disk of the raw file; DiskRoom says when the capture stops
 };

@@ -135,8 +135,8 @@ Result<nc::PointTour> tour_of(const volumetric::CalibrationPlan& plan, const NcR
 }
 
 Result<bool> switch_of(const std::string& text) {
-  if (text.empty() || text == "1" || text == "true") return true;
-  if (text == "0" || text == "false") return false;
+  if (text.empty() || text == "1" || text == "true" || text == "on") return true;
+  if (text == "0" || text == "false" || text == "off") return false;
   return fail(fmt::format("found {}, expected 1 or 0", text::quoted(text)));
 }
 
@@ -173,10 +173,14 @@ Result<void> put_option(nc::ProgramOptions& options, const std::string& name, co
     AXIOMETRY_TRY(options.trigger_m_code, number_or_none(text));
   } else if (name == "number") {
     AXIOMETRY_TRY(options.number, number_or_none(text));
+  } else if (name == "frame") {
+    options.frame = text;
+  } else if (name == "rollover") {
+    AXIOMETRY_TRY(options.rollover, switch_of(text));
   } else {
     return fail(
         "found no such option, expected unit, unrolled, trigger_m_code, number, decimals, block_numbers, "
-        "stop_at_start or stop_at_lines");
+        "stop_at_start, stop_at_lines, frame or rollover");
   }
   return {};
 }

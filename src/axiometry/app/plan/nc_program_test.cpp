@@ -39,7 +39,15 @@ TEST_F(NcProgram, SaysWhatThereIsInsteadOfWhatIsNot) {
   EXPECT_EQ(reason({.dialect = "grbl", .part = 0}), plan_ + ": found part 0 asked for, expected 1 to 2");
   EXPECT_EQ(reason({.dialect = "linuxnc"}), "found the unknown dialect \"linuxnc\", expected perhaps linuxcnc");
   EXPECT_EQ(reason({.dialect = "grbl", .options = {.trigger_m_code = 3}}),
-            plan_ + ": found M3 as trigger, expected an M code that leaves program, spindle and tool alone");
+            plan_ + ": found M3 as trigger, which steers the spindle, expected one of M7…M9");
+}
+
+TEST_F(NcProgram, IsInTheFrameThatIsAskedFor) {
+  const auto framed = nc_program({.plan = plan_, .dialect = "grbl", .options = {.frame = "G55"}});
+  ASSERT_TRUE(framed);
+  EXPECT_NE(framed->find(" G55\n"), std::string::npos) << *framed;
+  EXPECT_EQ(reason({.dialect = "grbl", .options = {.rollover = true}}),
+            plan_ + ": found rollover asked for, expected it of a rotary axis alone");
 }
 
 TEST_F(NcProgram, DoesNotTakeThePlacesOfThePlanOrOfAFileWhenItFails) {

@@ -215,8 +215,8 @@ TEST(PlanRequest, ADraftComesWhileAPersonTypes) {
 
 TEST(NcOptions, AreReadFromTexts) {
   const std::vector<std::pair<std::string, std::string>> texts = {
-      {"unit", "inch"},  {"unrolled", ""},       {"trigger_m_code", "27"}, {"number", ""},
-      {"decimals", "5"}, {"block_numbers", "0"}, {"stop_at_start", "1"}};
+      {"unit", "inch"},       {"unrolled", ""},       {"trigger_m_code", "27"}, {"number", ""},    {"decimals", "5"},
+      {"block_numbers", "0"}, {"stop_at_start", "1"}, {"frame", "G54"},         {"rollover", "on"}};
   const auto options = nc_options(texts);
   ASSERT_TRUE(options) << options.error().message;
   EXPECT_EQ(options->unit, nc::LengthUnit::inch);
@@ -224,8 +224,16 @@ TEST(NcOptions, AreReadFromTexts) {
   EXPECT_EQ(options->trigger_m_code, 27u);
   EXPECT_FALSE(options->number);
   EXPECT_EQ(options->decimals, 5);
-  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
-           {"unit", "ell"}, {"unrolled", "maybe"}, {"decimals", "7"}, {"trigger_m_code", "-1"}, {"file", "x"}}) {
+  EXPECT_EQ(options->frame, "G54");
+  EXPECT_TRUE(options->rollover);
+  EXPECT_EQ(nc_options({})->frame, "active");
+  EXPECT_FALSE(nc_options({})->rollover);
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{{"unit", "ell"},
+                                                                                   {"unrolled", "maybe"},
+                                                                                   {"decimals", "7"},
+                                                                                   {"trigger_m_code", "-1"},
+                                                                                   {"rollover", "perhaps"},
+                                                                                   {"file", "x"}}) {
     const std::pair<std::string, std::string> one[] = {{name, text}};
     EXPECT_THAT(nc_options(one).error().message, HasSubstr(name + ": found"));
   }

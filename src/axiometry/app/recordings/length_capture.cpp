@@ -8,6 +8,7 @@
 
 #include "axiometry/app/recordings/read_recording.h"
 #include "axiometry/app/recordings/stop_notes.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/capture/capture_result.h"
 #include "axiometry/formats/tracking/tracking_lengths_csv.h"
 
@@ -24,8 +25,8 @@ Result<CapturedLengths> captured_lengths(const TrackingPlan& plan, const Capture
     lengths.times_s.push_back(length->time_s);
   }
   if (lengths.readings.empty())
-    return fail(fmt::format("found no length for any of the {} approaches of the plan in {} standstills",
-                            approaches.size(), found.standstills));
+    return fail(fmt::format("found no length for any of the {} approaches of the plan in {}", approaches.size(),
+                            counted(found.standstills, "standstill")));
   lengths.approaches = approaches.size();
   lengths.samples = session.samples();
   lengths.layout = session.layout();

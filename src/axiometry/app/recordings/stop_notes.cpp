@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 
 namespace axiometry::app {
@@ -63,7 +64,7 @@ class StopNoting {
       std::string list;
       for (std::size_t k = 0; k < std::min(some.stops.size(), most_named); ++k)
         list += fmt::format("{}{}", k == 0 ? "" : ", ", names_.name(some.stops[k]));
-      if (some.stops.size() > most_named) list += fmt::format(" and {} others", some.stops.size() - most_named);
+      if (some.stops.size() > most_named) list += " and " + counted(some.stops.size() - most_named, "other");
       notes_.push_back(fmt::format("{}: no length for {}: {}", some.group, list, lack_text(some.lack)));
     }
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "axiometry/app/tracking/line_slopes.h"
+#include "axiometry/base/counted.h"
 
 namespace axiometry::app::lee {
 namespace {
@@ -133,7 +134,7 @@ Result<ProportionalError> proportional_error(const Fixture& fixture, Length nois
 
 Result<Slopes> slopes(const SlopeRequest& request) {
   if (request.distances_mm.size() < 2)
-    return fail(fmt::format("found {} distances, expected at least two", request.distances_mm.size()));
+    return fail(fmt::format("found {}, expected at least two", counted(request.distances_mm.size(), "distance")));
   Slopes result{.request = request, .before = {}, .after = {}, .lines = {}};
   const double base = request.base.in_um_per_m() * 1e-6, added = request.added.in_um_per_m() * 1e-6;
   const double change = base + added + base * added - base;  // (1 + base)(1 + added) = 1 + base + change

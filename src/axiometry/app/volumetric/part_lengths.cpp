@@ -9,6 +9,7 @@
 
 #include "axiometry/app/recordings/read_recording.h"
 #include "axiometry/app/recordings/stop_notes.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 
 namespace axiometry::app {
@@ -98,8 +99,8 @@ Result<PartLengths> part_lengths(const CalibrationPlan& plan, std::optional<Part
   lengths.parts = parts;
   take_lengths(plan, found, stops.places, lengths);
   if (lengths.places.empty())
-    return fail(fmt::format("found no length for any of the {} points of {} in {} standstills", stops.places.size(),
-                            part_text(plan, parts), found.standstills));
+    return fail(fmt::format("found no length for any of the {} points of {} in {}", stops.places.size(),
+                            part_text(plan, parts), counted(found.standstills, "standstill")));
   lengths.planned = stops.places.size();
   lengths.samples = session.samples();
   lengths.layout = session.layout();

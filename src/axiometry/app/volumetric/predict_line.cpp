@@ -13,6 +13,7 @@
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/volumetric/field_volume.h"
 #include "axiometry/app/volumetric/result_model.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/plan_json.h"
@@ -128,7 +129,7 @@ Result<TestedLine> line_of(const PredictRequest& request, const ErrorModel& mode
   }
   if (targets) {
     if (targets->positions_mm.size() < 2)
-      return fail(fmt::format("found {} targets, expected two or more", targets->positions_mm.size()));
+      return fail(fmt::format("found {}, expected two or more", counted(targets->positions_mm.size(), "target")));
     const double first = targets->positions_mm.front(), last = targets->positions_mm.back();
     if (!line) {
       if (!targets->line)

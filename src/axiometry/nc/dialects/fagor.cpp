@@ -15,7 +15,11 @@ For 8055 and 8055i, and relatives that read its ISO programs (8035, 8037, 8040).
 - Start: `G71` or `G70`, `G17 G40 G90 G94`, `G7` (square corner: the axis comes to rest at the end of every
   block)
 - Dwell: `G4 K300`, in hundredths of a second: the dwell is rounded up to 0.01 s, 999.99 s at most
-- Trigger: an M code between two halves of the dwell
+- Trigger: M7 to M9 (coolant), M24 to M28, M57 to M59 or M150 to M189, between two halves of the dwell: numbers that
+  neither RS-274-D nor the control gives to spindle, tool, axes or program. What the machine's builder made of one
+  stands in the machine's list of M codes: look there first
+- Lines end with CR LF [inferred]
+- Work offset: the one that is active, or `--frame G54` to `G59`; with `--frame machine` G53 in every move
 - Comments: behind a semicolon
 - Lines in space: X, Y and Z in one block. F is the speed along the path, G7 brings all of them to rest. The tool
   length is not cancelled: do that before (D0), or Z is that of the tool [inferred]
@@ -25,14 +29,21 @@ Try in single block first: the start blocks, the first target with its dwell, an
 must be driven as often as the comment before it says [inferred from the manual, not tried on a control].
 
 The 8070 has another language for loops: use `--unrolled` there, and check the dwell (G4 in seconds) [inferred].
-Rotary axes of the type "rollover" or "positioning only" go the short way or as the sign says: test them as
-"normal" [inferred].)manual";
+
+Rotary axes of the type "rollover" or "positioning only" go the short way or as the sign says [inferred]: absolute
+angles are for "normal" ones.
+
+- `--rollover on`, for a rotary axis that counts to 360° only: all moves but the first are increments (`G91`),
+  whose sign is the direction [inferred]. The first, absolute, goes to an angle within one turn the way that the
+  control chooses. Decimals that the control drops would add up: a comment says how many it must keep. Do not
+  begin in the middle of such a program)manual";
 
 constexpr WordControl control = {
     .limits = {.dwell_step = Duration::s(0.01),
                .dwell_longest = Duration::s(999.99),
                .loops = 499,
-               .m_codes = {{{0, 9999}}}},
+               .m_codes = fanuc_like.limits.m_codes,
+               .frames = {.offsets = {{{"G{}", 54, 59}}}, .machine_move = "G53"}},
     .comment_begin = "; ",
     .comment_end = "",
     .comment_characters = ".,+-/=",
@@ -47,6 +58,7 @@ constexpr WordControl control = {
     .loop_end = {"N{end_label} G90", "(RPT N{label},N{end_label}) N{more}"},
     .label_highest = 9999,
     .end = {"M30"},
+    .crlf = true,
     .block_number_highest = 8999,
 };
 

@@ -16,7 +16,9 @@ B or C.
 - Start: `G21` or `G20` in a block of its own, `G17 G40 G49 G80 G90 G94`, `G61` (exact stop, so that every
   target is reached)
 - Dwell: `G4 X3.0`, seconds
-- Trigger: an M code between two halves of the dwell
+- Trigger: M7 to M9 (coolant), M24 to M28, M57 to M59 or M150 to M189, between two halves of the dwell: numbers that
+  neither RS-274-D nor the control gives to spindle, tool, axes or program. What the machine's builder made of one
+  stands in the machine's list of M codes: look there first
 - Comments: in round brackets, capitals
 
 - Lines in space: X, Y and Z in one G1 block. F is the speed along the path, G61 brings all of them to rest, G49
@@ -31,9 +33,13 @@ Try in single block first: the start blocks, the first two targets, and the firs
   planned: switch to radius programming.
 - With increment system IS-B the control has 3 decimals in mm (4 in inches) and drops more: targets of the plan
   should be multiples of 0.001 mm, and the program written with `--decimals 3`. IS-C has one more.
-- A rotary axis with rollover (parameter 1008) goes to an absolute position the short way round, or as the sign
-  says. Switch rollover off for the test, or stay within half a turn, or it will not come from the planned
-  direction [inferred].
+- Work offset: the one that is active, or `--frame G54` to `G59`, `G54.1 P1` to `P48` (an option). Coordinates of the
+  machine cannot be had at feed: G53 drives at rapid.
+- A rotary axis with rollover (parameter 1008, ROA = 1) goes to an absolute angle the short way round (RAB = 0) or as
+  the sign says (RAB = 1), and would not come from the planned direction: `--rollover on`. All moves but the first
+  are then increments (`G91`), which both settings turn by their sign, also through 0 and over several turns. The
+  first, absolute, goes to an angle within one turn the way that the control chooses. Decimals that the control drops
+  would add up: a comment says how many it must keep. Do not begin in the middle of such a program.
 - Program numbers from 8000 are often protected.)manual";
 
 constexpr const WordControl& control = fanuc_like;

@@ -18,13 +18,19 @@ constexpr std::string_view manual = R"manual(# grbl 1.1 and grblHAL
 - Stop: `M0`; cycle start goes on
 
 - Lines in space: X, Y and Z in one block, F is the speed along the path. G49 cancels the tool length (G43.1)
+- Work offset: the one that is active, or `--frame G54` to `G59`; with `--frame machine` G53 in every move, whatever
+  G54 and G92 are
+- Rotary axes count on through 0° and 360°; there is no rollover
 
 Set the feed in the plan below the axis' `$110` to `$112` (or 113 and more): grbl lowers a feed above it without
 a word. Soft limits (`$20`) should be on. Run all of it in check mode (`$C`) first, then try in single block,
 which is sending line by line, up to the first dwell.)manual";
 
 constexpr WordControl control = {
-    .limits = {.linear_axes = "X Y Z", .dwell_stops = true, .m_codes = {{{7, 9}}}},
+    .limits = {.linear_axes = "X Y Z",
+               .dwell_stops = true,
+               .frames = {.offsets = {{{"G{}", 54, 59}}}, .machine_move = "G53"},
+               .rollover = RolloverWords::none},
     .comment_characters = ".,+-/=",
     .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61"},
     .start_inch = {"G20", "G17 G40 G49 G80 G90 G94", "G61"},

@@ -14,8 +14,11 @@ For mills (NGC and classic).
   `--unrolled` without it
 - Start: `G21` or `G20`, `G17 G40 G49 G80 G90 G94`, `G61` (exact stop)
 - Dwell: `G4 P3.0`. With the decimal point P is in seconds, without it in milliseconds
-- Trigger: an M code between two halves of the dwell; spare ones are M21 to M28 and, newer, M121 to M128 (these
-  wait for an answer), M51 to M58 switch on and M61 to M68 off
+- Trigger: M21 to M28 or, newer, M121 to M128, which wait for an answer; M51 to M58 switch on and M61 to M68 off;
+  M7 to M9 are coolant. Between two halves of the dwell
+- Lines end with CR LF
+- Work offset: the one that is active, or `--frame G54` to `G59`, `G154 P1` to `P99`. Coordinates of the machine are
+  not offered: whether G53 drives at feed is not certain
 
 - Lines in space: X, Y and Z in one G1 block. F is the speed along the path, G61 brings all of them to rest, G49
   cancels the tool length: positions are those of the axes. Rotation (G69), scaling (G50), mirroring (G100) and
@@ -24,13 +27,20 @@ For mills (NGC and classic).
 Haas checks setting 9: a program in inches stops with an alarm on a machine in mm, and the other way round.
 Setting 9 decides how many decimals are kept: 3 in mm, 4 in inches.
 
-Try in single block first: the start blocks, the first target with its dwell, the first turn of the loop. A
-rotary axis that is set to take the shortest way, or to count to 360° only, does not come from the planned
-direction [inferred]: look at the first move beyond 0° and 360°.)manual";
+- `--rollover on`, for a rotary axis that counts to 360° only: all moves but the first are increments (`G91`),
+  whose sign is the direction, whether the axis is set to the shortest way or not [inferred]. The first,
+  absolute, goes to an angle within one turn the way that the control chooses. Decimals that the control drops
+  would add up: a comment says how many it must keep. Do not begin in the middle of such a program
+
+Try in single block first: the start blocks, the first target with its dwell, the first turn of the loop, and the
+first move of a rotary axis beyond 0° and 360°.)manual";
 
 constexpr WordControl control = [] {
   WordControl c = fanuc_like;
   c.number->highest = 99'999;
+  c.limits.m_codes = {{{7, 9}, {21, 28}, {51, 58}, {61, 68}, {121, 128}}};
+  c.limits.frames.offsets = {{{"G{}", 54, 59}, {"G154 P{}", 1, 99}}};
+  c.crlf = true;
   c.head = {"%", "O{number:0>5}"};
   c.dwell = "G4 P{seconds}";
   return c;

@@ -30,7 +30,9 @@ For TNC 426, 430, iTNC 530, TNC 320, 620, 640 and TNC7.
   cycle 32, which is harmless as long as there is room for it
 - Dwell: cycle 9, `CYCL DEF 9.0 DWELL TIME` and `CYCL DEF 9.1 DWELL 3`, seconds, up to 3600. It also brings
   the axis to rest, and is written for 0 s too
-- Trigger: an M code between two halves of the dwell
+- Trigger: M8 or M9 (coolant), M24 to M28 or M57 to M59, between two halves of the dwell; from M89 on the numbers are
+  the control's own functions. What the machine's builder made of one stands in the machine's manual: look there first
+- Lines end with CR LF
 - Stop: with `--stop-at-start`, a comment says what to do, and `STOP` waits
 
 Try in single block first: the first target with its dwell (time it), and the first repeat.
@@ -38,16 +40,23 @@ Try in single block first: the first target with its dwell (time it), and the fi
 - The names in cycle 9 are English; a control with another dialog language shows its own.
 - Coordinates are taken with 4 decimals, with an option 5. In inches they mostly have 6: give the plan targets
   that are multiples of 0.0001 in, or test in mm [inferred].
+- Positions are those of the active datum. With `--frame machine` every absolute move has M91: the machine's datum,
+  and the tool's length is not added. Presets (cycle 247) are to be activated before.
 - Datum shift, mirroring, rotation, scaling, tilted plane and M128 must be off: they are not reset by the
   program.
-- Rotary axes: M126 (shortest way) must be off, and an axis with a display that is reduced below 360° is driven
-  as planned only within it (M94) [inferred].)manual";
+- Rotary axes: with absolute angles M126 (shortest way) must be off, and an axis with a display that is reduced below
+  360° never passes 0: `--rollover on`. All moves but the first are then increments (`L IC+10.0000`), whose sign is the
+  direction, through 0 and over several turns, and `M127` cancels M126 before them [inferred]. The first, absolute,
+  goes to an angle within one turn. Decimals that the control drops would add up: a comment says how many it must
+  keep. Do not begin in the middle of such a program.)manual";
 
 constexpr ControlLimits limits = {
     .feed_per_inch = 10.0,
     .dwell_longest = Duration::s(3600.0),
     .dwell_stops = true,
     .loops = 254,
+    .m_codes = {{{8, 9}, {24, 28}, {57, 59}}},
+    .frames = {.machine_move = "M91"},
 };
 
 constexpr std::size_t line_length = 79;
@@ -55,16 +64,23 @@ constexpr std::size_t number_length = 8;  // "1234567 " at most
 
 class Sentences {
  public:
-  void add(std::string sentence) { text_ += fmt::format("{} {}\n", number_++, sentence); }
+  explicit Sentences(const WorkFrame& frame) : frame_(frame) {}
+
+  void add(std::string sentence) { text_ += fmt::format("{} {}\r\n", number_++, sentence); }
 
   void operator()(const Remark& remark) {
     for (const std::string& part : wrapped(safe(remark.text), line_length - number_length - 2)) add("; " + part);
   }
   void operator()(const Move& move) {
     std::string sentence = "L";
-    for (const auto& [axis, coordinate] : move.axes)
-      sentence += fmt::format(" {}{}{}", axis, coordinate.starts_with('-') ? "" : "+", coordinate);
+    bool increment = false;  // which no frame shifts
+    for (const auto& [axis, coordinate, way] : move.axes) {
+      increment = increment || way == AxisWay::increment;
+      sentence += fmt::format(" {}{}{}{}", way == AxisWay::increment ? "I" : "", axis,
+                              coordinate.starts_with('-') ? "" : "+", coordinate);
+    }
     sentence += fmt::format(" R0 F{}", move.feed);
+    if (!increment && !frame_.of_move.empty()) sentence += " " + frame_.of_move;
     if (!move.remark.empty()) {
       const std::string remark = " ; " + safe(move.remark);
       if (number_length + sentence.size() + remark.size() <= line_length)
@@ -92,6 +108,7 @@ class Sentences {
  private:
   static std::string safe(std::string_view text) { return safe_text(text, ".,+-/=():"); }
 
+  const WorkFrame& frame_;
   std::size_t number_ = 0;
   std::string text_;
 };
@@ -105,9 +122,10 @@ Result<std::string> write_walked(const Walked& walked, const ProgramOptions& opt
     return fail("found blocks without numbers asked for, expected them numbered as Klartext always is");
   AXIOMETRY_TRY(const Script script, make_script(walked, options, limits));
   const std::string name = fmt::format("PGM {} {}", number, script.inch ? "INCH" : "MM");
-  Sentences sentences;
+  Sentences sentences(script.frame);
   sentences.add("BEGIN " + name);
   for (const std::string& line : script.heading) sentences(Remark{line});
+  if (options.rollover) sentences.add("M127");  // the short way, where it is on, could turn an increment round
   for (const Instruction& instruction : script.instructions) std::visit(sentences, instruction);
   sentences.add("M30");
   sentences.add("END " + name);

@@ -16,15 +16,22 @@ words of ISO 6983-1 is needed.
 - Dwell: `G4 X3.0`, seconds. A control that wants another word stops with an alarm, rather than wait a thousand
   times too long as with P
 - Exact stop: `G9` in every block: it needs no cancelling
-- Trigger: an M code between two halves of the dwell
+- Trigger: M7 to M9 (coolant), M24 to M28, M57 to M59 or M150 to M189, between two halves of the dwell: numbers that
+  neither RS-274-D nor the control gives to spindle, tool, axes or program. What the machine's builder made of one
+  stands in the machine's list of M codes: look there first
+- Work offset: the one that is active, or `--frame G54` to `G59`
 
 - Lines in space: X, Y and Z in one block; F is the speed along the path [inferred for a control that is not known]
+- `--rollover on`, for a rotary axis that counts to 360° only: all moves but the first are increments (`G91`),
+  whose sign is the direction on controls that resemble Fanuc's [inferred]. The first, absolute, goes to an angle
+  within one turn the way that the control chooses. Decimals that the control drops would add up: a comment says
+  how many it must keep. Do not begin in the middle of such a program
 
 Try in single block first: the start blocks, one target, the dwell with a watch. Tool length offsets, scaling,
 rotation and mirroring must be off; coordinates refer to the work offset that is active.)manual";
 
 constexpr WordControl control = {
-    .limits = {},
+    .limits = {.m_codes = fanuc_like.limits.m_codes, .frames = {.offsets = {{{"G{}", 54, 59}}}}},
     .comment_characters = ".,+-/=",
     .number = WordControl::ProgramNumber{},
     .head = {"%", "O{number}"},

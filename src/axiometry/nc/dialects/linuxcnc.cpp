@@ -21,15 +21,21 @@ For version 2.4 and later. Programs of this dialect are run through LinuxCNC's o
   G49 cancels the tool length, so that positions are those of the axes. A machine whose kinematics are not trivial
   (five axes, hexapod) must be in the mode in which X, Y and Z are those of the plan
 
-Rotary axes A, B, C are in degrees and degrees per minute whatever the unit. An axis that is configured as
-wrapped (`WRAPPED_ROTARY`) takes the sign of a target as the direction and cannot be tested with this program:
-switch it off.
+Rotary axes A, B, C are in degrees and degrees per minute whatever the unit. An axis that is configured as wrapped
+(`WRAPPED_ROTARY`) takes the sign of an absolute angle as the direction and refuses 360° and more: `--rollover on`.
+All moves but the first are then increments (`G91`), whose sign is the direction, through 0° and over several turns,
+whether the axis is wrapped or not; the first goes to an angle within one turn (wrapped: upwards). Do not begin in
+the middle of such a program. Both are run through the interpreter in the tests.
 
-Try in single block first: the start blocks and the first target with its dwell. G54 or what else is active, and
-G92, shift all positions.)manual";
+Work offset: the one that is active, and G92, shift all positions. `--frame G54` to `G59.3` activates one; with
+`--frame machine` every absolute move has G53, which neither offsets nor G92 nor tool length shift.
+
+Try in single block first: the start blocks and the first target with its dwell.)manual";
 
 constexpr WordControl control = {
-    .limits = {.loops = 10'000, .m_codes = {{{7, 9}, {100, 199}}}},
+    .limits = {.loops = 10'000,
+               .m_codes = {{{7, 9}, {100, 199}}},
+               .frames = {.offsets = {{{"G{}", 54, 59}, {"G59.{}", 1, 3}}}, .machine_move = "G53"}},
     .comment_characters = ".,+-/=[]:",
     .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61.1"},
     .start_inch = {"G20", "G17 G40 G49 G80 G90 G94", "G61.1"},

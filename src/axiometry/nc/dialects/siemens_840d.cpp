@@ -16,22 +16,32 @@ For 840D, 840D sl, 828D and SINUMERIK ONE in Siemens language (not in ISO dialec
   (exact stop, fine), `G1` at feed
 - Axes: X, Y, Z, U, V, W, A, B, C, with a number where the machine has one: `X1=100.0`
 - Dwell: `G4 F3.0`, seconds
-- Trigger: an M code between two halves of the dwell
+- Trigger: M7 to M9 (coolant), M27, M28, M57 to M59 or M150 to M189, between two halves of the dwell: numbers that
+  neither RS-274-D nor the control gives to spindle, gears, punching or program. What the machine's builder made of
+  one stands in the machine's list of M codes: look there first
 - Lines in space: X, Y and Z in one block, which must be the geometry axes of the channel. F is the speed along the
   path as long as they are the axes of FGROUP, as they are by default; G60 G601 brings all of them to rest
 - Message: with `--stop-at-start`, `MSG("…")` shows what to do, and `M0` waits
 
 Try in single block first: the start blocks, the first target with its dwell, the first turn of the loop.
 
-- The frame that is active (G54 …, TRANS, ROT) and the tool's offset (D) shift positions: `G500` and `D0` before
-  the program, or on purpose. No transformation (TRAORI, TRANSMIT) may be active.
-- Rotary modulo axes: with G90 an axis goes to the absolute angle within its modulo range by the way that its
-  machine data say, and 365° is refused or taken as 5°. Test over the range that it can be told, or as an axis
-  without modulo [inferred].
+- The frame that is active (G54 …, TRANS, ROT) and the tool's offset (D) shift positions. `--frame G54` to `G57`,
+  `G505` to `G599` or `G500` (none of them) activates one; with `--frame machine` the program cancels the tool's offset
+  (`D0`) and every move has `SUPA`, which suppresses all frames. No transformation (TRAORI, TRANSMIT) may be active.
+- Rotary modulo axes (MD30310 ROT_IS_MODULO) refuse angles outside 0° to 359.999° (alarm 16830), and go within that
+  range without passing 0: `--rollover on`. Every move then names angle and direction, `C=ACP(10.0)` upwards and
+  `C=ACN(350.0)` downwards, also through 0; a way of a turn and more is driven in parts below half a turn; the first
+  move goes the short way (`DC`). The modulo range must begin at 0 (MD30340). An axis without modulo refuses ACP.
 - 802D and 808D know neither DEF nor FOR: use `--unrolled`.)manual";
 
 constexpr WordControl control = {
-    .limits = {.numbered_axes = true, .loops = 10'000},
+    .limits = {.numbered_axes = true,
+               .loops = 10'000,
+               .m_codes = {{{7, 9}, {27, 28}, {57, 59}, {150, 189}}},
+               .frames = {.offsets = {{{"G{}", 54, 57}, {"G{}", 500, 500}, {"G{}", 505, 599}}},
+                          .machine_start = "D0",
+                          .machine_move = "SUPA"},
+               .rollover = RolloverWords::directed},
     .comment_begin = "; ",
     .comment_end = "",
     .comment_characters = ".,+-/=[]():",

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/version.h"
 #include "axiometry/report/documents/volumetric_sections.h"
 #include "axiometry/report/sections/fact.h"
@@ -142,8 +143,8 @@ class CalibrationSheet {
     }
     layout.obstacles = plan_.obstacles;
     layout.title = "Layout of the test";
-    layout.description =
-        fmt::format("Reach of the reflector with all tools, and {} stations.", plan_.machine.stations.size());
+    layout.description = fmt::format("Reach of the reflector with all tools, and {}.",
+                                     counted(plan_.machine.stations.size(), "station"));
     return layout_figure(layout, options_);
   }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/version.h"
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/documents/lines_sections.h"
@@ -204,9 +205,10 @@ Facts line_facts(const AssessedLine& line, const Options& options) {
   facts.facts.push_back({plain("Axes not under test"), resting_axes_cell(test.metadata)});
   const auto& targets = test.series.targets();
   const int decimals = position_decimals(targets);
-  add("Targets", fmt::format("{} from {} to {}, up to {} approaches from a direction", targets.size(),
+  add("Targets", fmt::format("{} from {} to {}, up to {} from a direction", targets.size(),
                              shown_mm(targets.front().in_native(), decimals, options),
-                             shown_mm(targets.back().in_native(), decimals, options), test.series.run_count()));
+                             shown_mm(targets.back().in_native(), decimals, options),
+                             counted(test.series.run_count(), "approach", "approaches")));
   if (!line.line.distances_mm.empty()) {
     const auto [least, most] = std::ranges::minmax(line.line.distances_mm);
     add("Distance from the station", fmt::format("{} to {}", shown_mm(least, 1, options), shown_mm(most, 1, options)));

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/version.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/figures/programme.h"
@@ -120,7 +121,7 @@ Metadata known_before(const Plan& plan) {
   known.conditions.cycle = plan.cycle;
   known.conditions.feed = plan.feed;
   known.conditions.dwell = plan.dwell;
-  if (plan.warm_up_runs > 0) known.conditions.warm_up = fmt::format("{} runs", plan.warm_up_runs);
+  if (plan.warm_up_runs > 0) known.conditions.warm_up = counted(plan.warm_up_runs, "run");
   return known;
 }
 

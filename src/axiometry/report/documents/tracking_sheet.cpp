@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/version.h"
 #include "axiometry/report/documents/plan_sheet.h"
 #include "axiometry/report/sections/fact.h"
@@ -133,7 +134,7 @@ Figure layout_of(const Sheet& sheet) {
   layout.way_mm = whole_way(sheet);
   layout.obstacles = setup.obstacles;
   layout.title = "Layout of the test";
-  layout.description = fmt::format("Reach of the reflector, station and {} lines.", sheet.plan.lines.size());
+  layout.description = fmt::format("Reach of the reflector, station and {}.", counted(sheet.plan.lines.size(), "line"));
   return layout_figure(layout, sheet.options);
 }
 
@@ -235,11 +236,17 @@ Section target_section(const Sheet& sheet) {
 }
 
 Notice status(const TrackingPlan& plan) {
-  if (plan.lost.empty()) return {Tone::good, plain(fmt::format("All {} lines can be measured", plan.lines.size())), {}};
-  Notice notice{
-      Tone::caution,
-      plain(fmt::format("{} of {} lines can be measured", plan.lines.size(), plan.lines.size() + plan.lost.size())),
-      {}};
+  if (plan.lost.empty()) {
+    const std::size_t lines = plan.lines.size();
+    return {Tone::good,
+            plain(lines == 1 ? std::string("The line can be measured")
+                             : fmt::format("All {} lines can be measured", lines)),
+            {}};
+  }
+  Notice notice{Tone::caution,
+                plain(fmt::format("{} of {} can be measured", plan.lines.size(),
+                                  counted(plan.lines.size() + plan.lost.size(), "line"))),
+                {}};
   std::string lost;
   for (const LostLine& line : plan.lost) lost += (lost.empty() ? "" : ", ") + line.id;
   notice.lines.push_back(plain("Lost: " + lost + "."));

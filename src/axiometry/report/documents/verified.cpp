@@ -3,13 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "axiometry/base/counted.h"
+
 namespace axiometry::report {
 
 std::string verified_statement(const VerifiedFigures& verified) {
-  std::string text =
-      fmt::format("{} figures and {} verdicts recomputed, none differs", verified.figures, verified.verdicts);
+  std::string text = fmt::format("{} and {} recomputed, none differs", counted(verified.figures, "figure"),
+                                 counted(verified.verdicts, "verdict"));
   if (verified.compared > 0)
-    text += fmt::format("; {} figures of GUM and Monte Carlo compared, not recomputed", verified.compared);
+    text += fmt::format("; {} of GUM and Monte Carlo compared, not recomputed", counted(verified.compared, "figure"));
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/report/figures/parts/chart.h"
 #include "axiometry/report/figures/parts/legend.h"
 #include "axiometry/report/figures/parts/plate.h"
@@ -103,7 +104,8 @@ Figure lines_overview_figure(const LinesSubject& subject, const Options& options
   Figure figure{.width = plot::plate_width,
                 .height = 0.0,
                 .title = "Mean deviation of all lines over the distance from the station; in brackets the slope",
-                .description = fmt::format("The means of {} lines at their targets.", subject.lines.size()),
+                .description = fmt::format("The means of {} at {} targets.", counted(subject.lines.size(), "line"),
+                                           subject.lines.size() == 1 ? "its" : "their"),
                 .operations = {}};
   std::vector<std::vector<Mean>> all;
   std::vector<LegendEntry> entries;

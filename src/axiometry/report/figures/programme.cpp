@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/report/figures/parts/ink.h"
 #include "axiometry/report/figures/parts/label.h"
 #include "axiometry/report/figures/parts/legend.h"
@@ -121,8 +122,8 @@ class ProgrammeDrawing {
   }
 
   std::string description() const {
-    return fmt::format("{} targets, {} run{}, {} readings.", plan_.targets.size(), plan_.runs,
-                       plan_.runs == 1 ? "" : "s", approaches(plan_).size());
+    return fmt::format("{}, {}, {}.", counted(plan_.targets.size(), "target"), counted(plan_.runs, "run"),
+                       counted(approaches(plan_).size(), "reading"));
   }
 
   void draw_overruns() {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/tracking/ranges/multilateration_findings.h"
 
 namespace axiometry::tracking::detail {
@@ -146,8 +147,8 @@ Result<StationStart> start_one(const RangeInput& in, StationReadings& s, std::si
 
 Result<RangeCounts> check_ranges(const RangeInput& in) {
   if (in.stations < stations_least)
-    return fail(fmt::format("found {} stations, expected at least {}: with fewer no number of points is enough",
-                            in.stations, stations_least));
+    return fail(fmt::format("found {}, expected at least {}: with fewer no number of points is enough",
+                            counted(in.stations, "station"), stations_least));
   if (in.readings.empty()) return fail("found no readings, expected lengths of points from stations");
   if (in.readings.size() > std::numeric_limits<std::uint32_t>::max() / 2)
     return fail(fmt::format("found {} readings, expected fewer than 2 billion", in.readings.size()));

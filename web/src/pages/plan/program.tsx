@@ -13,10 +13,11 @@ import { t } from './texts';
 
 interface Options {
   inch: boolean; unrolled: boolean; block_numbers: boolean; stop_at_start: boolean; stop_at_lines: boolean;
-  trigger: string; number: string; decimals: string;
+  trigger: string; number: string; decimals: string; frame: 'active' | 'machine' | 'offset'; offset: string; rollover: boolean;
 }
 const usual: Options = {
   inch: false, unrolled: false, block_numbers: true, stop_at_start: false, stop_at_lines: false, trigger: '', number: '', decimals: '4',
+  frame: 'active', offset: 'G54', rollover: false,
 };
 
 /** For controls whose file names know only letters of English: "Fräse X" becomes "Fraese-X". */
@@ -24,11 +25,13 @@ const plain_name = (name: string): string =>
   name.replace(/[äöüÄÖÜ]/g, '$&e').replaceAll('ß', 'ss').normalize('NFD').replace(/\p{Mn}/gu, '').replace(/[^\w.-]+/g, '-').replace(/^-+|-+$/g, '');
 
 /** What the API takes: members that are left as they are usual are not sent. */
-function sent(options: Options, of_lines: boolean): Record<string, unknown> {
+function sent(options: Options, of_lines: boolean, rotary: boolean): Record<string, unknown> {
   const whole = (text: string) => (/^\d+$/.test(text.trim()) ? Number(text) : text.trim());
   return {
     unit: options.inch ? 'inch' : 'mm', unrolled: options.unrolled, block_numbers: options.block_numbers,
     stop_at_start: options.stop_at_start, ...(of_lines ? { stop_at_lines: options.stop_at_lines } : {}), decimals: whole(options.decimals === '' ? usual.decimals : options.decimals),
+    frame: options.frame === 'offset' ? options.offset.trim() : options.frame,
+    ...(rotary ? { rollover: options.rollover } : {}),
     ...(options.trigger === '' ? {} : { trigger_m_code: whole(options.trigger) }),
     ...(options.number === '' ? {} : { number: whole(options.number) }),
   };
@@ -39,6 +42,7 @@ interface Props {
   subject: Record<string, unknown> | null;  // the request or the plan; null: there is none yet
   part?: number;                            // which test of a plan of several
   of_lines?: boolean;                       // lines in space, before each of which the program may stop
+  rotary?: boolean;                         // of a rotary axis, which may have rollover
   name: string;
   vocabulary: Vocabulary;
   step?: string;                            // of a way of several
@@ -46,12 +50,12 @@ interface Props {
 }
 
 /** The part program of the plan as it stands in the form, saved or not. */
-export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, vocabulary, step, choice }: Props) {
+export function ProgramPanel({ path, subject, part = 1, of_lines = false, rotary = false, name, vocabulary, step, choice }: Props) {
   const dialects = useMemo(() => most_used_first(vocabulary.dialects), [vocabulary]);
   const [dialect, set_dialect] = useState(() => kept_dialect(dialects));
   const [options, set_options] = useState(usual);
   const chosen = vocabulary.dialects.find(({ id }) => id === dialect);
-  const body = subject === null ? null : { ...subject, dialect, options: { ...sent(options, of_lines), ...(of_lines ? {} : { part }) } };
+  const body = subject === null ? null : { ...subject, dialect, options: { ...sent(options, of_lines, rotary), ...(of_lines ? {} : { part }) } };
   const program = use_posted(path, body, as_text);
   // What was made for another control or plan must not be taken along under the name of this one.
   const is_this = program.error === null && program.data !== null && JSON.stringify(program.of) === JSON.stringify(body);
@@ -81,7 +85,7 @@ export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, 
           )}
         </Field>
         {choice}
-        <OptionFields of_lines={of_lines} options={options} change={(part) => set_options({ ...options, ...part })} loops={chosen?.has_loops ?? true} />
+        <OptionFields of_lines={of_lines} rotary={rotary} options={options} change={(part) => set_options({ ...options, ...part })} loops={chosen?.has_loops ?? true} />
       </div>
       {program.error && <FailureNotice error={program.error} retry={program.again} />}
       {program.data !== null && <ProgramText text={program.data} stale={program.error !== null} />}
@@ -95,7 +99,9 @@ export function ProgramPanel({ path, subject, part = 1, of_lines = false, name, 
   );
 }
 
-function OptionFields({ options, change, loops, of_lines }: { options: Options; change: (part: Partial<Options>) => void; loops: boolean; of_lines: boolean }) {
+interface FieldsProps { options: Options; change: (part: Partial<Options>) => void; loops: boolean; of_lines: boolean; rotary: boolean }
+
+function OptionFields({ options, change, loops, of_lines, rotary }: FieldsProps) {
   const text = (key: 'trigger' | 'number' | 'decimals', label: string) => (
     <Field label={label}>
       {(ids) => (
@@ -104,7 +110,7 @@ function OptionFields({ options, change, loops, of_lines }: { options: Options; 
       )}
     </Field>
   );
-  const box = (key: 'inch' | 'unrolled' | 'block_numbers' | 'stop_at_start' | 'stop_at_lines', disabled = false) => (
+  const box = (key: 'inch' | 'unrolled' | 'block_numbers' | 'stop_at_start' | 'stop_at_lines' | 'rollover', disabled = false) => (
     <label>
       <input type="checkbox" checked={options[key]} disabled={disabled} onChange={(event) => change({ [key]: event.currentTarget.checked })} />
       {t(key)}
@@ -115,12 +121,30 @@ function OptionFields({ options, change, loops, of_lines }: { options: Options; 
       {text('trigger', t('trigger'))}
       {text('number', t('number'))}
       {text('decimals', t('decimals'))}
+      <Field label={t('frame')}>
+        {(ids) => (
+          <select {...ids} value={options.frame} onChange={(event) => change({ frame: event.currentTarget.value as Options['frame'] })}>
+            <option value="active">{t('frame_active')}</option>
+            <option value="machine">{t('frame_machine')}</option>
+            <option value="offset">{t('frame_offset')}</option>
+          </select>
+        )}
+      </Field>
+      {options.frame === 'offset' && (
+        <Field label={t('frame_offset')}>
+          {(ids) => (
+            <input {...ids} class="short" autocomplete="off" value={options.offset} placeholder={usual.offset}
+              onInput={(event) => change({ offset: event.currentTarget.value })} />
+          )}
+        </Field>
+      )}
       <div class="boxes">
         {box('inch')}
         {box('unrolled', !loops)}
         {box('block_numbers')}
         {box('stop_at_start')}
         {of_lines && box('stop_at_lines')}
+        {rotary && box('rollover')}
       </div>
     </>
   );

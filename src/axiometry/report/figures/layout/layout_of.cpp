@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/report/tracking.h"
 
 namespace axiometry::report {
@@ -58,8 +59,8 @@ Layout layout_of(const TrackingPlan& plan, bool with_way) {
     if (auto item = lost_item(lost, *layout.box, station)) layout.lines.push_back(*std::move(item));
   layout.title = "Set-up";
   layout.description =
-      fmt::format("The station, the travels of the reflector, {} lines that were planned{}.", plan.lines.size(),
-                  plan.lost.empty() ? "" : fmt::format(" and {} lost ones", plan.lost.size()));
+      fmt::format("The station, the travels of the reflector, {}{}.", counted(plan.lines.size(), "planned line"),
+                  plan.lost.empty() ? "" : " and " + counted(plan.lost.size(), "lost one"));
   return layout;
 }
 

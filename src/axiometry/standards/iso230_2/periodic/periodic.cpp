@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/numeric/harmonic_fit.h"
 #include "axiometry/numeric/moments.h"
@@ -314,8 +315,8 @@ Result<PeriodicDirection> evaluate_direction(const Test& test, Direction directi
   result.period_known = options.period.has_value();
   const std::size_t needed = result.period_known ? 6 : 7;
   if (means.places.size() < needed)
-    return fail(fmt::format("found {} targets with readings {}, expected at least {} for a periodic error",
-                            means.places.size(), arrow(direction), needed));
+    return fail(fmt::format("found {} with readings {}, expected at least {} for a periodic error",
+                            counted(means.places.size(), "target"), arrow(direction), needed));
   AXIOMETRY_TRY(const PeriodBand band, band_of(means, options, unit));
   const numeric::Spectrum spectrum = numeric::spectrum(means.data(), band);
   const double start = result.period_known ? options.period->in_native() : spectrum.highest.period;

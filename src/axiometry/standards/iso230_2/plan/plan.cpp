@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/standards/iso230_2/plan/targets.h"
 #include "axiometry/standards/iso230_2/programme.h"
@@ -71,7 +72,7 @@ Result<void> check_numbers(const PlanRequest& request) {
   for (double x : request.axis.compensation_points)
     if (!std::isfinite(x)) return fail("found a sampling point that is not finite, expected positions");
   if (request.count && (*request.count < 2 || *request.count > most_targets))
-    return fail(fmt::format("found {} targets, expected 2 to {}", *request.count, most_targets));
+    return fail(fmt::format("found {}, expected 2 to {}", counted(*request.count, "target"), most_targets));
   return {};
 }
 

@@ -253,12 +253,12 @@ TEST(Plan230, TurningAxisIsMeasuredAtItsPrincipalPositions) {
   EXPECT_EQ(plan.targets.size(), 8u);
   for (double principal : {0.0, 90.0, 180.0, 270.0}) EXPECT_THAT(plan.targets, Contains(at(principal)));
   EXPECT_FALSE(plan.axis.travel_begin);
-  EXPECT_THAT(kinds(plan), ::testing::ElementsAre("3.1 note"));
+  EXPECT_THAT(kinds(plan), ::testing::ElementsAre("3.1 note", "5.3.4 note"));
   const Plan limited = make_plan(rotary(-10, 280)).value();
   for (double principal : {0.0, 90.0, 180.0, 270.0}) EXPECT_THAT(limited.targets, Contains(at(principal)));
   PlanRequest compensated = rotary(0, 360);
   compensated.axis.compensation_points = {0, 90, 180, 270};
-  EXPECT_THAT(kinds(make_plan(compensated).value()), ::testing::ElementsAre("3.1 note"));
+  EXPECT_THAT(kinds(make_plan(compensated).value()), ::testing::ElementsAre("3.1 note", "5.3.4 note"));
   EXPECT_THAT(make_plan(compensated)->targets, Not(Contains(at(90))));
 }
 
@@ -272,7 +272,7 @@ TEST(Plan230, ManyTurnsHaveEightTargetsInEach) {
   EXPECT_EQ(plan.further[0].runs, 5u);
   const Plan long_one = make_plan(rotary(0, 7200)).value();
   EXPECT_LE(last_of(long_one) - first_of(long_one), 1800.0);
-  EXPECT_THAT(kinds(long_one), IsEmpty());
+  EXPECT_THAT(kinds(long_one), ::testing::ElementsAre("5.3.5 note"));
 }
 
 TEST(Plan230, OtherCyclesSayWhatTheyAre) {
@@ -335,6 +335,15 @@ TEST(Plan230, SaysWhereTargetsSampleOnePhaseOfThePeriodOnly) {
   const Plan plan = make_plan(r).value();
   EXPECT_FALSE(plan.seed);
   EXPECT_THAT(messages(plan), Contains(HasSubstr("found targets in 15 % only of the period of 20 mm")));
+}
+
+TEST(Plan230, SaysWhereARotaryAxisGoesBeyondOneTurn) {
+  const auto beyond = Contains(HasSubstr("beyond one turn from 0°"));
+  EXPECT_THAT(messages(make_plan(rotary(0, 360)).value()), beyond);
+  EXPECT_THAT(messages(make_plan(rotary(-10, 280)).value()), beyond);
+  EXPECT_THAT(messages(make_plan(rotary(0, 1800)).value()), beyond);
+  EXPECT_THAT(messages(make_plan(rotary(0, 359)).value()), Not(beyond));
+  EXPECT_THAT(messages(make_plan(request(-100, 500)).value()), Not(beyond));
 }
 
 TEST(Plan230, FindsWhatPeopleEditedAwayFromTheStandard) {

@@ -62,6 +62,17 @@ std::optional<Finding> line_of_several_axes(const Plan& plan) {
                            rules::figure(direction[1]), rules::figure(direction[2])));
 }
 
+/// Which way an axis with rollover goes to an angle is up to its control, and an angle beyond the turn may be refused.
+std::optional<Finding> beyond_one_turn(const Plan& plan) {
+  const auto [lowest, highest] = reach(plan);
+  if (plan.axis.kind != AxisKind::rotary || (lowest.in_native() >= 0.0 && highest.in_native() < 360.0))
+    return std::nullopt;
+  return rules::note(plan.clause.empty() ? "5.3" : plan.clause,
+                     fmt::format("found a way from {} to {}, beyond one turn from 0°: where the control counts to 360° "
+                                 "only, its program is to be written with rollover (axiometry nc --rollover on)",
+                                 position_text(plan, lowest.in_native()), position_text(plan, highest.in_native())));
+}
+
 std::optional<Finding> warm_up_planned(const Plan& plan) {
   if (plan.warm_up_runs > 0) return std::nullopt;
   return rules::note("4.3", "found no warm-up run, expected the warm-up that was specified or agreed before the test");
@@ -148,8 +159,8 @@ std::optional<Series> as_series(const Plan& plan) {
 }
 
 /// What is said of every plan.
-constexpr PlanRule* common_rules[] = {line_of_several_axes, travel_known, reach_within_travel, warm_up_planned,
-                                      rests_at_targets};
+constexpr PlanRule* common_rules[] = {line_of_several_axes, travel_known,    reach_within_travel,
+                                      beyond_one_turn,      warm_up_planned, rests_at_targets};
 /// Of the test for a periodic error.
 constexpr PlanRule* period_rules[] = {period_given, period_covered, period_resolved};
 /// Of a test after clause 5.

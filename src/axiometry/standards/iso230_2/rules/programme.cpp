@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/text.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
@@ -81,8 +82,8 @@ std::optional<Finding> number_of_targets(const Case& c) {
   const RequiredTargets required = required_targets(c.programme, Position::native(c.travel()));
   if (m >= required.count) return std::nullopt;
   return departure(programme_clause(c.programme),
-                   fmt::format("found {} targets over {}, expected at least {} ({})", m, position_text(c, c.travel()),
-                               required.count, required.reason));
+                   fmt::format("found {} over {}, expected at least {} ({})", counted(m, "target"),
+                               position_text(c, c.travel()), required.count, required.reason));
 }
 
 std::optional<Finding> principal_positions(const Case& c) {
@@ -123,11 +124,12 @@ std::optional<Finding> number_of_approaches(const Case& c) {
   const std::size_t either = std::max(up, down);
   if (up == expected && down == expected) return std::nullopt;
   if (!both && either == expected) return std::nullopt;  // directions_of_approach speaks
-  const std::string found = both && up != down ? fmt::format("{} approaches ↑ and {} ↓", up, down)
-                                               : fmt::format("{} approach{} {}", either, either == 1 ? "" : "es",
-                                                             both     ? "in each direction"
-                                                             : up > 0 ? "↑"
-                                                                      : "↓");
+  const std::string found = both && up != down
+                                ? fmt::format("{} ↑ and {} ↓", counted(up, "approach", "approaches"), down)
+                                : fmt::format("{} approach{} {}", either, either == 1 ? "" : "es",
+                                              both     ? "in each direction"
+                                              : up > 0 ? "↑"
+                                                       : "↓");
   const std::string_view consequence =
       expected == 1 && either > 1 ? "; R and A over such a travel are no parameters of the standard" : "";
   return departure(programme_clause(c.programme),
