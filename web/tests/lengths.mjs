@@ -137,7 +137,7 @@ export const lengths = {
     await page.getByLabel(/Feed/).first().fill('20000');
     await begin(page, /^Capture: all 7 lines/).waitFor({ timeout: 20_000 });
     await choose(page, 60);
-    await begin(page, /^Capture: line x$/).click();
+    await begin(page, /^Capture: measuring line x$/).click();
     await page.waitForURL(/\/captures\/\d+$/);
     await ended(page);
     await shows(page.locator('.ending'), /10 of 10 lengths are kept/);

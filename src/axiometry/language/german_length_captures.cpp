@@ -31,7 +31,7 @@ constexpr Phrase rows[] = {
     {"found the unknown member {0=}, expected kind, plan and part",
      "unbekannter Eintrag {0}; erwartet: kind, plan und part"},
     {"lengths: found {0}, expected an object", "lengths: {0}; erwartet: ein Objekt"},
-    {"line {0=}", "Linie {0}"},
+    {"measuring line {0=}", "Messlinie {0}"},
     {"no line", "keine Linie"},
     {"part {0#}", "Teil {0}"},
 };

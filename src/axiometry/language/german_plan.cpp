@@ -61,9 +61,9 @@ constexpr Phrase rows[] = {
     {"found a stretch of {0#} of the normal working area, expected at most {1#}",
      "ein Teilstück von {0} des normalen Arbeitsbereichs; erwartet: höchstens {1}"},
     {"found a way from {0#} to {1#}, beyond one turn from 0°: where the control counts to 360° only, its program is to "
-     "be written with rollover (axiometry nc --rollover on)",
+     "be written with rollover (axiometry nc --rollover)",
      "ein Weg von {0} bis {1}, über eine Umdrehung ab 0° hinaus: Wo die Steuerung nur bis 360° zählt, ist ihr Programm "
-     "als das einer Modulo-Achse zu schreiben (axiometry nc --rollover on)"},
+     "als das einer Modulo-Achse zu schreiben (axiometry nc --rollover)"},
     {"found more approaches than any test has", "mehr Anfahrten, als irgendeine Prüfung hat"},
     {"found no axis travel, expected both of its ends", "kein Verfahrweg; erwartet: seine beiden Enden"},
     {"found no dwell at the targets, expected a rest long enough to reach and record each",

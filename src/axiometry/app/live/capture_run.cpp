@@ -9,6 +9,7 @@
 #include <memory>
 #include <thread>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "axiometry/app/files/output.h"
@@ -76,9 +77,8 @@ class Run {
       keep_what_came();
       return std::unexpected(std::move(read).error());
     }
-    auto last = session_.finish(end_);
-    if (!last) return std::unexpected(std::move(last).error());
-    AXIOMETRY_TRY_VOID(settle(*last, true));
+    AXIOMETRY_TRY(const auto last, session_.finish(end_));
+    AXIOMETRY_TRY_VOID(settle(last, true));
     for (const std::string& remark : session_.remarks()) notice(remark);
     return {};
   }
@@ -188,7 +188,7 @@ class Run {
     log_is_sound_ = true;
     auto begun = run_.resume.empty() ? Result<void>{} : begin_another(log);
     auto listened = begun ? listen_to(std::move(stream), log) : std::move(begun);
-    auto synced = sync_log();
+    auto synced = sound(log_->sync());
     log_ = nullptr;
     return listened ? synced : listened;
   }
@@ -250,10 +250,10 @@ class Run {
       notice(fmt::format("connection lost ({}), trying again for {} s", reason, format_fixed(run_.give_up.in_s(), 0)));
       outage_.emplace(session_.samples(), run_.give_up);
     }
-    return try_again(at_once, [&] {
+    Outage::Result found = try_again(at_once);
+    if (found.given_up)
       notice(fmt::format("the connection did not come back in {}: the recording ends here", outage_->attempts_text()));
-      return std::unique_ptr<LiveStream>();
-    });
+    return std::move(found.stream);
   }
 
   /// A source may be switched on later than the program. Nothing when it was stopped meanwhile.
@@ -264,21 +264,18 @@ class Run {
     const std::string seconds = format_fixed(run_.give_up.in_s(), 0);
     notice(fmt::format("{}, trying again for {} s", stream.error().to_string(), seconds));
     outage_.emplace(0, run_.give_up, 1);
-    auto found = try_again(false, [&]() -> Result<std::unique_ptr<LiveStream>> {
-      stream.error().message += fmt::format(" ({} in {} s)", outage_->attempts_text(), seconds);
-      return std::move(stream);
-    });
-    if (found && *found) notice(fmt::format("connected after {}", outage_->attempts_text()));
-    outage_.reset();
-    return found;
+    Outage::Result found = try_again(false);
+    const std::string attempts = std::exchange(outage_, std::nullopt)->attempts_text();
+    if (found.given_up) stream.error().message += fmt::format(" ({} in {} s)", attempts, seconds);
+    if (found.given_up) return stream;
+    if (found.stream) notice(fmt::format("connected after {}", attempts));
+    return std::move(found.stream);
   }
 
-  template <typename GivenUp>
-  Result<std::unique_ptr<LiveStream>> try_again(bool at_once, GivenUp given_up) {
+  Outage::Result try_again(bool at_once) {
     Outage::Result found = outage_->try_again(at_once, connect_, [this](auto until) { return wait_until(until); });
-    if (found.given_up) return given_up();
-    connected_ = Clock::now();
-    return std::move(found.stream);
+    if (found.stream) connected_ = Clock::now();
+    return found;
   }
 
   /// False when it was stopped meanwhile.
@@ -291,8 +288,6 @@ class Run {
     return true;
   }
 
-  Result<void> sync_log() { return sound(log_->sync()); }
-
   /// What was done to the log, which holds nothing for sure from its first failure on.
   Result<void> sound(Result<void> done) {
     log_is_sound_ = log_is_sound_ && done;
@@ -301,10 +296,8 @@ class Run {
 
   /// First the disk, then the people.
   Result<void> settle(const std::vector<capture::CapturedReading>& readings, bool last) {
-    if (!readings.empty() && log_ != nullptr) AXIOMETRY_TRY_VOID(sync_log());
-    if (!readings.empty() || last) {
-      AXIOMETRY_TRY_VOID(write_test(last));
-    }
+    if (!readings.empty() && log_ != nullptr) AXIOMETRY_TRY_VOID(sound(log_->sync()));
+    if (!readings.empty() || last) AXIOMETRY_TRY_VOID(write_test(last));
     if (session_.stops() != nullptr) return {};
     const auto& events = session_.matcher().result().events;
     events_told_ = std::min(events_told_, events.size());  // setting the zero begins a new list
@@ -343,7 +336,7 @@ class Run {
   CaptureSession session_;
   Connect connect_;
   FreeBytes free_bytes_;
-  Clock::time_point connected_;
+  Clock::time_point connected_, shown_;
   std::optional<Outage> outage_;
   std::uint64_t room_ = UINT64_MAX;  // for bytes that may still come
   RawLog* log_ = nullptr;
@@ -351,10 +344,7 @@ class Run {
   std::optional<ArrivalNs> first_arrival_;
   CaptureSession::End end_ = CaptureSession::End::of_reading;
   std::size_t events_told_ = 0;
-  bool stopped_ = false;
-  bool abandoned_ = false;
-  bool log_is_sound_ = false;
-  Clock::time_point shown_;
+  bool stopped_ = false, abandoned_ = false, log_is_sound_ = false;
   PlanEnd end_of_plan_;
 };
 

@@ -25,7 +25,7 @@ std::vector<TaskPart> parts_of(const TrackingPlan& plan) {
   std::size_t all = 0;
   for (const TrackingLine& line : plan.lines) {
     const std::size_t stops = approaches(line.plan).size();
-    parts.push_back({parts.size() + 1, fmt::format("line {}", line.id), stops});
+    parts.push_back({parts.size() + 1, fmt::format("measuring line {}", line.id), stops});
     all += stops;
   }
   if (parts.size() > 1) parts.insert(parts.begin(), TaskPart{0, fmt::format("all {} lines", plan.lines.size()), all});
@@ -74,7 +74,7 @@ LengthPlanKind LengthTask::kind() const { return volume() ? LengthPlanKind::volu
 std::string LengthTask::title() const {
   if (volume()) return part_text(*volume(), {part_, part_});
   if (part_ == 0 && lines()->lines.size() > 1) return fmt::format("all {} lines", lines()->lines.size());
-  return lines()->lines.empty() ? "no line" : fmt::format("line {}", lines()->lines.front().id);
+  return lines()->lines.empty() ? "no line" : fmt::format("measuring line {}", lines()->lines.front().id);
 }
 
 std::vector<TaskStop> LengthTask::stops() const {
@@ -88,7 +88,7 @@ std::vector<TaskStop> LengthTask::stops() const {
   }
   const capture::LineStops expected = capture::line_stops(*lines());
   for (std::size_t k = 0; k < expected.approaches.size(); ++k)
-    stops.push_back({fmt::format("line {}", lines()->lines[expected.approaches[k].line].id),
+    stops.push_back({fmt::format("measuring line {}", lines()->lines[expected.approaches[k].line].id),
                      capture::approach_name(expected.approaches[k].approach), expected.list.stops[k].reflector_mm,
                      expected.list.stops[k].begins_segment});
   return stops;

@@ -20,12 +20,12 @@ using testing_support::volume_task;
 TEST(LengthTask, NamesThePartsOfAPlanAndTheirStops) {
   const LengthTask all = lines_task(0), one = lines_task(2);
   EXPECT_EQ(all.title(), "all 2 lines");
-  EXPECT_EQ(one.title(), "line xz");
+  EXPECT_EQ(one.title(), "measuring line xz");
   ASSERT_EQ(all.parts().size(), 3u);
   EXPECT_EQ(all.parts()[0].stops, all.stops().size());
   EXPECT_EQ(all.parts()[1].stops + all.parts()[2].stops, all.stop_count());
   EXPECT_EQ(one.stop_count(), one.stops().size());
-  EXPECT_EQ(one.stops().front().group, "line xz");
+  EXPECT_EQ(one.stops().front().group, "measuring line xz");
   EXPECT_EQ(one.stops().front().name, "target 1↑ run 1");
   const LengthTask part = volume_task(2);
   EXPECT_EQ(part.title(), "part 2 (station B, tool T1)");

@@ -163,7 +163,7 @@ TEST_P(StoreVerifyTest, NamesEachOfTheTriggersWhenAllAreGone) {
     const Rows guards = must(connection->query("SELECT name FROM sqlite_master WHERE type = 'trigger'"));
     for (const Row& guard : guards) must(connection->script("DROP TRIGGER " + guard.text(0)));
   }
-  EXPECT_EQ(verified(address).problems.size(), 63u);
+  EXPECT_EQ(verified(address).problems.size(), 70u);
 }
 
 TEST_P(StoreVerifyTest, LeavesNothingOfItsOwnComparisonBehind) {
