@@ -46,6 +46,11 @@ COMMANDS = [
     ("periodic", "periodic coarse.csv --period 10 --report {out}"),
     ("label", "periodic step.csv --period 450 --report {out}"),
     ("", "periodic rotary-table.csv --report {out}"),
+    ("error-motions", "straightness z-of-x.csv --report {out}"),
+    ("error-motions", "straightness x-in-y.csv --instrument 0.1 --report {out}"),
+    ("error-motions", "squareness x-in-y.csv y-in-x.csv --report {out}"),
+    ("error-motions", "angles roll.csv pitch.csv yaw.csv --offset 0,100,250 --instrument 1 --report {out}"),
+    ("error-motions", "angles pitch.csv --reference end-points --report {out}"),
     ("label", "compensate step.csv --for siemens-lec --report {out}"),
     ("", f"{PLAN} --station 100,80,-600 --obstacle vice=box:450,130,-700:550,230,-520 --obstacle "
          "b=sphere:500,300,-300:50 --obstacle c=cylinder:300,500,-600:40:100 --machine Mill --sheet {out}"),
