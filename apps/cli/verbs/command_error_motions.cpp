@@ -88,7 +88,8 @@ int run_motion(MotionArguments& arguments, const Measure& measure) {
   if (const auto spared = app::check_inputs_spared(names); !spared) return failed(spared.error(), exit_usage);
   const auto measured = measure();
   if (!measured) return failed(measured.error());
-  const app::Experiment experiment = app::present(*measured, arguments.outputs.report);
+  const app::Experiment experiment = app::present(*measured, arguments.outputs.report,
+                                                  {.report = !names.reports.empty(), .json = !names.json.empty()});
   if (!arguments.outputs.quiet && names.json != "-")
     fmt::print("{}", document_text(short_document(experiment.document), arguments.outputs.report,
                                    Terminal(ColourChoice::automatic)));

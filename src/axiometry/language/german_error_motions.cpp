@@ -87,7 +87,7 @@ constexpr Phrase rows[] = {
     {"mean in {0#}", "Mittel in {0}"},
     {"mean less its line", "Mittel ohne seine Gerade"},
     {"no column direction: all readings are taken as positive approaches",
-     "keine Spalte direction: Alle Messwerte gelten als positive Anfahrten"},
+     "keine Spalte für die Richtung: Alle Messwerte gelten als positive Anfahrten"},
     {"no error of the optical square is stated: it counts as 0, and the squareness holds it",
      "keine Abweichung des optischen Winkels ist angegeben: Sie gilt als 0 und steckt in der Rechtwinkligkeit"},
     {"no uncertainty of the instrument is stated: U does not hold it",

@@ -68,9 +68,13 @@ struct AnglesMeasurement {
 /// differ.
 Result<AnglesMeasurement> measure_angles(const AnglesRequest& request);
 
-/// Tables, figures and JSON.
-Experiment present(const MeasuredMotion& straightness, const report::Options& options);
-Experiment present(const SquarenessMeasurement& squareness, const report::Options& options);
-Experiment present(const AnglesMeasurement& angles, const report::Options& options);
+/// What is made of a result besides its figures in a terminal: each costs memory for every position.
+struct MotionOutputs {
+  bool report = true;  ///< tables of positions and diagrams
+  bool json = true;
+};
+Experiment present(const MeasuredMotion& straightness, const report::Options& options, MotionOutputs outputs);
+Experiment present(const SquarenessMeasurement& squareness, const report::Options& options, MotionOutputs outputs);
+Experiment present(const AnglesMeasurement& angles, const report::Options& options, MotionOutputs outputs);
 
 }  // namespace axiometry::app

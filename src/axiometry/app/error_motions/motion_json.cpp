@@ -37,23 +37,33 @@ Value course_to_json(const error_motions::AxisMotion& motion, const error_motion
   return object;
 }
 
-Value motion_positions_to_json(const error_motions::AxisMotion& motion) {
+/// One list of numbers for each thing, which takes a third of an object for each position.
+template <typename Of>
+Value column_to_json(const error_motions::AxisMotion& motion, const Of& of) {
   Value list = Value::array();
-  for (std::size_t i = 0; i < motion.positions.size(); ++i) {
-    const auto& p = motion.positions[i];
-    Value& row = list.push(Value::object());
-    row.add("position_mm", p.position_mm);
-    for (const auto& path : motion.paths) {
-      Value& course = row.add(course_key(path.kind), Value::object());
-      course.add("mean", path.means[i]);
-      course.add("residual", path.residuals[i]);
-      if (path.kind == PathKind::up) course.add("s", known(p.s_up));
-      if (path.kind == PathKind::down) course.add("s", known(p.s_down));
-    }
-    row.add("reversal", known(p.reversal));
-    row.add("repeatability", known(p.repeatability));
-  }
+  for (std::size_t i = 0; i < motion.positions.size(); ++i) list.push(of(i));
   return list;
+}
+
+Value motion_positions_to_json(const error_motions::AxisMotion& motion) {
+  const auto& positions = motion.positions;
+  Value object = Value::object();
+  object.add("position_mm", column_to_json(motion, [&](std::size_t i) { return Value(positions[i].position_mm); }));
+  for (const auto& path : motion.paths) {
+    Value& course = object.add(course_key(path.kind), Value::object());
+    course.add("mean", column_to_json(motion, [&](std::size_t i) { return Value(path.means[i]); }));
+    course.add("residual", column_to_json(motion, [&](std::size_t i) { return Value(path.residuals[i]); }));
+    if (motion.runs < 2 || path.kind == PathKind::mean) continue;
+    course.add("s", column_to_json(motion, [&](std::size_t i) {
+                 return known(path.kind == PathKind::up ? positions[i].s_up : positions[i].s_down);
+               }));
+  }
+  if (motion.paths.size() < 2) return object;
+  object.add("reversal", column_to_json(motion, [&](std::size_t i) { return known(positions[i].reversal); }));
+  if (motion.runs >= 2)
+    object.add("repeatability",
+               column_to_json(motion, [&](std::size_t i) { return known(positions[i].repeatability); }));
+  return object;
 }
 
 }  // namespace

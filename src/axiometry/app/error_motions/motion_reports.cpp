@@ -140,30 +140,33 @@ void add_details(report::Document& document, const std::vector<const MeasuredMot
 
 }  // namespace
 
-Experiment present(const MeasuredMotion& m, const report::Options& options) {
+Experiment present(const MeasuredMotion& m, const report::Options& options, MotionOutputs outputs) {
   Experiment experiment;
-  experiment.document = motion_document("Straightness", titled("Straightness", name_of(m)), {&m});
+  experiment.document = motion_document("Straightness", titled("Straightness", name_of(m)), {&m}, options);
   experiment.document.sections.push_back(motion_results(m, "results", "Results", options));
-  add_details(experiment.document, {&m}, options);
+  if (outputs.report) add_details(experiment.document, {&m}, options);
   add_remarks(experiment.document, m.remarks);
+  if (!outputs.json) return experiment;
   experiment.json = measurement_value("straightness");
   experiment.json.add("straightness", motion_to_json(m));
   experiment.json.add("program", program_to_json());
   return experiment;
 }
 
-Experiment present(const SquarenessMeasurement& s, const report::Options& options) {
+Experiment present(const SquarenessMeasurement& s, const report::Options& options, MotionOutputs outputs) {
   const std::vector<const MeasuredMotion*> files = {&s.first, &s.second};
   const bool named = s.first.error && s.second.error;
   Experiment experiment;
   experiment.document = motion_document(
-      "Squareness", titled("Squareness of two axes", named ? name_of(s.first) + ", " + name_of(s.second) : ""), files);
+      "Squareness", titled("Squareness of two axes", named ? name_of(s.first) + ", " + name_of(s.second) : ""), files,
+      options);
   experiment.document.sections.push_back(square_section(s, options));
   experiment.document.sections.push_back(motion_results(s.first, "line-1", "First line", options));
   experiment.document.sections.push_back(motion_results(s.second, "line-2", "Second line", options));
-  add_details(experiment.document, files, options);
+  if (outputs.report) add_details(experiment.document, files, options);
   const std::vector<std::string> remarks = square_remarks(s);
   add_remarks(experiment.document, remarks);
+  if (!outputs.json) return experiment;
   Value& json = experiment.json = measurement_value("squareness");
   json.add("theta_1_arcsec", estimate_to_json(s.result.theta_1_arcsec));
   json.add("theta_2_arcsec", estimate_to_json(s.result.theta_2_arcsec));
@@ -178,7 +181,7 @@ Experiment present(const SquarenessMeasurement& s, const report::Options& option
   return experiment;
 }
 
-Experiment present(const AnglesMeasurement& a, const report::Options& options) {
+Experiment present(const AnglesMeasurement& a, const report::Options& options, MotionOutputs outputs) {
   std::vector<const MeasuredMotion*> files;
   std::string names;
   for (const MeasuredMotion& m : a.angles) {
@@ -186,14 +189,15 @@ Experiment present(const AnglesMeasurement& a, const report::Options& options) {
     if (m.error) names += (names.empty() ? "" : ", ") + m.error->text();
   }
   Experiment experiment;
-  experiment.document = motion_document("Angles", titled("Angular errors", names), files);
+  experiment.document = motion_document("Angles", titled("Angular errors", names), files, options);
   for (std::size_t k = 0; k < files.size(); ++k)
     experiment.document.sections.push_back(
         motion_results(*files[k], file_id("results", k, files.size()), "Results", options));
   if (a.offset_mm) experiment.document.sections.push_back(abbe_section(a, options));
-  add_details(experiment.document, files, options);
+  if (outputs.report) add_details(experiment.document, files, options);
   const std::vector<std::string> remarks = all_remarks(files);
   add_remarks(experiment.document, remarks);
+  if (!outputs.json) return experiment;
   Value& json = experiment.json = measurement_value("angles");
   Value& list = json.add("angles", Value::array());
   for (const MeasuredMotion* f : files) list.push(motion_to_json(*f));

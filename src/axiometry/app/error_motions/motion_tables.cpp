@@ -11,6 +11,7 @@
 #include "axiometry/base/version.h"
 #include "axiometry/report/figures/axis_motion.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::app {
 namespace {
@@ -96,9 +97,10 @@ std::string_view uncertainty_note(const MeasuredMotion& measured) {
 std::string name_of(const MeasuredMotion& measured) { return measured.error ? measured.error->text() : ""; }
 
 report::Document motion_document(std::string_view kind, const std::string& title,
-                                 const std::vector<const MeasuredMotion*>& files) {
+                                 const std::vector<const MeasuredMotion*>& files, const report::Options& options) {
   report::Document document = experiment_document(title, "");
   document.kind = std::string(kind);
+  document.running_head = report::translated(title, options);
   document.running_status = "Formulas not checked against the text of ISO 230-1";
   document.edition = document.running_status;
   for (const MeasuredMotion* f : files) {

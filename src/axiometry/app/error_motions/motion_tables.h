@@ -12,7 +12,7 @@ namespace axiometry::app {
 
 /// A document of a measurement: title, "ISO 230-1", identity of the files.
 report::Document motion_document(std::string_view kind, const std::string& title,
-                                 const std::vector<const MeasuredMotion*>& files);
+                                 const std::vector<const MeasuredMotion*>& files, const report::Options& options);
 
 /// A row of "quantity, course, value, U, unit": U to two digits, the value to U's last place.
 std::vector<report::TableCell> estimate_row(std::string_view quantity, std::string_view course,
