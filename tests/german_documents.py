@@ -46,6 +46,11 @@ COMMANDS = [
     ("periodic", "periodic coarse.csv --period 10 --report {out}"),
     ("label", "periodic step.csv --period 450 --report {out}"),
     ("", "periodic rotary-table.csv --report {out}"),
+    ("error-motions", "straightness z-of-x.csv --report {out}"),
+    ("error-motions", "straightness x-in-y.csv --instrument 0.1 --report {out}"),
+    ("error-motions", "squareness x-in-y.csv y-in-x.csv --report {out}"),
+    ("error-motions", "angles roll.csv pitch.csv yaw.csv --offset 0,100,250 --instrument 1 --report {out}"),
+    ("error-motions", "angles pitch.csv --reference end-points --report {out}"),
     ("label", "compensate step.csv --for siemens-lec --report {out}"),
     ("", f"{PLAN} --station 100,80,-600 --obstacle vice=box:450,130,-700:550,230,-520 --obstacle "
          "b=sphere:500,300,-300:50 --obstacle c=cylinder:300,500,-600:40:100 --machine Mill --sheet {out}"),
@@ -88,7 +93,7 @@ SHORT = set("as at be by if is no of on or to up we".split())
 # What the examples and their files call things, and names of files and of metadata.
 NAMES = re.compile(r"\w+[\w-]*\.(?:csv|json|txt)|[a-z]+\.[a-z_]+|--[a-z-]+|axiometry [a-z]+|this-machine|"
                    r"Table 2 of ISO 230-2 \(worked example\)|Tilting rotary table \(made up\)|Virtual machine|Fräse 7|"
-                   r"Machining centre|NN[NP]-PP[NP]|NP[NP]-PN[NP]|\bvice\b")
+                   r"Machining centre|E[A-CX-Z][X-Z]\b|NN[NP]-PP[NP]|NP[NP]-PN[NP]|\bvice\b")
 
 
 def segments(page):

@@ -65,6 +65,9 @@ int run(int argc, char** argv) {
   add_capture(verbs, exit_code);
   add_convert(verbs, exit_code);
   add_periodic(verbs, exit_code);
+  add_straightness(verbs, exit_code);
+  add_squareness(verbs, exit_code);
+  add_angles(verbs, exit_code);
   add_compensate(verbs, exit_code);
   add_simulate(verbs, exit_code);
   add_air(verbs, exit_code);

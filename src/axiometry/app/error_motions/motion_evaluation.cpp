@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/error_motions/motion_evaluation.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "axiometry/app/files/source.h"
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/digest/sha256.h"
+#include "axiometry/standards/error_motions/abbe_offset.h"
+
+namespace axiometry::app {
+namespace {
+
+constexpr double urad_per_arcsec = std::numbers::pi / 180.0 / 3600.0 * 1e6;
+
+Result<void> put_name(MeasuredMotion& measured, const std::optional<MotionName>& stated, bool angle) {
+  if (stated && measured.error && *stated != *measured.error)
+    return fail(
+        fmt::format("found the error {} in the file, expected {} as given", measured.error->text(), stated->text()));
+  if (stated) measured.error = stated;
+  if (!measured.error) return {};
+  const MotionName& error = *measured.error;
+  if (angle ? error.rotation() : error.straightness()) return {};
+  return fail(fmt::format("found the error {}, expected {}", error.text(),
+                          angle ? "a rotation such as EAX" : "a straightness such as EYX"));
+}
+
+void add_gaps(MeasuredMotion& measured) {
+  if (measured.motion.runs == 1)
+    measured.remarks.push_back(
+        "one run: what does not repeat cannot be told from the shape, and there is no repeatability");
+  if (!measured.instrument_stated)
+    measured.remarks.push_back("no uncertainty of the instrument is stated: U does not hold it");
+}
+
+Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFile file, bool angle) {
+  if (is_angle(file.unit) != angle)
+    return fail(fmt::format("found readings in {}, expected {}", motion_unit_symbol(file.unit),
+                            angle ? "an angle, such as angle_urad" : "a length, such as straightness_um"));
+  MeasuredMotion measured{.file = request.file, .error = file.error, .metadata = std::move(file.metadata)};
+  AXIOMETRY_TRY_VOID(put_name(measured, request.error, angle));
+  for (const SourceRemark& remark : file.remarks) measured.remarks.push_back(remark.message);
+  AXIOMETRY_TRY(const MotionSeries series, MotionSeries::make(std::move(file.readings), file.unit, angle ? 2 : 3));
+  measured.motion = error_motions::axis_motion(series, request.options);
+  measured.instrument_stated = request.options.instrument.has_value();
+  add_gaps(measured);
+  return measured;
+}
+
+Result<MeasuredMotion> measure(const MotionRequest& request, bool angle) {
+  AXIOMETRY_TRY(const std::string bytes, file_bytes(request.file));
+  AXIOMETRY_TRY(formats::MotionFile file, in_file(formats::read_motion_csv(bytes), request.file));
+  AXIOMETRY_TRY(MeasuredMotion measured, in_file(evaluated(request, std::move(file), angle), request.file));
+  measured.sha256 = sha256(bytes);
+  return measured;
+}
+
+/// ε of each angle at each position, µrad, of the mean of both directions.
+Result<error_motions::AxisAngles> angles_of(const std::vector<MeasuredMotion>& list) {
+  error_motions::AxisAngles angles;
+  const MeasuredMotion& first = list.front();
+  for (const MeasuredMotion& m : list) {
+    if (!m.error)
+      return in_file(Result<error_motions::AxisAngles>(
+                         fail("found no name of the error, expected # error: EAX, EBX or ECX, or --error")),
+                     m.file);
+    if (m.error->axis != first.error->axis)
+      return fail(fmt::format("found {} and {}, expected rotations of one axis", first.error->text(), m.error->text()));
+    auto& place = angles.urad[static_cast<std::size_t>(m.error->coordinate - 'A')];
+    if (place) return fail(fmt::format("found {} twice, expected each rotation once", m.error->text()));
+    bool same = m.motion.positions.size() == first.motion.positions.size();
+    for (std::size_t i = 0; same && i < m.motion.positions.size(); ++i)
+      same = m.motion.positions[i].position_mm == first.motion.positions[i].position_mm;
+    if (!same)
+      return fail(fmt::format("found {} and {} at different positions, expected the same", first.error->text(),
+                              m.error->text()));
+    place = m.motion.principal().means;
+    if (m.motion.unit == MotionUnit::arcsec)
+      for (double& x : *place) x *= urad_per_arcsec;
+  }
+  return angles;
+}
+
+}  // namespace
+
+Result<MeasuredMotion> measure_straightness(const MotionRequest& request) { return measure(request, false); }
+Result<MeasuredMotion> measure_angle(const MotionRequest& request) { return measure(request, true); }
+
+Result<SquarenessMeasurement> measure_squareness(const SquarenessRequest& request) {
+  SquarenessMeasurement s;
+  AXIOMETRY_TRY(s.first, measure_straightness({.file = request.first, .options = request.options}));
+  AXIOMETRY_TRY(s.second, measure_straightness({.file = request.second, .options = request.options}));
+  if (s.first.error && s.second.error)
+    AXIOMETRY_TRY_VOID(error_motions::check_square_pair(*s.first.error, *s.second.error));
+  s.square = request.square;
+  AXIOMETRY_TRY(s.result, error_motions::measured_squareness(s.first.motion, s.second.motion, request.square));
+  return s;
+}
+
+Result<AnglesMeasurement> measure_angles(const AnglesRequest& request) {
+  AnglesMeasurement measurement{.angles = {}, .offset_mm = request.offset_mm, .abbe = {}};
+  for (const MotionRequest& file : request.files) {
+    AXIOMETRY_TRY(MeasuredMotion angle, measure_angle(file));
+    measurement.angles.push_back(std::move(angle));
+  }
+  if (!request.offset_mm) return measurement;
+  AXIOMETRY_TRY(const error_motions::AxisAngles angles, angles_of(measurement.angles));
+  const auto changes = error_motions::abbe_displacement(angles, *request.offset_mm);
+  const char axis = measurement.angles.front().error->axis;
+  for (std::size_t c = 0; c < changes.size(); ++c) {
+    AbbeComponent component{.name = {'E', static_cast<char>('X' + c), axis}, .change_um = changes[c], .missing = {}};
+    for (const char angle : error_motions::missing_angles(angles, *request.offset_mm, c))
+      component.missing += fmt::format("{}E{}{}", component.missing.empty() ? "" : ", ", angle, axis);
+    measurement.abbe.push_back(std::move(component));
+  }
+  return measurement;
+}
+
+}  // namespace axiometry::app

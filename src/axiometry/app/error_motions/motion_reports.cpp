@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/app/error_motions/motion_evaluation.h"
+#include "axiometry/app/error_motions/motion_tables.h"
+#include "axiometry/app/results/result_json.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/report/shown_number.h"
+
+namespace axiometry::app {
+namespace {
+
+using json::Value;
+using report::Align;
+using report::plain;
+
+constexpr int change_decimals = 3;  // nm: rotations are known to 0.01 µrad at best, which is 1 nm over 100 mm
+
+std::string titled(std::string_view what, const std::string& name) {
+  return name.empty() ? std::string(what) : fmt::format("{} {}", what, name);
+}
+
+Value measurement_value(std::string_view kind) {
+  Value object = Value::object();
+  object.add("result", kind);
+  return object;
+}
+
+std::vector<std::string> square_remarks(const SquarenessMeasurement& s) {
+  std::vector<std::string> remarks = all_remarks({&s.first, &s.second});
+  if (!s.square.square_error_arcsec)
+    remarks.push_back("no error of the optical square is stated: it counts as 0, and the squareness holds it");
+  if (!s.square.square_uncertainty_arcsec)
+    remarks.push_back("no uncertainty of the optical square is stated: U does not hold it");
+  if (!s.first.error || !s.second.error)
+    remarks.push_back("the files do not both name their error: whether they are of one plane was not checked");
+  return remarks;
+}
+
+report::Section square_section(const SquarenessMeasurement& s, const report::Options& options) {
+  report::Section section{"results", "Results", true, {}};
+  report::Table table = estimate_table(
+      s.square.square_uncertainty_arcsec
+          ? "U for about 95 %, from both lines, whose tables say what theirs holds, and the optical square."
+          : "U for about 95 %, from both lines, whose tables say what theirs holds.");
+  table.rows.push_back(estimate_row("Slope of the first line, θ₁", "", s.result.theta_1_arcsec, "″", options));
+  table.rows.push_back(estimate_row("Slope of the second line, θ₂", "", s.result.theta_2_arcsec, "″", options));
+  table.rows.push_back({word_cell("Error of the optical square"),
+                        word_cell(""),
+                        {plain(report::shown_exact(s.square.square_error_arcsec.value_or(0.0), options))},
+                        s.square.square_uncertainty_arcsec ? report::TableCell{plain(report::shown_exact(
+                                                                 *s.square.square_uncertainty_arcsec, options))}
+                                                           : report::TableCell{plain("–"), report::Tone::quiet},
+                        word_cell("″")});
+  table.rows.push_back(
+      estimate_row("Squareness, θ₂ − θ₁ + error of the square", "", s.result.squareness_arcsec, "″", options));
+  error_motions::MotionEstimate per_m = s.result.squareness_arcsec;
+  const double um_per_arcsec = 1.0 / error_motions::slope_arcsec(1.0);
+  per_m.value *= um_per_arcsec;
+  if (per_m.u) *per_m.u *= um_per_arcsec;
+  table.rows.push_back(estimate_row("Squareness over one metre", "", per_m, "µm/m", options));
+  section.blocks.emplace_back(std::move(table));
+  return section;
+}
+
+/// Of the largest magnitude, with its sign.
+double largest_of(const std::vector<double>& values) {
+  return *std::ranges::max_element(values, {}, [](double x) { return std::abs(x); });
+}
+
+report::Section abbe_section(const AnglesMeasurement& a, const report::Options& options) {
+  report::Section section{"abbe", "At another point", true, {}};
+  report::Table table;
+  table.caption =
+      plain(fmt::format("Change of the errors at an offset of {}, {}, {} mm from the measured line",
+                        report::shown_exact(a.offset_mm->x, options), report::shown_exact(a.offset_mm->y, options),
+                        report::shown_exact(a.offset_mm->z, options)));
+  table.columns = {{plain("Error"), Align::start, true},
+                   {plain("Range of the change, µm"), Align::decimal},
+                   {plain("Largest change, µm"), Align::decimal},
+                   {plain("Not known without")}};
+  for (const AbbeComponent& c : a.abbe) {
+    auto& row = table.rows.emplace_back();
+    row.push_back(word_cell(c.name));
+    if (c.change_um) {
+      const auto [low, high] = std::ranges::minmax(*c.change_um);
+      row.push_back(number_cell(high - low, change_decimals, options));
+      row.push_back(number_cell(largest_of(*c.change_um), change_decimals, options));
+    } else {
+      row.push_back({plain("–"), report::Tone::quiet});
+      row.push_back({plain("–"), report::Tone::quiet});
+    }
+    row.push_back(word_cell(c.missing));
+  }
+  table.notes = {
+      plain("Added to the error at the measured line. Of the moving part, in axes of the machine; where it "
+            "carries the workpiece, the tool sees the opposite sign. No uncertainty of the change is "
+            "stated.")};
+  section.blocks.emplace_back(std::move(table));
+  return section;
+}
+
+Value abbe_to_json(const AnglesMeasurement& a) {
+  Value object = Value::object();
+  Value& offset = object.add("offset_mm", Value::array());
+  for (std::size_t k = 0; k < 3; ++k) offset.push((*a.offset_mm)[k]);
+  Value& changes = object.add("change_um", Value::object());
+  for (const AbbeComponent& c : a.abbe) {
+    if (!c.change_um) {
+      changes.add(c.name, Value());
+      continue;
+    }
+    Value& list = changes.add(c.name, Value::array());
+    for (const double x : *c.change_um) list.push(x);
+  }
+  Value& missing = object.add("missing", Value::object());
+  for (const AbbeComponent& c : a.abbe)
+    if (!c.missing.empty()) missing.add(c.name, c.missing);
+  return object;
+}
+
+std::string file_id(std::string_view id, std::size_t number, std::size_t count) {
+  return count == 1 ? std::string(id) : fmt::format("{}-{}", id, number + 1);
+}
+
+/// Positions and figures of each file, then the method.
+void add_details(report::Document& document, const std::vector<const MeasuredMotion*>& files,
+                 const report::Options& options) {
+  report::Section figures{"figures", "Figures", true, {}};
+  for (const MeasuredMotion* f : files) add_figures(figures, *f, name_of(*f), options);
+  document.sections.push_back(std::move(figures));
+  for (std::size_t k = 0; k < files.size(); ++k)
+    document.sections.push_back(motion_positions(*files[k], file_id("positions", k, files.size()),
+                                                 titled("Positions", name_of(*files[k])), options));
+  document.sections.push_back(motion_method(*files.front()));
+}
+
+}  // namespace
+
+Experiment present(const MeasuredMotion& m, const report::Options& options, MotionOutputs outputs) {
+  Experiment experiment;
+  experiment.document = motion_document("Straightness", titled("Straightness", name_of(m)), {&m}, options);
+  experiment.document.sections.push_back(motion_results(m, "results", "Results", options));
+  if (outputs.report) add_details(experiment.document, {&m}, options);
+  add_remarks(experiment.document, m.remarks);
+  if (!outputs.json) return experiment;
+  experiment.json = measurement_value("straightness");
+  experiment.json.add("straightness", motion_to_json(m));
+  experiment.json.add("program", program_to_json());
+  return experiment;
+}
+
+Experiment present(const SquarenessMeasurement& s, const report::Options& options, MotionOutputs outputs) {
+  const std::vector<const MeasuredMotion*> files = {&s.first, &s.second};
+  const bool named = s.first.error && s.second.error;
+  Experiment experiment;
+  experiment.document = motion_document(
+      "Squareness", titled("Squareness of two axes", named ? name_of(s.first) + ", " + name_of(s.second) : ""), files,
+      options);
+  experiment.document.sections.push_back(square_section(s, options));
+  experiment.document.sections.push_back(motion_results(s.first, "line-1", "First line", options));
+  experiment.document.sections.push_back(motion_results(s.second, "line-2", "Second line", options));
+  if (outputs.report) add_details(experiment.document, files, options);
+  const std::vector<std::string> remarks = square_remarks(s);
+  add_remarks(experiment.document, remarks);
+  if (!outputs.json) return experiment;
+  Value& json = experiment.json = measurement_value("squareness");
+  json.add("theta_1_arcsec", estimate_to_json(s.result.theta_1_arcsec));
+  json.add("theta_2_arcsec", estimate_to_json(s.result.theta_2_arcsec));
+  json.add("square_error_arcsec", s.square.square_error_arcsec ? Value(*s.square.square_error_arcsec) : Value());
+  json.add("square_uncertainty_arcsec",
+           s.square.square_uncertainty_arcsec ? Value(*s.square.square_uncertainty_arcsec) : Value());
+  json.add("squareness_arcsec", estimate_to_json(s.result.squareness_arcsec));
+  json.add("remarks", texts_to_json(remarks));
+  Value& lines = json.add("lines", Value::array());
+  for (const MeasuredMotion* f : files) lines.push(motion_to_json(*f));
+  json.add("program", program_to_json());
+  return experiment;
+}
+
+Experiment present(const AnglesMeasurement& a, const report::Options& options, MotionOutputs outputs) {
+  std::vector<const MeasuredMotion*> files;
+  std::string names;
+  for (const MeasuredMotion& m : a.angles) {
+    files.push_back(&m);
+    if (m.error) names += (names.empty() ? "" : ", ") + m.error->text();
+  }
+  Experiment experiment;
+  experiment.document = motion_document("Angles", titled("Angular errors", names), files, options);
+  for (std::size_t k = 0; k < files.size(); ++k)
+    experiment.document.sections.push_back(
+        motion_results(*files[k], file_id("results", k, files.size()), "Results", options));
+  if (a.offset_mm) experiment.document.sections.push_back(abbe_section(a, options));
+  if (outputs.report) add_details(experiment.document, files, options);
+  const std::vector<std::string> remarks = all_remarks(files);
+  add_remarks(experiment.document, remarks);
+  if (!outputs.json) return experiment;
+  Value& json = experiment.json = measurement_value("angles");
+  Value& list = json.add("angles", Value::array());
+  for (const MeasuredMotion* f : files) list.push(motion_to_json(*f));
+  json.add("abbe", a.offset_mm ? abbe_to_json(a) : Value());
+  json.add("remarks", texts_to_json(remarks));
+  json.add("program", program_to_json());
+  return experiment;
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/motions/motion_csv.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "axiometry/base/read_budget.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/csv/csv_values.h"
+#include "axiometry/formats/text/csv_cells.h"
+#include "axiometry/formats/text/decoded_text.h"
+#include "axiometry/formats/text/table_heads.h"
+#include "axiometry/formats/text/text_source.h"
+#include "axiometry/formats/text/units.h"
+#include "axiometry/model/fields.h"
+
+namespace axiometry::formats {
+namespace {
+
+enum MotionRole : std::size_t { position_column, run_column, direction_column, value_column, motion_roles };
+
+constexpr std::string_view columns_expected = "position_mm, run, direction and straightness_um or angle_urad";
+
+struct MotionColumns {
+  std::array<std::optional<std::size_t>, motion_roles> at;
+  const Unit* position_unit = nullptr;
+  const Unit* value_unit = nullptr;
+  std::optional<MotionName> error;
+  std::size_t count = 0;
+  std::size_t needed = 0;
+  std::size_t line = 0;
+  char delimiter = ',';
+  std::vector<std::string> passed_over;
+};
+
+std::optional<MotionRole> motion_role(std::string_view name) {
+  if (name == "position" || name == "target" || name == "target position") return position_column;
+  if (name == "run") return run_column;
+  if (name == "direction" || name == "dir" || name == "approach") return direction_column;
+  for (const std::string_view value : {"straightness", "horizontal straightness", "vertical straightness", "angle",
+                                       "roll", "pitch", "yaw", "deviation", "reading"})
+    if (name == value) return value_column;
+  if (motion_name(name)) return value_column;
+  return std::nullopt;
+}
+
+/// The unit of the readings: of the kind that their name asks for.
+Result<const Unit*> value_unit(const CsvCell& head, const TableHead& named, std::size_t line) {
+  const TextPosition at{line, head.column};
+  const auto error = motion_name(named.name);
+  const bool length = named.name.ends_with("straightness") || (error && !error->rotation());
+  const bool angle = named.name == "angle" || named.name == "roll" || named.name == "pitch" || named.name == "yaw" ||
+                     (error && error->rotation());
+  const std::string_view wanted = length  ? "of length: um, mm, nm, m or in"
+                                  : angle ? "of angle: urad, mrad, arcsec or deg"
+                                          : "such as um, urad or arcsec";
+  if (named.unit.empty())
+    return fail(fmt::format("found the column {} without a unit, expected one {}", text::quoted(head.text), wanted),
+                at);
+  const Unit* unit = find_unit(named.unit);
+  if (unit == nullptr || (length && unit->kind != AxisKind::linear) || (angle && unit->kind != AxisKind::rotary))
+    return fail(fmt::format("found the unit {} of the column {}, expected one {}", text::quoted(named.unit),
+                            text::quoted(head.text), wanted),
+                at);
+  return unit;
+}
+
+Result<MotionColumns> motion_columns(std::string_view header, std::size_t line) {
+  MotionColumns columns;
+  columns.line = line;
+  columns.delimiter = delimiter_of(header);
+  AXIOMETRY_TRY(const std::vector<CsvCell> heads, split_row(header, columns.delimiter, line));
+  columns.count = heads.size();
+  for (std::size_t k = 0; k < heads.size(); ++k) {
+    const TableHead named = table_head(heads[k].text);
+    const auto role = motion_role(named.name);
+    if (!role) {
+      if (!heads[k].text.empty()) columns.passed_over.push_back(heads[k].text);
+      continue;
+    }
+    if (columns.at[*role])
+      return fail(fmt::format("found {} beside {}, expected one column of them", text::quoted(heads[k].text),
+                              text::quoted(heads[*columns.at[*role]].text)),
+                  {line, heads[k].column});
+    columns.at[*role] = k;
+    columns.needed = k + 1;
+    if (*role == position_column) {
+      AXIOMETRY_TRY(columns.position_unit, length_unit(heads[k], named, "position_mm", line));
+    } else if (*role == value_column) {
+      AXIOMETRY_TRY(columns.value_unit, value_unit(heads[k], named, line));
+      if (const auto error = motion_name(named.name)) columns.error = *error;
+    }
+  }
+  const auto missing = [&](std::string_view name) {
+    return fail(fmt::format("found no column {}, expected {}", name, columns_expected), {line, 1});
+  };
+  if (!columns.at[position_column]) return missing("position_mm");
+  if (!columns.at[value_column]) return missing("straightness_um");
+  return columns;
+}
+
+MotionUnit motion_unit_of(const Unit& unit) {
+  if (unit.kind == AxisKind::linear) return MotionUnit::um;
+  return unit.name.ends_with("rad") ? MotionUnit::urad : MotionUnit::arcsec;
+}
+
+/// Radians by powers of ten alone, so that 0.1 µrad stays 0.1.
+double motion_value(const Unit& unit, double value) {
+  if (unit.name == "urad") return value;
+  if (unit.name == "mrad") return value * 1e3;
+  if (unit.name == "rad") return value * 1e6;
+  return deviation_in(unit, value).in_native();
+}
+
+class MotionRows {
+ public:
+  explicit MotionRows(MotionColumns columns) : columns_(std::move(columns)), numbers_(columns_.delimiter) {}
+
+  Result<void> row(const TableLine& line, MotionFile& file) {
+    AXIOMETRY_TRY(const std::vector<CsvCell> cells, split_row(line.text, columns_.delimiter, line.number));
+    AXIOMETRY_TRY_VOID(check_cell_count(cells, {.expected = columns_.count,
+                                                .needed = columns_.needed,
+                                                .header_line = columns_.line,
+                                                .line = line.number,
+                                                .delimiter = columns_.delimiter,
+                                                .cut_off = !line.has_break}));
+    const auto cell = [&](MotionRole role) -> const CsvCell& { return cells[*columns_.at[role]]; };
+    MotionReading r;
+    const TextPosition position_at{line.number, cell(position_column).column};
+    AXIOMETRY_TRY(const double position, numbers_.read(cell(position_column).text, position_at));
+    AXIOMETRY_TRY(r.position_mm,
+                  length_in_mm(*columns_.position_unit, position, cell(position_column).text, position_at));
+    if (columns_.at[direction_column]) {
+      const auto direction = direction_from(cell(direction_column).text);
+      if (!direction)
+        return fail(fmt::format("found the direction {}, expected {}", text::quoted(cell(direction_column).text),
+                                direction_words),
+                    {line.number, cell(direction_column).column});
+      r.direction = *direction;
+    }
+    AXIOMETRY_TRY(r.run, run_of(cells, r, line.number));
+    r.at = {line.number, cell(value_column).column};
+    if (is_missing(cell(value_column).text)) return {};
+    AXIOMETRY_TRY(const double value, numbers_.read(cell(value_column).text, r.at));
+    r.value = motion_value(*columns_.value_unit, value);
+    file.readings.push_back(r);
+    return {};
+  }
+
+  const MotionColumns& columns() const { return columns_; }
+
+ private:
+  /// As it stands there, or the how manieth approach this is.
+  Result<std::size_t> run_of(const std::vector<CsvCell>& cells, const MotionReading& r, std::size_t line) {
+    if (columns_.at[run_column]) {
+      const CsvCell& cell = cells[*columns_.at[run_column]];
+      return run_number(cell.text, {line, cell.column});
+    }
+    const std::size_t run = ++approaches_[{r.position_mm, r.direction}];
+    if (run > 1 && !columns_.at[direction_column])
+      return fail("found a position a second time and neither run nor direction, expected a column of them",
+                  {line, cells[*columns_.at[position_column]].column});
+    if (run > read_budget::runs)
+      return fail(fmt::format("found more than {} approaches to one position", read_budget::runs), {line, 1});
+    return run;
+  }
+
+  MotionColumns columns_;
+  NumberReader numbers_;
+  std::map<std::pair<double, Direction>, std::size_t> approaches_;
+};
+
+Result<void> put_error(MotionFile& file, const MotionName& error, std::size_t line) {
+  if (file.error && *file.error != error)
+    return fail(fmt::format("found the error {} after {}, expected one in a file", error.text(), file.error->text()),
+                {line, 1});
+  file.error = error;
+  return {};
+}
+
+Result<void> take_motion_comment(std::string_view content, std::size_t line, MotionFile& file) {
+  const std::string_view plain = text::trim(content.substr(1));
+  const std::size_t colon = plain.find(':');
+  if (colon == std::string_view::npos) return {};
+  const std::string_view key = text::trim(plain.substr(0, colon)), value = text::trim(plain.substr(colon + 1));
+  if (text::equal_ignoring_case(key, "error")) {
+    AXIOMETRY_TRY(const MotionName error, placed(motion_name(value), {line, 1}));
+    return put_error(file, error, line);
+  }
+  const Field* field = find_field(key);
+  if (field == nullptr) return {};
+  return placed(set_line_value(file.metadata, *field, value), {line, 1});
+}
+
+/// The unit must be one of the error's kind, however it was named.
+Result<void> check_kind(const MotionFile& file, std::size_t line) {
+  if (!file.error || file.error->rotation() == is_angle(file.unit)) return {};
+  return fail(fmt::format("found {} in {}, expected {}", file.error->text(), motion_unit_symbol(file.unit),
+                          file.error->rotation() ? "readings of an angle" : "readings of a length"),
+              {line, 1});
+}
+
+}  // namespace
+
+Result<MotionFile> read_motion_csv(std::string_view bytes) {
+  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
+  MotionFile file;
+  file.remarks = encoding_remarks(decoded);
+  std::optional<MotionRows> rows;
+  AXIOMETRY_TRY_VOID(for_table_lines(decoded.text, [&](const TableLine& line) -> Result<void> {
+    if (line.content.starts_with('#')) return take_motion_comment(line.content, line.number, file);
+    if (rows) return rows->row(line, file);
+    AXIOMETRY_TRY(MotionColumns columns, motion_columns(line.text, line.number));
+    file.unit = motion_unit_of(*columns.value_unit);
+    if (columns.error) AXIOMETRY_TRY_VOID(put_error(file, *columns.error, line.number));
+    if (!columns.passed_over.empty()) file.remarks.push_back({false, passed_over(columns.passed_over)});
+    if (!columns.at[direction_column])
+      file.remarks.push_back({false, "no column direction: all readings are taken as positive approaches"});
+    rows.emplace(std::move(columns));
+    return {};
+  }));
+  if (!rows) return fail(fmt::format("found no header, expected one with {}", columns_expected), {1, 1});
+  if (file.readings.empty()) return fail("found no readings below the header, expected one on each line");
+  AXIOMETRY_TRY_VOID(check_kind(file, rows->columns().line));
+  return file;
+}
+
+}  // namespace axiometry::formats

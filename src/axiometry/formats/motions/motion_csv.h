@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/model/motion_series.h"
+#include "axiometry/model/test.h"
+
+/// Readings of straightness, roll, pitch or yaw as a table: one row for each reading.
+namespace axiometry::formats {
+
+struct MotionFile {
+  std::vector<MotionReading> readings;
+  MotionUnit unit = MotionUnit::um;  ///< lengths as µm, ″ and ° as ″, µrad, mrad and rad as µrad
+  std::optional<MotionName> error;   ///< stated by `# error: EYX` or the column's name
+  Metadata metadata;                 ///< of `# key: value` lines
+  std::vector<SourceRemark> remarks{};
+};
+
+/// `position_mm,run,direction,straightness_um` in any order of columns and rows, separated by comma, semicolon or tab,
+/// with decimal point or, but for the comma, decimal comma. `position` (or `target`) in any unit of length. The
+/// reading is the column `straightness` (a length), `angle`, `roll`, `pitch`, `yaw` (an angle), `deviation` or
+/// `reading` (either), or the name of the error: `EYX_um`, `EAX_urad`. `direction` in the usual words and signs.
+/// Without `run` the approaches to a position in a direction count themselves in the order of the rows; without
+/// `direction` all are taken as positive approaches, with a remark. Lines that begin with # and hold `error` or a known
+/// key and a colon are metadata, others comments. An empty cell, "-" or "NA" is a reading that was not taken. Other
+/// columns are passed over with a remark.
+///
+/// Fails, with line and column, on a column that is missing, there twice or without a unit of its kind, on a second
+/// error that contradicts the first, on a position twice where neither run nor direction tell which is which, on cells
+/// that are no finite number, rows that are cut off, and as decoded_text() does. What belongs together is
+/// MotionSeries::make()'s question. Time grows as n log n with the rows.
+Result<MotionFile> read_motion_csv(std::string_view bytes);
+
+}  // namespace axiometry::formats

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/motions/motion_csv.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace axiometry::formats {
+namespace {
+
+using ::testing::HasSubstr;
+
+MotionFile read_motions(std::string_view text) {
+  auto file = read_motion_csv(text);
+  if (!file) throw std::logic_error(file.error().to_string());
+  return *std::move(file);
+}
+
+std::string motion_fault(std::string_view text) {
+  const auto file = read_motion_csv(text);
+  return file ? "" : file.error().to_string();
+}
+
+TEST(MotionCsv, ReadsOneReadingInARow) {
+  const auto file = read_motions(
+      "# error: eyx\n# machine.name: Mill 5\n# a comment: of no key\nrun;position_m;Direction;Straightness [nm];note\n"
+      "2;0,1;-;1500;x\n1;0,2;forward;-250,5;\n1;0,3;up;;\n");
+  ASSERT_EQ(file.readings.size(), 2u);  // the third was not taken
+  EXPECT_EQ(file.error->text(), "EYX");
+  EXPECT_EQ(file.metadata.machine.name, "Mill 5");
+  EXPECT_EQ(file.unit, MotionUnit::um);
+  EXPECT_EQ(file.readings[0].position_mm, 100.0);
+  EXPECT_EQ(file.readings[0].direction, Direction::down);
+  EXPECT_EQ(file.readings[0].run, 2u);
+  EXPECT_EQ(file.readings[0].value, 1.5);
+  EXPECT_EQ(file.readings[1].value, -0.2505);
+  ASSERT_EQ(file.remarks.size(), 1u);
+  EXPECT_THAT(file.remarks[0].message, HasSubstr("\"note\""));
+}
+
+TEST(MotionCsv, KeepsAnglesInTheUnitTheyAreStatedIn) {
+  EXPECT_EQ(read_motions("position_mm,direction,EAX_urad\n0,up,0.1\n").readings[0].value, 0.1);
+  EXPECT_EQ(read_motions("position_mm,direction,roll_mrad\n0,up,0.1\n").unit, MotionUnit::urad);
+  EXPECT_EQ(read_motions("position_mm,direction,roll_mrad\n0,up,0.1\n").readings[0].value, 100.0);
+  EXPECT_EQ(read_motions("position_mm,direction,deviation_arcsec\n0,up,0.1\n").unit, MotionUnit::arcsec);
+  EXPECT_EQ(read_motions("position_mm,direction,angle_deg\n0,up,0.001\n").readings[0].value, 3.6);
+}
+
+TEST(MotionCsv, CountsApproachesWhereNothingElseDoes) {
+  const auto file = read_motions("position_mm,direction,straightness_um\n0,up,1\n0,down,2\n0,up,3\n");
+  EXPECT_EQ(file.readings[1].run, 1u);
+  EXPECT_EQ(file.readings[2].run, 2u);
+}
+
+TEST(MotionCsv, TakesReadingsWithoutADirectionAsPositiveAndSaysSo) {
+  const auto file = read_motions("position_mm,straightness_um\n0,1\n10,2\n");
+  EXPECT_EQ(file.readings[1].direction, Direction::up);
+  ASSERT_EQ(file.remarks.size(), 1u);
+  EXPECT_THAT(file.remarks[0].message, HasSubstr("no column direction"));
+  EXPECT_THAT(motion_fault("position_mm,straightness_um\n0,1\n10,2\n10,2\n0,1\n"),
+              HasSubstr("4:1: found a position a second"));
+}
+
+TEST(MotionCsv, RefusesWhatItCannotUse) {
+  const std::pair<std::string_view, std::string_view> faults[] = {
+      {"", "empty"},
+      {"# error: EYX\n", "found no header"},
+      {"position_mm,straightness_um\n", "found no readings"},
+      {"position_mm,straightness\n0,1\n", "without a unit"},
+      {"position,straightness_um\n0,1\n", "without a unit"},
+      {"position_mm,straightness_arcsec\n0,1\n", "1:13: found the unit \"arcsec\""},
+      {"position_mm,pitch_um\n0,1\n", "expected one of angle"},
+      {"position_deg,straightness_um\n0,1\n", "a unit of length"},
+      {"position_mm,EAX_um\n0,1\n", "expected one of angle"},
+      {"position_mm,EYX_urad\n0,1\n", "expected one of length"},
+      {"# error: EAX\nposition_mm,deviation_um\n0,1\n", "EAX in µm, expected readings of an angle"},
+      {"# error: EYX\nposition_mm,deviation_urad\n0,1\n", "expected readings of a length"},
+      {"# error: EYX\n# error: EZX\nposition_mm,deviation_um\n0,1\n", "EZX after EYX"},
+      {"# error: EYX\nposition_mm,EZX_um\n0,1\n", "EZX after EYX"},
+      {"# error: yaw\nposition_mm,deviation_um\n0,1\n", "1:1: found the error \"yaw\""},
+      {"position_mm,straightness_um,pitch_urad\n0,1,2\n", "beside"},
+      {"position_mm,run\n0,1\n", "no column straightness_um"},
+      {"run,straightness_um\n0,1\n", "no column position_mm"},
+      {"position_mm,direction,straightness_um\n0,,1\n", "2:3: found the direction \"\""},
+      {"position_mm,direction,straightness_um\n0,sideways,1\n", "sideways"},
+      {"position_mm,run,straightness_um\n0,0,1\n", "2:3"},
+      {"position_mm,straightness_um\n0,one\n", "2:3"},
+      {"position_mm,straightness_um\n0,nan\n", "2:3"},
+      {"position_mm,straightness_um\nx,1\n", "2:1"},
+      {"position_mm,straightness_um\n0,1,2\n", "3"},
+      {"position_mm,run,straightness_um\n0,1", "2"},
+  };
+  for (const auto& [text, message] : faults) {
+    const std::string fault = motion_fault(text);
+    EXPECT_NE(fault, "") << text;
+    EXPECT_THAT(fault, HasSubstr(std::string(message))) << text;
+  }
+}
+
+}  // namespace
+}  // namespace axiometry::formats
