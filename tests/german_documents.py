@@ -46,6 +46,10 @@ COMMANDS = [
     ("periodic", "periodic coarse.csv --period 10 --report {out}"),
     ("label", "periodic step.csv --period 450 --report {out}"),
     ("", "periodic rotary-table.csv --report {out}"),
+    ("", "compare-rules iso230-2-table2.csv --report {out}"),
+    ("", "compare-rules rotary-table.csv --report {out}"),
+    ("label", "compare-rules step.csv --report {out}"),
+    ("verdict", "compare-rules one-run.csv --report {out}"),
     ("label", "compensate step.csv --for siemens-lec --report {out}"),
     ("", f"{PLAN} --station 100,80,-600 --obstacle vice=box:450,130,-700:550,230,-520 --obstacle "
          "b=sphere:500,300,-300:50 --obstacle c=cylinder:300,500,-600:40:100 --machine Mill --sheet {out}"),

@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
   add_capture(verbs, exit_code);
   add_convert(verbs, exit_code);
   add_periodic(verbs, exit_code);
+  add_compare_rules(verbs, exit_code);
   add_compensate(verbs, exit_code);
   add_simulate(verbs, exit_code);
   add_air(verbs, exit_code);

@@ -23,6 +23,7 @@ void add_convert(const Verb& program, int& exit_code);
 void add_plan(const Verb& program, int& exit_code);
 void add_air(const Verb& program, int& exit_code);
 void add_periodic(const Verb& program, int& exit_code);
+void add_compare_rules(const Verb& program, int& exit_code);
 void add_formats(const Verb& program, int& exit_code);
 void add_licenses(const Verb& program, int& exit_code);
 void add_schema(const Verb& program, int& exit_code);

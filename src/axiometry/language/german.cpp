@@ -24,6 +24,7 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_tracking_findings,
                                  german_station,
                                  german_periodic,
+                                 german_rules,
                                  german_files,
                                  german_profile,
                                  german_requests,

@@ -28,6 +28,7 @@ extern const std::span<const Phrase> german_tracking_findings;    ///< what plan
 extern const std::span<const Phrase> german_volumetric_findings;  ///< what lengths of a whole machine tell
 extern const std::span<const Phrase> german_station;              ///< stations, multilateration, length differences
 extern const std::span<const Phrase> german_periodic;             ///< periodic positioning errors
+extern const std::span<const Phrase> german_rules;                ///< the same readings by other rules
 extern const std::span<const Phrase> german_files;                ///< files that are refused, tables that are guessed
 extern const std::span<const Phrase> german_profile;              ///< import profiles
 extern const std::span<const Phrase> german_capture;              ///< live captures and recordings

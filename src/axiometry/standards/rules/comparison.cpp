@@ -44,13 +44,14 @@ std::optional<Finding> warning(const AxisRule& rule, const ComparedFigure& compa
   const double own = compared.value->in_native(), other = compared.counterpart_value->in_native();
   const auto shown = [&](double x) { return iso230_2::rules::deviation_text(kind, x); };
   const bool look_equal = iso230_2::rules::size_text(own) == iso230_2::rules::size_text(other);
-  const std::string values = look_equal ? fmt::format("for this axis both are {}", shown(own))
-                                        : fmt::format("for this axis {}, where {} is {}", shown(own),
-                                                      compared.counterpart->symbol, shown(other));
-  return iso230_2::rules::note(
-      std::string(rule.name),
-      fmt::format("{} after {} is not {} after {}: {} ({})", name_of(figure), rule.name, compared.counterpart->symbol,
-                  iso230_2::edition, values, evidence_words(figure.evidence)));
+  const std::string own_name = fmt::format("{} after {}", name_of(figure), rule.name);
+  const std::string other_name = fmt::format("{} after {}", compared.counterpart->symbol, iso230_2::edition);
+  const std::string message =
+      look_equal ? fmt::format("for this axis {} and {} are both {}, and yet not the same figure ({})", own_name,
+                               other_name, shown(own), evidence_words(figure.evidence))
+                 : fmt::format("for this axis {} is {}, but {} is {}: they are not the same figure ({})", own_name,
+                               shown(own), other_name, shown(other), evidence_words(figure.evidence));
+  return iso230_2::rules::note(std::string(rule.name), message);
 }
 
 std::vector<Finding> findings_of_edition(const iso230_2::Assessment& assessment) {

@@ -44,8 +44,8 @@ struct RuleComparison {
   /// In place of a clause stands the rule: departures from ISO 230-2:2014 with its clauses, remarks of the source,
   /// what the other rules ask of the test as far as that is known; departures first.
   std::vector<iso230_2::Finding> findings;
-  /// For who compares specifications: "P after VDI/DGQ 3441 is not A after ISO 230-2:2014: …", one for each figure
-  /// whose formula is another one.
+  /// For who compares specifications: "for this axis P after VDI/DGQ 3441 is …, but A after ISO 230-2:2014 is …",
+  /// one for each figure whose formula is another one.
   std::vector<iso230_2::Finding> warnings;
 };
 

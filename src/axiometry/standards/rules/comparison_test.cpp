@@ -98,9 +98,10 @@ TEST(CompareRules, GivesOneValueWhereverNoDifferenceOfTheFormulaIsTold) {
 
 TEST(CompareRules, WarnsOfEachFigureThatIsAnotherAndSaysHowFarItIsKnown) {
   const auto warnings = compared(testing_support::table2::complete_test()).warnings;
-  EXPECT_THAT(messages(warnings, "VDI/DGQ 3441"),
-              Contains("P after VDI/DGQ 3441 is not A after ISO 230-2:2014: for this axis 10.6 µm, where A is 9.59 µm "
-                       "(second-hand, not checked against the text of the rule)"));
+  EXPECT_THAT(
+      messages(warnings, "VDI/DGQ 3441"),
+      Contains("for this axis P after VDI/DGQ 3441 is 10.6 µm, but A after ISO 230-2:2014 is 9.59 µm: they are not the "
+               "same figure (second-hand, not checked against the text of the rule)"));
   EXPECT_THAT(messages(warnings, "JIS B 0182:1993"), Contains(HasSubstr("(read in the text of the rule)")));
   EXPECT_THAT(messages(warnings, "ISO 230-2:2006"), ::testing::IsEmpty());
 }
@@ -108,7 +109,8 @@ TEST(CompareRules, WarnsOfEachFigureThatIsAnotherAndSaysHowFarItIsKnown) {
 TEST(CompareRules, SaysThatTwoFiguresLookEqualInsteadOfThatTheyDiffer) {
   const RuleComparison c = compared(test_of(make_series({0, 1}, {{1, 3}, {1, 3}}, {{1, 3}, {1, 3}})));
   EXPECT_THAT(messages(c.warnings, "VDI/DGQ 3441"),
-              Contains(HasSubstr("P after VDI/DGQ 3441 is not A after ISO 230-2:2014: for this axis both are 2 µm")));
+              Contains(HasSubstr(
+                  "P after VDI/DGQ 3441 and A after ISO 230-2:2014 are both 2 µm, and yet not the same figure")));
 }
 
 TEST(CompareRules, WarnsOfNothingThatHasNoValue) {
