@@ -153,6 +153,7 @@ constexpr Phrase rows[] = {
     {"without the signs", "ohne die Vorzeichen"},
     {"{0#} and other rules", "{0} und andere Regeln"},
     {"{0#} and other rules · {1}", "{0} und andere Regeln · {1}"},
+    {"{0} (no value: {1})", "{0} (kein Wert: {1})"},
 };
 
 }  // namespace

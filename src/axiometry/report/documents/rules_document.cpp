@@ -79,9 +79,8 @@ Section figures_by_rule(const RulesSubject& subject, const Options& options) {
   for (const standards::ComparedRule& rule : subject.comparison.rules)
     for (const RuleRow& row : rule_rows(rule, subject.comparison, options))
       table.rows.push_back({verbatim_cell(rule.rule->name),
-                            row.absence.empty()
-                                ? text_cell(row.title)
-                                : TableCell{joined({plain(row.title), plain(": "), plain(row.absence)})},
+                            row.absence.empty() ? text_cell(row.title)
+                                                : text_cell(fmt::format("{} (no value: {})", row.title, row.absence)),
                             row.symbol.empty() ? quiet_cell("–") : TableCell{symbol(row.symbol)},
                             cell_or_dash(row.value), cell_or_dash(row.share_of_travel),
                             row.counterpart.empty() ? quiet_cell("–") : TableCell{symbol(row.counterpart)},
