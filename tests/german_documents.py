@@ -51,6 +51,10 @@ COMMANDS = [
     ("error-motions", "squareness x-in-y.csv y-in-x.csv --report {out}"),
     ("error-motions", "angles roll.csv pitch.csv yaw.csv --offset 0,100,250 --instrument 1 --report {out}"),
     ("error-motions", "angles pitch.csv --reference end-points --report {out}"),
+    ("", "compare-rules iso230-2-table2.csv --report {out}"),
+    ("", "compare-rules rotary-table.csv --report {out}"),
+    ("label", "compare-rules step.csv --report {out}"),
+    ("verdict", "compare-rules one-run.csv --report {out}"),
     ("label", "compensate step.csv --for siemens-lec --report {out}"),
     ("", f"{PLAN} --station 100,80,-600 --obstacle vice=box:450,130,-700:550,230,-520 --obstacle "
          "b=sphere:500,300,-300:50 --obstacle c=cylinder:300,500,-600:40:100 --machine Mill --sheet {out}"),

@@ -58,6 +58,7 @@ def seeds(program, folder):
     yield "table read after a profile", ["evaluate", "-q", "@", "--profile", str(folder / "answered.json")], pathlib.Path(strange).read_bytes()
     yield "straightness", ["straightness", "@"], (files / "error-motions.files/z-of-x.csv").read_bytes()
     yield "periodic", ["periodic", "@", "--period", "10"], (files / "periodic.files/screw.csv").read_bytes()
+    yield "rules compared", ["compare-rules", "@"], (files / "periodic.files/screw.csv").read_bytes()
     for case in sorted((ROOT / "tests" / "conformance").rglob("*.case"))[::6]:
         yield case.name, ["check", "@"], case.read_bytes()
     plan = (files / "nc.files/plan.json").read_bytes()

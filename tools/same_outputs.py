@@ -22,6 +22,7 @@ VERBS = [  # @ is the file, = a file that is written
     ["convert", "@", "=.csv"],
     ["convert", "@", "=.json"],
     ["periodic", "@", "--json", "-"],
+    ["compare-rules", "@", "--json", "-"],
     ["check", "@"],
     ["tracking", "locate", "@", "--json", "-"],
     ["nc", "@", "--dialect", "linuxcnc"],

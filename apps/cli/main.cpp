@@ -68,6 +68,7 @@ int run(int argc, char** argv) {
   add_straightness(verbs, exit_code);
   add_squareness(verbs, exit_code);
   add_angles(verbs, exit_code);
+  add_compare_rules(verbs, exit_code);
   add_compensate(verbs, exit_code);
   add_simulate(verbs, exit_code);
   add_air(verbs, exit_code);

@@ -31,12 +31,18 @@ std::string findings_text(std::span<const iso230_2::Finding> findings, const rep
                           const Terminal& terminal) {
   std::string text;
   std::size_t width = 9;
-  for (const auto& finding : findings) width = std::max(width, display_width(severity_word(finding.severity, options)));
+  std::size_t clause_width = 7;
+  for (const auto& finding : findings) {
+    width = std::max(width, display_width(severity_word(finding.severity, options)));
+    clause_width = std::max(clause_width, display_width(report::translated(finding.clause, options)));
+  }
   ++width;
+  ++clause_width;
   for (const auto& finding : findings)
     text += severity_text(finding.severity, width, options, terminal) +
-            left(report::translated(finding.clause, options), 8) +
-            wrapped(report::printable(report::translated(finding.message, options)), terminal.width(), width + 8) +
+            left(report::translated(finding.clause, options), clause_width) +
+            wrapped(report::printable(report::translated(finding.message, options)), terminal.width(),
+                    width + clause_width) +
             "\n";
   return text.empty() ? text : text + "\n";
 }

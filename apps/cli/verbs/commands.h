@@ -27,6 +27,7 @@ void add_periodic(const Verb& program, int& exit_code);
 void add_straightness(const Verb& program, int& exit_code);
 void add_squareness(const Verb& program, int& exit_code);
 void add_angles(const Verb& program, int& exit_code);
+void add_compare_rules(const Verb& program, int& exit_code);
 void add_formats(const Verb& program, int& exit_code);
 void add_licenses(const Verb& program, int& exit_code);
 void add_schema(const Verb& program, int& exit_code);

@@ -25,6 +25,7 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_station,
                                  german_periodic,
                                  german_error_motions,
+                                 german_rules,
                                  german_files,
                                  german_profile,
                                  german_requests,

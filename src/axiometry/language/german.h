@@ -29,6 +29,7 @@ extern const std::span<const Phrase> german_volumetric_findings;  ///< what leng
 extern const std::span<const Phrase> german_station;              ///< stations, multilateration, length differences
 extern const std::span<const Phrase> german_periodic;             ///< periodic positioning errors
 extern const std::span<const Phrase> german_error_motions;        ///< straightness, angles, squareness
+extern const std::span<const Phrase> german_rules;                ///< the same readings by other rules
 extern const std::span<const Phrase> german_files;                ///< files that are refused, tables that are guessed
 extern const std::span<const Phrase> german_profile;              ///< import profiles
 extern const std::span<const Phrase> german_capture;              ///< live captures and recordings

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/standards/iso230_2/assessment/assessment.h"
+#include "axiometry/standards/rules/rule.h"
+
+/// The same readings by several rules, each figure beside the parameter of ISO 230-2:2014 that it is taken for.
+namespace axiometry::standards {
+
+/// What stands with every comparison: sentences without full stop.
+inline constexpr std::string_view no_conformity_stated =
+    "Figures for comparison; no conformity with any rule but ISO 230-2:2014 is looked at, and none is stated";
+inline constexpr std::string_view no_uncertainty_stated = "No uncertainty is stated for figures of other rules";
+
+struct ComparedFigure {
+  const RuleFigure* figure = nullptr;
+  std::optional<Deviation> value;
+  std::string_view absence;               ///< why there is no value; empty where there is one
+  std::optional<double> share_of_travel;  /// value over measured travel, of figures that are stated so
+
+  const iso230_2::ParameterInfo* counterpart = nullptr;  ///< of ISO 230-2:2014; null where there is none
+  std::optional<Deviation> counterpart_value;
+
+  /// Value less that of the counterpart, where both exist.
+  std::optional<Deviation> difference() const;
+  /// The same as a part of the counterpart; nothing where that is 0 or less, as a signed mean may be.
+  std::optional<double> relative_difference() const;
+};
+
+struct ComparedRule {
+  const AxisRule* rule = nullptr;
+  std::vector<ComparedFigure> figures;  ///< all of the rule's
+};
+
+struct RuleComparison {
+  iso230_2::Assessment iso230_2;  ///< after ISO 230-2:2014
+  std::vector<ComparedRule> rules;
+  /// In place of a clause stands the rule: departures from ISO 230-2:2014 with its clauses, remarks of the source,
+  /// what the other rules ask of the test as far as that is known; departures first.
+  std::vector<iso230_2::Finding> findings;
+  /// For who compares specifications: "for this axis P after VDI/DGQ 3441 is …, but A after ISO 230-2:2014 is …",
+  /// one for each figure whose formula is another one.
+  std::vector<iso230_2::Finding> warnings;
+};
+
+/// By these rules, all that there are where none is named. Takes a time that grows with the readings. Fails on a
+/// diagonal: its figures are none of an axis.
+Result<RuleComparison> compare_rules(const Test& test, std::span<const AxisRule* const> rules);
+
+}  // namespace axiometry::standards

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/standards/rules/rule.h"
+
+#include <algorithm>
+#include <array>
+
+namespace axiometry::standards {
+namespace {
+
+struct EvidenceWords {
+  std::string_view key;
+  std::string_view words;
+};
+
+constexpr std::array<EvidenceWords, 4> words_of_evidence{{
+    {"text", "read in the text of the rule"},
+    {"makers-text", "from a maker's manual, not checked against the text of the rule"},
+    {"program", "from the code of another program, not checked against the text of the rule"},
+    {"second-hand", "second-hand, not checked against the text of the rule"},
+}};
+
+}  // namespace
+
+std::string_view evidence_key(Evidence evidence) { return words_of_evidence[static_cast<std::size_t>(evidence)].key; }
+
+std::string_view evidence_words(Evidence evidence) {
+  return words_of_evidence[static_cast<std::size_t>(evidence)].words;
+}
+
+const AxisRule* find_axis_rule(std::string_view id) {
+  const auto all = axis_rule_table();
+  const auto found = std::ranges::find(all, id, &AxisRule::id);
+  return found == all.end() ? nullptr : *found;
+}
+
+}  // namespace axiometry::standards

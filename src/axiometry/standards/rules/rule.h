@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <expected>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/model/test.h"
+#include "axiometry/standards/iso230_2/finding.h"
+#include "axiometry/standards/iso230_2/parameters.h"
+
+/// Other rules than ISO 230-2:2014 for the same readings, one descriptor per file of this folder: what each calls its
+/// figures, how they follow from the readings, what it asks of the test, and on what our knowledge of it rests. The
+/// figures stand beside those of ISO 230-2:2014 so that a specification is not compared with the wrong one
+/// (comparison.h). Conformity with any of them is never stated, and none has an uncertainty here.
+///
+/// Symbols: x̄_i↑, x̄_i↓ means of a target, x̿_i their mean, s_i↑, s_i↓ with divisor n − 1, B_i = x̄_i↑ − x̄_i↓;
+/// values in the native deviation unit, µm or ″.
+namespace axiometry::standards {
+
+/// Where a formula was found.
+enum class Evidence {
+  text,         ///< in the text of the rule
+  makers_text,  ///< in a maker's manual that says how it applies the rule
+  program,      ///< in the code of another program
+  second_hand,  ///< in descriptions by others that agree
+};
+
+std::string_view evidence_key(Evidence evidence);  ///< "text", "makers-text", "program", "second-hand"
+
+/// What stands wherever a figure does: "second-hand, not checked against the text of the rule".
+std::string_view evidence_words(Evidence evidence);
+
+/// A test as other rules see it. Refers to what it is made of.
+struct RuleCase {
+  const Metadata& metadata;
+  const Series& series;
+  const iso230_2::Evaluation& evaluation;  ///< means, s_i and B_i of every target
+
+  std::span<const iso230_2::PositionResult> positions() const { return evaluation.positions; }
+};
+
+/// A figure, or why the test has none: "needs approaches from both directions".
+using RuleValue = std::expected<Deviation, std::string_view>;
+
+struct RuleFigure {
+  std::string_view key;     ///< in JSON, unique within a rule: "P_s_max"
+  std::string_view symbol;  ///< as report::symbol() reads it; empty where the rule has none that is known
+  std::string_view title;   ///< "Positioning uncertainty"
+  std::string_view clause;  ///< of the rule, where it is known; else empty
+  Evidence evidence;
+  std::string_view counterpart;  ///< key of the parameter of ISO 230-2:2014 that it is taken for; empty for none
+  /// In what the formula differs from that parameter's; empty where both always have one value.
+  std::string_view departs_by;
+  bool share_of_travel = false;  ///< the rule states the value divided by the measured travel T
+  RuleValue (*value)(const RuleCase&);
+};
+
+struct AxisRule {
+  std::string_view id;      ///< of --standard: "vdi-dgq-3441"
+  std::string_view name;    ///< "VDI/DGQ 3441"
+  std::string_view remark;  ///< what its figures are and are not, a sentence without full stop
+  bool linear_only;         ///< no figure of a rotary axis
+  std::span<const RuleFigure> figures;
+  /// How the test departs from what the rule asks of it, as far as that is known, and what must be known of figures;
+  /// clauses are left empty. Null where nothing is known.
+  std::vector<iso230_2::Finding> (*findings)(const RuleCase&);
+};
+
+/// All of them, by the names of their sources.
+std::span<const AxisRule* const> axis_rule_table();
+
+/// By id; nullptr when there is none.
+const AxisRule* find_axis_rule(std::string_view id);
+
+}  // namespace axiometry::standards
