@@ -97,7 +97,7 @@ SHORT = set("as at be by if is no of on or to up we".split())
 # What the examples and their files call things, and names of files and of metadata.
 NAMES = re.compile(r"\w+[\w-]*\.(?:csv|json|txt)|[a-z]+\.[a-z_]+|--[a-z-]+|axiometry [a-z]+|this-machine|"
                    r"Table 2 of ISO 230-2 \(worked example\)|Tilting rotary table \(made up\)|Virtual machine|Fräse 7|"
-                   r"Machining centre|\b(?:Ps,|U)(?:mean|max)\b|E[A-CX-Z][X-Z]\b|NN[NP]-PP[NP]|NP[NP]-PN[NP]|\bvice\b")
+                   r"Machining centre|\b(?:P_?s,|U_?)(?:mean|max)\b|E[A-CX-Z][X-Z]\b|NN[NP]-PP[NP]|NP[NP]-PN[NP]|\bvice\b")
 
 
 def segments(page):
