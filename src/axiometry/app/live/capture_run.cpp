@@ -170,7 +170,7 @@ class Run {
 
   Result<void> read_live() {
     AXIOMETRY_TRY(auto stream, first_connection());
-    if (!stream) return {};  // stopped meanwhile: nothing has come
+    if (!stream && run_.resume.empty()) return {};  // stopped meanwhile: nothing has come
     if (!run_.resume.empty()) {
       AXIOMETRY_TRY_VOID(hold(run_.resume));
       AXIOMETRY_TRY(auto none, play_raw(run_.resume));
@@ -180,7 +180,7 @@ class Run {
       if (none) notice(none->to_string());
       notice(fmt::format("{}: played again, {} of {} approaches are done", base_name(run_.resume), session_.taken(),
                          session_.expected()));
-      if (stop()) return {};
+      if (!stream || stop()) return {};
     }
     AXIOMETRY_TRY(RawLog log, run_.resume.empty() ? RawLog::create(run_.raw) : RawLog::resume(run_.resume));
     if (!hold_) AXIOMETRY_TRY_VOID(hold(run_.raw));
