@@ -20,8 +20,8 @@ Result<double> number_in(const std::string& text) {
   return fail(fmt::format("found {}, expected a number", text::quoted(text)));
 }
 
-/// Of larger numbers it is enough that they are too large (app::check_request).
-unsigned bounded(unsigned long long n) { return static_cast<unsigned>(std::min(n, 1'000'000ull)); }
+/// Larger ones are too large anyhow (app::check_request).
+unsigned bounded(unsigned long long n) { return static_cast<unsigned>(std::min(n, 4'294'967'295ull)); }
 
 void add_grid_flags(const Verb& verb, app::CompensateRequest& request) {
   constexpr const char* group = "Positions of the table, mm or °";

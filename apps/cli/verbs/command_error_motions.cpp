@@ -32,12 +32,23 @@ struct MotionArguments {
 };
 
 /// "0.4" or "0.4,1.5": a and b of U = a + b·L.
+constexpr double largest_uncertainty = 1e6;  // µm, µrad or ″; no instrument has more
+constexpr double largest_square = 3600.0;    // ″: a degree
+
+/// Of what an optical square may depart by.
+double checked_square(const char* option, double least, double x) {
+  if (x >= least && x <= largest_square) return x;
+  throw UsageError(option, fmt::format("found {}, expected a number from {:.0f} to {:.0f}", x, least, largest_square));
+}
+
 Result<InstrumentUncertainty> instrument_of(const std::string& given) {
   const std::size_t comma = given.find(',');
   const auto a = parse_number(given.substr(0, comma));
   const auto b = comma == std::string::npos ? std::optional(0.0) : parse_number(given.substr(comma + 1));
-  if (a && b && *a >= 0.0 && *b >= 0.0) return InstrumentUncertainty{*a, *b};
-  return fail(fmt::format("found {}, expected A or A,B, numbers of 0 or more", text::quoted(given)));
+  if (a && b && *a >= 0.0 && *b >= 0.0 && *a <= largest_uncertainty && *b <= largest_uncertainty)
+    return InstrumentUncertainty{*a, *b};
+  return fail(
+      fmt::format("found {}, expected A or A,B, numbers from 0 to {:.0f}", text::quoted(given), largest_uncertainty));
 }
 
 void add_line_flags(const Verb& verb, MotionOptions& options, bool none) {
@@ -130,12 +141,11 @@ void add_squareness(const Verb& program, int& exit_code) {
   verb->add_option("SECOND", a->request.second, "Straightness of the second axis as CSV")->required();
   add_line_flags(*verb, a->options, false);
   auto& square = a->request.square;
-  add_number(*verb, {"--square-error", "ARCSEC", "Error of the optical square in ″, which is added"},
-             [&square](double x) { square.square_error_arcsec = x; });
+  add_number(
+      *verb, {"--square-error", "ARCSEC", "Error of the optical square in ″, which is added"},
+      [&square](double x) { square.square_error_arcsec = checked_square("--square-error", -largest_square, x); });
   add_number(*verb, {"--square-uncertainty", "ARCSEC", "Its expanded uncertainty (k = 2) in ″"}, [&square](double x) {
-    if (!(x >= 0.0))
-      throw UsageError("--square-uncertainty", fmt::format("found {}, expected a number of 0 or more", x));
-    square.square_uncertainty_arcsec = x;
+    square.square_uncertainty_arcsec = checked_square("--square-uncertainty", 0.0, x);
   });
   add_experiment_flags(*verb, a->outputs);
   verb->callback([a, &exit_code] {

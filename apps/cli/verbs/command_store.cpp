@@ -184,7 +184,8 @@ constexpr const char* examples = R"(Examples:
   axiometry store calibrate lengths.csv --plan seven.json --store tests.db      lines, with their files
   axiometry store calibrate lengths.csv --machine machine.json --store tests.db the 21 errors
 
-Exit codes: 0 done, 2 bad input or output, 3 verify found problems.)";
+Exit codes: 0 done, 1 wrong use, 2 bad input or output, 3 verify found problems, or a table or calibration must be
+looked at before it is used.)";
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -15,6 +16,7 @@
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/workbench/compensations.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/store/store.h"
 #include "cli/failure.h"
@@ -36,10 +38,17 @@ struct CompensationArguments {
   std::int64_t test = 0, axis = 0, id = 0, retest = 0, limit = 50;
   std::int64_t version = 0;  // 0: the latest
   bool json = false, withdrawn = false, without_retest = false;
+  bool has_version = false, has_retest = false;
   std::string report;
 };
 
 using Shared = std::shared_ptr<CompensationArguments>;
+
+/// "pdf" of "proof.PDF".
+std::string extension_of(const std::string& file) {
+  const std::string extension = text::to_lower(std::filesystem::path(file).extension().string());
+  return extension.starts_with('.') ? extension.substr(1) : extension;
+}
 
 constexpr const char* verb_name = "axiometry store compensate";
 
@@ -63,14 +72,34 @@ std::string course(const Compensation& c) {
 }
 
 /// A re-test that shows what should not be, or a table that should be looked at.
-int code_of(const Compensation& c) {
+int code_of(const Compensation& c, std::FILE* told) {
   if (c.serious == 0) return exit_done;
-  fmt::print("{} serious findings: look at the report before the table is used\n", c.serious);
+  fmt::print(told, "{} serious findings: look at the report before the table is used\n", c.serious);
   return exit_exceeded;
+}
+
+void check_version(const CompensationArguments& a) {
+  if (a.has_version && a.version < 1)
+    throw UsageError("--version", fmt::format("found {}, expected a number from 1", a.version));
+}
+
+/// Whatever is wrong with the wishes, before anything is changed.
+void check_wishes(const CompensationArguments& a) {
+  check_version(a);
+  const bool changes = a.has_retest || a.without_retest;
+  if (a.has_retest && a.retest < 1)
+    throw UsageError("--retest", fmt::format("found {}, expected the number of a test", a.retest));
+  if (changes && a.has_version) throw UsageError("--version", "found an old version to change, expected the latest");
+  if (!changes && !a.reason.empty()) throw UsageError("--reason", "found a reason, expected a change beside it");
+  if (a.json && a.out == "-") throw UsageError("--out", "found - beside --json, expected one of them in the pipe");
+  if (!a.report.empty() && app::media_type_of(extension_of(a.report)) == app::octets)
+    throw UsageError("--report", fmt::format("found {}, expected a name that ends in .html, .pdf, .svg, .png or .csv",
+                                             text::quoted(a.report)));
 }
 
 Result<int> keep(const CompensationArguments& a) {
   if (a.request.control.empty()) throw MissingOption("--for");
+  check_version(a);
   app::NewCompensation wanted{a.test, {}, app::to_json(a.request), {}, a.notes};
   if (a.version > 0) wanted.version = static_cast<int>(a.version);
   if (!a.existing.empty()) {
@@ -81,10 +110,12 @@ Result<int> keep(const CompensationArguments& a) {
   const app::Workbench workbench(*archive);
   AXIOMETRY_TRY(const auto kept, app::keep_compensation(workbench, wanted, {"import", verb_name}));
   const Compensation& c = kept.head.compensation.value;
+  std::FILE* const told = a.out == "-" ? stderr : stdout;  // the table alone goes into a pipe
+  fmt::print(told, "compensation {}: {}\n", kept.head.compensation.id, report::printable(c.files[0].name));
+  fmt::print(told, "{}\n", course(c));
+  std::fflush(told);  // what is said is kept, even if the file cannot be written
   if (!a.out.empty()) AXIOMETRY_TRY_VOID(app::write_file(a.out, kept.table));
-  fmt::print("compensation {}: {}\n", kept.head.compensation.id, report::printable(c.files[0].name));
-  fmt::print("{}\n", course(c));
-  return code_of(c);
+  return code_of(c, told);
 }
 
 Result<int> list_kept(const CompensationArguments& a) {
@@ -142,8 +173,8 @@ Result<void> revise(const app::Workbench& workbench, const CompensationArguments
 }
 
 Result<int> show(const CompensationArguments& a) {
-  const bool changes = a.retest > 0 || a.without_retest;
-  if (changes && a.version > 0) throw UsageError("--version", "found an old version to change, expected the latest");
+  check_wishes(a);
+  const bool changes = a.has_retest || a.without_retest;
   AXIOMETRY_TRY(const auto archive, archive_at(a.address, {.create = false}));
   const app::Workbench workbench(*archive);
   if (changes) AXIOMETRY_TRY_VOID(revise(workbench, a));
@@ -151,8 +182,7 @@ Result<int> show(const CompensationArguments& a) {
   AXIOMETRY_TRY(const auto kept, app::kept_compensation(*archive, a.id, version));
   if (!a.report.empty()) {
     app::ReportRequest request;
-    request.extension = std::filesystem::path(a.report).extension().string();
-    if (request.extension.starts_with('.')) request.extension.erase(0, 1);
+    request.extension = extension_of(a.report);
     AXIOMETRY_TRY(const app::Rendered report, app::compensation_report(workbench, a.id, version, request));
     AXIOMETRY_TRY_VOID(app::write_file(a.report, report.bytes));
   }
@@ -161,7 +191,7 @@ Result<int> show(const CompensationArguments& a) {
     fmt::print("{}\n", json::dump(kept.result));
   else if (a.out.empty() && a.report.empty())
     print_kept(kept);
-  return changes ? code_of(kept.head.compensation.value) : exit_done;
+  return changes ? code_of(kept.head.compensation.value, a.out == "-" ? stderr : stdout) : exit_done;
 }
 
 void add_keep(const Verb& store, int& exit_code) {
@@ -169,7 +199,10 @@ void add_keep(const Verb& store, int& exit_code) {
   Verb verb = store_verb(store, {"compensate", "Make the table by which a control corrects an axis, and keep it"},
                          exit_code, made, keep);
   verb->add_option("TEST", made->test, "Number of the test in the archive")->required();
-  verb->add_option("--version", made->version, "Of that version of the test (the latest)")->type_name("N");
+  add_count(*verb, {"--version", "N", "Of that version of the test (the latest)"}, [made](unsigned long long n) {
+    made->version = static_cast<std::int64_t>(n);
+    made->has_version = true;
+  });
   verb->add_option("--out", made->out, "The table to FILE, or to the standard output with -")
       ->check(fault_of_name)
       ->type_name("FILE");
@@ -194,12 +227,18 @@ void add_store_compensations(const Verb& store, int& exit_code) {
   Verb shown = store_verb(store, {"compensation", "Show a table, link its re-test, or write table or report"},
                           exit_code, made, show);
   shown->add_option("N", made->id, "Its number")->required();
-  shown->add_option("--version", made->version, "Of that version (the latest)")->type_name("N");
-  Flag retest = shown
-                    ->add_option("--retest", made->retest,
-                                 "Number of the test that was measured with the table active: held against the "
-                                 "prediction, and linked")
-                    ->type_name("N");
+  add_count(*shown, {"--version", "N", "Of that version (the latest)"}, [made](unsigned long long n) {
+    made->version = static_cast<std::int64_t>(n);
+    made->has_version = true;
+  });
+  Flag retest = add_count(*shown,
+                          {"--retest", "N",
+                           "Number of the test that was measured with the table active: held against the prediction, "
+                           "and linked"},
+                          [made](unsigned long long n) {
+                            made->retest = static_cast<std::int64_t>(n);
+                            made->has_retest = true;
+                          });
   shown->add_flag("--without-retest", made->without_retest, "Take the re-test away")->excludes(retest);
   shown->add_option("--reason", made->reason, "Why, for the audit trail");
   shown->add_flag("--json", made->json, "Print the result as it was kept, as JSON");

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -33,10 +34,13 @@ struct TableForm {
   Value options = Value::object();
   std::string notes;
   std::optional<app::NamedTable> file;
+  std::set<std::string> seen;
 };
 
 Result<void> take_table_part(TableForm& form, const FormPart& part, std::string_view file_part) {
-  if (part.name == file_part && part.is_file && !form.file) {
+  if (!form.seen.insert(part.name).second)
+    return fail(fmt::format("found the part {} twice in the form, expected it once", text::quoted(part.name)));
+  if (part.name == file_part && part.is_file) {
     AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
     form.file = app::NamedTable{std::move(name), std::string(part.bytes)};
     return {};

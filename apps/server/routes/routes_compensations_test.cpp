@@ -245,6 +245,12 @@ TEST_F(CompensationRoutes, refuse_what_would_be_passed_over) {
   EXPECT_THAT(refusal(made(R"({"control": "linuxcnc", "start": -500, "end": 400, "step": 10})")),
               HasSubstr("measured"));
   EXPECT_THAT(refusal(made(R"({"axis": "X"})")), HasSubstr("control"));
+  EXPECT_THAT(refusal(made(R"({"control": "linuxcnc", "smooth": true, "method": "interpolation"})")),
+              HasSubstr("smoothing"));
+  EXPECT_THAT(refusal(made(R"({"control": "linuxcnc", "start": 300, "end": 100})")), HasSubstr("an end at 100"));
+  EXPECT_THAT(refusal(send_form("/tests/1/compensation",
+                                {{"options", R"({"control": "linuxcnc"})"}, {"options", R"({"control": "fanuc"})"}})),
+              HasSubstr("twice"));
   EXPECT_THAT(refusal(made(R"({"control": "linuxcnc"})", {{"stray", "1"}})), HasSubstr("stray"));
   const Value refused = value_of(made(R"({"control": "linuxcnc"})", {{"existing", "1 2 x"}}), 422);
   EXPECT_EQ(refused.find("error")->find("file")->text(), "existing.comp");
@@ -259,6 +265,18 @@ TEST_F(CompensationRoutes, write_reports_of_what_was_kept) {
   EXPECT_EQ(send("GET", "/compensations/1/report.pdf").body.substr(0, 5), "%PDF-");
   EXPECT_EQ(json::dump(value_of(send("GET", "/compensations/1/report.json"))), json::dump(*kept.find("result")));
   EXPECT_THAT(refusal(send("GET", "/compensations/1/report.docx")), HasSubstr("docx"));
+}
+
+TEST_F(CompensationRoutes, doubt_a_retest_that_is_older_than_the_table) {
+  receive(test_of_axis(1.0, 9), "x.csv");
+  const store::Id early = receive(test_of_axis(0.0, 2), "early.csv");
+  keep(1);
+  EXPECT_THAT(refusal(send("POST", "/compensations/1/versions", R"({"base_version": 1, "reason": "none"})")),
+              HasSubstr("changes nothing"));
+  const Value told = value_of(
+      send("POST", "/compensations/1/versions", fmt::format(R"({{"base_version": 1, "retest": {}}})", early)), 201);
+  EXPECT_THAT(findings_of(told), testing::Contains("retest-before-test"));
+  EXPECT_GE(told.find("serious")->number(), 1);
 }
 
 TEST_F(CompensationRoutes, withdraw_and_reinstate) {

@@ -124,6 +124,9 @@ Result<std::vector<double>> grid_of(std::span<const double> targets, const GridR
   if (request.points && *request.points < 2)
     return fail(fmt::format("found {}, expected at least two", counted(*request.points, "point")));
 
+  if (request.start && request.end && !(*request.end > *request.start))
+    return fail(fmt::format("found an end at {}, expected one above the start at {}", format_exact(*request.end),
+                            format_exact(*request.start)));
   if (request.points) {
     const double start = request.start.value_or(targets.front());
     const double end = request.end    ? *request.end

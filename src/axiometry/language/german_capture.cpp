@@ -85,6 +85,7 @@ constexpr Phrase rows[] = {
      "Teil {0} verlangt; erwartet: 1 bis {1}: der Plan und die zu ihm gehörenden"},
     {"found readings at {0#} of {1#} targets in {2#} standstills, expected at least two",
      "Messwerte an {0} von {1} Zielpositionen in {2} Stillständen; erwartet: mindestens zwei"},
+    {"found the port {0=} in {1=}, expected 1 to {2#}", "Port {0} in {1}; erwartet: 1 bis {2}"},
     {"found the recording {0=}, expected a file ending in .csv, .txt or .npy",
      "Aufzeichnung {0}; erwartet: eine Datei mit der Endung .csv, .txt oder .npy"},
     {"found the source {0=}, expected serial:///dev/ttyACM0?baud=2000000",

@@ -64,6 +64,8 @@ constexpr Phrase rows[] = {
     {"found a re-test without its version, expected both or none",
      "Nachprüfung ohne ihre Version; erwartet: beides oder keines"},
     {"found a result of the archive that cannot be read: {0}", "ein Ergebnis des Archivs, das nicht lesbar ist: {0}"},
+    {"found a revision that changes nothing, expected a re-test or notes",
+     "eine Änderung, die nichts ändert; erwartet: eine Nachprüfung oder Bemerkungen"},
     {"found a step of {0#} and {1#} points from {2#} to {3#}, which would be steps of {4#}",
      "Schritt {0} und {1} Stützpunkte von {2} bis {3}, was Schritte von {4} wären"},
     {"found a step of {0#}, expected one above 0", "Schritt {0}; erwartet: einer über 0"},
@@ -129,6 +131,8 @@ constexpr Phrase rows[] = {
      "average of the test",
      "Messwerte, die vom ersten bis zum letzten Durchlauf um {0} driften: Die Tabelle korrigiert die Achse, wie sie "
      "im Mittel der Prüfung war"},
+    {"found smoothing asked for with interpolation, which has none; expected it with least-squares",
+     "Glättung zusammen mit Interpolation, die keine hat; erwartet: mit least-squares"},
     {"found steps of {0#} that do not lead from {1#} to {2#}, expected a whole number of them",
      "Schritte von {0}, die nicht von {1} bis {2} führen; erwartet: eine ganze Zahl davon"},
     {"found targets over all of a turn but its last {0#}: there the table holds its last value, and jumps where the "
@@ -159,6 +163,10 @@ constexpr Phrase rows[] = {
      "die Achse würde durch diese Tabelle nicht besser: Verlagerungen auf der Linie unterscheiden sich mit ihr um {0}, "
      "ohne "
      "sie um {1}; keine Tabelle wird geschrieben"},
+    {"found the axes {0=} and {1=} for a table that moves {2=} by the position of {3=}, expected one axis",
+     "die Achsen {0} und {1} für eine Tabelle, die {2} nach der Position von {3} bewegt; erwartet: eine Achse"},
+    {"found the axes {0=} and {1=} for a table that moves {2=} by the position of {3=}, expected two axes",
+     "die Achsen {0} und {1} für eine Tabelle, die {2} nach der Position von {3} bewegt; erwartet: zwei Achsen"},
     {"found the largest number {0#}, expected a number from {1#} to {2#}",
      "größte Zahl {0}; erwartet: eine Zahl von {1} bis {2}"},
     {"found the magnification {0#}, expected a number from {1#} to {2#}",
@@ -166,6 +174,7 @@ constexpr Phrase rows[] = {
     {"found the number {0#}, expected a number from {1#} to {2#}", "Nummer {0}; erwartet: eine Zahl von {1} bis {2}"},
     {"found the part {0=} in the form, expected options, notes and one file {1=}",
      "Teil {0} im Formular; erwartet: options, notes und eine Datei {1}"},
+    {"found the part {0=} twice in the form, expected it once", "Teil {0} zweimal im Formular; erwartet: einmal"},
     {"found the resolution {0#}, expected a number from {1#} to {2#}",
      "resolution {0}; erwartet: eine Zahl von {1} bis {2}"},
     {"found the step {0#}, expected a number from {1#} to {2#}", "Schritt {0}; erwartet: eine Zahl von {1} bis {2}"},
@@ -213,6 +222,15 @@ constexpr Phrase rows[] = {
     {"the re-test has fewer than three targets in common with the test: it cannot be held against the prediction",
      "die Nachprüfung hat weniger als drei Ziele mit der Prüfung gemein: Sie kann nicht an der Vorhersage gemessen "
      "werden"},
+    {"the re-test is of {0=}, the test of {1=}: no table that was made of the test can have been active",
+     "die Nachprüfung ist vom {0}, die Prüfung vom {1}: Keine Tabelle, die aus der Prüfung gemacht ist, kann aktiv "
+     "gewesen sein"},
+    {"the re-test names the axis {0=}, the test {1=}: it proves nothing of this table",
+     "die Nachprüfung nennt die Achse {0}, die Prüfung {1}: Sie beweist nichts über diese Tabelle"},
+    {"the re-test names the machine {0=}, the test {1=}: it proves nothing of this table",
+     "die Nachprüfung nennt die Maschine {0}, die Prüfung {1}: Sie beweist nichts über diese Tabelle"},
+    {"the re-test names the serial number {0=}, the test {1=}: it proves nothing of this table",
+     "die Nachprüfung nennt die Seriennummer {0}, die Prüfung {1}: Sie beweist nichts über diese Tabelle"},
     {"the re-test shows {0#} ± {1#} (k = 2) of the table: neither what it should do, nor a sign mistake, nor a table "
      "that is not active; did the axis change, or the set-up?",
      "die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: weder was sie soll noch ein Vorzeichenfehler noch eine "

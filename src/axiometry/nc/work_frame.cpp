@@ -55,7 +55,7 @@ WorkFrame machine_frame(const FrameWords& words) {
   return {.start = std::string(words.machine_start),
           .of_move = std::string(words.machine_move),
           .remark = fmt::format("POSITIONS IN THE COORDINATES OF THE MACHINE, BY {}{}",
-                                each ? words.machine_move : words.machine_start, each ? " IN EVERY MOVE" : "")};
+                                each ? words.machine_move : words.machine_start, each ? " WHERE ABSOLUTE" : "")};
 }
 
 }  // namespace

@@ -57,13 +57,13 @@ TEST(WorkFrames, HoldForEveryMoveOfTheirControls) {
       {"okuma", "machine", "15H0", "POSITIONS IN THE COORDINATES OF THE MACHINE, BY G15 H0"},
       {"siemens-840d", "G500", "500", "WORK OFFSET G500,"},
       {"siemens-840d", "g599", "599", "WORK OFFSET G599,"},
-      {"siemens-840d", "machine", "machine", "POSITIONS IN THE COORDINATES OF THE MACHINE, BY SUPA IN EVERY MOVE"},
-      {"heidenhain", "Machine", "machine", "POSITIONS IN THE COORDINATES OF THE MACHINE, BY M91 IN EVERY MOVE"},
-      {"fagor", "machine", "machine", "BY G53 IN EVERY MOVE"},
+      {"siemens-840d", "machine", "machine", "POSITIONS IN THE COORDINATES OF THE MACHINE, BY SUPA WHERE ABSOLUTE"},
+      {"heidenhain", "Machine", "machine", "POSITIONS IN THE COORDINATES OF THE MACHINE, BY M91 WHERE ABSOLUTE"},
+      {"fagor", "machine", "machine", "BY G53 WHERE ABSOLUTE"},
       {"fagor", "G54", "54", "WORK OFFSET G54,"},
       {"linuxcnc", "G59.3", "59.3", "WORK OFFSET G59.3,"},
-      {"linuxcnc", "machine", "machine", "BY G53 IN EVERY MOVE"},
-      {"grbl", "machine", "machine", "BY G53 IN EVERY MOVE"},
+      {"linuxcnc", "machine", "machine", "BY G53 WHERE ABSOLUTE"},
+      {"grbl", "machine", "machine", "BY G53 WHERE ABSOLUTE"},
       {"grbl", "G57", "57", "WORK OFFSET G57,"},
   };
   for (const auto& [dialect, asked, frame, told] : cases) {

@@ -911,7 +911,7 @@ export interface components {
                 rotary: boolean;
             };
             /** @description Those that the control has a use for; others are refused. */
-            options: ("number" | "resolution" | "magnification" | "largest" | "steps_per_unit" | "output_axis")[];
+            options: ("number" | "resolution" | "magnification" | "largest" | "steps_per_unit")[];
             /** @description What a positive number in the file does. */
             sign: string;
             /** @description How the table gets into the control. */

@@ -9,6 +9,7 @@
 
 #include "axiometry/app/compensate/table_positions.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/base/iso_date.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/compensation/suspicions.h"
@@ -101,6 +102,26 @@ Result<AxisCorrection> proved(const Setting& s, const std::string& text, const E
       text_of(E_before), text_of(E_after), unit, spread_before, spread_after, unit));
 }
 
+/// Of a re-test that says itself that it is none of this axis, or none after the table.
+void add_doubts_of_retest(const Metadata& before, const Metadata& after, std::vector<NamedFinding>& findings) {
+  const auto differs = [&](std::string_view what, const std::string& a, const std::string& b) {
+    if (text::trim(a).empty() || text::trim(b).empty() || text::equal_ignoring_case(text::trim(a), text::trim(b)))
+      return;
+    findings.push_back({"retest-of-another", true,
+                        fmt::format("the re-test names the {} {}, the test {}: it proves nothing of this table", what,
+                                    text::quoted(b), text::quoted(a))});
+  };
+  differs("axis", before.axis.name, after.axis.name);
+  differs("machine", before.machine.name, after.machine.name);
+  differs("serial number", before.machine.serial_number, after.machine.serial_number);
+  const std::string first = iso_date(before.conditions.date), then = iso_date(after.conditions.date);
+  if (!first.empty() && !then.empty() && then < first)
+    findings.push_back({"retest-before-test", true,
+                        fmt::format("the re-test is of {}, the test of {}: no table that was made of the test can have "
+                                    "been active",
+                                    then, first)});
+}
+
 Result<Retest> retest_of(NamedTest again, const Test& before, const AxisCorrection& applied,
                          const std::optional<AxisCorrection>& existing, std::vector<NamedFinding>& findings) {
   Test& test = again.test;
@@ -114,6 +135,7 @@ Result<Retest> retest_of(NamedTest again, const Test& before, const AxisCorrecti
     findings.push_back({"retest-other-targets", true,
                         "the re-test has fewer than three targets in common with the test: it cannot be held against "
                         "the prediction"});
+  add_doubts_of_retest(before.metadata, test.metadata, findings);
   Evaluation evaluation = iso230_2::evaluate(test.series);
   return Retest{std::move(test), std::move(evaluation), effect};
 }
@@ -178,6 +200,8 @@ Result<void> check_table_options(const nc::AxisTableOptions& o) {
 Result<void> check_request(const CompensateRequest& request) {
   AXIOMETRY_TRY(const AxisTable* control, nc::axis_table_named(request.control));
   AXIOMETRY_TRY_VOID(nc::check_used(*control, request.table));
+  if (request.smooth && request.method == compensation::Method::interpolation)
+    return fail("found smoothing asked for with interpolation, which has none; expected it with least-squares");
   if (request.grid.step) AXIOMETRY_TRY_VOID(check_within("step", *request.grid.step, {1e-9, 1e6}));
   return check_table_options(request.table);
 }

@@ -34,7 +34,8 @@ struct CompensateRequest {
 /// largest number or a number above 99 999, steps per unit not above 0 or above 10 000 000, a step below 0.
 Result<void> check_table_options(const nc::AxisTableOptions& options);
 
-/// Likewise; on an unknown control, an option that it has no use for, and a step that is not above 0.
+/// Likewise; on an unknown control, an option that it has no use for, smoothing with interpolation, and a step that is
+/// not above 0.
 Result<void> check_request(const CompensateRequest& request);
 
 /// A test, ready to be evaluated, under the name that messages call it by.

@@ -55,8 +55,10 @@ const std::vector<double> quarters{0, 100, 200, 300, 400};
 
 TEST(GermanCompensation, SaysWhatSpeaksAgainstARetest) {
   std::set<std::string> ids;
-  const auto take = [&](NamedTest retest) {
-    const auto made = compensate({sloping_axis(quarters), {}, std::move(retest)}, {.control = "linuxcnc"});
+  const auto take = [&](NamedTest retest, Metadata before = {}) {
+    NamedTest first = sloping_axis(quarters);
+    first.test.metadata = std::move(before);
+    const auto made = compensate({std::move(first), {}, std::move(retest)}, {.control = "linuxcnc"});
     ASSERT_TRUE(made) << made.error().message;
     for (const NamedFinding& finding : made->findings) {
       expect_all_german(finding.message);
@@ -65,6 +67,17 @@ TEST(GermanCompensation, SaysWhatSpeaksAgainstARetest) {
   };
   take(sloping_axis({50, 150, 250, 350, 450}));
   take(sloping_axis(quarters));
+  Metadata before;
+  before.axis.name = "X";
+  before.machine.name = "Mill 5";
+  before.machine.serial_number = "7";
+  before.conditions.date = "2026-01-02";
+  NamedTest other = sloping_axis(quarters);
+  other.test.metadata.axis.name = "Y";
+  other.test.metadata.machine.name = "Mill 6";
+  other.test.metadata.machine.serial_number = "8";
+  other.test.metadata.conditions.date = "2025-12-31";
+  take(std::move(other), std::move(before));
   const std::string source = testing_support::repository_file("src/axiometry/app/compensate/compensate.cpp");
   const std::regex id(R"("((?:compensation|retest)-[a-z-]+)\")");
   for (std::sregex_iterator at(source.begin(), source.end(), id), end; at != end; ++at)

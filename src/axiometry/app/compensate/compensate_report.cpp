@@ -41,11 +41,11 @@ Value limits_to_json(const nc::AxisTable& control) {
   return limits;
 }
 
-/// Names of the options that the control has a use for.
+/// Names of the options that the control has a use for in the table of a test, which moves no other axis.
 Value options_to_json(const nc::AxisTable& control) {
   Value names = Value::array();
   for (const nc::NamedTableOption& option : nc::named_table_options())
-    if (control.uses.*option.used) names.push(Value(option.name));
+    if (control.uses.*option.used && option.used != &nc::AxisTableUses::output_axis) names.push(Value(option.name));
   return names;
 }
 

@@ -69,7 +69,12 @@ Result<std::optional<LiveAddress>> parse_tcp(const std::string& name, std::strin
     return fail(fmt::format("found the source {}, expected tcp://host:port", text::quoted(name)));
   std::string_view host = rest.substr(0, colon);
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);  // IPv6
-  return LiveAddress{LiveAddress::Kind::tcp, std::string(host), std::string(rest.substr(colon + 1))};
+  const std::string_view port = rest.substr(colon + 1);
+  constexpr std::size_t port_most = 65535;
+  if (const auto number = parse_count(port); !number || *number < 1 || *number > port_most)
+    return fail(
+        fmt::format("found the port {} in {}, expected 1 to {}", text::quoted(port), text::quoted(name), port_most));
+  return LiveAddress{LiveAddress::Kind::tcp, std::string(host), std::string(port)};
 }
 
 Result<std::optional<LiveAddress>> parse_serial(const std::string& name, std::string_view rest) {

@@ -106,6 +106,13 @@ nc::AxisTableOptions table_options(const VolumeCompensationRequest& request) {
 }
 
 Result<void> check_axes(const VolumeCompensationRequest& request, const nc::AxisTable& control) {
+  const nc::AxisTableOptions options = table_options(request);
+  const bool moves_another = !options.output_axis.empty() && options.output_axis != options.axis;
+  if (moves_another != (request.component != request.along))
+    return fail(fmt::format("found the axes {} and {} for a table that moves {} by the position of {}, expected {}",
+                            options.axis, options.output_axis.empty() ? options.axis : options.output_axis,
+                            axis_letters[request.component], axis_letters[request.along],
+                            moves_another ? "one axis" : "two axes"));
   if (request.component == request.along || control.uses.output_axis) return {};
   return fail(
       fmt::format("found a table that moves {} by the position of {} for {}, expected one of the axis itself: "

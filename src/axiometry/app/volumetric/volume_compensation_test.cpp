@@ -144,6 +144,14 @@ TEST(VolumeCompensation, RefusesACrossTableWhereTheFormatHasNone) {
   auto request = asked_table("linuxcnc", 0, 0);
   request.how.table.output_axis = "AX2";
   EXPECT_THAT(compensate_volume(identified_model(), request).error().message, HasSubstr("output_axis"));
+  auto crossed = asked_table("siemens-cec", 1, 0);
+  crossed.how.axis = "AX2";
+  crossed.how.table.output_axis = "AX2";
+  EXPECT_THAT(compensate_volume(identified_model(), crossed).error().message, HasSubstr("expected two axes"));
+  auto own = asked_table("siemens-cec", 0, 0);
+  own.how.axis = "AX1";
+  own.how.table.output_axis = "AX7";
+  EXPECT_THAT(compensate_volume(identified_model(), own).error().message, HasSubstr("expected one axis"));
 }
 
 TEST(VolumeCompensation, ExtrapolatesNothing) {

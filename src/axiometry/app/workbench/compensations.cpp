@@ -236,6 +236,8 @@ Result<KeptCompensation> kept_compensation(const store::Store& archive, store::I
 
 Result<KeptCompensation> revise_compensation(const Workbench& workbench, store::Id id,
                                              const CompensationRevision& revision, const store::By& by) {
+  if (!revision.retest && !revision.notes)
+    return fail("found a revision that changes nothing, expected a re-test or notes");
   store::Store& archive = workbench.archive();
   AXIOMETRY_TRY(const auto base, archive.get<Compensation>(id, revision.base_version));
   Compensation compensation = base.value;
