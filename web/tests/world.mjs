@@ -45,8 +45,11 @@ export class World {
   }
 
   async end() {
-    await Promise.all(this.heard);
+    // An answer that the page gave up in the middle ends with its context alone.
+    const heard = Promise.all(this.heard);
+    await Promise.race([heard, new Promise((later) => setTimeout(later, 3_000))]);
     for (const context of this.contexts) await context.close();
+    await heard;
     await this.server.stop();
     await rm(this.folder, { recursive: true, force: true });
   }
