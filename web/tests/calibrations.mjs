@@ -80,7 +80,7 @@ export const calibrations = {
     await with_reason(page, 'Withdraw', 'wrong machine');
     await page.getByRole('button', { name: 'Reinstate' }).waitFor();
     await page.goto('/calibrations');
-    assert.equal(await page.locator('.list-page tbody tr').count(), 1);
+    await page.waitForFunction(() => document.querySelectorAll('.list-page tbody tr').length === 1);
     await page.getByLabel('with withdrawn ones').check();
     await page.locator('.list-page tbody tr').nth(1).waitFor();
   },
