@@ -52,7 +52,7 @@ TEST(GridOf, RefusesWhatContradictsItself) {
     return grid ? "" : grid.error().message;
   };
   EXPECT_THAT(fault({.step = 0.0}), HasSubstr("expected one above 0"));
-  EXPECT_THAT(fault({.start = 50, .end = 10, .step = 5}), HasSubstr("no two positions"));
+  EXPECT_THAT(fault({.start = 50, .end = 10, .step = 5}), HasSubstr("expected one above the start at 50"));
   EXPECT_THAT(fault({.start = 0, .end = 100, .step = 30}), HasSubstr("whole number"));
   EXPECT_THAT(fault({.start = 0, .end = 100, .step = 30, .points = 3}), HasSubstr("would be steps"));
   EXPECT_THAT(fault({.points = 1}), HasSubstr("at least two"));
