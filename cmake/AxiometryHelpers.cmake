@@ -57,6 +57,12 @@ function(axiometry_library target export_name)
   target_compile_features(${target} PUBLIC cxx_std_23)
 endfunction()
 
+# axiometry_lightly_optimised(TARGET): for what reads, writes, formats and waits. It runs as fast and is compiled in two
+# thirds of the time; what computes is in axiometry::core (docs/performance.md).
+function(axiometry_lightly_optimised target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # axiometry_unity_build(TARGET [HEADERS header...] [APART folder...]): compiles once what is common: the headers that most
 # sources of the target include, and these; and the sources of each folder as one, so that a template is instantiated
 # once for all of them. For that a name of an anonymous namespace stands for one thing in its folder. Folders in or below

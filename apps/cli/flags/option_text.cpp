@@ -8,6 +8,11 @@
 #include "axiometry/language/language.h"
 
 namespace axiometry::cli {
+namespace {
+
+constexpr unsigned long long largest_seed = 1ull << 53;  // of JSON's whole numbers
+
+}  // namespace
 
 Flag add_read(const Verb& verb, const OptionText& text, std::function<Result<void>(const std::string&)> read) {
   return verb
@@ -34,6 +39,17 @@ Flag add_count(const Verb& verb, const OptionText& text, std::function<void(unsi
     const auto count = parse_count(value);
     if (!count) return fail(fmt::format("found {}, expected a whole number", axiometry::text::quoted(value)));
     put(*count);
+    return {};
+  });
+}
+
+Flag add_seed(const Verb& verb, const std::string& description, std::function<void(unsigned long long)> put) {
+  return add_read(verb, {"--seed", "N", description}, [put](const std::string& value) -> Result<void> {
+    const auto seed = parse_count(value);
+    if (!seed || *seed > largest_seed)
+      return fail(
+          fmt::format("found {}, expected a whole number from 0 to {}", axiometry::text::quoted(value), largest_seed));
+    put(*seed);
     return {};
   });
 }

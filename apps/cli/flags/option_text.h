@@ -27,6 +27,9 @@ Flag add_number(const Verb& verb, const OptionText& text, std::function<void(dou
 /// A whole number of 0 or more.
 Flag add_count(const Verb& verb, const OptionText& text, std::function<void(unsigned long long)> put);
 
+/// --seed: a whole number that JSON can carry.
+Flag add_seed(const Verb& verb, const std::string& description, std::function<void(unsigned long long)> put);
+
 /// --decimal: the mark becomes '.' or ','.
 Flag add_decimal(const Verb& verb, char& mark, const std::string& description = "Decimal mark: point or comma");
 

@@ -17,7 +17,7 @@ namespace {
 using report::MethodRow;
 using report::ShownDistribution;
 
-constexpr std::size_t symbol_width = 4;
+constexpr std::size_t parameter_width = 4;
 
 /// A table whose columns are as wide as what stands in them, two blanks apart.
 class TextTable {
@@ -68,7 +68,7 @@ std::vector<std::string> numbers(const std::vector<MethodRow>& rows, const Membe
 }
 
 std::vector<std::string> symbols(const std::vector<MethodRow>& rows) {
-  return cells(rows, [](const MethodRow& row) { return left(row.parameter->symbol, symbol_width); });
+  return cells(rows, [](const MethodRow& row) { return left(row.parameter->symbol, parameter_width); });
 }
 
 std::string cut(const std::string& words, std::size_t width) {

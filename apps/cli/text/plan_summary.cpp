@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/report/documents/plan_sheet.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/shown_number.h"
@@ -20,10 +21,6 @@ constexpr std::size_t rows_at_most = 40;  // of a table of targets; then its end
 constexpr std::size_t rows_at_ends = 5;
 constexpr std::size_t number_width = 14;
 
-std::string plural(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string with_unit(double x, const Plan& plan, const report::Options& options) {
   return report::shown_short(x, options) + (plan.axis.kind == AxisKind::linear ? " mm" : "°");
 }
@@ -35,15 +32,15 @@ bool both_directions(const Plan& plan) {
 }
 
 std::string programme(const Plan& plan, const report::Options& options, const Terminal& terminal) {
-  std::string text = fmt::format("{} from {} to {}, {} {}, {} cycle{}", plural(plan.targets.size(), "target"),
+  std::string text = fmt::format("{} from {} to {}, {} {}, {} cycle{}", counted(plan.targets.size(), "target"),
                                  report::shown_short(plan.targets.front().in_native(), options),
-                                 with_unit(plan.targets.back().in_native(), plan, options), plural(plan.runs, "run"),
+                                 with_unit(plan.targets.back().in_native(), plan, options), counted(plan.runs, "run"),
                                  both_directions(plan) ? "in both directions" : "in one direction",
                                  cycle_name(plan.cycle), plan.clause.empty() ? "" : fmt::format(" ({})", plan.clause));
   std::string details =
       fmt::format("Feed {}/min, dwell {} s, overrun {}", with_unit(plan.feed, plan, options),
                   report::shown_short(plan.dwell.in_s(), options), with_unit(plan.overrun.in_native(), plan, options));
-  if (plan.warm_up_runs > 0) details += fmt::format(", {}", plural(plan.warm_up_runs, "warm-up run"));
+  if (plan.warm_up_runs > 0) details += fmt::format(", {}", counted(plan.warm_up_runs, "warm-up run"));
   if (plan.seed) details += fmt::format(", seed {}", *plan.seed);
   return report::translated(text, options) + "\n" + terminal.faint(report::translated(details, options)) + "\n\n";
 }
@@ -85,7 +82,7 @@ std::string conclusion(const app::PlannedTest& planned, const report::Options& o
   text += planned.conforming()
               ? terminal.green(said(fmt::format("Plan after {}.", edition_of(planned.plan.axis))))
               : terminal.red(said(fmt::format("Not a plan after {}: {}.", edition_of(planned.plan.axis),
-                                              plural(static_cast<std::size_t>(departures), "departure"))));
+                                              counted(static_cast<std::size_t>(departures), "departure"))));
   const std::string_view label = cycle_label(planned.plan.cycle);
   if (!label.empty()) text += " " + terminal.bold(said(fmt::format("{}.", label)));
   return text + "\n";

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/report/claim_text.h"
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/correction_text.h"
@@ -28,14 +29,10 @@ constexpr std::size_t symbol_width = 4;
 constexpr std::size_t title_width = 45;  // so that a line with a verdict fits 80 columns
 constexpr std::size_t line_value_width = 9;
 
-std::string plural(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string approaches(const Series& series) {
   const bool up = series.has(Direction::up);
   const bool down = series.has(Direction::down);
-  return fmt::format("{} {}", plural(series.run_count(), "run"),
+  return fmt::format("{} {}", counted(series.run_count(), "run"),
                      up && down ? "in both directions"
                      : up       ? "↑ only"
                                 : "↓ only");
@@ -48,7 +45,7 @@ std::string heading(const app::Evaluated& e, const report::Options& options, con
   std::string text =
       fmt::format("{}  {}\n", terminal.bold(report::printable(title_text(m.axis, m.machine.name, options))),
                   report::translated(axis_kind_name(m.axis.kind), options));
-  text += report::translated(fmt::format("{} from {} to {}{}, {}", plural(series.target_count(), "target"),
+  text += report::translated(fmt::format("{} from {} to {}{}, {}", counted(series.target_count(), "target"),
                                          target(series.targets().front()), target(series.targets().back()),
                                          m.axis.kind == AxisKind::linear ? " mm" : "°", approaches(series)),
                              options) +

@@ -16,7 +16,7 @@ namespace {
 
 using uncertainty::Verdict;
 
-constexpr std::size_t id_width = 9;
+constexpr std::size_t line_id_width = 9;
 constexpr std::size_t cell_width = 8;
 constexpr std::size_t range_width = 18;
 constexpr std::size_t slope_width = 17;
@@ -47,7 +47,7 @@ std::string slope_text(double slope, double u, const report::Options& options) {
 std::string row(const tracking::EvaluatedLine& line, const app::Evaluated& test, const report::Options& options,
                 const Terminal& terminal) {
   const auto& parameters = test.assessment.evaluation.parameters;
-  std::string text = terminal.bold(left(report::printable(line.id), id_width));
+  std::string text = terminal.bold(left(report::printable(line.id), line_id_width));
   const auto [nearest, farthest] = std::ranges::minmax(line.distances_mm);
   text += right(report::translated(fmt::format("{} to {}", format_fixed(nearest, 0, options.numbers),
                                                format_fixed(farthest, 0, options.numbers)),
@@ -76,7 +76,7 @@ std::string row(const tracking::EvaluatedLine& line, const app::Evaluated& test,
 
 std::string table(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
   const auto said = [&](std::string_view english) { return report::translated(english, options); };
-  std::string head = left(said("line"), id_width) + right(said("distances") + "/mm", range_width);
+  std::string head = left(said("line"), line_id_width) + right(said("distances") + "/mm", range_width);
   for (const std::string_view key : shown_parameters) head += right(fmt::format("{}/µm", key), cell_width);
   head += right(said("slope") + "/(µm/m)", slope_width) + right("Δd/µm", cell_width) + "  ISO";
   std::string text = terminal.faint(head) + "\n";
@@ -116,7 +116,7 @@ std::string squareness(const app::EvaluatedLines& e, const report::Options& opti
       untold += fmt::format("{}{}", untold.empty() ? "" : ", ", term.id);
       continue;
     }
-    text += left(term.id, id_width);
+    text += left(term.id, line_id_width);
     text += term.uncertainty_um_per_m ? slope_text(*term.value_um_per_m, *term.uncertainty_um_per_m, options)
                                       : format_fixed(*term.value_um_per_m, 2, options.numbers);
     text += term.id.starts_with("e_") ? " µm/m\n" : " µrad\n";

@@ -17,6 +17,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
+#include "cli/failure.h"
 #include "cli/flags/capture_flags.h"
 #include "cli/text/progress.h"
 #include "cli/text/terminal.h"
@@ -102,9 +103,8 @@ class Display {
   std::size_t width_ = 0;
 };
 
-int failed(const Error& error) {
-  fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string()));
-  return InterruptGuard::interrupted() ? exit_interrupted : exit_bad_input;
+int capture_failed(const Error& error) {
+  return failed(error, InterruptGuard::interrupted() ? exit_interrupted : exit_bad_input);
 }
 
 /// A script must not take half a test for a whole one: 0 stands for every reading of the plan.
@@ -145,7 +145,7 @@ int capture_lengths(const CaptureArguments& arguments) {
   Display display(arguments.quiet || arguments.run.out == "-", nullptr);
   const auto outcome = app::run_length_capture(arguments.run, arguments.options, length_observer(display));
   display.clear();
-  if (!outcome) return failed(outcome.error());
+  if (!outcome) return capture_failed(outcome.error());
   const app::CapturedLengths& lengths = outcome->lengths;
   print_lengths(arguments, lengths.notes, lengths.readings.size(), lengths.approaches);
   return capture_exit_code(lengths.readings.size(), lengths.approaches);
@@ -170,7 +170,7 @@ int capture_part(const CaptureArguments& arguments) {
   };
   const auto outcome = app::run_part_capture(arguments.run, arguments.options, observer);
   display.clear();
-  if (!outcome) return failed(outcome.error());
+  if (!outcome) return capture_failed(outcome.error());
   const app::PartLengths& lengths = outcome->lengths;
   print_lengths(arguments, lengths.notes, lengths.lengths.readings.size(), lengths.planned);
   return capture_exit_code(lengths.lengths.readings.size(), lengths.planned);
@@ -178,13 +178,13 @@ int capture_part(const CaptureArguments& arguments) {
 
 int capture(const CaptureArguments& arguments) {
   const auto of_lines = app::is_tracking_plan_file(arguments.options.plan);
-  if (!of_lines) return failed(of_lines.error());
+  if (!of_lines) return capture_failed(of_lines.error());
   if (*of_lines) return capture_lengths(arguments);
   const auto of_volume = app::is_volumetric_plan_file(arguments.options.plan);
-  if (!of_volume) return failed(of_volume.error());
+  if (!of_volume) return capture_failed(of_volume.error());
   if (*of_volume) return capture_part(arguments);
   const auto plan = app::load_plan(arguments.options.plan, arguments.options.part.value_or(1));
-  if (!plan) return failed(plan.error());
+  if (!plan) return capture_failed(plan.error());
   const InterruptGuard guard;
   Display display(arguments.quiet || arguments.run.out == "-", &*plan);
   const app::CaptureObserver observer{
@@ -197,7 +197,7 @@ int capture(const CaptureArguments& arguments) {
   };
   const auto outcome = app::run_capture(arguments.run, arguments.options, observer);
   display.clear();
-  if (!outcome) return failed(outcome.error());
+  if (!outcome) return capture_failed(outcome.error());
   if (!arguments.quiet && arguments.run.out != "-") print_end(*outcome, arguments.run);
   return capture_exit_code(outcome->result.readings.size(), outcome->result.approaches);
 }

@@ -13,7 +13,9 @@
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/rules.h"
 #include "axiometry/report/translated.h"
+#include "cli/failure.h"
 #include "cli/flags/option_text.h"
+#include "cli/flags/reading_flags.h"
 #include "cli/text/findings_text.h"
 #include "cli/text/terminal.h"
 #include "cli/text/title_text.h"
@@ -31,10 +33,6 @@ struct RuleArguments {
   report::Options report;
   bool quiet = false;
 };
-
-void complain_of_rules(const Error& error) {
-  fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string()));
-}
 
 /// What the terminal shows of one test, in the reader's language.
 class RuleSummary {
@@ -124,12 +122,12 @@ int run_rules(RuleArguments& arguments) {
   const app::InputFile input{arguments.file, false};
   arguments.outputs.inputs = app::InputFiles(std::span(&input, 1));
   if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) {
-    complain_of_rules(spared.error());
+    failed(spared.error());
     return exit_usage;
   }
   auto compared = app::compare_rules_of(arguments.file, arguments.reading, arguments.rules);
   if (!compared) {
-    complain_of_rules(compared.error());
+    failed(compared.error());
     return exit_bad_input;
   }
   if (!arguments.quiet && arguments.outputs.json != "-") {
@@ -137,7 +135,7 @@ int run_rules(RuleArguments& arguments) {
     fmt::print("{}", RuleSummary(*compared, arguments.report, terminal).text());
   }
   if (auto written = app::write_outputs(*compared, arguments.outputs, arguments.report); !written) {
-    complain_of_rules(written.error());
+    failed(written.error());
     return exit_bad_input;
   }
   return exit_done;
@@ -149,23 +147,7 @@ void add_rule_input(const Verb& verb, RuleArguments& a) {
       ->type_name("RULE")
       ->one_at_a_time()
       ->group("Input");
-  verb.add_option("--format", a.reading.format, "Read as this format instead of recognising it")
-      ->type_name("ID")
-      ->group("Input");
-  verb.add_option_function<std::vector<std::string>>(
-          "--set",
-          [&a](const std::vector<std::string>& pairs) {
-            for (const std::string& pair : pairs) {
-              const std::size_t equals = pair.find('=');
-              if (equals == std::string::npos)
-                throw UsageError("--set", fmt::format("found {}, expected KEY=VALUE", text::quoted(pair)));
-              a.reading.metadata.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
-            }
-          },
-          "Metadata over what the file says, such as axis.travel_end=500; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->one_at_a_time()
-      ->group("Input");
+  add_reading_flags(verb, a.reading, "axis.travel_end=500");
 }
 
 void add_rule_outputs(const Verb& verb, RuleArguments& a) {

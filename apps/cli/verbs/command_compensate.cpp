@@ -14,13 +14,14 @@
 #include "cli/flags/compensate_flags.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
+#include "cli/flags/reading_flags.h"
 #include "cli/flags/verb.h"
 #include "cli/verbs/commands.h"
 
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* compensate_examples =
     R"(The table is read back by the control's own rule and applied to the readings: where that would not make the axis
 better, no file is written. What stands beside "predicted" is a prediction; only a re-test proves it: --retest holds one
 against it, and names a sign mistake, a table that is not active, or one that is applied twice.
@@ -32,7 +33,7 @@ Examples:
   axiometry compensate again.csv --for linuxcnc --existing x.comp --out x2.comp
   axiometry compensate x.csv --for linuxcnc --retest after.csv)";
 
-struct Arguments {
+struct CompensateArguments {
   app::CompensateFiles files;
   app::CompensateRequest request;
   std::string out;
@@ -40,7 +41,7 @@ struct Arguments {
   ExperimentArguments outputs;
 };
 
-int list_controls(const Arguments& arguments) {
+int list_controls(const CompensateArguments& arguments) {
   if (arguments.outputs.outputs.json == "-") {
     json::Value controls = json::Value::array();
     for (const nc::AxisTable* control : nc::axis_table_table()) controls.push(app::control_to_json(*control));
@@ -54,7 +55,7 @@ int list_controls(const Arguments& arguments) {
   return exit_done;
 }
 
-int run(Arguments& arguments) {
+int run(CompensateArguments& arguments) {
   if (arguments.list) return list_controls(arguments);
   const app::CompensateFiles& files = arguments.files;
   if (files.test.empty()) throw MissingOption("FILE");
@@ -84,34 +85,13 @@ int run(Arguments& arguments) {
   return std::ranges::any_of(done->findings, &NamedFinding::serious) ? exit_exceeded : exit_done;
 }
 
-void add_reading_flags(const Verb& verb, app::EvaluateOptions& reading) {
-  constexpr const char* group = "Input";
-  verb.add_option("--format", reading.format, "Read as this format instead of recognising it")
-      ->type_name("ID")
-      ->group(group);
-  verb.add_option_function<std::vector<std::string>>(
-          "--set",
-          [&reading](const std::vector<std::string>& pairs) {
-            for (const std::string& pair : pairs) {
-              const std::size_t equals = pair.find('=');
-              if (equals == std::string::npos)
-                throw UsageError("--set", fmt::format("found {}, expected KEY=VALUE", text::quoted(pair)));
-              reading.metadata.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
-            }
-          },
-          "Metadata over what the file says, such as axis.kind=rotary; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->one_at_a_time()
-      ->group(group);
-}
-
 }  // namespace
 
 void add_compensate(const Verb& program, int& exit_code) {
   Verb verb =
       program.add_subcommand("compensate", "The table by which a control corrects an axis, from a measured test");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(compensate_examples);
+  auto arguments = std::make_shared<CompensateArguments>();
   verb->add_option("FILE", arguments->files.test, "Measured test, or - for the standard input");
   verb->add_flag("--list", arguments->list, "The controls that there are, and what of each is verified");
   Flag out = verb->add_option("--out", arguments->out, "The table to FILE, or to the standard output with -")
@@ -127,7 +107,7 @@ void add_compensate(const Verb& program, int& exit_code) {
       ->type_name("FILE")
       ->group("Table");
   add_compensate_flags(*verb, arguments->request);
-  add_reading_flags(*verb, arguments->files.reading);
+  add_reading_flags(*verb, arguments->files.reading, "axis.kind=rotary");
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, &exit_code] {
     check_experiment_outputs(arguments->outputs);

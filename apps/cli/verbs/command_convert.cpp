@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <vector>
+#include "cli/failure.h"
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/convert/convert.h"
@@ -13,6 +14,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/drawing/utf8.h"
+#include "cli/flags/reading_flags.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
 
@@ -24,33 +26,6 @@ struct ConvertArguments {
   bool guess = false;
   std::string save_profile;
 };
-
-int complain(const Error& error) {
-  fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string()));
-  return exit_bad_input;
-}
-
-void add_set(const Verb& verb, app::ConvertOptions& options) {
-  verb.add_option_function<std::vector<std::string>>(
-          "--set",
-          [&options](const std::vector<std::string>& pairs) {
-            for (const std::string& pair : pairs) {
-              const std::size_t equals = pair.find('=');
-              if (equals == std::string::npos)
-                throw UsageError("--set", fmt::format("found {}, expected KEY=VALUE", text::quoted(pair)));
-              Metadata trial;
-              if (auto set = set_field_text(trial, pair.substr(0, equals), pair.substr(equals + 1)); !set)
-                throw UsageError(set.error().message);
-              options.metadata.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
-            }
-          },
-          "Metadata over what the file says, such as machine.name='Mill 5' (keys: 'axiometry formats metadata'); may "
-          "be "
-          "repeated")
-      ->type_name("KEY=VALUE")
-      ->one_at_a_time()
-      ->group("Input");
-}
 
 /// One decision or question beside its key, broken into lines.
 void print_items(const std::vector<formats::GuessDecision>& items) {
@@ -90,7 +65,7 @@ void print_preview(const formats::Guess& guess) {
 
 int show_guess(const ConvertArguments& arguments) {
   const auto guess = app::guess_file(arguments.convert.input);
-  if (!guess) return complain(guess.error());
+  if (!guess) return failed(guess.error());
   fmt::print("{} from line {}", counted(guess->row_count, "row"), guess->first_line);
   if (guess->questions.empty()) fmt::print(", least confidence {:.0f}%", 100.0 * guess->confidence());
   fmt::print("\n");
@@ -103,13 +78,13 @@ int show_guess(const ConvertArguments& arguments) {
   }
   if (!arguments.save_profile.empty())
     if (auto saved = app::save_profile(guess->profile, arguments.save_profile, arguments.convert.input); !saved)
-      return complain(saved.error());
+      return failed(saved.error());
   return guess->questions.empty() ? exit_done : exit_bad_input;
 }
 
 int run_conversion(const ConvertArguments& arguments) {
   const auto left_behind = app::convert(arguments.convert);
-  if (!left_behind) return complain(left_behind.error());
+  if (!left_behind) return failed(left_behind.error());
   for (const std::string& sentence : *left_behind)
     fmt::print(stderr, "axiometry: {}: {}\n", report::printable(arguments.convert.input), report::printable(sentence));
   return exit_done;
@@ -148,7 +123,9 @@ void add_convert(const Verb& program, int& exit_code) {
   verb->add_option("--profile", convert.profile, "Read a table of any layout after this import profile")
       ->type_name("FILE")
       ->group("Input");
-  add_set(*verb, convert);
+  add_metadata_flag(
+      *verb, convert.metadata,
+      "Metadata over what the file says, such as machine.name='Mill 5' (keys: 'axiometry formats metadata')");
   verb->add_flag("--guess", arguments->guess,
                  "Show what the columns of a table would be taken for; exit code 2 while "
                  "something is open")

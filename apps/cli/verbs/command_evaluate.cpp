@@ -19,6 +19,7 @@
 #include "axiometry/report/drawing/utf8.h"
 #include "cli/flags/capture_flags.h"
 #include "cli/flags/option_text.h"
+#include "cli/flags/reading_flags.h"
 #include "cli/flags/tolerance_flags.h"
 #include "cli/flags/uncertainty_flags.h"
 #include "cli/verbs/commands.h"
@@ -26,13 +27,6 @@
 
 namespace axiometry::cli {
 namespace {
-
-/// Remembers a metadata value and refuses at once what the vocabulary does not allow.
-void add_metadata(EvaluateArguments& arguments, const std::string& key, const std::string& value) {
-  Metadata trial;
-  if (auto set = set_field_text(trial, key, value); !set) throw UsageError(set.error().message);
-  arguments.evaluate.metadata.emplace_back(key, value);
-}
 
 /// "uncertainty.machine_temperature_range_C" → "--machine-temperature-range-c"
 std::string flag_of(std::string_view key) {
@@ -60,7 +54,7 @@ void add_uncertainty_flags(const Verb& verb, EvaluateArguments& arguments) {
     verb.add_option_function<std::vector<std::string>>(
             flag_of(field.key),
             [&arguments, key = std::string(field.key)](const std::vector<std::string>& values) {
-              for (const std::string& value : values) add_metadata(arguments, key, value);
+              for (const std::string& value : values) add_metadata(arguments.evaluate.metadata, key, value);
             },
             describe(field) + (records ? " May be repeated." : ""))
         ->expected(1, records ? any_number : 1)
@@ -165,24 +159,13 @@ void add_input_flags(const Verb& verb, EvaluateArguments& arguments) {
       ->type_name("FILE")
       ->group(group);
   verb.add_option_function<std::string>(
-          "--axis", [&](const std::string& name) { add_metadata(arguments, "axis.name", name); }, "Name of the axis")
+          "--axis", [&](const std::string& name) { add_metadata(arguments.evaluate.metadata, "axis.name", name); },
+          "Name of the axis")
       ->type_name("NAME")
       ->group(group);
-  verb.add_option_function<std::vector<std::string>>(
-          "--set",
-          [&](const std::vector<std::string>& pairs) {
-            for (const std::string& pair : pairs) {
-              const std::size_t equals = pair.find('=');
-              if (equals == std::string::npos)
-                throw UsageError("--set", fmt::format("found {}, expected KEY=VALUE", text::quoted(pair)));
-              add_metadata(arguments, pair.substr(0, equals), pair.substr(equals + 1));
-            }
-          },
-          "Metadata over what the file says, such as machine.name='Mill 5' (keys: 'axiometry formats metadata'); may "
-          "be repeated")
-      ->type_name("KEY=VALUE")
-      ->one_at_a_time()
-      ->group(group);
+  add_metadata_flag(
+      verb, arguments.evaluate.metadata,
+      "Metadata over what the file says, such as machine.name='Mill 5' (keys: 'axiometry formats metadata')");
   verb.add_flag_function(
           "--artefact,!--no-artefact", [&arguments](std::int64_t count) { arguments.evaluate.artefact = count > 0; },
           "Take the readings for positions that the machine indicated at the balls or faces of an artefact, and "

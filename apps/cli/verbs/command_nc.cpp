@@ -16,7 +16,7 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* nc_examples = R"(Examples:
   axiometry nc plan.json --dialect fanuc --out O2302.nc
   axiometry nc plan.json --dialect siemens-840d --inch --trigger 27 > X_TEST.MPF
   axiometry nc plan.json --dialect linuxcnc --unrolled --stop-at-start
@@ -109,7 +109,7 @@ void add_nc(const Verb& program, int& exit_code) {
       ->type_name("on|off");
   const Flag list = verb->add_flag("--list", arguments->list, "List the dialects");
   verb->add_option("--manual", arguments->manual, "Explain a dialect")->type_name("ID")->excludes(list);
-  verb->footer(examples);
+  verb->footer(nc_examples);
   verb->callback([arguments, trigger, number, &exit_code] {
     auto& chosen = arguments->request.options;
     if (arguments->rollover != "on" && arguments->rollover != "off")

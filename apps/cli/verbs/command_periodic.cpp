@@ -14,7 +14,9 @@
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/periodic.h"
 #include "axiometry/report/translated.h"
+#include "cli/failure.h"
 #include "cli/flags/option_text.h"
+#include "cli/flags/reading_flags.h"
 #include "cli/text/findings_text.h"
 #include "cli/text/terminal.h"
 #include "cli/text/title_text.h"
@@ -25,7 +27,7 @@ namespace {
 
 using iso230_2::PeriodicDirection;
 
-struct Arguments {
+struct PeriodicArguments {
   std::string file;
   app::EvaluateOptions reading;
   iso230_2::PeriodicOptions options;
@@ -34,8 +36,6 @@ struct Arguments {
   ColourChoice colour = ColourChoice::automatic;
   bool quiet = false;
 };
-
-void complain(const Error& error) { fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string())); }
 
 std::string heading(const app::EvaluatedPeriodic& e, const report::Options& options, const Terminal& terminal) {
   const Metadata& m = e.test.metadata;
@@ -50,7 +50,7 @@ std::string heading(const app::EvaluatedPeriodic& e, const report::Options& opti
           p.format)));
 }
 
-std::string result_rows(const PeriodicDirection& d, const Arguments& arguments, AxisKind kind,
+std::string result_rows(const PeriodicDirection& d, const PeriodicArguments& arguments, AxisKind kind,
                         const Terminal& terminal) {
   auto rows = report::periodic_rows(d, kind, arguments.report);
   const auto said = [&](std::string_view english) { return report::translated(english, arguments.report); };
@@ -84,7 +84,7 @@ std::string result_rows(const PeriodicDirection& d, const Arguments& arguments, 
   return text;
 }
 
-std::string summary(const app::EvaluatedPeriodic& e, const Arguments& arguments, const Terminal& terminal) {
+std::string summary(const app::EvaluatedPeriodic& e, const PeriodicArguments& arguments, const Terminal& terminal) {
   const AxisKind kind = e.test.metadata.axis.kind;
   const auto said = [&](std::string_view english) { return report::translated(english, arguments.report); };
   std::string text = heading(e, arguments.report, terminal);
@@ -97,22 +97,22 @@ std::string summary(const app::EvaluatedPeriodic& e, const Arguments& arguments,
   return text + "\n";
 }
 
-int run(Arguments& arguments) {
+int run(PeriodicArguments& arguments) {
   const app::InputFile input{arguments.file, false};
   arguments.outputs.inputs = app::InputFiles(std::span(&input, 1));
   if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) {
-    complain(spared.error());
+    failed(spared.error());
     return exit_usage;
   }
   auto evaluated = app::evaluate_periodic(arguments.file, arguments.reading, arguments.options);
   if (!evaluated) {
-    complain(evaluated.error());
+    failed(evaluated.error());
     return exit_bad_input;
   }
   if (!arguments.quiet && arguments.outputs.json != "-")
     fmt::print("{}", summary(*evaluated, arguments, Terminal(arguments.colour)));
   if (auto written = app::write_outputs(*evaluated, arguments.outputs, arguments.report); !written) {
-    complain(written.error());
+    failed(written.error());
     return exit_bad_input;
   }
   return exit_done;
@@ -134,26 +134,10 @@ void add_period(const Verb& verb, const std::string& name, std::optional<Positio
       ->group("Period, in mm or °");
 }
 
-void add_flags(const Verb& verb, const std::shared_ptr<Arguments>& arguments) {
-  Arguments& a = *arguments;
+void add_flags(const Verb& verb, const std::shared_ptr<PeriodicArguments>& arguments) {
+  PeriodicArguments& a = *arguments;
   verb.add_option("FILE", a.file, "Measured test, or - for the standard input")->required();
-  verb.add_option("--format", a.reading.format, "Read as this format instead of recognising it")
-      ->type_name("ID")
-      ->group("Input");
-  verb.add_option_function<std::vector<std::string>>(
-          "--set",
-          [&a](const std::vector<std::string>& pairs) {
-            for (const std::string& pair : pairs) {
-              const std::size_t equals = pair.find('=');
-              if (equals == std::string::npos)
-                throw UsageError("--set", fmt::format("found {}, expected KEY=VALUE", text::quoted(pair)));
-              a.reading.metadata.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
-            }
-          },
-          "Metadata over what the file says, such as axis.expected_period=10; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->one_at_a_time()
-      ->group("Input");
+  add_reading_flags(verb, a.reading, "axis.expected_period=10");
   add_period(verb, "--period", a.options.period,
              "The period, where it is known (pitch of the screw); else it is searched");
   add_period(verb, "--min-period", a.options.shortest,
@@ -178,7 +162,7 @@ void add_flags(const Verb& verb, const std::shared_ptr<Arguments>& arguments) {
 void add_periodic(const Verb& program, int& exit_code) {
   Verb verb =
       program.add_subcommand("periodic", "Find the periodic error of an axis (Annex C): period, amplitude, phase");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PeriodicArguments>();
   add_flags(*verb, arguments);
   verb->callback([arguments, &exit_code] {
     if (arguments->options.period && (arguments->options.shortest || arguments->options.longest))

@@ -15,8 +15,8 @@
 #include "axiometry/formats/test/test_schema.h"
 #include "axiometry/formats/tracking/station_json.h"
 #include "axiometry/formats/volumetric/machine_json.h"
-#include "axiometry/formats/volumetric/volumetric_result_json.h"
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
+#include "axiometry/formats/volumetric/volumetric_result_json.h"
 #include "cli/verbs/commands.h"
 
 namespace axiometry::cli {

@@ -13,13 +13,14 @@
 #include "axiometry/base/text.h"
 #include "axiometry/simulation/presets.h"
 #include "cli/failure.h"
+#include "cli/flags/option_text.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
 
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* simulate_examples = R"(Examples:
   axiometry simulate --fault backlash --out test.json           what play looks like
   axiometry simulate --backlash 3um --cyclic 10mm:1.5um --noise 0.1um --seed 7 --out test.json
   axiometry simulate --plan plan.json --fault mixed --raw recording.csv --rate 1000 --truth truth.json
@@ -35,16 +36,6 @@ struct SimulateArguments {
   app::SimulationOutputs outputs;
   std::vector<std::vector<std::string>> options{app::simulation_options().size()};
 };
-
-constexpr std::uint64_t seed_max = std::uint64_t{1} << 53;  // of JSON's whole numbers
-
-std::uint64_t seed_from(const std::string& text) {
-  const auto seed = parse_count(text);
-  if (!seed || *seed > seed_max)
-    throw UsageError("--seed",
-                     fmt::format("found {}, expected a whole number from 0 to {}", text::quoted(text), seed_max));
-  return *seed;
-}
 
 int print_faults() {
   for (const simulation::Preset& preset : simulation::presets())
@@ -150,17 +141,15 @@ void add_output_options(const Verb& verb, SimulateArguments& arguments) {
 
 void add_simulate(const Verb& program, int& exit_code) {
   Verb verb = program.add_subcommand("simulate", "Make readings and recordings of an axis with known faults");
-  verb->footer(examples);
+  verb->footer(simulate_examples);
   auto arguments = std::make_shared<SimulateArguments>();
   verb->add_option("--plan", arguments->outputs.plan, "Plan to walk (a standard one of 500 mm when there is none)")
       ->type_name("FILE");
   verb->add_option("--fault", arguments->fault, "Axis in good order but for this fault (see --list-faults)")
       ->type_name("ID");
   verb->add_flag("--list-faults", arguments->list_faults, "List the faults with how they show, and exit");
-  verb->add_option_function<std::string>(
-          "--seed", [arguments](const std::string& text) { arguments->seed = seed_from(text); },
-          "Seed of all that is random (1): the same seed gives the same bits")
-      ->type_name("N");
+  add_seed(*verb, "Seed of all that is random (1): the same seed gives the same bits",
+           [arguments](unsigned long long seed) { arguments->seed = seed; });
   add_output_options(*verb, *arguments);
   const auto options = app::simulation_options();
   verb->add_option("--pitch-table", arguments->outputs.pitch_table,

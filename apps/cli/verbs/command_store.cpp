@@ -171,7 +171,7 @@ Result<int> seal(const StoreArguments& arguments) {
   return seal_archive(*archive, {arguments.file, arguments.key, arguments.change_key, arguments.authority});
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* store_examples = R"(Examples:
   axiometry store backup copy.db --store tests.db        while others go on working
   axiometry store verify copy.db                         what is in it is as it was written
   axiometry store seal today.seal --store tests.db       sign the end of the audit trail; keep the file elsewhere
@@ -192,7 +192,7 @@ looked at before it is used.)";
 void add_store(const Verb& program, int& exit_code) {
   Verb verb = program.add_subcommand("store", "Back up, restore and verify the archive of tests, and look into it");
   verb->require_subcommand(1, 1);
-  verb->footer(examples);
+  verb->footer(store_examples);
   const auto fresh = [] { return std::make_shared<StoreArguments>(); };
   Arguments made = fresh();
   store_verb(*verb, {"backup", "Write a backup of the archive into a new file"}, exit_code, made, backup)

@@ -38,7 +38,7 @@ struct CalibrationArguments {
   std::string report, folder;
 };
 
-using Shared = std::shared_ptr<CalibrationArguments>;
+using SharedCalibration = std::shared_ptr<CalibrationArguments>;
 
 std::string last_part(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 

@@ -42,7 +42,7 @@ struct CompensationArguments {
   std::string report;
 };
 
-using Shared = std::shared_ptr<CompensationArguments>;
+using SharedCompensation = std::shared_ptr<CompensationArguments>;
 
 /// "pdf" of "proof.PDF".
 std::string extension_of(const std::string& file) {

@@ -17,6 +17,7 @@
 #include "cli/failure.h"
 #include "cli/flags/capture_flags.h"
 #include "cli/flags/option_text.h"
+#include "cli/flags/reading_flags.h"
 #include "cli/flags/uncertainty_flags.h"
 #include "cli/text/progress.h"
 #include "cli/text/terminal.h"
@@ -27,7 +28,7 @@
 namespace axiometry::cli {
 namespace {
 
-struct Arguments {
+struct TrackingEvaluateArguments {
   std::string file;
   app::TrackingEvaluateOptions evaluate;
   std::string tolerance_table;
@@ -38,7 +39,7 @@ struct Arguments {
   bool quiet = false;
 };
 
-Result<void> open_table(Arguments& a) {
+Result<void> open_table(TrackingEvaluateArguments& a) {
   if (a.tolerance_table.empty()) return {};
   const auto [file, name] = app::parse_table_name(a.tolerance_table);
   AXIOMETRY_TRY(a.evaluate.tolerance.table, app::open_tolerance_table(file));
@@ -46,7 +47,7 @@ Result<void> open_table(Arguments& a) {
   return {};
 }
 
-std::vector<app::InputFile> inputs_of(const Arguments& a) {
+std::vector<app::InputFile> inputs_of(const TrackingEvaluateArguments& a) {
   std::vector<app::InputFile> inputs{{a.file}, {a.evaluate.plan}};
   if (!a.evaluate.station.empty()) inputs.push_back({a.evaluate.station});
   if (a.evaluate.tolerance.table) inputs.push_back({a.evaluate.tolerance.table->file});
@@ -66,7 +67,7 @@ int exit_code_of(const app::EvaluatedLines& evaluated) {
   return exceeded ? exit_exceeded : undecided ? exit_undecided : exit_done;
 }
 
-Result<app::EvaluatedLines> evaluated(Arguments& a) {
+Result<app::EvaluatedLines> evaluated(TrackingEvaluateArguments& a) {
   ProgressBar bar(!a.quiet);
   a.evaluate.uncertainty.trials.propagation.on_progress = std::ref(bar);
   AXIOMETRY_TRY(auto result, app::evaluate_tracking(a.file, a.evaluate));
@@ -77,7 +78,7 @@ Result<app::EvaluatedLines> evaluated(Arguments& a) {
   return result;
 }
 
-int run(Arguments& a) {
+int run(TrackingEvaluateArguments& a) {
   if (auto table = open_table(a); !table) return failed(table.error());
   const std::vector<app::InputFile> inputs = inputs_of(a);
   a.outputs.inputs = app::InputFiles(inputs);
@@ -92,21 +93,11 @@ int run(Arguments& a) {
   return exit_code_of(*result);
 }
 
-void add_metadata(app::TrackingEvaluateOptions& options, const std::string& pair) {
-  const std::size_t equals = pair.find('=');
-  if (equals == std::string::npos)
-    throw UsageError("--set", fmt::format("found {}, expected KEY=VALUE", text::quoted(pair)));
-  Metadata trial;
-  if (auto set = set_field_text(trial, pair.substr(0, equals), pair.substr(equals + 1)); !set)
-    throw UsageError("--set", set.error().message);
-  options.metadata.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
-}
-
 std::string named(const std::string& name) {
   return name.empty() ? std::string("found an empty name, expected a file") : std::string();
 }
 
-void add_input_flags(const Verb& verb, Arguments& a) {
+void add_input_flags(const Verb& verb, TrackingEvaluateArguments& a) {
   constexpr const char* group = "Input";
   verb.add_option("FILE", a.file,
                   "Lengths as CSV or as a continuous recording of time and length, or - for the standard input")
@@ -121,15 +112,8 @@ void add_input_flags(const Verb& verb, Arguments& a) {
       ->check(named)
       ->type_name("FILE")
       ->group(group);
-  verb.add_option_function<std::vector<std::string>>(
-          "--set",
-          [&a](const std::vector<std::string>& pairs) {
-            for (const std::string& pair : pairs) add_metadata(a.evaluate, pair);
-          },
-          "Metadata of all lines over what the file says, such as machine.name='Mill 5'; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->one_at_a_time()
-      ->group(group);
+  add_metadata_flag(verb, a.evaluate.metadata,
+                    "Metadata of all lines over what the file says, such as machine.name='Mill 5'");
   verb.add_flag("--reversed", a.evaluate.reversed, "The lengths shown fall where the reflector recedes")->group(group);
   add_number(verb,
              {"--break-threshold", "MM",
@@ -148,7 +132,7 @@ void add_input_flags(const Verb& verb, Arguments& a) {
       ->group(group);
 }
 
-void add_tolerance_flags(const Verb& verb, Arguments& a) {
+void add_tolerance_flags(const Verb& verb, TrackingEvaluateArguments& a) {
   constexpr const char* group = "Tolerances";
   verb.add_option_function<std::vector<std::string>>(
           "--tolerance",
@@ -174,7 +158,7 @@ void add_tolerance_flags(const Verb& verb, Arguments& a) {
       ->group(group);
 }
 
-void add_output_flags(const Verb& verb, Arguments& a) {
+void add_output_flags(const Verb& verb, TrackingEvaluateArguments& a) {
   constexpr const char* group = "Outputs";
   verb.add_option("--json", a.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
       ->check(named)
@@ -205,7 +189,7 @@ void add_output_flags(const Verb& verb, Arguments& a) {
 
 void add_tracking_evaluate(const Verb& tracking, int& exit_code) {
   Verb verb = tracking.add_subcommand("evaluate", "Evaluate lengths measured along the lines of a plan");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TrackingEvaluateArguments>();
   add_input_flags(*verb, *arguments);
   add_length_recording_flags(*verb, arguments->evaluate.recording);
   add_tolerance_flags(*verb, *arguments);

@@ -15,7 +15,7 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* tracking_length_difference_examples =
     R"(The station's error is determined − actual. Of distances, … goes on with the step of the two
 numbers before it.
 Examples:
@@ -23,7 +23,7 @@ Examples:
   axiometry tracking length-difference --station-error 0.05,0.05,0.1 --distances 200:1200:100 --direction 1,1,1
   axiometry tracking length-difference --distances 200:900:100 --station-uncertainty 0.003,0.003,0.01 --report d.pdf)";
 
-struct Arguments {
+struct TrackingLengthDifferenceArguments {
   app::LengthDifferenceRequest request;
   ExperimentArguments outputs;
 };
@@ -56,8 +56,8 @@ void add_request(const Verb& verb, app::LengthDifferenceRequest& request) {
 void add_length_difference_verb(const Verb& parent, const std::string& description,
                                 const app::LengthDifferenceRequest& defaults, int& exit_code) {
   Verb verb = parent.add_subcommand("length-difference", description);
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(tracking_length_difference_examples);
+  auto arguments = std::make_shared<TrackingLengthDifferenceArguments>();
   arguments->request = defaults;
   add_request(*verb, arguments->request);
   add_experiment_flags(*verb, arguments->outputs);

@@ -23,7 +23,7 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* tracking_locate_examples =
     R"(FILE is a table with the columns x_mm, y_mm, z_mm (of the reflector) and length_difference_mm, six rows or more.
 Exit code 3: the station should not be used as it is, a finding says why.
 Examples:
@@ -31,7 +31,7 @@ Examples:
   axiometry tracking locate points.csv --machine-sigma 2um --report station.pdf --json station.json
   axiometry tracking locate axes.csv --tool 0,0,-150 --near 650,-30,260)";
 
-struct Arguments {
+struct TrackingLocateArguments {
   app::LocateRequest request;
   ExperimentArguments outputs;
 };
@@ -121,7 +121,7 @@ std::string summary(const app::Located& located, const report::Options& options,
   return text;
 }
 
-int run(Arguments& arguments) {
+int run(TrackingLocateArguments& arguments) {
   const app::InputFile input{arguments.request.file, false};
   app::OutputNames& names = arguments.outputs.outputs;
   names.inputs = app::InputFiles(std::span(&input, 1));
@@ -140,8 +140,8 @@ int run(Arguments& arguments) {
 
 void add_tracking_locate(const Verb& tracking, int& exit_code) {
   Verb verb = tracking.add_subcommand("locate", "Find where the instrument stands, from six points or more");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(tracking_locate_examples);
+  auto arguments = std::make_shared<TrackingLocateArguments>();
   add_request(*verb, arguments->request);
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, &exit_code] {

@@ -20,7 +20,7 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* tracking_multilaterate_examples =
     R"(The columns are point,station,length_mm, where a beam was broken segment, and x_mm,y_mm,z_mm of the
 nominal points here or in --points. Readings of one station stand in the order of measurement. Four
 stations need ten points, five seven, six and more six; up to five must not stand on one plane.
@@ -30,7 +30,7 @@ Examples:
   axiometry tracking multilaterate ranges.csv --repeatability 0.5um --out points.csv --report m.pdf
   axiometry tracking multilaterate ranges.csv --scale free --scale-prior 0.1 --json -)";
 
-struct Arguments {
+struct TrackingMultilaterateArguments {
   app::MultilaterateRequest request;
   app::MultilateratedNames names;
   ExperimentArguments outputs;
@@ -84,7 +84,7 @@ report::Document summary_of(report::Document document) {
   return document;
 }
 
-int run(Arguments& arguments) {
+int run(TrackingMultilaterateArguments& arguments) {
   std::vector<app::InputFile> inputs = {{arguments.request.ranges, false}};
   if (!arguments.request.points.empty()) inputs.push_back({arguments.request.points, false});
   arguments.names.outputs = arguments.outputs.outputs;
@@ -111,8 +111,8 @@ int run(Arguments& arguments) {
 void add_tracking_multilaterate(const Verb& tracking, int& exit_code) {
   Verb verb = tracking.add_subcommand(
       "multilaterate", "Points and stations from lengths between them: several stations, or one in sequence");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(tracking_multilaterate_examples);
+  auto arguments = std::make_shared<TrackingMultilaterateArguments>();
   verb->add_option("RANGES", arguments->request.ranges, "Lengths as CSV, or - for the standard input")->required();
   verb->add_option("--points", arguments->request.points, "Nominal points as CSV: point,x_mm,y_mm,z_mm")
       ->type_name("FILE");

@@ -22,7 +22,7 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* tracking_plan_examples =
     R"(The station and obstacles are in the coordinates of the reflector: where it stands when the axes
 stand at X, Y, Z, plus the tool offset. Lengths are in mm unless they carry a unit (0.2m).
 Examples:
@@ -35,7 +35,7 @@ Examples:
   axiometry tracking plan --setup lines.json --lines x,y,xy --rule corner --out three.json
   axiometry tracking plan --setup lines.json --diagonals body --out diagonals.json)";
 
-struct Arguments {
+struct TrackingPlanArguments {
   app::TrackingPlanRequest request;
   std::optional<std::uint64_t> seed;
   std::optional<std::size_t> location_points;  ///< how many to plan, instead of lines
@@ -60,7 +60,7 @@ Result<void> take_reflector(app::TrackingPlanRequest& request, const std::string
   return {};
 }
 
-void add_setup(const Verb& verb, Arguments& arguments) {
+void add_setup(const Verb& verb, TrackingPlanArguments& arguments) {
   app::SetupRequest& setup = arguments.request.setup;
   constexpr const char* group = "Set-up";
   verb.add_option("--setup", setup.file,
@@ -91,7 +91,7 @@ void add_setup(const Verb& verb, Arguments& arguments) {
       ->group(group);
 }
 
-void add_limits(const Verb& verb, Arguments& arguments) {
+void add_limits(const Verb& verb, TrackingPlanArguments& arguments) {
   app::SetupRequest& setup = arguments.request.setup;
   constexpr const char* group = "Limits";
   add_read(verb, {"--range", "LEAST:MOST", "Of the instrument (0.2m:15m)"}, into(setup.range_mm, app::parse_range))
@@ -123,7 +123,7 @@ void add_ids(std::vector<std::string>& ids, const std::string& text) {
   for (std::string_view id : text::split(text, ',')) ids.emplace_back(text::trim(id));
 }
 
-void add_lines(const Verb& verb, Arguments& arguments) {
+void add_lines(const Verb& verb, TrackingPlanArguments& arguments) {
   tracking::LinesRequest& lines = arguments.request.lines;
   constexpr const char* group = "Lines";
   add_read(verb, {"--lines", "LIST", "Of x, y, z, xy, xz, yz, xyz; exit code 3 when one of them is lost (all seven)"},
@@ -154,7 +154,7 @@ void add_lines(const Verb& verb, Arguments& arguments) {
       ->group(group);
 }
 
-void add_programme(const Verb& verb, Arguments& arguments) {
+void add_programme(const Verb& verb, TrackingPlanArguments& arguments) {
   tracking::LinesRequest& lines = arguments.request.lines;
   const std::vector<Flag> options = {
       add_count(verb, {"--targets", "N", "Of each line (as the clause asks: five, and five per metre)"},
@@ -186,7 +186,7 @@ void add_programme(const Verb& verb, Arguments& arguments) {
   for (Flag option : options) option->group("Programme");
 }
 
-void add_location(const Verb& verb, Arguments& arguments) {
+void add_location(const Verb& verb, TrackingPlanArguments& arguments) {
   constexpr const char* group = "Station location";
   add_count(verb, {"--locate", "N", "Plan N points (6 to 50) that find the station well, instead of lines (8)"},
             [&arguments](unsigned long long n) { arguments.location_points = n; })
@@ -198,7 +198,7 @@ void add_location(const Verb& verb, Arguments& arguments) {
       ->group(group);
 }
 
-void add_outputs(const Verb& verb, Arguments& arguments) {
+void add_outputs(const Verb& verb, TrackingPlanArguments& arguments) {
   constexpr const char* group = "Outputs";
   verb.add_option("--out,--json", arguments.outputs.json, "The plan as JSON to FILE, or to the standard output with -")
       ->check(fault_of_name)
@@ -225,7 +225,7 @@ app::InputFiles inputs_of(const app::SetupRequest& setup) {
 
 constexpr std::size_t usual_points = 8;  // two more than needed: a misread length is then known by its number
 
-int run_location(const Arguments& arguments) {
+int run_location(const TrackingPlanArguments& arguments) {
   const auto planned = app::plan_location_points(arguments.request, arguments.location_points.value_or(usual_points));
   if (!planned) return failed(planned.error());
   const app::Experiment presented = app::present(*planned, arguments.report);
@@ -238,7 +238,7 @@ int run_location(const Arguments& arguments) {
   return exit_done;
 }
 
-int run(Arguments& arguments) {
+int run(TrackingPlanArguments& arguments) {
   arguments.outputs.inputs = inputs_of(arguments.request.setup);
   if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) return failed(spared.error(), exit_usage);
   if (!arguments.points.empty())
@@ -261,8 +261,8 @@ int run(Arguments& arguments) {
 
 void add_tracking_plan(const Verb& tracking, int& exit_code) {
   Verb verb = tracking.add_subcommand("plan", "Plan seven lines from one station, or diagonals of the travels");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(tracking_plan_examples);
+  auto arguments = std::make_shared<TrackingPlanArguments>();
   add_setup(*verb, *arguments);
   add_limits(*verb, *arguments);
   add_lines(*verb, *arguments);

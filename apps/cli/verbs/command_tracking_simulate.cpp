@@ -18,7 +18,8 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples = R"(Sizes are in um, mm and so on; relative ones bare or in um/m, ppm, %. Examples:
+constexpr const char* tracking_simulate_examples =
+    R"(Sizes are in um, mm and so on; relative ones bare or in um/m, ppm, %. Examples:
   axiometry tracking simulate --plan lines.json --station-true 412.3,198.1,-60 --scale y=100um/m \
       --squareness C0Y=20urad --noise 0.1um:0.15um/m --points points.csv --lengths lengths.csv --truth truth.json
   axiometry tracking simulate --plan lines.json --station 0,0,0 --station 900,0,50 \
@@ -26,15 +27,13 @@ constexpr const char* examples = R"(Sizes are in um, mm and so on; relative ones
   axiometry tracking simulate coordinate-offset --noise 1um
   axiometry tracking simulate slope --about station)";
 
-struct Arguments {
+struct TrackingSimulateArguments {
   app::TrackedSimulation request;
   app::TrackedFiles files;
   bool quiet = false;
 };
 
-constexpr std::uint64_t seed_max = std::uint64_t{1} << 53;  // of JSON's whole numbers
-
-void add_request(const Verb& verb, Arguments& a) {
+void add_request(const Verb& verb, TrackingSimulateArguments& a) {
   verb.add_option("--plan", a.files.plan, "Lines to walk, as 'axiometry tracking plan' writes them")->type_name("FILE");
   add_read(verb, {"--station-true", "X,Y,Z", "Where the station truly stands, mm (where the plan says)"},
            [&a](const std::string& text) -> Result<void> {
@@ -65,17 +64,11 @@ void add_request(const Verb& verb, Arguments& a) {
              }
              return {};
            });
-  add_read(verb, {"--seed", "N", "Seed of all that is random (1): the same seed gives the same bits"},
-           [&a](const std::string& text) -> Result<void> {
-             const auto seed = parse_count(text);
-             if (!seed || *seed > seed_max)
-               return fail(fmt::format("found {}, expected a whole number from 0 to {}", text::quoted(text), seed_max));
-             a.request.seed = *seed;
-             return {};
-           });
+  add_seed(verb, "Seed of all that is random (1): the same seed gives the same bits",
+           [&a](unsigned long long seed) { a.request.seed = seed; });
 }
 
-void add_rate(const Verb& verb, Arguments& a) {
+void add_rate(const Verb& verb, TrackingSimulateArguments& a) {
   add_read(verb, {"--rate", "HZ", "Samples per second of --recording (100)"},
            [&a](const std::string& text) -> Result<void> {
              const auto rate = parse_number(text);
@@ -87,7 +80,7 @@ void add_rate(const Verb& verb, Arguments& a) {
       ->group("Outputs");
 }
 
-void add_truth(const Verb& verb, Arguments& a) {
+void add_truth(const Verb& verb, TrackingSimulateArguments& a) {
   for (const app::TrackedOption& option : app::tracked_options())
     add_read(verb, {std::string(option.name), std::string(option.values), std::string(option.help)},
              [&a, &option](const std::string& text) { return option.apply(text, a.request.truth); })
@@ -96,7 +89,7 @@ void add_truth(const Verb& verb, Arguments& a) {
         ->group(std::string(option.group));
 }
 
-void add_outputs(const Verb& verb, Arguments& a) {
+void add_outputs(const Verb& verb, TrackingSimulateArguments& a) {
   constexpr const char* group = "Outputs";
   const auto file = [&](const char* name, std::string& target, const char* description) {
     verb.add_option(name, target, description)->type_name("FILE")->group(group);
@@ -112,7 +105,7 @@ void add_outputs(const Verb& verb, Arguments& a) {
   verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group(group);
 }
 
-int run(const Arguments& a) {
+int run(const TrackingSimulateArguments& a) {
   const auto summary = app::run_tracked_simulation(a.request, a.files);
   if (!summary) return failed(summary.error());
   const auto& f = a.files;
@@ -135,8 +128,8 @@ int run(const Arguments& a) {
 void add_tracking_simulate(const Verb& tracking, int& exit_code) {
   Verb verb = tracking.add_subcommand(
       "simulate", "Measurements of a machine with known errors, and the experiments of Lee et al. (2016)");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(tracking_simulate_examples);
+  auto arguments = std::make_shared<TrackingSimulateArguments>();
   add_request(*verb, *arguments);
   add_truth(*verb, *arguments);
   add_outputs(*verb, *arguments);

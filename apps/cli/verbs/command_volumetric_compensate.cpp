@@ -20,7 +20,7 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* volumetric_compensate_examples =
     R"(The displacement on the line through the middle of the volume is what one table takes away best. Where a control
 moves another axis by the position of one (a cross table, such as SINUMERIK's CEC), --component says in which direction:
 straightness goes into it, and squareness. What remains of the error of the tool point is told, of this table alone.
@@ -30,7 +30,7 @@ Examples:
   axiometry volumetric compensate result.json --for siemens-cec --along Y --component X --axis AX2 --output-axis AX1
       --number 4 --out xy.ini)";
 
-struct Arguments {
+struct VolumetricCompensateArguments {
   app::VolumeCompensationRequest request;
   std::string out, json;
   bool has_component = false;
@@ -56,7 +56,7 @@ void print_made(const app::VolumeCompensation& made) {
     fmt::print("  {}: {}\n", finding.serious ? "serious" : "note", finding.message);
 }
 
-int run(Arguments& arguments) {
+int run(VolumetricCompensateArguments& arguments) {
   app::VolumeCompensationRequest& request = arguments.request;
   if (request.result.empty()) throw MissingOption("RESULT");
   if (request.how.control.empty()) throw MissingOption("--for");
@@ -83,8 +83,8 @@ int run(Arguments& arguments) {
 
 void add_volumetric_compensate(const Verb& volumetric, int& exit_code) {
   Verb verb = volumetric.add_subcommand("compensate", "A table of one axis for a control, from the 21 errors");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(volumetric_compensate_examples);
+  auto arguments = std::make_shared<VolumetricCompensateArguments>();
   verb->add_option("RESULT", arguments->request.result, "What identify wrote with --out");
   add_read(*verb, {"--along", "AXIS", "X, Y or Z: at whose positions the table stands (X)"},
            [arguments](const std::string& text) -> Result<void> {

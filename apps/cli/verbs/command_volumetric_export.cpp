@@ -19,7 +19,7 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* volumetric_export_examples =
     R"(Every file says what a positive number does, and what of it is verified and what inferred. Try it on a machine
 that may fail, and measure a line again: a doubled error is a sign that was taken the wrong way round.
 Examples:
@@ -27,7 +27,7 @@ Examples:
   axiometry volumetric export result.json --for general-csv --out errors.csv
   axiometry volumetric export result.json --for axis-csv --tool T1 --out axes.csv)";
 
-struct Arguments {
+struct VolumetricExportArguments {
   app::ExportRequest request;
   std::string out = "-";
   bool list = false;
@@ -39,7 +39,7 @@ int list_tables() {
   return exit_done;
 }
 
-int run(const Arguments& arguments) {
+int run(const VolumetricExportArguments& arguments) {
   if (arguments.list) return list_tables();
   if (arguments.request.result.empty()) throw MissingOption("RESULT");
   if (arguments.request.table.empty()) throw MissingOption("--for");
@@ -56,8 +56,8 @@ int run(const Arguments& arguments) {
 
 void add_volumetric_export(const Verb& volumetric, int& exit_code) {
   Verb verb = volumetric.add_subcommand("export", "Tables of the errors for controls");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(volumetric_export_examples);
+  auto arguments = std::make_shared<VolumetricExportArguments>();
   verb->add_option("RESULT", arguments->request.result, "What identify wrote with --out");
   verb->add_flag("--list", arguments->list, "The tables that there are, and what each assumes");
   verb->add_option("--for", arguments->request.table, "One of --list")->type_name("NAME");

@@ -18,7 +18,7 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* volumetric_field_examples =
     R"(Without --at: how large the error is over the travel that was observed, with each tool, and along the diagonals.
 Points of --at are a table with the columns tool, x_mm, y_mm, z_mm: where the axes stand.
 Examples:
@@ -28,14 +28,14 @@ Examples:
 
 constexpr std::size_t nodes_least = 2, nodes_most = 101;
 
-struct Arguments {
+struct VolumetricFieldArguments {
   app::FieldRequest points;
   app::FieldVolumeRequest volume;
   std::string csv;
   ExperimentArguments outputs;
 };
 
-int run_points(const Arguments& arguments) {
+int run_points(const VolumetricFieldArguments& arguments) {
   const auto field = app::field_at_points(arguments.points);
   if (!field) return failed(field.error());
   const std::string& json = arguments.outputs.outputs.json;
@@ -43,7 +43,7 @@ int run_points(const Arguments& arguments) {
   return written ? exit_done : failed(written.error());
 }
 
-int run_volume(Arguments& arguments) {
+int run_volume(VolumetricFieldArguments& arguments) {
   app::OutputNames& names = arguments.outputs.outputs;
   const std::vector<app::InputFile> inputs = {{arguments.points.result, false}};
   names.inputs = app::InputFiles(inputs);
@@ -63,8 +63,8 @@ int run_volume(Arguments& arguments) {
 
 void add_volumetric_field(const Verb& volumetric, int& exit_code) {
   Verb verb = volumetric.add_subcommand("field", "The error of the tool point over the volume, or at given places");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(volumetric_field_examples);
+  auto arguments = std::make_shared<VolumetricFieldArguments>();
   verb->add_option("RESULT", arguments->points.result, "What identify wrote with --out")->required();
   Flag at = verb->add_option("--at", arguments->points.points,
                              "The error with its covariance at these places, as CSV, or - for the standard input; "

@@ -29,7 +29,7 @@ using volumetric::DriftModel;
 using volumetric::IdentifyOptions;
 using volumetric::Reversal;
 
-constexpr const char* examples =
+constexpr const char* volumetric_identify_examples =
     R"(LENGTHS is a table with the columns station, tool, x_mm, y_mm, z_mm (where the axes were told to
 stand), length_mm and, where a beam was broken, segment; rows in the order of measurement. The machine's file
 holds at least
@@ -42,7 +42,7 @@ Examples:
   axiometry volumetric identify lengths.csv --machine machine.json --spans 8 --reversal constant --json -
   axiometry volumetric identify run1.csv run2.csv --plan plan.json --lengths-out lengths.csv --out result.json)";
 
-struct Arguments {
+struct VolumetricIdentifyArguments {
   app::IdentifyRequest request;
   std::string out, residuals, lengths_out;
   ExperimentArguments outputs;
@@ -120,7 +120,7 @@ void add_model(const Verb& verb, IdentifyOptions& options) {
       ->group(group);
 }
 
-int run(Arguments& arguments) {
+int run(VolumetricIdentifyArguments& arguments) {
   std::vector<app::InputFile> inputs;
   for (const std::string& file : arguments.request.lengths.files) inputs.push_back({file, false});
   for (const std::string& file : {arguments.request.machine, arguments.request.plan})
@@ -153,8 +153,8 @@ int run(Arguments& arguments) {
 
 void add_volumetric_identify(const Verb& volumetric, int& exit_code) {
   Verb verb = volumetric.add_subcommand("identify", "Find the 21 errors from measured lengths");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(volumetric_identify_examples);
+  auto arguments = std::make_shared<VolumetricIdentifyArguments>();
   app::LengthsRequest& lengths = arguments->request.lengths;
   verb->add_option("LENGTHS", lengths.files,
                    "Lengths as CSV, or continuous recordings of them with their plan, or - for the standard input")

@@ -24,7 +24,7 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* volumetric_plan_examples =
     R"(Stations are those of the machine's file (stations_mm); where it has none, or with --stations auto, they are
 proposed. Stations and obstacles are in the coordinates of the reflector: where it stands when the axes stand at
 X, Y, Z, plus the tool's offset. Exit code 3: these stations, tools and points will not tell all 21 errors, or a
@@ -35,13 +35,13 @@ Examples:
       --incidence 80 --points 150 --out plan.json --points-out points.csv --json expected.json
   axiometry nc plan.json --dialect siemens-840d --part 1 --out S1_T1.MPF)";
 
-struct Arguments {
+struct VolumetricPlanArguments {
   app::PlanVolumeRequest request;
   std::string out, points, json;
   bool quiet = false;
 };
 
-void add_layout(const Verb& verb, Arguments& a) {
+void add_layout(const Verb& verb, VolumetricPlanArguments& a) {
   constexpr const char* group = "Layout";
   add_read(verb, {"--stations", "auto or file", "Propose stations, or take those of the machine's file"},
            [&a](const std::string& word) -> Result<void> {
@@ -76,7 +76,7 @@ void add_layout(const Verb& verb, Arguments& a) {
       ->group(group);
 }
 
-void add_limits(const Verb& verb, Arguments& a) {
+void add_limits(const Verb& verb, VolumetricPlanArguments& a) {
   constexpr const char* group = "Limits";
   TrackerLimits& limits = a.request.limits;
   add_read(verb, {"--range", "LEAST:MOST", "Of the instrument (0.2m:15m)"},
@@ -125,7 +125,7 @@ void add_limits(const Verb& verb, Arguments& a) {
       ->group(group);
 }
 
-int run(Arguments& a) {
+int run(VolumetricPlanArguments& a) {
   const std::vector<app::InputFile> read = {{a.request.machine, false}};
   const app::InputFiles inputs(read);
   for (const std::string& name : {a.out, a.points, a.json})
@@ -149,8 +149,8 @@ int run(Arguments& a) {
 
 void add_volumetric_plan(const Verb& volumetric, int& exit_code) {
   Verb verb = volumetric.add_subcommand("plan", "Where to stand and measure, and what that will tell");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(volumetric_plan_examples);
+  auto arguments = std::make_shared<VolumetricPlanArguments>();
   verb->add_option("--machine", arguments->request.machine, "The machine, its tools and the instrument, as JSON")
       ->type_name("FILE")
       ->required();

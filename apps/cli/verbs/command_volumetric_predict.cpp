@@ -14,7 +14,7 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* volumetric_predict_examples =
     R"(Deviations are those along the line, less the mean of all: the zero of a deviation curve is a convention.
 Exit code 3: a measured test departs from the prediction by more than chance.
 Examples:
@@ -22,12 +22,12 @@ Examples:
   axiometry volumetric predict result.json --axis X --at y=300,z=-250 --tool T1 --measured x_axis.json --json -
   axiometry volumetric predict result.json --diagonal PPP-NNN --tool T1 --report diagonal.pdf)";
 
-struct Arguments {
+struct VolumetricPredictArguments {
   app::PredictRequest request;
   ExperimentArguments outputs;
 };
 
-int run(Arguments& arguments) {
+int run(VolumetricPredictArguments& arguments) {
   std::vector<app::InputFile> inputs;
   for (const std::string& file : {arguments.request.result, arguments.request.plan, arguments.request.measured})
     if (!file.empty()) inputs.push_back({file, false});
@@ -46,8 +46,8 @@ int run(Arguments& arguments) {
 
 void add_volumetric_predict(const Verb& volumetric, int& exit_code) {
   Verb verb = volumetric.add_subcommand("predict", "What a test of an axis or a diagonal would show");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(volumetric_predict_examples);
+  auto arguments = std::make_shared<VolumetricPredictArguments>();
   app::PredictRequest& request = arguments->request;
   verb->add_option("RESULT", request.result, "What identify wrote with --out")->required();
   Flag axis = verb->add_option("--axis", request.axis, "X, Y or Z: a test after ISO 230-2")->type_name("AXIS");

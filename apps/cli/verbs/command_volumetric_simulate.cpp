@@ -22,7 +22,7 @@
 namespace axiometry::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* volumetric_simulate_examples =
     R"(Noise is that of the instrument and of the repeatability in the machine's file. Stations are those of the file
 (stations_mm) unless given; with --plan, stations and points are those of the plan. The truth holds the errors as they
 are and as identify states them.
@@ -35,15 +35,13 @@ Examples:
   axiometry volumetric simulate --plan plan.json --drift 2um --recording 'run{part}.csv' --truth truth.json
   axiometry volumetric simulate --machine machine.json --trials 200 --json coverage.json)";
 
-struct Arguments {
+struct VolumetricSimulateArguments {
   app::SimulateRequest request;
   app::SimulateFiles files;
   std::size_t trials = 0;
   std::string json;
   bool quiet = false;
 };
-
-constexpr unsigned long long seed_max = 1ull << 53;  // of JSON's whole numbers
 
 Result<volumetric::DrawnSize> size_of(const std::string& text) {
   const std::vector<std::string_view> parts = text::split(text, ',');
@@ -55,7 +53,7 @@ Result<volumetric::DrawnSize> size_of(const std::string& text) {
   return volumetric::DrawnSize{*displacement, *rotation};
 }
 
-void add_truth(const Verb& verb, Arguments& a) {
+void add_truth(const Verb& verb, VolumetricSimulateArguments& a) {
   constexpr const char* group = "Truth";
   verb.add_option("--errors", a.request.errors, "Errors of the machine as JSON: a truth, or a result of identify")
       ->type_name("FILE")
@@ -78,12 +76,8 @@ void add_truth(const Verb& verb, Arguments& a) {
   add_count(verb, {"--points", "N", "Points of each station and tool (100)"}, [&a](unsigned long long n) {
     a.request.points = static_cast<std::size_t>(n);
   })->group(group);
-  add_read(verb, {"--seed", "N", "Seed of all that is random (1)"}, [&a](const std::string& text) -> Result<void> {
-    const auto seed = parse_count(text);
-    if (!seed || *seed > seed_max)
-      return fail(fmt::format("found {}, expected a whole number from 0 to {}", text::quoted(text), seed_max));
-    a.request.seed = *seed;
-    return {};
+  add_seed(verb, "Seed of all that is random (1)", [&a](unsigned long long seed) {
+    a.request.seed = seed;
   })->group(group);
 }
 
@@ -110,7 +104,7 @@ void add_faults(const Verb& verb, volumetric::SimulatedFaults& faults) {
   count("--outliers", faults.outliers, "Readings that are wrong by 20 um to 2 mm (0)");
 }
 
-int run_trials(const Arguments& a) {
+int run_trials(const VolumetricSimulateArguments& a) {
   if (!a.files.lengths.empty() || !a.files.truth.empty() || !a.files.recordings.empty())
     throw UsageError("--trials",
                      "lengths, recordings and truth are those of one trial: leave --lengths, --recording and --truth "
@@ -125,7 +119,7 @@ int run_trials(const Arguments& a) {
   return exit_done;
 }
 
-int run(const Arguments& a) {
+int run(const VolumetricSimulateArguments& a) {
   if (a.trials > 0) return run_trials(a);
   if (!a.json.empty()) throw UsageError("--json", "goes with --trials");
   const auto calibration = app::simulate_calibration(a.request);
@@ -149,8 +143,8 @@ int run(const Arguments& a) {
 
 void add_volumetric_simulate(const Verb& volumetric, int& exit_code) {
   Verb verb = volumetric.add_subcommand("simulate", "Lengths of a machine whose 21 errors are known");
-  verb->footer(examples);
-  auto arguments = std::make_shared<Arguments>();
+  verb->footer(volumetric_simulate_examples);
+  auto arguments = std::make_shared<VolumetricSimulateArguments>();
   verb->add_option("--machine", arguments->request.machine, "The machine, its tools and the instrument, as JSON")
       ->type_name("FILE");
   verb->add_option("--plan", arguments->request.plan, "A plan of 'volumetric plan', in place of the machine")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/verbs/evaluate_run.h"
+#include "cli/failure.h"
 
 #include <fmt/format.h>
 
@@ -17,8 +18,6 @@
 namespace axiometry::cli {
 namespace {
 
-void complain(const Error& error) { fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string())); }
-
 /// One run of the verb: takes the tests as they come and decides, with the first one, whether there
 /// is one test or there are many.
 class Run {
@@ -30,20 +29,20 @@ class Run {
   }
 
   int operator()() {
-    if (auto table = open_table(); !table) return failed(table.error(), exit_bad_input);
+    if (auto table = open_table(); !table) return gave_up(table.error(), exit_bad_input);
     auto inputs = app::expand_inputs(arguments_.inputs);
-    if (!inputs) return failed(inputs.error(), exit_bad_input);
+    if (!inputs) return gave_up(inputs.error(), exit_bad_input);
     many_ = inputs->size() > 1 || (!inputs->empty() && inputs->front().from_folder);
     if (inputs->empty())
-      return failed({"found no file in the folder, expected measured tests", arguments_.inputs.front(), {}},
-                    exit_bad_input);
+      return gave_up({"found no file in the folder, expected measured tests", arguments_.inputs.front(), {}},
+                     exit_bad_input);
     arguments_.evaluate.tolerance.many_tests = many_;
     std::vector<app::InputFile> all_read = *inputs;
     if (const auto& table = arguments_.evaluate.tolerance.table) all_read.push_back({table->file, false});
     if (!arguments_.evaluate.profile.empty()) all_read.push_back({arguments_.evaluate.profile, false});
     if (!arguments_.recording.plan.empty()) all_read.push_back({arguments_.recording.plan, false});
     arguments_.outputs.inputs = app::InputFiles(all_read);
-    if (auto spared = app::check_inputs_spared(arguments_.outputs); !spared) return failed(spared.error(), exit_usage);
+    if (auto spared = app::check_inputs_spared(arguments_.outputs); !spared) return gave_up(spared.error(), exit_usage);
     for (const app::InputFile& input : *inputs) {
       if (!evaluate(input) && !go_on()) return exit_code_;
     }
@@ -51,8 +50,8 @@ class Run {
   }
 
  private:
-  int failed(const Error& error, int code) {
-    complain(error);
+  int gave_up(const Error& error, int code) {
+    failed(error);
     exit_code_ = code;
     return code;
   }
@@ -81,10 +80,10 @@ class Run {
     bar_.clear();
     if (result) return true;
     if (InterruptGuard::interrupted()) {
-      failed(result.error(), exit_interrupted);
+      gave_up(result.error(), exit_interrupted);
       return false;
     }
-    failed(result.error(), output_failed_ == exit_usage ? exit_usage : exit_bad_input);
+    gave_up(result.error(), output_failed_ == exit_usage ? exit_usage : exit_bad_input);
     if (many_ && !output_failed_) add_to_outputs(input.name, result.error());
     return false;
   }
@@ -95,7 +94,7 @@ class Run {
     if (ready) ready = outputs_->add_error(file, error);
     if (ready) return;
     if (!output_failed_) output_failed_ = exit_bad_input;
-    failed(ready.error(), output_failed_);
+    gave_up(ready.error(), output_failed_);
   }
 
   /// Makes the outputs of many tests before the first of them.
@@ -145,18 +144,18 @@ class Run {
     if (single_) {
       if (stdout_is_free_) fmt::print("{}", summary(*single_, arguments_.report, terminal_, arguments_.detail));
       auto written = app::write_outputs(*single_, arguments_.outputs, arguments_.report);
-      if (!written) return failed(written.error(), exit_bad_input);
+      if (!written) return gave_up(written.error(), exit_bad_input);
     }
     const bool whole = exit_code_ == exit_done || arguments_.keep_going;
     if (outputs_ && whole) {
       auto committed = outputs_->commit();
-      if (!committed) return failed(committed.error(), exit_bad_input);
+      if (!committed) return gave_up(committed.error(), exit_bad_input);
     }
     if (outputs_ && !whole && !(arguments_.outputs.json.empty() && arguments_.outputs.reports.empty()))
       fmt::print(stderr,
                  "axiometry: the combined outputs were not written; --keep-going writes them with the errors named\n");
     if (exit_code_ == exit_done && count_ == 0 && !single_)
-      return failed({"found no measured test, expected at least one", "", {}}, exit_bad_input);
+      return gave_up({"found no measured test, expected at least one", "", {}}, exit_bad_input);
     return exit_code_ != exit_done ? exit_code_ : exceeded_ ? exit_exceeded : undecided_ ? exit_undecided : exit_done;
   }
 
