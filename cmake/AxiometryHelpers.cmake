@@ -40,12 +40,21 @@ function(axiometry_version_header)
                  ${PROJECT_BINARY_DIR}/generated/axiometry/base/version.h @ONLY)
 endfunction()
 
-# axiometry_library(TARGET EXPORT_NAME FOLDER...): a static library of all sources in and below these folders of
-# src/axiometry, without tests (*_test.cpp) and benchmarks (*_bench.cpp).
+# axiometry_library(TARGET EXPORT_NAME FOLDER...): a library of all sources in and below these folders of src/axiometry,
+# without tests (*_test.cpp) and benchmarks (*_bench.cpp); static, or shared with BUILD_SHARED_LIBS. Of a shared one the
+# name holds MAJOR.MINOR: within these a program needs no new build (docs/howto/use-as-a-library.md). Its objects are
+# those of a static one, without a macro of its own, so that changing the option compiles nothing anew.
 function(axiometry_library target export_name)
-  add_library(${target} STATIC)
+  add_library(${target})
   add_library(axiometry::${export_name} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${export_name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(
+    ${target} PROPERTIES EXPORT_NAME ${export_name} POSITION_INDEPENDENT_CODE ON DEFINE_SYMBOL ""
+                         VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  if(BUILD_SHARED_LIBS AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    set(symbols ${PROJECT_SOURCE_DIR}/cmake/exported_symbols.map)
+    target_link_options(${target} PRIVATE -Wl,--version-script=${symbols} -Wl,-z,relro,-z,now -Wl,-z,noexecstack)
+    set_target_properties(${target} PROPERTIES LINK_DEPENDS ${symbols})
+  endif()
   foreach(folder IN LISTS ARGN)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/axiometry/${folder}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "_(test|bench)\\.cpp$")

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "axiometry/app/evaluate/drift_recording.h"
+#include "axiometry/app/evaluate/known_file.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/read_recording.h"
 #include "axiometry/base/text.h"
@@ -27,9 +28,8 @@ constexpr std::string_view generic_format = "generic";
 Result<const formats::Format*> format_of_id(std::string_view head, const std::string& forced) {
   if (forced.empty()) {
     auto recognised = formats::recognise(head);
-    const auto recording = formats::recognise_recording(head);
-    const bool guessed = recognised && (*recognised)->id == generic_format;
-    if ((!recognised || guessed) && recording)
+    if (recognised && (*recognised)->id != generic_format) return recognised;
+    if (const auto recording = formats::recognise_recording(head))
       return fail(fmt::format("found a continuous recording ({}), expected --plan with the plan the axis moved after",
                               (*recording)->title));
     return recognised;
@@ -73,23 +73,27 @@ Result<Test> read_by_profile(std::string_view bytes, const std::string& name) {
   return test;
 }
 
-Result<Test> read_single(Source& source, const formats::Format& format, const std::string& profile) {
+/// `hash`: of the bytes, where it is known.
+Result<Test> read_single(Source& source, const formats::Format& format, const std::string& profile,
+                         const std::string& hash = {}) {
   AXIOMETRY_TRY(const std::string bytes, source.read_all(single_test_limit));
   AXIOMETRY_TRY(Test test, profile.empty() ? format.read(bytes) : read_by_profile(bytes, profile));
   test.provenance.file = source.name();
-  test.provenance.sha256 = sha256(bytes);
+  test.provenance.sha256 = hash.empty() ? sha256(bytes) : hash;
   test.provenance.format = format.id;
   return test;
 }
 
+/// The hash of a file, by a pass of its own; empty of what cannot be read twice.
+Result<std::string> hash_of(const Source& source) {
+  AXIOMETRY_TRY(auto digest, source.whole_sha256());
+  return std::move(digest).value_or("");
+}
+
 /// Hands over the tests of a file of many as they come; errors of a test get the line where it began.
-Result<void> read_many(Source& source, const formats::Format& format, bool hash,
+Result<void> read_many(Source& source, const formats::Format& format, const std::string& hash,
                        const std::function<Result<void>(Test&&, std::string)>& hand_over) {
-  Provenance provenance{source.name(), "", std::string(format.id)};
-  if (hash) {
-    AXIOMETRY_TRY(const auto digest, source.whole_sha256());
-    provenance.sha256 = digest.value_or("");
-  }
+  const Provenance provenance{source.name(), hash, std::string(format.id)};
   return format.read_many(source, [&](formats::NamedTest&& named) -> Result<void> {
     Test test{std::move(named.metadata), std::move(named.series), provenance};
     test.provenance.remarks = std::move(named.remarks);
@@ -113,7 +117,11 @@ Result<void> evaluate_source(Source& source, const EvaluateOptions& options, con
     EvaluateOptions for_many = options;
     if (!options.many_in_full) for_many.uncertainty.trials.contribution_trials = 0;  // a table has no room for them
     for_many.tolerance.many_tests = true;
-    return read_many(source, *format, options.many_in_full, [&](Test&& test, std::string name) -> Result<void> {
+    std::string hash;
+    if (options.many_in_full) {
+      AXIOMETRY_TRY(hash, hash_of(source));
+    }
+    return read_many(source, *format, hash, [&](Test&& test, std::string name) -> Result<void> {
       AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), for_many, depth));
       evaluated.name = std::move(name);
       return sink(std::move(evaluated));
@@ -237,11 +245,20 @@ Result<Test> read_test(const std::string& file, const std::string& format, const
 Result<void> read_tests(Source& source, const TestSink& sink) {
   AXIOMETRY_TRY(const formats::Format* format, format_of(source, {"", ""}));
   AXIOMETRY_TRY(const std::string_view head, source.head());
-  if (holds_many(*format, head))
-    return read_many(source, *format, true, [&](Test&& test, std::string name) -> Result<void> {
+  std::string hash;  // of one test while it is read
+  if (holds_many(*format, head)) {
+    AXIOMETRY_TRY(hash, hash_of(source));
+  }
+  return read_known(source, {*format, std::move(hash)}, sink);
+}
+
+Result<void> read_known(Source& source, const KnownFormat& known, const TestSink& sink) {
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  if (holds_many(known.format, head))
+    return read_many(source, known.format, known.sha256, [&](Test&& test, std::string name) -> Result<void> {
       return sink(std::move(test), std::move(name));
     });
-  AXIOMETRY_TRY(Test test, read_single(source, *format, ""));
+  AXIOMETRY_TRY(Test test, read_single(source, known.format, "", known.sha256));
   return sink(std::move(test), {});
 }
 

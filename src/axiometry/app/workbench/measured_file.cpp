@@ -5,13 +5,14 @@
 
 #include <algorithm>
 
-#include "axiometry/app/evaluate/evaluate.h"
+#include "axiometry/app/evaluate/known_file.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/recording.h"
+#include "axiometry/formats/table/guessed_read.h"
 
 namespace axiometry::app {
 namespace {
@@ -61,11 +62,13 @@ Result<void> check_size(const Test& test, std::size_t count, std::size_t memory)
   return {};
 }
 
-/// What people take for a test and is none.
-Result<void> refuse_others(std::string_view bytes, std::string_view head) {
+constexpr std::string_view any_table = "generic";
+
+/// The format that fits the beginning. Fails on what people take for a test and is none.
+Result<const formats::Format*> format_of_test(std::string_view bytes) {
+  const std::string_view head = bytes.substr(0, read_budget::head_bytes);
   const auto format = formats::recognise(head);
-  const bool guessed = format && (*format)->id == "generic";
-  if (format && !guessed) return {};
+  if (format && (*format)->id != any_table) return format;
   if (const auto recording = formats::recognise_recording(head))
     return fail(
         fmt::format("found a continuous recording ({}), expected a measured test; its readings are taken out "
@@ -73,7 +76,7 @@ Result<void> refuse_others(std::string_view bytes, std::string_view head) {
                     (*recording)->title));
   if (!format && text::trim(head).starts_with('{') && formats::read_plan(bytes))
     return fail("found a plan, expected a measured test; plans are kept on the page of plans");
-  return {};
+  return format;
 }
 
 /// Of the columns of readings, each its own or that of all.
@@ -123,30 +126,37 @@ const Test* MeasuredFile::find(std::string_view name) const {
   return found == tests.end() ? nullptr : &found->test;
 }
 
-Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& name,
+Result<MeasuredFile> read_measured(const HashedBytes& sent, const std::string& name,
                                    const std::optional<formats::ImportProfile>& profile) {
+  const std::string_view bytes = sent.bytes;
   if (bytes.empty()) return in_measured_file({"found an empty file, expected a measured test", {}, {}}, name);
-  MeasuredFile file{.sha256 = sha256(bytes), .size = bytes.size(), .memory = 0, .format = {}, .tests = {}};
-  if (profile) {
-    auto test = read_by_profile(bytes, *profile);
-    if (!test) return in_measured_file(test.error(), name);
-    file.format = test->provenance.format = "generic";
-    test->provenance.file = name;
-    test->provenance.sha256 = file.sha256;
-    file.memory = memory_of(*test);
-    if (const auto fits = check_size(*test, 1, file.memory); !fits) return in_measured_file(fits.error(), name);
-    file.tests.push_back({"", *std::move(test)});
-    return file;
-  }
-  Source source = Source::of_bytes(name, bytes);
-  AXIOMETRY_TRY(const std::string_view head, source.head());
-  if (auto test = refuse_others(bytes, head); !test) return in_measured_file(test.error(), name);
-  auto read = read_tests(source, [&](Test&& test, std::string&& own_name) -> Result<void> {
+  MeasuredFile file{.sha256 = sent.sha256, .size = bytes.size(), .memory = 0, .format = {}, .tests = {}};
+  const auto take = [&](Test&& test, std::string&& own_name) -> Result<void> {
     file.memory += memory_of(test);
     AXIOMETRY_TRY_VOID(check_size(test, file.tests.size() + 1, file.memory));
     file.tests.push_back({std::move(own_name), std::move(test)});
     return {};
-  });
+  };
+  const auto take_table = [&](Test test) {
+    test.provenance.file = name;
+    test.provenance.sha256 = file.sha256;
+    test.provenance.format = any_table;
+    return take(std::move(test), {});
+  };
+  const auto read = [&]() -> Result<void> {
+    if (profile) {
+      AXIOMETRY_TRY(Test test, read_by_profile(bytes, *profile));
+      return take_table(std::move(test));
+    }
+    AXIOMETRY_TRY(const formats::Format* format, format_of_test(bytes));
+    if (format->id == any_table) {
+      AXIOMETRY_TRY(file.guess, formats::guess(bytes));
+      AXIOMETRY_TRY(Test test, formats::read_guessed(*file.guess, bytes));
+      return take_table(std::move(test));
+    }
+    Source source = Source::of_bytes(name, bytes);
+    return read_known(source, {*format, file.sha256}, take);
+  }();
   if (!read) return in_measured_file(read.error(), name);
   if (file.tests.empty()) return in_measured_file({"found no measured test, expected at least one", {}, {}}, name);
   file.format = file.tests.front().test.provenance.format;

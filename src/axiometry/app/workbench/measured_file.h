@@ -8,11 +8,20 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/digest/sha256.h"
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/model/test.h"
 
 /// A file of measured tests, read from bytes.
 namespace axiometry::app {
+
+/// Bytes with their SHA-256, which is made once.
+struct HashedBytes {
+  std::string_view bytes;
+  std::string sha256;
+
+  static HashedBytes of(std::string_view bytes) { return {bytes, axiometry::sha256(bytes)}; }
+};
 
 struct MeasuredTest {
   std::string name;  ///< of one among many; else empty
@@ -25,6 +34,8 @@ struct MeasuredFile {
   std::size_t memory = 0;           ///< that the tests take, about; what stands above a table is in each of them
   std::string format;               ///< id
   std::vector<MeasuredTest> tests;  ///< never empty
+  /// About the table, where the test was read after one.
+  std::optional<formats::Guess> guess{};
 
   /// nullptr when there is none of that name.
   const Test* find(std::string_view name) const;
@@ -34,7 +45,7 @@ struct MeasuredFile {
 /// the name and the place; on a recording, a plan or a file of lines in space, saying what to do with it; on more than
 /// 2000 tests, or 128 MiB of memory for all of them; and on more than 100 pieces of equipment in one. With a profile:
 /// the one test that the table holds by it, and a remark that says so.
-Result<MeasuredFile> read_measured(std::string_view bytes, const std::string& name,
+Result<MeasuredFile> read_measured(const HashedBytes& sent, const std::string& name,
                                    const std::optional<formats::ImportProfile>& profile = {});
 
 /// The id of the format that a file seems to have by its beginning; empty where it is none of ours.

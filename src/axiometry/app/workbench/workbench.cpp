@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/workbench/same_answer.h"
 #include "axiometry/app/workbench/test_of_file.h"
 #include "axiometry/app/workbench/test_state.h"
 #include "axiometry/app/workbench/workbench_state.h"
@@ -73,7 +74,7 @@ struct Taken {
 Result<bool> is_as_it_was(const store::Transaction& archive, const std::vector<Taken>& all) {
   for (const Taken& taken : all) {
     AXIOMETRY_TRY(const FromArchive now, find_in_archive(archive, taken.asked));
-    if (json::dump(to_json(now)) != json::dump(to_json(taken.answer))) return false;
+    if (!same(now, taken.answer)) return false;
   }
   return true;
 }
@@ -96,7 +97,7 @@ Result<Evaluation> evaluate_all(State& state, std::span<const Upload> uploads, c
                                 const std::stop_token& stop = {}) {
   Evaluation all;
   for (const Upload& upload : uploads) {
-    AXIOMETRY_TRY(const auto file, state.read(upload.bytes, upload.name, upload.profile));
+    AXIOMETRY_TRY(const auto file, state.read(HashedBytes::of(upload.bytes), upload.name, upload.profile));
     AXIOMETRY_TRY(const std::string name, given_file_name(upload.name));
     Incoming& incoming = all.files.emplace_back();
     incoming.content = {file->sha256, name, file->format, std::string(upload.bytes)};
@@ -211,9 +212,10 @@ Result<Outcome> kept_outcome(State& state, const store::TestRecord& record, cons
                  .milliseconds = 0.0};
 }
 
-std::optional<AskedTable> asked_table(const Upload& upload) {
+/// `file`: nullptr where it is refused.
+std::optional<AskedTable> asked_table(const Upload& upload, const MeasuredFile* file) {
   constexpr std::size_t columns_max = 200;  // more nobody goes through one by one
-  auto found = guess_measured(upload.bytes);
+  auto found = file != nullptr && file->guess ? file->guess : guess_measured(upload.bytes);
   if (!found || found->profile.columns.size() > columns_max) return {};
   return AskedTable{upload.profile.value_or(std::move(found->profile)), std::move(found->questions),
                     std::move(found->names), std::move(found->preview)};
@@ -236,12 +238,13 @@ Result<Preview> Workbench::preview(const Upload& upload, const std::stop_token& 
   Preview preview;
   AXIOMETRY_TRY(preview.file_name, given_file_name(upload.name));
   preview.size = upload.bytes.size();
-  preview.sha256 = sha256(upload.bytes);
+  const HashedBytes sent = HashedBytes::of(upload.bytes);
+  preview.sha256 = sent.sha256;
   AXIOMETRY_TRY(preview.same_content, state_->store.read([&](const store::Transaction& archive) {
     return ids_with(archive, preview.sha256);
   }));
-  const auto file = state_->read(upload.bytes, upload.name, upload.profile);
-  if (!file || (*file)->format == "generic") preview.table = asked_table(upload);
+  const auto file = state_->read(sent, upload.name, upload.profile);
+  if (!file || (*file)->format == "generic") preview.table = asked_table(upload, file ? file->get() : nullptr);
   if (!file) {
     preview.refused = file.error();
     preview.format = recognised_format(upload.bytes);
@@ -280,12 +283,15 @@ Result<Received> Workbench::receive(store::Transaction& archive, std::span<const
 
 Result<Outcome> Workbench::evaluate(const Upload& upload, const Draft& draft, const std::string& test_name,
                                     const std::stop_token& stop) const {
-  AXIOMETRY_TRY(const auto file, state_->read(upload.bytes, upload.name, upload.profile));
+  AXIOMETRY_TRY(const auto file, state_->read(HashedBytes::of(upload.bytes), upload.name, upload.profile));
+  AXIOMETRY_TRY(const std::string file_name, given_file_name(upload.name));
   const Test* test = test_name.empty() && file->tests.size() == 1 ? &file->tests.front().test : file->find(test_name);
   if (test == nullptr)
     return fail(fmt::format("found a file of {} tests, expected one test or the name of one of them: {}{}",
                             file->tests.size(), file->tests.front().name, file->tests.size() > 1 ? ", …" : ""));
-  AXIOMETRY_TRY(Found found, state_->evaluate(*test, draft, {}, state_->answers(), stop));
+  Test named = *test;
+  named.provenance.file = file_name;
+  AXIOMETRY_TRY(Found found, state_->evaluate(std::move(named), draft, {}, state_->answers(), stop));
   return outcome_of(std::move(found));
 }
 

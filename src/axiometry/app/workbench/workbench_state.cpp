@@ -104,11 +104,13 @@ std::string file_key(const std::string& hash, const std::optional<formats::Impor
 }  // namespace
 
 Result<std::shared_ptr<const MeasuredFile>> Workbench::State::read(
-    std::string_view bytes, const std::string& name, const std::optional<formats::ImportProfile>& profile) {
+    const HashedBytes& sent, const std::string& name, const std::optional<formats::ImportProfile>& profile) {
   AXIOMETRY_TRY(const std::string file_name, given_file_name(name));
-  AXIOMETRY_TRY(MeasuredFile file, read_measured(bytes, file_name, profile));
+  const std::string key = file_key(sent.sha256, profile);
+  if (auto known = files.find(key)) return known;
+  AXIOMETRY_TRY(MeasuredFile file, read_measured(sent, file_name, profile));
   auto shared = std::make_shared<const MeasuredFile>(std::move(file));
-  files.remember(file_key(shared->sha256, profile), shared, shared->size + shared->memory + least_weight);
+  files.remember(key, shared, shared->size + shared->memory + least_weight);
   return shared;
 }
 
@@ -116,7 +118,7 @@ Result<std::shared_ptr<const MeasuredFile>> Workbench::State::file_of(const stor
   AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
   if (auto known = files.find(file_key(record.sha256, kept.profile))) return known;
   AXIOMETRY_TRY(const store::Content content, store.content(record.sha256));
-  return read(content.bytes, record.file_name, kept.profile);
+  return read({content.bytes, record.sha256}, record.file_name, kept.profile);
 }
 
 Result<Test> Workbench::State::measured(const store::TestRecord& record) {

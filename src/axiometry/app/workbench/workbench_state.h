@@ -34,8 +34,9 @@ struct Workbench::State {
   Recent<std::string, Evaluated> evaluations{64};                  ///< of kept versions: "12/3"
   std::mutex monte_carlo;                                          ///< a run takes all processors: one at a time
 
-  /// As somebody sends it. Fails as read_measured() and given_file_name() do.
-  Result<std::shared_ptr<const MeasuredFile>> read(std::string_view bytes, const std::string& name,
+  /// As somebody sends it; what was read a short while ago is not read again, and its tests then go by the name of that
+  /// day. Fails as read_measured() and given_file_name() do.
+  Result<std::shared_ptr<const MeasuredFile>> read(const HashedBytes& sent, const std::string& name,
                                                    const std::optional<formats::ImportProfile>& profile);
   /// By the profile that the version keeps, where it was received with one.
   Result<std::shared_ptr<const MeasuredFile>> file_of(const store::TestRecord& record);

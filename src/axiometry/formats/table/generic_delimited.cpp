@@ -10,6 +10,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/table/generic_draft.h"
+#include "axiometry/formats/table/guessed_read.h"
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
@@ -232,6 +233,10 @@ Result<Guess> guess(std::string_view bytes) {
 
 Result<Test> read_guessed(std::string_view bytes) {
   AXIOMETRY_TRY(const Guess found, guess(bytes));
+  return read_guessed(found, bytes);
+}
+
+Result<Test> read_guessed(const Guess& found, std::string_view bytes) {
   if (!found.questions.empty()) return fail(told(found.questions.front()), {found.first_line, 0});
   AXIOMETRY_TRY(Test test, read_with(found.profile, bytes));
   std::vector<SourceRemark> remarks = remarks_of(found);

@@ -1,0 +1,21 @@
+# The reference of the API, made by Doxygen of the public headers: target axiometry_reference, in reference/html of the
+# build. What Doxygen warns of fails it. Installed where it was made.
+find_package(Doxygen QUIET)
+if(NOT DOXYGEN_FOUND)
+  return()
+endif()
+axiometry_public_headers(reference_headers core)
+axiometry_public_headers(headers axiometry)
+list(APPEND reference_headers ${headers})
+set(AXIOMETRY_REFERENCE_INPUT "")
+foreach(header IN LISTS reference_headers)
+  set(file ${PROJECT_SOURCE_DIR}/src/axiometry/${header})
+  if(NOT EXISTS ${file})
+    set(file ${PROJECT_BINARY_DIR}/generated/axiometry/${header})
+  endif()
+  string(APPEND AXIOMETRY_REFERENCE_INPUT " \\\n  ${file}")
+endforeach()
+configure_file(${PROJECT_SOURCE_DIR}/docs/reference/Doxyfile.in ${PROJECT_BINARY_DIR}/Doxyfile @ONLY)
+add_custom_target(axiometry_reference COMMAND Doxygen::doxygen ${PROJECT_BINARY_DIR}/Doxyfile VERBATIM
+                  WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
+install(DIRECTORY ${PROJECT_BINARY_DIR}/reference/html/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/reference OPTIONAL)
