@@ -21,8 +21,8 @@ struct Fit {
 
 /// Gauss–Newton with the matrix of the first step (errors are so small that a new one would change the next digit by
 /// 1e-4 of the step), which is made anew when a station moved by more than 1 mm or steps shrink slowly. A step that
-/// makes χ² larger is halved. Ends when √(gᵀN⁻¹g), the step in standard uncertainties, is below 1e-6. Fails when it
-/// does not in 60 steps.
+/// makes χ² larger is halved. Ends with a step that is below 1e-6 in standard uncertainties, √(gᵀN⁻¹g): residuals are
+/// those before it. Fails when there is none in 60 steps.
 Result<Fit> least_squares(const Problem& problem, State start);
 
 /// Robust scale of normalised residuals v/σ: 1.4826 times the median of their sizes, at least 1.
