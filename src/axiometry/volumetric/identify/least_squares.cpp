@@ -11,7 +11,7 @@
 namespace axiometry::volumetric::detail {
 namespace {
 
-constexpr double converged_step = 1e-6;
+constexpr double converged_step = 1e-4;
 constexpr std::size_t steps_most = 60;
 constexpr double moved_far_mm = 1.0;
 constexpr double slow = 0.2;  // of one step to the next; 1e-4 is usual

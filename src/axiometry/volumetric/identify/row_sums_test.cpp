@@ -110,14 +110,14 @@ TEST(LeastSquares, OfVeryManyReadingsEndsWhereAllOfThemSay) {
   ASSERT_TRUE(done->run());
   const Problem problem = done->problem();
   ASSERT_GT(lengths.readings.size(), 80 * problem.unknowns.columns);  // so that some were taken for a start
-  EXPECT_LE(done->fit().iterations, 3u);
+  EXPECT_LE(done->fit().iterations, 2u);
   const Sights seen = sights(problem, done->fit().state);
   const std::vector<double> step = done->fit().solution.step(seen.gradient);
   double squared = 0.0;
   for (std::size_t k = 0; k < step.size(); ++k) squared += step[k] * seen.gradient[k];
   EXPECT_LT(std::sqrt(std::abs(squared)), 1e-6);
   for (std::size_t i = 0; i < seen.residuals_um.size(); ++i)
-    ASSERT_NEAR(seen.residuals_um[i], done->fit().residuals_um[i], 1e-6);
+    ASSERT_NEAR(seen.residuals_um[i], done->fit().residuals_um[i], 1e-5);
 }
 
 }  // namespace
