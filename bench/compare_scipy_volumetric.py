@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The 21 errors of a machine by scipy and by us, on the same lengths: 217 unknowns, cubic B-splines of eight spans.
+"""The 21 errors of a machine by scipy, Ceres and us, on the same lengths: 217 unknowns, cubic B-splines of eight spans.
 
 scipy: least_squares (trf, analytic Jacobian) with numpy's BLAS; and Gauss–Newton on normal equations in numpy, the
 fastest that can be written there. Both start where our program ends but for 0.1 mm of the stations; ours has to find them.
 
-Usage: bench/compare_scipy_volumetric.py PROGRAM [OBSERVATIONS]
+Ceres: bench/volumetric_ceres.cpp, which is built with the benchmarks where Ceres is installed; from the same start.
+
+Usage: bench/compare_scipy_volumetric.py PROGRAM [OBSERVATIONS [VOLUMETRIC_CERES]]
 """
 import json
 import pathlib
@@ -98,6 +100,26 @@ class Problem:
         return self.weight[:, None] * self.rows(beam / far[:, None])
 
 
+def blas():
+    """The library that numpy's products are made by."""
+    with open("/proc/self/maps") as maps:
+        libraries = {line.split()[-1] for line in maps if "blas" in line}
+    return "OpenBLAS" if any("openblas" in path for path in libraries) else "not OpenBLAS"
+
+
+def ceres_of(program, problem, axes, tool, station, start):
+    """Seconds, steps and χ²; the stations start where scipy's do."""
+    at = STATIONS[station] + 1e-3 * start[-40:].reshape(10, 4)[problem.virtual, :3]
+    with tempfile.NamedTemporaryFile("w", suffix=".txt") as file:
+        np.savetxt(file, np.column_stack([axes, TOOLS[tool], at, problem.weight, problem.l, problem.virtual]), fmt=["%.17g"] * 11 + ["%d"])
+        file.flush()
+        best = None
+        for _ in range(3):
+            words = subprocess.run([program, file.name, "2"], capture_output=True, text=True, check=True).stdout.split()
+            best = words if best is None or float(words[0]) < float(best[0]) else best
+    return float(best[0]), int(best[1]), float(best[2])
+
+
 def main():
     program, n = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 2000
     chance = np.random.default_rng(1)
@@ -136,10 +158,16 @@ def main():
                                        capture_output=True, text=True).stdout)
     ours = np.array([result["errors"][k]["value"] for k in ("C0Y", "B0Z", "A0Z")])
     u = np.array([result["errors"][k]["u"] for k in ("C0Y", "B0Z", "A0Z")])
+    print(f"numpy with {blas()}")
     print(f"{n} lengths, 217 unknowns, seconds: scipy trf {scipy_s:.3f}, numpy Gauss-Newton {numpy_s:.3f}, ours {ours_s:.4f}")
     print(f"ratio: scipy {scipy_s / ours_s:.1f}, numpy {numpy_s / ours_s:.1f}")
     print(f"squareness differs by {np.abs(ours - x[174:177]).max():.1e} µrad from numpy's, {np.abs(ours - found.x[174:177]).max():.1e} from "
           f"scipy's; u by {np.abs(u / result['variance_factor'] ** 0.5 / np.sqrt(np.diag(covariance))[174:177] - 1).max():.1e} of itself")
+
+    if len(sys.argv) > 3:
+        seconds, steps, chi = ceres_of(sys.argv[3], problem, axes, tool, station, start)
+        own = result["chi2_per_dof"] * (n - 217)
+        print(f"Ceres {seconds:.4f} s in {steps} steps, solution only; ratio {seconds / ours_s:.1f}; its χ² is {chi:.2f}, ours {own:.2f}")
 
 
 if __name__ == "__main__":

@@ -9,11 +9,27 @@ namespace axiometry::capture {
 namespace {
 
 constexpr std::size_t samples_to_judge = 3;
+constexpr double missing_steps = 10.0;
+constexpr double missing_least_s = 0.1;
 
 }  // namespace
 
 bool BeamWatch::jumps(const Sample& from, const Sample& to) const {
   return std::abs(to.position - from.position) > limit_.least_mm + limit_.speed_mm_per_s * (to.time_s - from.time_s);
+}
+
+/// The usual step follows slowly, and a long one counts as two.
+void BeamWatch::take_sound(const Sample& sample, const Sink& sink) {
+  constexpr double usual_steps = 16.0;
+  if (sound_) {
+    const double step_s = sample.time_s - sound_->time_s;
+    if (usual_step_s_ > 0.0 && step_s > std::max(missing_least_s, missing_steps * usual_step_s_) &&
+        std::abs(sample.position - sound_->position) > limit_.resting_mm)
+      sink.missing(sample.time_s);
+    usual_step_s_ +=
+        usual_step_s_ > 0.0 ? (std::min(step_s, 2.0 * usual_step_s_) - usual_step_s_) / usual_steps : step_s;
+  }
+  sound_ = sample;
 }
 
 void BeamWatch::push(std::span<const Sample> samples, const Sink& sink) {
@@ -27,7 +43,7 @@ void BeamWatch::push(std::span<const Sample> samples, const Sink& sink) {
   std::size_t begun = 0;  // first of those not handed on
   for (std::size_t k = 0; k < samples.size(); ++k) {
     if (!sound_ || !jumps(*sound_, samples[k])) {
-      sound_ = samples[k];
+      take_sound(samples[k], sink);
       continue;
     }
     const auto rest = samples.subspan(k);

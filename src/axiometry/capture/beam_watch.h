@@ -12,18 +12,21 @@ namespace axiometry::capture {
 
 /// Parts a recording of lengths where they jump from one sample to the next by more than any motion makes of them, and
 /// stay: the beam was broken and found again while samples went on. Up to two false samples in a row are no break.
-/// One pass; keeps three samples at most.
+/// Tells where so many samples are missing that the beam may have been broken meanwhile, though no jump shows it: for
+/// more than ten usual steps and 0.1 s, if the length changed. One pass; keeps three samples at most.
 class BeamWatch {
  public:
   struct Limit {
     double speed_mm_per_s = 500.0;  ///< no reflector is faster
     double least_mm = 0.5;          ///< a smaller jump is none, whatever the time between the samples
+    double resting_mm = 0.02;       ///< what a length changes by at most while the reflector rests
   };
   explicit BeamWatch(Limit limit) : limit_(limit) {}
 
   struct Sink {
     std::function<void(std::span<const Sample>)> samples;  ///< in their order
     std::function<void(double time_s)> broken;             ///< before the samples behind the break
+    std::function<void(double time_s)> missing;            ///< of the first sample behind those that are missing
   };
   void push(std::span<const Sample> samples, const Sink& sink);
   /// Samples are missing here, or the recording ends.
@@ -31,9 +34,11 @@ class BeamWatch {
 
  private:
   bool jumps(const Sample& from, const Sample& to) const;
+  void take_sound(const Sample& sample, const Sink& sink);
 
   Limit limit_;
   std::optional<Sample> sound_;  // the last sample that is no false one
+  double usual_step_s_ = 0.0;    // between samples; 0 before the second one
   std::vector<Sample> held_;     // from one that may be the first behind a break on
 };
 

@@ -192,18 +192,24 @@ StopListener::StopListener(std::vector<ExpectedStop> stops, const StopOptions& o
       detector_(rest_of(options)) {}
 
 BeamWatch::Sink StopListener::sink() {
-  const auto match = [this](const std::vector<Standstill>& found) {
-    for (const Standstill& s : found) matcher_.take(s);
-  };
-  return {.samples = [this, match](std::span<const Sample> samples) { match(detector_.push(samples)); },
-          .broken = [this, match](double) { match(detector_.interrupt()); }};
+  return {.samples = [this](std::span<const Sample> samples) { take(detector_.push(samples)); },
+          .broken = [this](double) { take(detector_.interrupt()); },
+          .missing = [this](double time_s) { missing_s_.push_back(time_s); }};
+}
+
+/// Samples that were missing for a time too short for the detector end no rest, but the dead path may be another one.
+void StopListener::take(const std::vector<Standstill>& found) {
+  for (Standstill s : found) {
+    for (; !missing_s_.empty() && missing_s_.front() <= s.begin_s; missing_s_.pop_front()) s.after_gap = true;
+    matcher_.take(s);
+  }
 }
 
 void StopListener::push(std::span<const Sample> samples) { watch_.push(samples, sink()); }
 
 void StopListener::interrupt() {
   watch_.interrupt(sink());
-  for (const Standstill& s : detector_.interrupt()) matcher_.take(s);
+  take(detector_.interrupt());
 }
 
 StopMatcher matched_to(const StopMatcher& heard, std::vector<ExpectedStop> stops) {

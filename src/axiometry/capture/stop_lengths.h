@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -96,8 +97,10 @@ class StopListener {
 
  private:
   BeamWatch::Sink sink();
+  void take(const std::vector<Standstill>& found);
 
   StopMatcher matcher_;
+  std::deque<double> missing_s_;  // where samples were missing on ways whose standstill has not come yet
   BeamWatch watch_;
   StandstillDetector detector_;
 };

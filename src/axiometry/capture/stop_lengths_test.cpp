@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/capture/stop_lengths.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "tests/support/cpu_time.h"
@@ -146,6 +148,78 @@ TEST(StopLengths, BeginsASegmentWhereTheBeamWasBrokenWithAndWithoutMissingSample
     EXPECT_EQ(lengths->stops[12].length->segment, 1u);
     EXPECT_EQ(lengths->stops[29].length->segment, 2u);
   }
+}
+
+/// Steps of some millimetres, as of a line.
+std::vector<Vector3> near_points(std::size_t count) {
+  std::vector<Vector3> points;
+  for (std::size_t k = 0; k < count; ++k)
+    points.push_back(Vector3{60.0, 40.0, 500.0} + static_cast<double>(k) * Vector3{7.0, 3.0, -2.0});
+  return points;
+}
+
+/// When the reflector comes to rest at a stop.
+double arrival_s(const MadeUpLengths& run, const std::vector<Vector3>& points, std::size_t stop) {
+  double time_s = 1.5;
+  for (std::size_t k = 0; k <= stop; ++k)
+    time_s += (k > 0 ? rest_s : 0.0) + 1.5 * distance(k > 0 ? points[k - 1] : run.home_mm, points[k]) / run.speed;
+  return time_s;
+}
+
+struct Lost {
+  double from_s = 0.0;
+  double to_s = 0.0;
+  double jump_mm = 0.0;  ///< of all behind it
+};
+
+std::vector<Sample> with_lost(std::vector<Sample> samples, const Lost& lost) {
+  std::erase_if(samples, [&](const Sample& s) { return s.time_s > lost.from_s && s.time_s < lost.to_s; });
+  for (Sample& s : samples)
+    if (s.time_s > lost.from_s) s.position += lost.jump_mm;
+  return samples;
+}
+
+/// A quarter of a second from stop to stop: samples of 0.3 s are missing, and what was shown before tells nothing of
+/// what is shown then. 0.3 mm are less than a machine may be off.
+TEST(StopLengths, BeginsASegmentWhereSamplesOfAShortWayAreMissing) {
+  const auto points = near_points(20);
+  for (const double jump_mm : {0.3, -0.3, 3.0, 0.0})
+    for (const double rate_hz : {100.0, 200.0, 1000.0}) {
+      SCOPED_TRACE(fmt::format("{} mm at {} Hz", jump_mm, rate_hz));
+      MadeUpLengths run;
+      run.rate_hz = rate_hz;
+      const double at_s = arrival_s(run, points, 8);
+      const auto recorded = with_lost(run.record(places_of(points)), {at_s - 0.28, at_s + 0.02, jump_mm});
+      const auto lengths = lengths_at_stops(recorded, stops_at(points, run.station_mm), options());
+      ASSERT_TRUE(lengths) << lengths.error().message;
+      EXPECT_EQ(lengths->found(), points.size());
+      ASSERT_EQ(lengths->segments.size(), 1u);
+      EXPECT_EQ(lengths->segments[0].stop, 8u);
+      EXPECT_FALSE(lengths->segments[0].untold);
+      std::map<std::size_t, double> dead_paths;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const double dead_path = distance(points[k], run.station_mm) - lengths->stops[k].length->length_mm;
+        EXPECT_NEAR(dead_path, dead_paths.emplace(lengths->stops[k].length->segment, dead_path).first->second, 0.001);
+      }
+    }
+}
+
+TEST(StopLengths, GoesOnWhereSamplesAreMissingWhileTheReflectorRests) {
+  const auto points = near_points(20);
+  MadeUpLengths run;
+  const double at_s = arrival_s(run, points, 8);
+  const auto recorded = run.record(places_of(points));
+  const auto goes_on =
+      lengths_at_stops(with_lost(recorded, {at_s + 1.2, at_s + 1.5, 0.0}), stops_at(points, run.station_mm), options());
+  ASSERT_TRUE(goes_on) << goes_on.error().message;
+  EXPECT_EQ(goes_on->found(), points.size());
+  EXPECT_TRUE(goes_on->segments.empty());
+  const auto broken =
+      lengths_at_stops(with_lost(recorded, {at_s + 1.2, at_s + 1.5, 0.3}), stops_at(points, run.station_mm), options());
+  ASSERT_TRUE(broken) << broken.error().message;
+  ASSERT_EQ(broken->segments.size(), 1u);
+  EXPECT_EQ(broken->segments[0].stop, 9u);
+  EXPECT_TRUE(broken->stops[8].length.has_value());
 }
 
 TEST(StopLengths, FindsABreakThatOnlyTheLengthsTell) {

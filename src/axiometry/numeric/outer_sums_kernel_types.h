@@ -7,25 +7,20 @@
 
 namespace axiometry::numeric {
 
-/// Neighbouring entries of a row that is 0 elsewhere.
-struct RowPiece {
-  std::size_t first = 0;
-  std::size_t count = 0;
-  const double* values = nullptr;
-};
-
-/// A row as pieces whose places rise, and its weight.
-struct PiecedRow {
-  const RowPiece* pieces = nullptr;
-  std::size_t count = 0;
-  double weight = 0.0;
+/// Two neighbouring blocks, or one and itself, of numbers that lie in the same rows.
+struct OuterBlocks {
+  const double* left = nullptr;  ///< of the first row
+  std::size_t left_count = 0;
+  const double* right = nullptr;
+  std::size_t right_count = 0;
+  std::size_t rows = 0;
+  std::size_t stride = 0;  ///< from one row to the next
 };
 
 struct OuterSumsKernel {
-  /// Adds w a aᵀ to the upper triangle of a matrix of `columns` squared by rows; entries below it may change.
-  void (*add)(PiecedRow row, double* matrix, std::size_t columns);
-  /// The same of four rows whose pieces have the same places, with a quarter of the memory's work.
-  void (*add_four)(const PiecedRow* rows, double* matrix, std::size_t columns);
+  /// to[i · columns + k] += Σ_n left_n[i] right_n[k]; of a block and itself, what lies below the diagonal may be left
+  /// out.
+  void (*add)(const OuterBlocks& blocks, double* to, std::size_t columns);
 };
 
 /// The one for this target; contract: it is available.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/volumetric/curves/beam_row.h"
 
-#include <algorithm>
-
 namespace axiometry::volumetric {
 
 BeamRow::BeamRow(const Coefficients& coefficients, const MachineModel& machine, Vector3 axes_mm, Vector3 tool_mm,
@@ -14,10 +12,8 @@ BeamRow::BeamRow(const Coefficients& coefficients, const MachineModel& machine, 
     source = {coefficients.basis(a).at(axes_mm[a]), 1e-3 * levers[a]};
     add_piece(coefficients.curve(a) + source.active.first * motion_count, source.active.count * motion_count);
   }
-  add_piece(coefficients.squareness(), 3);
-  if (coefficients.reversal() == Reversal::none) return;
   for (std::size_t a = 0; a < axis_count; ++a) {
-    if (approaches[a] == 0.0) continue;
+    if (coefficients.reversal() == Reversal::none || approaches[a] == 0.0) continue;
     Source& source = sources_[source_count_++];
     source = sources_[a];
     if (coefficients.reversal() == Reversal::constant) {
@@ -28,6 +24,7 @@ BeamRow::BeamRow(const Coefficients& coefficients, const MachineModel& machine, 
     for (std::size_t k = 0; k < source.active.count; ++k) source.active.values[k] *= approaches[a];
     add_piece(coefficients.half(a) + source.active.first * motion_count, source.active.count * motion_count);
   }
+  add_piece(coefficients.squareness(), 3);
 }
 
 void BeamRow::add_piece(std::size_t first, std::size_t count) {
@@ -41,11 +38,11 @@ std::array<double, motion_count> BeamRow::plucker(Vector3 u, Vector3 lever_m) {
 }
 
 Vector3 BeamRow::displacement_um(std::span<const double> raw) const {
-  const double* square = raw.data() + pieces_[axis_count].first;
+  const double* square = raw.data() + pieces_[source_count_].first;
   Vector3 sum{-square[0] * axes_m_.y + square[1] * axes_m_.z, -square[2] * axes_m_.z, 0.0};
   for (std::size_t s = 0; s < source_count_; ++s) {
     const ActiveFunctions& active = sources_[s].active;
-    const double* from = raw.data() + place(s);
+    const double* from = raw.data() + pieces_[s].first;
     std::array<double, motion_count> e{};
     for (std::size_t k = 0; k < active.count; ++k, from += motion_count) {
       const double value = active.values[k];
@@ -61,26 +58,28 @@ void BeamRow::add_times(Vector3 u, double factor, std::span<double> sum) const {
     const ActiveFunctions& active = sources_[s].active;
     std::array<double, motion_count> p = plucker(u, sources_[s].lever_m);
     for (double& x : p) x *= factor;
-    double* to = sum.data() + place(s);
+    double* to = sum.data() + pieces_[s].first;
     for (std::size_t k = 0; k < active.count; ++k, to += motion_count) {
       const double value = active.values[k];
       for (std::size_t m = 0; m < motion_count; ++m) to[m] += value * p[m];
     }
   }
   const std::array<double, 3> square = squareness(u);
-  double* to = sum.data() + pieces_[axis_count].first;
+  double* to = sum.data() + pieces_[source_count_].first;
   for (std::size_t k = 0; k < square.size(); ++k) to[k] += factor * square[k];
 }
 
-void BeamRow::along(Vector3 u) {
-  double* value = values_.data();
+void BeamRow::write(Vector3 u, double factor, double* to) const {
   for (std::size_t s = 0; s < source_count_; ++s) {
-    if (s == axis_count) value += 3;
-    const std::array<double, motion_count> p = plucker(u, sources_[s].lever_m);
-    for (std::size_t k = 0; k < sources_[s].active.count; ++k)
-      for (std::size_t m = 0; m < motion_count; ++m) *value++ = sources_[s].active.values[k] * p[m];
-    if (s + 1 == axis_count) std::ranges::copy(squareness(u), value);
+    const ActiveFunctions& active = sources_[s].active;
+    std::array<double, motion_count> p = plucker(u, sources_[s].lever_m);
+    for (double& x : p) x *= factor;
+    for (std::size_t k = 0; k < active.count; ++k, to += motion_count) {
+      const double value = active.values[k];
+      for (std::size_t m = 0; m < motion_count; ++m) to[m] = value * p[m];
+    }
   }
+  for (const double entry : squareness(u)) *to++ = factor * entry;
 }
 
 double BeamRow::times(std::span<const double> raw) const {

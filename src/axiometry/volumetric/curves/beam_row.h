@@ -6,7 +6,6 @@
 #include <span>
 
 #include "axiometry/base/vector3.h"
-#include "axiometry/numeric/outer_sums_kernel_types.h"
 #include "axiometry/volumetric/curves/coefficients.h"
 #include "axiometry/volumetric/machine/machine_model.h"
 
@@ -17,7 +16,12 @@ namespace axiometry::volumetric {
 
 class BeamRow {
  public:
-  using Piece = numeric::RowPiece;
+  /// Neighbouring entries of a row that is 0 elsewhere.
+  struct Piece {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    const double* values = nullptr;
+  };
 
   BeamRow(const Coefficients& coefficients, const MachineModel& machine, Vector3 axes_mm, Vector3 tool_mm,
           Approaches approaches = {});
@@ -29,9 +33,13 @@ class BeamRow {
   /// Adds factor · the row of a direction: of one use less work than along().
   void add_times(Vector3 direction, double factor, std::span<double> sum) const;
 
-  /// Turns the row into that of another direction of length 1 (at first: of none).
-  void along(Vector3 direction);
+  /// Writes factor · the row of a direction: the entries of its pieces, one behind the other.
+  void write(Vector3 direction, double factor, double* to) const;
 
+  /// Turns the row into that of another direction of length 1 (at first: of none).
+  void along(Vector3 direction) { write(direction, 1.0, values_.data()); }
+
+  /// Of the curves of X, Y, Z, of their reversal where there is one, and last of squareness.
   std::span<const Piece> pieces() const { return {pieces_.data(), piece_count_}; }
   double times(std::span<const double> raw_coefficients) const;
   double squares() const;  ///< Σ a²
@@ -42,9 +50,6 @@ class BeamRow {
     Vector3 lever_m;
   };
   void add_piece(std::size_t first, std::size_t count);
-  std::size_t place(std::size_t source) const {  ///< raw, of its first coefficient
-    return pieces_[source < axis_count ? source : source + 1].first;
-  }
   /// Plücker coordinates of a beam through the tool point.
   static std::array<double, motion_count> plucker(Vector3 direction, Vector3 lever_m);
   /// Of C0Y, B0Z and A0Z.
@@ -54,7 +59,7 @@ class BeamRow {
 
   std::array<Source, 2 * axis_count> sources_;
   std::size_t source_count_ = 0;
-  std::array<Piece, 2 * axis_count + 1> pieces_;
+  std::array<Piece, 2 * axis_count + 1> pieces_;  ///< of the sources, then of squareness
   std::size_t piece_count_ = 0;
   Vector3 axes_m_;
   std::size_t value_count_ = 0;

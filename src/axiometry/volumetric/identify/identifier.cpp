@@ -12,6 +12,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/volumetric/identify/station_start.h"
+#include "axiometry/volumetric/identify/thinned_problem.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
@@ -21,7 +22,9 @@ constexpr std::size_t outlier_rounds = 6;
 constexpr std::size_t huber_rounds = 8;
 constexpr double drift_chance_most = 1e-3;
 constexpr std::size_t choice_readings_most = 40'000;  // sizes of curves are chosen on so many
-constexpr double travel_slack_mm = 0.01;              // what programs are rounded to, and more
+constexpr std::size_t readings_for_unknown = 20;      // for a start
+constexpr std::size_t many_times_enough = 4;
+constexpr double travel_slack_mm = 0.01;  // what programs are rounded to, and more
 
 /// For a first look, before breaks and outliers are known: what a machine's errors usually need.
 constexpr std::size_t first_size = 5;
@@ -186,14 +189,28 @@ Result<void> Identifier::start() {
     return fail(fmt::format("found {} segments, expected at most {}: a segment ends where the beam was broken",
                             unknowns_->stretches.size(), stretches_most));
   AXIOMETRY_TRY(state_, start_state(problem(), lengths_));
-  if (!sigmas_.empty()) return {};
+  if (sigmas_.empty()) take_sigmas();
+  refine_start();
+  return {};
+}
+
+void Identifier::take_sigmas() {
   for (std::size_t i = 0; i < lengths_.readings.size(); ++i) {
     const Vector3 station = state_->stations_mm[unknowns_->stretches[unknowns_->stretch_of[i]].virtual_station];
     const VolumetricReading& reading = lengths_.readings[i];
     sigmas_.push_back(machine_.sigma_um(distance(reading.axes_mm + tools_mm_[reading.tool], station)));
   }
   weights_ = stated_weights();
-  return {};
+}
+
+/// Of very many readings some bring the start so near that one step of all is enough. Where these do not tell
+/// everything, directions that nothing tells must not be begun with.
+void Identifier::refine_start() {
+  const std::size_t enough = readings_for_unknown * unknowns_->columns;
+  if (lengths_.readings.size() < many_times_enough * enough) return;
+  const ThinnedProblem few(problem(), some_of_each_stretch(*unknowns_, enough));
+  auto fit = least_squares(few.problem(), *state_);
+  if (fit && fit->solution.null_directions() == 0) state_ = std::move(fit->state);
 }
 
 Result<void> Identifier::refit() {
@@ -276,16 +293,16 @@ std::optional<double> Identifier::criterion(const Sizes& sizes) const {
   State state = fit_->state;
   state.coefficients.assign(coefficients->raw(), 0.0);
   const std::size_t step = lengths_.readings.size() / choice_readings_most + 1;
-  std::vector<double> weights = weights_;
+  std::vector<std::size_t> some;
   std::size_t used = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    if (i % step != 0) weights[i] = 0.0;
-    if (weights[i] > 0.0) ++used;
+  for (std::size_t i = 0; i < weights_.size(); i += step) {
+    some.push_back(i);
+    if (weights_[i] > 0.0) ++used;
   }
   if (used < coefficients->free() + unknowns.columns - coefficients->raw() + 2) return std::nullopt;
-  const auto fit =
-      least_squares({machine_, *coefficients, unknowns, lengths_.readings, tools_mm_, approaches_, weights, threads()},
-                    std::move(state));
+  const ThinnedProblem few(
+      {machine_, *coefficients, unknowns, lengths_.readings, tools_mm_, approaches_, weights_, threads()}, some);
+  const auto fit = least_squares(few.problem(), std::move(state));
   if (!fit) return std::nullopt;
   return akaike(fit->chi_squared, used, fit->solution.unknowns() - fit->solution.null_directions());
 }

@@ -49,6 +49,8 @@ class Identifier {
   Result<Coefficients> coefficients_of(const Sizes& sizes) const;
   Result<void> take_sizes(const Sizes& sizes);
   Result<void> start();
+  void take_sigmas();
+  void refine_start();
   Result<void> fit_first();
   Result<void> refit();
   Result<void> find_breaks();

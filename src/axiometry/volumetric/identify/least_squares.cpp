@@ -11,7 +11,7 @@
 namespace axiometry::volumetric::detail {
 namespace {
 
-constexpr double converged_step = 1e-6;
+constexpr double converged_step = 1e-4;
 constexpr std::size_t steps_most = 60;
 constexpr double moved_far_mm = 1.0;
 constexpr double slow = 0.2;  // of one step to the next; 1e-4 is usual
@@ -50,6 +50,11 @@ Result<Fit> least_squares(const Problem& problem, State state) {
     for (std::size_t k = 0; k < step.size(); ++k) decrease += step[k] * seen.gradient[k];
     const double size = std::sqrt(std::max(0.0, decrease));
     if (!std::isfinite(size)) break;
+    if (size < converged_step) {
+      apply(problem.unknowns, step, state);
+      return Fit{std::move(state), std::move(seen.residuals_um), std::move(seen.beams), std::move(solution), chi,
+                 step_number};
+    }
     const State from = state;
     const double chi_before = chi;
     for (int halved = 0;; ++halved) {
@@ -61,9 +66,6 @@ Result<Fit> least_squares(const Problem& problem, State state) {
       for (double& x : step) x *= 0.5;
     }
     const bool is_far = farthest(linearised_at, state.stations_mm) > moved_far_mm;
-    if (size < converged_step && !is_far)
-      return Fit{std::move(state), std::move(seen.residuals_um), std::move(seen.beams), std::move(solution), chi,
-                 step_number};
     if (is_far || (before > 0.0 && size > slow * before)) {
       linearised_at = state.stations_mm;
       solution = linear_solution(problem, state, normal_equations(problem, seen));

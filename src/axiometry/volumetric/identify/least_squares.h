@@ -21,8 +21,9 @@ struct Fit {
 
 /// Gauss–Newton with the matrix of the first step (errors are so small that a new one would change the next digit by
 /// 1e-4 of the step), which is made anew when a station moved by more than 1 mm or steps shrink slowly. A step that
-/// makes χ² larger is halved. Ends when √(gᵀN⁻¹g), the step in standard uncertainties, is below 1e-6. Fails when it
-/// does not in 60 steps.
+/// makes χ² larger is halved. Ends with a step that is below 1e-4 in standard uncertainties, √(gᵀN⁻¹g), and is taken
+/// still: what it leaves is less by as much as steps shrink, 1e-8 where 1e-4 is usual. Residuals are those before it,
+/// which are off by less than 1e-4 σ. Fails when there is none in 60 steps.
 Result<Fit> least_squares(const Problem& problem, State start);
 
 /// Robust scale of normalised residuals v/σ: 1.4826 times the median of their sizes, at least 1.

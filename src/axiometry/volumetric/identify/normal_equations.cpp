@@ -2,14 +2,10 @@
 #include "axiometry/volumetric/identify/normal_equations.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <compare>
-#include <cstdint>
-#include <thread>
 
-#include "axiometry/numeric/outer_sums.h"
-#include "axiometry/volumetric/curves/beam_row.h"
+#include "axiometry/numeric/side_by_side.h"
+#include "axiometry/volumetric/identify/row_sums.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
@@ -28,76 +24,7 @@ std::size_t chunk_count(const Problem& problem) {
 template <typename Work>
 void for_chunks(const Problem& problem, const Work& work) {
   const std::size_t n = problem.readings.size(), chunks = chunk_count(problem);
-  const auto run = [&](std::size_t first, std::size_t step) {
-    for (std::size_t c = first; c < chunks; c += step) work(c, n * c / chunks, n * (c + 1) / chunks);
-  };
-  const std::size_t threads = std::min(std::max(problem.threads, std::size_t{1}), chunks);
-  std::vector<std::jthread> others;
-  for (std::size_t k = 1; k < threads; ++k) others.emplace_back(run, k, threads);
-  run(0, threads);
-}
-
-Approaches approaches_of(const Problem& problem, std::size_t i) {
-  return problem.approaches.empty() ? Approaches{} : problem.approaches[i];
-}
-
-/// a of one reading, as pieces of neighbouring columns that rise.
-class Row {
- public:
-  Row(const Problem& problem, Vector3 u, std::size_t i)
-      : beam_(problem.coefficients, problem.machine, problem.readings[i].axes_mm, problem.tool_mm(i),
-              approaches_of(problem, i)) {
-    const Stretch& stretch = problem.unknowns.stretches[problem.unknowns.stretch_of[i]];
-    const VirtualStation& station = problem.unknowns.stations[stretch.virtual_station];
-    beam_.along(u);
-    for (const BeamRow::Piece& piece : beam_.pieces()) pieces_[count_++] = piece;
-    own_ = {-u.x, -u.y, -u.z, -1.0, problem.unknowns.along_stretch[i]};
-    pieces_[count_++] = {station.column, 3, own_.data()};
-    pieces_[count_++] = {stretch.column, problem.unknowns.drift ? std::size_t{2} : std::size_t{1}, own_.data() + 3};
-    weight_ = problem.weights[i];
-  }
-  Row(const Row&) = delete;
-  Row& operator=(const Row&) = delete;
-
-  std::span<const BeamRow::Piece> pieces() const { return {pieces_.data(), count_}; }
-  numeric::PiecedRow pieced() const { return {pieces_.data(), count_, weight_}; }
-
- private:
-  BeamRow beam_;
-  std::array<double, 5> own_{};
-  std::array<BeamRow::Piece, 2 * axis_count + 3> pieces_;
-  std::size_t count_ = 0;
-  double weight_ = 0.0;
-};
-
-struct Placed {
-  std::uint64_t place = 0;  ///< alike: rows have their pieces at the same columns
-  std::size_t reading = 0;
-  friend auto operator<=>(const Placed&, const Placed&) = default;
-};
-
-/// Readings that count, those of the same stretch and spans of all axes together.
-std::vector<Placed> by_place(const Problem& problem, std::size_t begin, std::size_t end) {
-  std::vector<Placed> order;
-  order.reserve(end - begin);
-  for (std::size_t i = begin; i < end; ++i) {
-    if (problem.weights[i] == 0.0) continue;
-    constexpr std::uint64_t spans_most = 512;
-    std::uint64_t place = problem.unknowns.stretch_of[i];
-    const Approaches approaches = approaches_of(problem, i);
-    for (std::size_t a = 0; a < axis_count; ++a) {
-      place = place * spans_most + problem.coefficients.basis(a).first_active(problem.readings[i].axes_mm[a]);
-      place = 2 * place + (approaches[a] != 0.0 ? 1 : 0);
-    }
-    order.push_back({place, i});
-  }
-  std::ranges::sort(order);
-  return order;
-}
-
-BeamRow beam_row(const Problem& problem, std::size_t i) {
-  return {problem.coefficients, problem.machine, problem.readings[i].axes_mm, problem.tool_mm(i),
-          approaches_of(problem, i)};
+  numeric::side_by_side(chunks, problem.threads, [&](std::size_t c) { work(c, n * c / chunks, n * (c + 1) / chunks); });
 }
 
 /// factor · a of one reading.
@@ -148,25 +75,13 @@ Sights sights(const Problem& problem, const State& state) {
 }
 
 NormalEquations normal_equations(const Problem& problem, const Sights& sights) {
-  const std::size_t n = problem.unknowns.columns;
   std::vector<std::vector<double>> parts(chunk_count(problem));
   for_chunks(problem, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    std::vector<double>& matrix = parts[chunk];
-    matrix.assign(n * n, 0.0);
-    const std::vector<Placed> order = by_place(problem, begin, end);
-    const auto row = [&](std::size_t k) { return Row(problem, sights.beams[order[k].reading], order[k].reading); };
-    for (std::size_t k = 0; k < order.size();) {
-      if (k + 3 < order.size() && order[k].place == order[k + 3].place) {
-        const Row rows[4] = {row(k), row(k + 1), row(k + 2), row(k + 3)};
-        numeric::add_outers({{rows[0].pieced(), rows[1].pieced(), rows[2].pieced(), rows[3].pieced()}}, matrix, n);
-        k += 4;
-      } else {
-        numeric::add_outer(row(k).pieces(), problem.weights[order[k].reading], matrix, n);
-        ++k;
-      }
-    }
+    parts[chunk] = row_sums(problem, sights.beams, begin, end);
   });
-  return {n, sum_of(std::move(parts))};
+  NormalEquations equations{problem.unknowns.columns, sum_of(std::move(parts))};
+  fill_upper_triangle(problem, equations.matrix);
+  return equations;
 }
 
 std::vector<double> gradient(const Problem& problem, std::span<const Vector3> beams, std::span<const double> v) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "axiometry/volumetric/curves/beam_row.h"
 #include "axiometry/volumetric/identify/unknowns.h"
 
 /// The lengths linearised (Lee et al., eq. 2, with the machine instead of free points):
@@ -24,6 +25,16 @@ struct Problem {
 
   Vector3 tool_mm(std::size_t i) const { return tools_mm[readings[i].tool]; }
 };
+
+inline Approaches approaches_of(const Problem& problem, std::size_t i) {
+  return problem.approaches.empty() ? Approaches{} : problem.approaches[i];
+}
+
+/// What the coefficients make of a reading.
+inline BeamRow beam_row(const Problem& problem, std::size_t i) {
+  return {problem.coefficients, problem.machine, problem.readings[i].axes_mm, problem.tool_mm(i),
+          approaches_of(problem, i)};
+}
 
 /// Symmetric, by rows, only its upper triangle filled.
 struct NormalEquations {

@@ -12,6 +12,7 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/median.h"
+#include "axiometry/numeric/side_by_side.h"
 #include "axiometry/tracking/station/station_fit.h"
 
 namespace axiometry::volumetric::detail {
@@ -191,6 +192,50 @@ Vector3 chosen(std::span<const Vector3> places, std::optional<Vector3> stated) {
   return *std::ranges::min_element(places, before);
 }
 
+/// Of one virtual station.
+struct Start {
+  Vector3 station_mm;
+  std::vector<double> dead_paths_mm;  ///< of its stretches
+};
+
+struct StartNames {
+  const std::string& station;
+  const std::string& tool;
+};
+
+/// `longest` is the stretch with the most sights.
+Result<Start> start_of(const std::vector<Sight>& sights, std::size_t stretches, std::size_t longest,
+                       const StartNames& names, std::optional<Vector3> stated) {
+  const auto of_station = [&] {
+    return fmt::format("of station {} with tool {}", text::quoted(names.station), text::quoted(names.tool));
+  };
+  const std::vector<LocationPoint> points = points_of(sights, longest);
+  if (points.size() < readings_least)
+    return fail(
+        fmt::format("found at most {} lengths {} between breaks of the beam, expected at least {}, to find where it "
+                    "stands",
+                    points.size(), of_station(), readings_least));
+  const std::vector<Vector3> found = places(points);
+  if (const auto what = in_inches(points, least_misfit_mm(points, found)))
+    return fail(
+        fmt::format("found lengths {} that fit when the {} are read as inches, expected all numbers in mm, or their "
+                    "unit in the head",
+                    of_station(), *what));
+  if (found.empty() && fit_reversed(points))
+    return fail(fmt::format(
+        "found lengths {} that fit with the other sign, expected lengths that grow with the distance", of_station()));
+  if (found.empty())
+    return fail(
+        fmt::format("found no place for station {} from its lengths with tool {}, expected points that spread in three "
+                    "directions and lengths in their unit",
+                    text::quoted(names.station), text::quoted(names.tool)));
+  const std::vector<Sight> some = thinned(sights, stretches);
+  Refinement refinement(some, stretches);
+  Start start{refinement.from(chosen(found, stated)), {}};
+  for (std::size_t k = 0; k < stretches; ++k) start.dead_paths_mm.push_back(refinement.dead_path_mm(k));
+  return start;
+}
+
 }  // namespace
 
 Result<State> start_state(const Problem& problem, const VolumetricLengths& names) {
@@ -213,37 +258,18 @@ Result<State> start_state(const Problem& problem, const VolumetricLengths& names
     sights[unknowns.stretches[stretch].virtual_station].push_back(
         {problem.readings[i].axes_mm + problem.tool_mm(i), problem.readings[i].length_mm, place_of[stretch]});
   }
-  for (std::size_t v = 0; v < unknowns.stations.size(); ++v) {
+  std::vector<Result<Start>> starts(unknowns.stations.size(), Start{});
+  numeric::side_by_side(starts.size(), problem.threads, [&](std::size_t v) {
     const std::string& station = names.stations[unknowns.stations[v].station];
-    const std::string& tool = names.tools[unknowns.stations[v].tool];
     const std::size_t longest =
         *std::ranges::max_element(stretches[v], {}, [&](std::size_t k) { return unknowns.stretches[k].readings; });
-    const std::vector<LocationPoint> points = points_of(sights[v], place_of[longest]);
-    if (points.size() < readings_least)
-      return fail(
-          fmt::format("found at most {} lengths of station {} with tool {} between breaks of the beam, expected "
-                      "at least {}, to find where it stands",
-                      points.size(), text::quoted(station), text::quoted(tool), readings_least));
-    const std::vector<Vector3> found = places(points);
-    if (const auto what = in_inches(points, least_misfit_mm(points, found)))
-      return fail(
-          fmt::format("found lengths of station {} with tool {} that fit when the {} are read as inches, expected all "
-                      "numbers in mm, or their unit in the head",
-                      text::quoted(station), text::quoted(tool), *what));
-    if (found.empty() && fit_reversed(points))
-      return fail(
-          fmt::format("found lengths of station {} with tool {} that fit with the other sign, expected lengths that "
-                      "grow with the distance",
-                      text::quoted(station), text::quoted(tool)));
-    if (found.empty())
-      return fail(
-          fmt::format("found no place for station {} from its lengths with tool {}, expected points that spread "
-                      "in three directions and lengths in their unit",
-                      text::quoted(station), text::quoted(tool)));
-    const std::vector<Sight> some = thinned(sights[v], stretches[v].size());
-    Refinement refinement(some, stretches[v].size());
-    state.stations_mm[v] = refinement.from(chosen(found, stated_place(problem.machine, station)));
-    for (std::size_t k : stretches[v]) state.dead_paths_mm[k] = refinement.dead_path_mm(place_of[k]);
+    starts[v] = start_of(sights[v], stretches[v].size(), place_of[longest],
+                         {station, names.tools[unknowns.stations[v].tool]}, stated_place(problem.machine, station));
+  });
+  for (std::size_t v = 0; v < starts.size(); ++v) {
+    AXIOMETRY_TRY(const Start start, std::move(starts[v]));
+    state.stations_mm[v] = start.station_mm;
+    for (const std::size_t k : stretches[v]) state.dead_paths_mm[k] = start.dead_paths_mm[place_of[k]];
   }
   return state;
 }

@@ -56,14 +56,14 @@ std::string KinematicChain::text() const {
 }
 
 std::array<Vector3, 3> KinematicChain::levers(Vector3 axes, Vector3 tool) const {
-  std::array<Vector3, 3> r{};
-  Vector3 behind = tool;
+  std::array<Vector3, 3> r;
+  const std::array<double, 3> way = {axes.x, axes.y, axes.z};
+  std::array<double, 3> behind = {tool.x, tool.y, tool.z};
   for (std::size_t k = 3; k-- > 0;) {
     const std::size_t a = order_[k];
-    Vector3 own = behind;
-    own[a] += axes[a];
-    r[a] = carries_workpiece_[a] ? own : behind;
-    behind = own;
+    const Vector3 without = {behind[0], behind[1], behind[2]};
+    behind[a] += way[a];
+    r[a] = carries_workpiece_[a] ? Vector3{behind[0], behind[1], behind[2]} : without;
   }
   return r;
 }
