@@ -73,6 +73,8 @@ def seeds(program, folder):
     yield "counter", capture + ["--from", "@", "--wavelength", "632.82", "--counts-per-wavelength", "8", "--zero", "first-target"], (files / "capture.files/counter.txt").read_bytes()
     yield "array", capture + ["--from", "@"], npy(samples)
     yield "monitor", capture + ["--from", "@"], monitor(samples)
+    yield "frames", capture + ["--from", "@"], b"".join(frame(float(x)) for _, x in samples)
+    yield "motion", ["dynamic", "-q", "@"], rtx([float(x) for _, x in samples])
     yield "capture's plan", ["capture", "--plan", "@", "--from", str(files / "capture.files/run.csv")], (files / "capture.files/x.plan.json").read_bytes()
     tracking = files / "tracking-evaluate.files"
     yield "lengths", ["tracking", "evaluate", "@", "--plan", str(tracking / "seven.json")], (tracking / "lengths.csv").read_bytes()
@@ -116,6 +118,23 @@ DRIFT = "time_s,deviation_um\n" + "".join(f"{10 * k},{(k * 37 % 11) / 10 - 0.5}\
 def monitor(samples):
     """Samples as the monitor of a control system writes them."""
     return "".join(f"A:Laser 2026-01-31 10:{float(t) // 60:02.0f}:{float(t) % 60:05.2f} {x}\n" for t, x in samples).encode()
+
+
+def frame(mm):
+    """A distance as an HPI-3D sends it."""
+    body = b"\xaa\xb0\x15" + round(mm * 1e7).to_bytes(7, "big", signed=True) + bytes([0, 0, 0, 9, 90])
+    check = 0xFF
+    for byte in body:
+        check ^= byte
+        for _ in range(8):
+            check = (check << 1 ^ (0x31 if check & 0x80 else 0)) & 0xFF
+    return body + bytes([check])
+
+
+def rtx(positions):
+    """A dynamic recording of Renishaw."""
+    head = f"HEADER::\r\nSample no: {len(positions)}\r\nActual sample rate: 1000\r\nData:\r\n"
+    return head.encode() + struct.pack(f"<{len(positions)}d", *positions) + b"\r\nEOF::\r\n"
 
 
 def npy(samples):

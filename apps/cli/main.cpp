@@ -13,6 +13,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
 #include "cli/flags/verb.h"
+#include "cli/verbs/command_dynamic.h"
 #include "cli/verbs/commands.h"
 
 namespace {
@@ -68,6 +69,7 @@ int run(int argc, char** argv) {
   add_straightness(verbs, exit_code);
   add_squareness(verbs, exit_code);
   add_angles(verbs, exit_code);
+  add_dynamic(verbs, exit_code);
   add_compare_rules(verbs, exit_code);
   add_compensate(verbs, exit_code);
   add_simulate(verbs, exit_code);

@@ -24,8 +24,9 @@ void check_samples(const testing_support::ReadSamples& read) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes = fuzzing::as_text(data, size);
   if (const auto found = formats::recognise_recording(bytes); !found) fuzzing::check_error(found.error());
-  formats::RecordingOptions options{.units_per_count = 1e-4};
   for (const formats::Recording* layout : formats::recording_table()) {
+    formats::RecordingOptions options;
+    if (layout->id == "umd") options.units_per_count = 1e-4;
     const auto whole = testing_support::read_samples(layout->id, bytes, options);
     check_samples(whole);
     const auto cut = testing_support::read_samples(layout->id, bytes, options, 1 + size % 7);

@@ -30,6 +30,10 @@ constexpr Phrase rows[] = {
     {"drifts by {0#} while at rest", "driftet im Stillstand um {0}"},
     {"found a device, a pipe or a folder, expected a file",
      "ein Gerät, eine Leitung oder ein Ordner; erwartet: eine Datei"},
+    {"found a length per count for the stream of an HPI-3D, expected none: it tells distances",
+     "eine Länge je Zählschritt für den Datenstrom eines HPI-3D; erwartet: keine, denn er nennt Abstände"},
+    {"found a number that is not finite in sample {0#}, expected a position",
+     "eine nicht endliche Zahl in Abtastwert {0}; erwartet: eine Position"},
     {"found a part, a datum or a zero for a plan of lines, expected none: lengths have a dead path that is not known",
      "ein Teil, ein Bezug oder ein Nullpunkt zu einem Plan von Linien; erwartet: keines davon, denn Längen haben eine "
      "unbekannte Totstrecke"},
@@ -41,8 +45,14 @@ constexpr Phrase rows[] = {
      "to the overrun",
      "Fenster von ±{0} um die Zielpositionen; erwartet: eines über 0 und unter {1}, dem halben Weg zur nächsten "
      "Zielposition und zum Überlauf"},
+    {"found an .rtx recording that ends in its header, expected samples",
+     "eine .rtx-Aufzeichnung, die in ihrem Kopf endet; erwartet: Abtastwerte"},
     {"found another program at this recording, expected none: it has one listener",
      "ein anderes Programm ist an dieser Aufzeichnung; erwartet: keines, denn nur eines kann hören"},
+    {"found axis {0#} of the stream, expected 1: it holds one distance",
+     "Achse {0} des Datenstroms; erwartet: 1, denn er enthält einen Abstand"},
+    {"found bytes that are no frame behind frame {0#}, expected AA B0, {1#} bytes with a check that is right",
+     "Bytes hinter dem Datenpaket {0}, die keines sind; erwartet: AA B0, {1} Bytes mit richtiger Prüfsumme"},
     {"found capture {0=} in the archive already, as test {1=}, expected one that is to be gone on with",
      "Messung {0} liegt schon als Prüfung {1} im Archiv; erwartet: eine, die noch fortzusetzen ist"},
     {"found capture {0=} running elsewhere, expected one that was interrupted",
@@ -62,7 +72,21 @@ constexpr Phrase rows[] = {
      "zählt andersherum (--reversed), oder dies ist die Aufzeichnung eines anderen Plans"},
     {"found less than {0#} MiB left on the disk of the recording: it ends here",
      "weniger als {0}\u00a0MiB frei auf dem Datenträger der Aufzeichnung: Sie endet hier"},
+    {"found more behind the {0#} sample that the header says, expected EOF::",
+     "mehr hinter dem {0} Abtastwert, den der Kopf nennt; erwartet: EOF::"},
+    {"found more behind the {0#} samples that the header says, expected EOF::",
+     "mehr hinter den {0} Abtastwerten, die der Kopf nennt; erwartet: EOF::"},
     {"found more beside resume, expected it alone", "mehr als resume; erwartet: nur dieses"},
+    {"found no distance without the instrument's flag of too high a speed, expected it cleared at the instrument "
+     "before the recording",
+     "kein Abstand ohne das Kennzeichen des Messgeräts für zu hohe Geschwindigkeit; erwartet: dass es vor der "
+     "Aufzeichnung am Messgerät gelöscht wird"},
+    {"found no distance without the instrument's flag of too weak a signal, expected it cleared at the instrument "
+     "before the recording",
+     "kein Abstand ohne das Kennzeichen des Messgeräts für zu schwaches Signal; erwartet: dass es vor der Aufzeichnung "
+     "am Messgerät gelöscht wird"},
+    {"found no frame with a distance, expected the stream of an HPI-3D",
+     "kein Datenpaket mit einem Abstand; erwartet: der Datenstrom eines HPI-3D"},
     {"found no interrupted capture {0=}", "keine unterbrochene Messung {0}"},
     {"found no length for any of the {0#} approaches of the plan in {1#} standstill",
      "keine Länge für eine der {0} Anfahrten des Plans in {1} Stillstand"},
@@ -91,10 +115,22 @@ constexpr Phrase rows[] = {
     {"found the source {0=}, expected serial:///dev/ttyACM0?baud=2000000",
      "Quelle {0}; erwartet: serial:///dev/ttyACM0?baud=2000000"},
     {"found the source {0=}, expected tcp://host:port", "Quelle {0}; erwartet: tcp://host:port"},
+    {"found the stream of an HPI-3D, which tells distances, for a rotary axis, expected a linear axis",
+     "der Datenstrom eines HPI-3D, der Abstände nennt, für eine rotatorische Achse; erwartet: eine lineare Achse"},
+    {"found velocities and no distance, expected an instrument that is set to distances",
+     "Geschwindigkeiten und kein Abstand; erwartet: ein Messgerät, das auf Abstände gestellt ist"},
     {"found {0#} MiB left on the disk of the recording; at {1#} MiB the capture ends",
      "{0}\u00a0MiB frei auf dem Datenträger der Aufzeichnung; bei {1}\u00a0MiB endet die Messung"},
+    {"found {0#} byte behind the last frame, expected whole frames of {1#} bytes",
+     "{0} Byte hinter dem letzten Datenpaket; erwartet: ganze Datenpakete von {1} Bytes"},
+    {"found {0#} bytes behind the last frame, expected whole frames of {1#} bytes",
+     "{0} Bytes hinter dem letzten Datenpaket; erwartet: ganze Datenpakete von {1} Bytes"},
     {"found {0#} bytes of an unfinished time at the end of {1=}, left them out",
      "{0} Bytes eines unvollständigen Zeitstempels am Ende von {1}; weggelassen"},
+    {"found {0#} bytes without a frame whose check is right, expected one in {1#} (is the baud rate that of the "
+     "instrument, 3000000?)",
+     "{0} Bytes ohne ein Datenpaket mit richtiger Prüfsumme; erwartet: eines in {1} (ist die Baudrate die des "
+     "Messgeräts, 3000000?)"},
     {"found {0#} bytes without a line break, expected one sample a line: the capture ends here; {1#} readings are kept",
      "{0} Bytes ohne Zeilenende; erwartet: ein Abtastwert je Zeile: Die Messung endet hier; {1} Messwerte sind "
      "erhalten"},
@@ -120,6 +156,8 @@ constexpr Phrase rows[] = {
      "{0} von {1} Zeitstempeln in {2} jenseits der {3} Bytes der Aufzeichnung; weggelassen"},
     {"found {0#} of {1#} times in {2=} damaged, the first is number {3#}, left them out",
      "{0} von {1} Zeitstempeln in {2} beschädigt, der erste ist Nummer {3}; weggelassen"},
+    {"found {0#} sample, expected {1#} as the header says: the file is cut off",
+     "{0} Abtastwert; erwartet: {1}, wie der Kopf sagt: Die Datei ist abgeschnitten"},
     {"found {0=} without its beginning AXIOMETRYTIMES2, read {1#} records of it that are sound",
      "{0} ohne seinen Anfang AXIOMETRYTIMES2; {1} unversehrte Einträge daraus gelesen"},
     {"found {0=}, expected it with the simulator only", "{0}; erwartet: nur beim Simulator"},
@@ -137,6 +175,26 @@ constexpr Phrase rows[] = {
      "{0} Zeilen mit einem Zähler außer der Reihe weggelassen, die erste ist Zeile {1}"},
     {"left out {0#} lines whose time is out of order, the first is line {1#}",
      "{0} Zeilen mit einer Zeit außer der Reihe weggelassen, die erste ist Zeile {1}"},
+    {"left out {0#} sample with the instrument's flag of too high a speed: behind it distances are wrong until the "
+     "instrument is set to zero and the flag cleared",
+     "{0} Abtastwert mit dem Kennzeichen des Messgeräts für zu hohe Geschwindigkeit weggelassen: Danach sind Abstände "
+     "falsch, bis es auf null gesetzt und das Kennzeichen gelöscht ist"},
+    {"left out {0#} sample with the instrument's flag of too weak a signal: behind it distances may be wrong until the "
+     "instrument is set to zero and the flag cleared",
+     "{0} Abtastwert mit dem Kennzeichen des Messgeräts für zu schwaches Signal weggelassen: Danach können Abstände "
+     "falsch sein, bis es auf null gesetzt und das Kennzeichen gelöscht ist"},
+    {"left out {0#} samples with the instrument's flag of too high a speed: behind it distances are wrong until the "
+     "instrument is set to zero and the flag cleared",
+     "{0} Abtastwerte mit dem Kennzeichen des Messgeräts für zu hohe Geschwindigkeit weggelassen: Danach sind Abstände "
+     "falsch, bis es auf null gesetzt und das Kennzeichen gelöscht ist"},
+    {"left out {0#} samples with the instrument's flag of too weak a signal: behind it distances may be wrong until "
+     "the instrument is set to zero and the flag cleared",
+     "{0} Abtastwerte mit dem Kennzeichen des Messgeräts für zu schwaches Signal weggelassen: Danach können Abstände "
+     "falsch sein, bis es auf null gesetzt und das Kennzeichen gelöscht ist"},
+    {"left out {0#} value of the weather that no sensor shows",
+     "{0} Wert der Umgebung weggelassen, den kein Fühler zeigt"},
+    {"left out {0#} values of the weather that no sensor shows",
+     "{0} Werte der Umgebung weggelassen, die kein Fühler zeigt"},
     {"line {0=}: before {1} (at {2#} s) samples are missing or the length jumped: the lengths from there on have "
      "another dead path",
      "Linie {0}: vor {1} (bei {2}\u00a0s) fehlen Abtastwerte oder die Länge sprang: Die Längen von dort an haben eine "
@@ -166,6 +224,12 @@ constexpr Phrase rows[] = {
     {"part {0#}: no length for {1} and {2#} others: {3}", "Teil {0}: keine Länge für {1} und {2} weitere: {3}"},
     {"part {0#}: no length for {1}: {2}", "Teil {0}: keine Länge für {1}: {2}"},
     {"part {0#}: point {1#}: {2}", "Teil {0}: Punkt {1}: {2}"},
+    {"passed over {0#} byte of a frame that had begun before",
+     "{0} Byte eines schon vorher begonnenen Datenpakets übergangen"},
+    {"passed over {0#} bytes of a frame that had begun before",
+     "{0} Bytes eines schon vorher begonnenen Datenpakets übergangen"},
+    {"passed over {0#} velocities between the distances", "{0} Geschwindigkeiten zwischen den Abständen übergangen"},
+    {"passed over {0#} velocity between the distances", "{0} Geschwindigkeit zwischen den Abständen übergangen"},
     {"point {0#}", "Punkt {0}"},
     {"repeated: {0}", "wiederholt: {0}"},
     {"restarted: {0}", "neu begonnen: {0}"},
@@ -184,14 +248,35 @@ constexpr Phrase rows[] = {
      "die Verbindung kam in {0} Versuchen nicht wieder: Die Aufzeichnung endet hier"},
     {"the counter of the samples was set back {0#} times, first in line {1#}; it was taken on",
      "der Zähler der Abtastwerte wurde {0}-mal zurückgestellt, zuerst in Zeile {1}; er wurde weitergeführt"},
+    {"the file is of {0=}; whether the day or the month stands first it does not say",
+     "die Datei ist von {0}; ob Tag oder Monat zuerst steht, sagt sie nicht"},
+    {"the file names the axis {0=}", "die Datei nennt die Achse {0}"},
+    {"the file names the location {0=}", "die Datei nennt den Ort {0}"},
+    {"the file names the machine {0=}", "die Datei nennt die Maschine {0}"},
+    {"the file names the serial number {0=}", "die Datei nennt die Seriennummer {0}"},
+    {"the file states a trigger interval of {0#} and a rate of {1#} Hz, which are no interval of time and its rate: "
+     "were the samples triggered by position, their times are wrong",
+     "die Datei nennt einen Abstand der Auslösungen von {0} und eine Rate von {1}\u00a0Hz, die nicht zueinander "
+     "passen: Wurden die Abtastwerte nach dem Weg ausgelöst, sind ihre Zeiten falsch"},
+    {"the file states no actual sample rate: the times are those of the sample rate that was asked for",
+     "die Datei nennt keine tatsächliche Abtastrate: Die Zeiten sind die der verlangten Abtastrate"},
     {"the first standstill at target {0#} showed {1#}: zero lies at {2#}",
      "der erste Stillstand an Zielposition {0} zeigte {1}: Null liegt bei {2}"},
+    {"the instrument was silent for more than a second {0#} time, {1#} s at most: samples may be missing there",
+     "das Messgerät schwieg {0} Mal länger als eine Sekunde, höchstens {1}\u00a0s: Dort können Abtastwerte fehlen"},
+    {"the instrument was silent for more than a second {0#} times, {1#} s at most: samples may be missing there",
+     "das Messgerät schwieg {0} Mal länger als eine Sekunde, höchstens {1}\u00a0s: Dort können Abtastwerte fehlen"},
+    {"the numbers of the file were taken as angles in mrad", "die Zahlen der Datei gelten als Winkel in mrad"},
     {"the recording ended before", "die Aufzeichnung endete vorher"},
     {"the recording ended before {0} and the {1#} behind it", "die Aufzeichnung endete vor {0} und den {1} danach"},
     {"the recording gave {0#} of the {1#} readings of the plan",
      "die Aufzeichnung ergab {0} der {1} Messwerte des Plans"},
     {"the recording has become as long as one may be: it ends here",
      "die Aufzeichnung ist so lang geworden, wie eine sein darf: Sie endet hier"},
+    {"the recording tells no times: 25 samples a second are assumed, as the instrument sends them (--rate says "
+     "otherwise)",
+     "die Aufzeichnung nennt keine Zeiten: 25 Abtastwerte je Sekunde sind angenommen, wie das Messgerät sie sendet "
+     "(anders mit --rate)"},
     {"the reflector rested where no stop of the plan was due, first at {0#} s; not used ({1#} in all)",
      "der Reflektor stand still, wo kein Halt des Plans an der Reihe war, zuerst bei {0}\u00a0s; nicht verwendet "
      "(insgesamt {1})"},
@@ -205,9 +290,21 @@ constexpr Phrase rows[] = {
      "wann {0} der {1} Bytes der Aufzeichnung ankamen, ist nicht bekannt"},
     {"wrong direction: {0}", "falsche Richtung: {0}"},
     {"zero: {0}", "Nullpunkt: {0}"},
+    {"{0#} byte between the frames made no frame whose check is right; counted as {1#} lost sample",
+     "{0} Byte zwischen den Datenpaketen ergab keines mit richtiger Prüfsumme; als {1} verlorener Abtastwert gezählt"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost sample",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorener Abtastwert "
+     "gezählt"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost samples",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorene Abtastwerte "
+     "gezählt"},
     {"{0#} earlier messages are not shown", "{0} frühere Meldungen werden nicht gezeigt"},
     {"{0#} further remarks of that kind on readings", "{0} weitere Bemerkungen dieser Art zu Messwerten"},
     {"{0#} of {1#} samples left out as outliers", "{0} von {1} Abtastwerten als Ausreißer weggelassen"},
+    {"{0#} sample came while the instrument did not show its laser as ready; they are used",
+     "{0} Abtastwert kam, während das Messgerät seinen Laser nicht als bereit zeigte; er wird verwendet"},
+    {"{0#} samples came while the instrument did not show its laser as ready; they are used",
+     "{0} Abtastwerte kamen, während das Messgerät seinen Laser nicht als bereit zeigte; sie werden verwendet"},
     {"{0=}, trying again for {1#} s", "{0}; neue Versuche {1}\u00a0s lang"},
     {"{0} came again after {1#} readings, which were dropped",
      "{0} kam nach {1} Messwerten noch einmal; diese wurden verworfen"},

@@ -15,11 +15,13 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/recordings/hpi_frames.h"
 
 namespace axiometry::app {
 namespace {
 
 constexpr int connect_ms = 5000;
+constexpr auto silence_to_ask_again = std::chrono::seconds(5);
 
 std::unexpected<Error> fail_at(const LiveAddress& address, const std::string& reason) {
   const bool tcp = address.kind == LiveAddress::Kind::tcp;
@@ -77,39 +79,67 @@ Result<std::optional<LiveAddress>> parse_tcp(const std::string& name, std::strin
   return LiveAddress{LiveAddress::Kind::tcp, std::string(host), std::string(port)};
 }
 
+Result<void> take_option(LiveAddress& address, std::string_view option) {
+  constexpr std::string_view baud_rate = "baud=", ask = "ask=";
+  if (option.starts_with(ask)) {
+    const std::string_view instrument = option.substr(ask.size());
+    if (instrument != "hpi-3d")
+      return fail(
+          fmt::format("found the instrument {} to ask in the source, expected hpi-3d", text::quoted(instrument)));
+    address.request = formats::hpi::commands_to_begin();
+    return {};
+  }
+  const auto baud = option.starts_with(baud_rate) ? parse_count(option.substr(baud_rate.size())) : std::nullopt;
+  if (!baud || *baud < 50 || *baud > 20'000'000)
+    return fail(fmt::format("found {} in the source, expected baud= and a rate from 50 to 20000000, or ask=hpi-3d",
+                            text::quoted(option)));
+  address.baud = static_cast<unsigned>(*baud);
+  return {};
+}
+
 Result<std::optional<LiveAddress>> parse_serial(const std::string& name, std::string_view rest) {
   LiveAddress address{LiveAddress::Kind::serial, std::string(rest.substr(0, rest.find('?'))), ""};
   if (address.host.empty())
     return fail(fmt::format("found the source {}, expected serial:///dev/ttyACM0?baud=2000000", text::quoted(name)));
-  if (const std::size_t query = rest.find('?'); query != rest.npos) {
-    const std::string_view option = rest.substr(query + 1);
-    const auto baud = option.starts_with("baud=") ? parse_count(option.substr(5)) : std::nullopt;
-    if (!baud || *baud < 50 || *baud > 20'000'000)
-      return fail(
-          fmt::format("found {} in the source, expected baud= and a rate from 50 to 20000000", text::quoted(option)));
-    address.baud = static_cast<unsigned>(*baud);
-  }
+  const std::size_t query = rest.find('?');
+  if (query == rest.npos) return address;
+  for (const std::string_view option : text::split(rest.substr(query + 1), '&'))
+    AXIOMETRY_TRY_VOID(take_option(address, option));
   return address;
 }
 
 /// One connection; it ends when the other side closes it.
 class Connection final : public LiveStream {
  public:
-  explicit Connection(int descriptor) : descriptor_(descriptor) {}
+  Connection(int descriptor, std::string request) : descriptor_(descriptor), request_(std::move(request)) { ask(); }
   ~Connection() override { ::close(descriptor_); }
 
   Got read(std::span<char> buffer, std::chrono::milliseconds longest) override {
     pollfd wait{descriptor_, POLLIN, 0};
     const int ready = ::poll(&wait, 1, static_cast<int>(longest.count()));
-    if (ready <= 0) return {};
+    if (ready <= 0) {
+      if (!request_.empty() && Clock::now() - heard_ >= silence_to_ask_again) ask();
+      return {};
+    }
     const ssize_t got = ::read(descriptor_, buffer.data(), buffer.size());
+    if (got > 0) heard_ = Clock::now();
     if (got > 0) return {State::data, static_cast<std::size_t>(got)};
     if (got < 0 && (errno == EAGAIN || errno == EINTR)) return {};
     return {State::closed, 0, got == 0 ? "closed by the other side" : std::strerror(errno)};
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  /// Whether it arrives is told by what comes back: a port that takes nothing now is asked again.
+  void ask() {
+    heard_ = Clock::now();
+    if (!request_.empty()) static_cast<void>(!::write(descriptor_, request_.data(), request_.size()));
+  }
+
   int descriptor_;
+  std::string request_;
+  Clock::time_point heard_;  // a byte, or the last time it was asked
 };
 
 }  // namespace
@@ -124,7 +154,7 @@ Result<std::optional<LiveAddress>> parse_live(const std::string& name) {
 Result<std::unique_ptr<LiveStream>> connect_to(const LiveAddress& address) {
   AXIOMETRY_TRY(const int descriptor, address.kind == LiveAddress::Kind::tcp ? connect_tcp(address)
                                                                              : open_serial(address.host, address.baud));
-  return std::make_unique<Connection>(descriptor);
+  return std::make_unique<Connection>(descriptor, address.request);
 }
 
 }  // namespace axiometry::app

@@ -13,16 +13,17 @@
 /// Where live streams come from: TCP servers and serial ports.
 namespace axiometry::app {
 
-/// "tcp://host:port" or "serial:///dev/ttyACM0?baud=2000000".
+/// "tcp://host:port" or "serial:///dev/ttyACM0?baud=2000000", "…?baud=3000000&ask=hpi-3d".
 struct LiveAddress {
   enum class Kind { tcp, serial } kind = Kind::tcp;
   std::string host;  ///< or the device of a serial port
   std::string port;  ///< a number or a name
   unsigned baud = 115'200;
+  std::string request{};  ///< bytes that make an instrument at a serial port begin; empty: nothing is sent to it
 };
 
-/// Nothing when the name is that of a file. Fails on "tcp://" and "serial://" without all that they need, and on a baud
-/// rate that is not 50 to 20 000 000.
+/// Nothing when the name is that of a file. Fails on "tcp://" and "serial://" without all that they need, on a baud
+/// rate that is not 50 to 20 000 000, and on an instrument to ask that is not known.
 Result<std::optional<LiveAddress>> parse_live(const std::string& name);
 
 /// Bytes as they come.
@@ -52,7 +53,8 @@ class LiveStream {
 /// Begins a stream, or goes on with it after it was closed.
 using Connect = std::function<Result<std::unique_ptr<LiveStream>>()>;
 
-/// To a TCP server or a serial port. Fails with the system's reason, for TCP after at most five seconds.
+/// To a TCP server or a serial port, where the request is sent, and again after five seconds without a byte. Fails with
+/// the system's reason, for TCP after at most five seconds.
 Result<std::unique_ptr<LiveStream>> connect_to(const LiveAddress& address);
 
 /// Opens a serial port: raw bytes, 8 data bits, no parity, one stop bit, no flow control, any baud rate that the driver

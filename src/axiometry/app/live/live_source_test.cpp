@@ -24,9 +24,17 @@ TEST(LiveAddress, IsReadFromTheNameOfTheSource) {
   EXPECT_EQ((*serial)->host, "/dev/ttyACM0");
   EXPECT_EQ((*serial)->baud, 2'000'000u);
   EXPECT_EQ((*parse_live("serial:///dev/ttyUSB1"))->baud, 115'200u);
-  for (const char* bad : {"tcp://", "tcp://host", "tcp://:5", "tcp://host:", "serial://", "serial:///dev/x?baud=",
-                          "serial:///dev/x?baud=-1", "serial:///dev/x?speed=9600", "serial:///dev/x?baud=1e6"})
+  for (const char* bad : {"tcp://", "tcp://host", "tcp://:5", "tcp://host:", "serial://",
+                          "serial:///dev/x?baud=", "serial:///dev/x?baud=-1", "serial:///dev/x?speed=9600",
+                          "serial:///dev/x?baud=1e6", "serial:///dev/x?ask=laser", "serial:///dev/x?baud=9600&ask="})
     EXPECT_FALSE(parse_live(bad)) << bad;
+}
+
+TEST(LiveAddress, NothingIsSentToAnInstrumentUnlessTheSourceSaysSo) {
+  EXPECT_EQ((*parse_live("serial:///dev/x?baud=3000000"))->request, "");
+  const auto asking = parse_live("serial:///dev/x?baud=3000000&ask=hpi-3d");
+  EXPECT_EQ((*asking)->baud, 3'000'000u);
+  EXPECT_EQ((*asking)->request.size(), 16u);
 }
 
 std::string text_of(LiveStream& connection, std::size_t size) {
@@ -52,6 +60,20 @@ TEST(LiveConnection, ReadsASerialPortByteForByteAtAnyBaudRate) {
     ASSERT_EQ(::write(master, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
     EXPECT_EQ(text_of(**connection, bytes.size()), bytes);
   }
+  ::close(slave);
+  ::close(master);
+}
+
+TEST(LiveConnection, AsksAnInstrumentAtASerialPort) {
+  int master = -1, slave = -1;
+  std::array<char, 256> name{};
+  ASSERT_EQ(::openpty(&master, &slave, name.data(), nullptr, nullptr), 0);
+  const auto address = parse_live(std::string("serial://") + name.data() + "?baud=3000000&ask=hpi-3d");
+  const auto connection = connect_to(**address);
+  ASSERT_TRUE(connection) << connection.error().to_string();
+  std::array<char, 64> heard{};
+  EXPECT_EQ(::read(master, heard.data(), heard.size()), 16);
+  EXPECT_EQ(std::string(heard.data(), 16), (*address)->request);
   ::close(slave);
   ::close(master);
 }

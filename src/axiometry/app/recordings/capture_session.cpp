@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/base/number_text.h"
@@ -44,6 +45,15 @@ Result<formats::RecordingOptions> recording_options(AxisKind kind, const Capture
   AXIOMETRY_TRY(recording.units_per_count,
                 formats::mm_per_count(Length::nm(*options.wavelength_nm), *options.counts_per_wavelength));
   return recording;
+}
+
+/// Whether a layout without lines is known for sure. It is looked whenever the beginning has doubled, so that all looks
+/// cost no more than the last one.
+bool is_certain(std::string_view head, std::size_t before) {
+  constexpr std::size_t first_look = 64;  // bytes: three frames
+  constexpr int sure = 100;
+  if (std::bit_width(head.size() / first_look) == std::bit_width(before / first_look)) return false;
+  return std::ranges::any_of(formats::recording_table(), [head](const auto* r) { return r->recognise(head) == sure; });
 }
 
 Result<void> check_settling(const CaptureOptions& options, Duration dwell) {
@@ -151,8 +161,9 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::feed(std::string_v
     if (!reader_) options_.recording.arrival_s = [] { return 0.0; };
   }
   if (reader_) return read(bytes);
+  const std::size_t before = head_.size();
   head_ += bytes;
-  const auto begun = begin(false);
+  const auto begun = begin(layout_ == nullptr && is_certain(head_, before));
   if (!begun) head_.clear();  // what comes behind it may be recognised
   if (!begun) return std::unexpected(begun.error());
   if (!*begun) return found_before();

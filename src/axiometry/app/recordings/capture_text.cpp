@@ -119,8 +119,8 @@ Result<void> put_zero(const std::string& word, CaptureOptions& o) {
 constexpr CaptureOption capture_option_table[] = {
     {"--part", "N", "Of a plan with further ones: 1 is the plan itself (1); of a volumetric plan the station and tool",
      put_part},
-    {"--stream", "ID", "Layout of the stream instead of recognising it: umd, time-position, npy, camonitor",
-     put_stream},
+    {"--stream", "ID",
+     "Layout of the stream instead of recognising it: umd, hpi-3d, time-position, npy, camonitor-stream", put_stream},
     {"--units-per-count", "MM", "mm or degrees per count, for streams of counts", put_units_per_count},
     {"--wavelength", "NM", "Wavelength of the laser in the air of the test, nm, for streams of counts",
      put_positive<&CaptureOptions::wavelength_nm>},

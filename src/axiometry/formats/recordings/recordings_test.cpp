@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -11,7 +12,9 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/recording.h"
 #include "axiometry/formats/recordings/time_text.h"
+#include "tests/support/hpi_frames.h"
 #include "tests/support/recording_feed.h"
+#include "tests/support/rtx_file.h"
 
 namespace axiometry::formats {
 namespace {
@@ -306,6 +309,10 @@ TEST(Recordings, RecogniseTheExampleOfTheirOwnManualAndNoOther) {
     std::string head;
     if (recording->id == "npy") {
       head = npy(plain, {0, 1, 2, 3, 4, 5});
+    } else if (recording->id == "hpi-3d") {
+      for (double mm : {1.0, 2.0, 3.0}) head += testing_support::hpi_distance(mm);
+    } else if (recording->id == "renishaw-rtx") {
+      head = testing_support::rtx_file(std::array{1.0, 2.0, 3.0}, 50.0);
     } else {
       const std::size_t begin = recording->manual.find("```\n") + 4;
       head = recording->manual.substr(begin, recording->manual.find("```", begin) - begin);
@@ -313,7 +320,7 @@ TEST(Recordings, RecogniseTheExampleOfTheirOwnManualAndNoOther) {
     const auto recognised = recognise_recording(head);
     ASSERT_TRUE(recognised) << recording->id;
     EXPECT_EQ((*recognised)->id, recording->id);
-    RecordingOptions options = counts();
+    const RecordingOptions options = recording->id == "umd" ? counts() : RecordingOptions{};
     EXPECT_EQ(read_samples(recording->id, head, options).refusal, "") << recording->id;
     EXPECT_EQ(read_samples(recording->id, head, options).samples.size(), 3u) << recording->id;
   }
@@ -326,13 +333,16 @@ TEST(Recordings, SurviveAnyBytes) {
   unsigned state = 7;
   for (const Recording* recording : recording_table()) {
     for (int round = 0; round < 200; ++round) {
-      std::string bytes = recording->id == "npy" ? npy(plain, {0, 1, 2, 3, 4, 5})
-                                                 : "0 0 1 0 0 1 8 100\ntime_s,x_mm\nA 2026-11-21 12:00:00 1\n1,2\n";
+      std::string bytes = recording->id == "npy"            ? npy(plain, {0, 1, 2, 3, 4, 5})
+                          : recording->id == "renishaw-rtx" ? testing_support::rtx_file(std::array{1.0, 2.0}, 50.0)
+                          : recording->id == "hpi-3d"
+                              ? testing_support::hpi_distance(1) + testing_support::hpi_weather(0, 20, 40, 1000)
+                              : "0 0 1 0 0 1 8 100\ntime_s,x_mm\nA 2026-11-21 12:00:00 1\n1,2\n";
       for (int k = 0; k < 6; ++k) {
         state = state * 1664525u + 1013904223u;
         bytes[(state >> 8) % bytes.size()] = static_cast<char>(state >> 24);
       }
-      read_samples(recording->id, bytes, counts());
+      read_samples(recording->id, bytes, recording->id == "umd" ? counts() : RecordingOptions{});
       recording->recognise(bytes);
     }
   }

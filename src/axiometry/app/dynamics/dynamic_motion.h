@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/results/experiment.h"
+#include "axiometry/capture/dynamics/motion_course.h"
+#include "axiometry/capture/dynamics/motion_spectrum.h"
+#include "axiometry/capture/dynamics/uniform_motion.h"
+#include "axiometry/model/axis.h"
+#include "axiometry/report/report.h"
+
+/// The use case "from a continuous recording to velocity, acceleration, vibrations and how evenly an axis moved": no
+/// plan and no standstill is needed, and no parameter of ISO 230-2 comes of it.
+namespace axiometry::app {
+
+struct DynamicOptions {
+  AxisKind kind = AxisKind::linear;
+  std::string stream{};             ///< id of the layout; empty: recognised by content
+  std::optional<double> rate_hz{};  ///< for layouts that tell no time
+  std::optional<double> units_per_count{};
+  bool reverse = false;                    ///< it counts up when the axis moves down
+  std::optional<double> window_s{};        ///< capture::usual_window_s()
+  std::optional<double> from_s{}, to_s{};  ///< only that part of the recording
+  std::optional<double> feed{};            ///< that was asked for, native units per minute
+  double uniform_share = 0.05;
+};
+
+/// What the spectrum is of.
+enum class SpectrumOf {
+  longest_stretch,  ///< residuals of the longest stretch of even motion
+  whole,            ///< the whole recording less a straight line
+};
+
+struct DynamicMotion {
+  std::string file, sha256, layout;
+  AxisKind kind = AxisKind::linear;
+  capture::MotionRecord record;
+  capture::MotionCourse course;
+  std::vector<capture::UniformStretch> stretches;
+  SpectrumOf spectrum_of = SpectrumOf::whole;
+  capture::UniformStretch spectrum_stretch;  ///< samples and line
+  capture::MotionSpectrum spectrum;          ///< amplitudes in µm or ″
+  std::optional<double> feed{};
+  double uniform_share = 0.05;
+  std::vector<std::string> remarks;  ///< of the file, and what these figures lack
+};
+
+/// Fails, with the file's name, as the reader of the layout does, on samples that are lost, not evenly spaced (beyond 1
+/// % of the interval) or fewer than 64, on more than 20 million of them, and on a part or a window that does not fit.
+Result<DynamicMotion> measure_dynamic(const std::string& file, const DynamicOptions& options);
+
+/// Samples at which something is extreme, but for those within half a window of the ends.
+struct DynamicExtremes {
+  std::size_t fastest_up = 0, fastest_down = 0;      ///< of the velocity: the highest and the lowest
+  std::size_t strongest_up = 0, strongest_down = 0;  ///< of the acceleration
+};
+DynamicExtremes extremes_of(const DynamicMotion& motion);
+
+/// Distance along the axis in one period of a vibration, native; absent where the axis did not move evenly.
+std::optional<double> way_of(const DynamicMotion& motion, const capture::SpectrumPeak& peak);
+
+struct DynamicOutputs {
+  bool report = true;
+  bool json = true;
+};
+Experiment present(const DynamicMotion& motion, const report::Options& options, DynamicOutputs outputs);
+json::Value to_json(const DynamicMotion& motion);
+
+/// "time_s,position_mm,velocity_mm_per_s,acceleration_mm_per_s2", a row for every sample; and
+/// "frequency_hz,amplitude_um". Fail when the file cannot be written.
+Result<void> write_series(const DynamicMotion& motion, const std::string& file);
+Result<void> write_spectrum(const DynamicMotion& motion, const std::string& file);
+
+}  // namespace axiometry::app

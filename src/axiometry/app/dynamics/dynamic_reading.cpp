@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/app/dynamics/dynamic_motion.h"
+#include "axiometry/app/files/output.h"
+#include "axiometry/app/files/source.h"
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/base/counted.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/recording.h"
+
+namespace axiometry::app {
+namespace {
+
+constexpr std::size_t dynamic_block = std::size_t{256} << 10;
+constexpr std::size_t samples_least = 64, samples_most = 20'000'000, peaks_shown = 10;
+constexpr double uneven_most = 0.01;   // of an interval
+constexpr double written_to_s = 1e-6;  // to which times in a file of text are rounded
+
+Result<const formats::Recording*> layout_of(Source& source, const std::string& id) {
+  AXIOMETRY_TRY(const std::string_view head, source.head());
+  if (id.empty()) return formats::recognise_recording(head);
+  if (const formats::Recording* found = formats::find_recording(id)) return found;
+  std::string ids;
+  for (const formats::Recording* r : formats::recording_table())
+    ids += fmt::format("{}{}", ids.empty() ? "" : ", ", r->id);
+  return fail(fmt::format("found the unknown stream {}, expected one of {}", text::quoted(id), ids));
+}
+
+/// Samples as they come, while they are evenly spaced.
+class EvenSamples {
+ public:
+  explicit EvenSamples(const DynamicOptions& options) : options_(options) {}
+
+  Result<void> take(std::span<const Sample> samples) {
+    for (const Sample& s : samples) {
+      if (options_.from_s && s.time_s < *options_.from_s) continue;
+      if (options_.to_s && s.time_s > *options_.to_s) continue;
+      if (positions_.size() == samples_most)
+        return fail(
+            fmt::format("found more than {} samples, expected fewer: a part of the recording can be asked for "
+                        "(--from, --to)",
+                        samples_most));
+      positions_.push_back(options_.reverse ? -s.position : s.position);
+      stamps_.push_back(s.time_s);
+    }
+    return {};
+  }
+
+  /// The interval is that over all samples; each must lie within 1 % of one of its even place.
+  Result<capture::MotionRecord> record() && {
+    if (positions_.size() < samples_least)
+      return fail(fmt::format("found {}, expected {} at least", counted(positions_.size(), "sample"), samples_least));
+    const double interval = (stamps_.back() - stamps_.front()) / static_cast<double>(stamps_.size() - 1);
+    if (!(interval > 0.0)) return fail("found all samples at one time, expected them one after the other");
+    for (std::size_t k = 1; k < stamps_.size(); ++k) {
+      const double off = stamps_[k] - stamps_[k - 1] - interval;
+      if (std::abs(off) <= uneven_most * interval + written_to_s) continue;
+      return fail(
+          fmt::format("found {} s between samples {} and {}, expected {} s as on the whole: samples are missing "
+                      "or not evenly spaced",
+                      format_exact(rounded(stamps_[k] - stamps_[k - 1])), k, k + 1, format_exact(rounded(interval))));
+    }
+    return capture::MotionRecord{1.0 / interval, stamps_.front(), std::move(positions_)};
+  }
+
+ private:
+  static double rounded(double x) { return std::round(x * 1e9) / 1e9; }
+
+  const DynamicOptions& options_;
+  std::vector<double> positions_, stamps_;
+};
+
+struct ReadMotion {
+  capture::MotionRecord record;
+  std::string sha256, layout;
+  std::vector<std::string> remarks;
+};
+
+Result<ReadMotion> read_motion(Source& source, const DynamicOptions& options) {
+  AXIOMETRY_TRY(const formats::Recording* layout, layout_of(source, options.stream));
+  formats::RecordingOptions recording;
+  recording.kind = options.kind;
+  recording.rate_hz = options.rate_hz;
+  recording.units_per_count = options.units_per_count;
+  AXIOMETRY_TRY(const auto reader, layout->open(recording));
+  EvenSamples samples(options);
+  Sha256 digest;
+  const SampleSink sink = [&](std::span<const Sample> some) { return samples.take(some); };
+  std::vector<char> block(dynamic_block);
+  while (true) {
+    AXIOMETRY_TRY(const std::size_t got, source.read(block));
+    if (got == 0) break;
+    digest.update({block.data(), got});
+    AXIOMETRY_TRY_VOID(reader->feed({block.data(), got}, sink));
+  }
+  AXIOMETRY_TRY_VOID(reader->finish(sink));
+  if (reader->lost() > 0)
+    return fail(fmt::format("found {} in the recording, expected none: what is fast cannot be told across a gap",
+                            counted(reader->lost(), "lost sample")));
+  AXIOMETRY_TRY(capture::MotionRecord record, std::move(samples).record());
+  return ReadMotion{std::move(record), digest.finish(), std::string(layout->id), reader->remarks()};
+}
+
+void find_spectrum(DynamicMotion& motion) {
+  const auto longest = std::ranges::max_element(motion.stretches, {}, &capture::UniformStretch::count);
+  const bool moved = longest != motion.stretches.end();
+  motion.spectrum_of = moved ? SpectrumOf::longest_stretch : SpectrumOf::whole;
+  motion.spectrum_stretch = moved ? *longest : capture::whole_stretch(motion.record);
+  std::vector<double> values = capture::residuals_of(motion.record, motion.spectrum_stretch);
+  for (double& x : values) x *= deviation_per_position(motion.kind);
+  motion.spectrum = capture::motion_spectrum(values, motion.record.rate_hz, peaks_shown);
+}
+
+void add_limits(DynamicMotion& motion) {
+  if (motion.stretches.empty())
+    motion.remarks.push_back(
+        "no stretch of even motion was found: the vibrations are those of the whole recording about a straight line, "
+        "into which every acceleration enters");
+  motion.remarks.push_back(
+      "the axis was not at rest at targets: nothing here is a parameter of ISO 230-2, and neither an error of scale "
+      "nor "
+      "a reversal error can be told");
+  if (!motion.feed)
+    motion.remarks.push_back(
+        "the feed that was asked for is not stated (--feed): how far the axis is from it is not known");
+}
+
+}  // namespace
+
+Result<DynamicMotion> measure_dynamic(const std::string& file, const DynamicOptions& options) {
+  const auto measure = [&]() -> Result<DynamicMotion> {
+    AXIOMETRY_TRY(Source source, Source::open(file));
+    AXIOMETRY_TRY(ReadMotion read, read_motion(source, options));
+    DynamicMotion motion;
+    motion.file = file;
+    motion.sha256 = std::move(read.sha256);
+    motion.layout = std::move(read.layout);
+    motion.kind = options.kind;
+    motion.record = std::move(read.record);
+    motion.remarks = std::move(read.remarks);
+    motion.feed = options.feed;
+    motion.uniform_share = options.uniform_share;
+    AXIOMETRY_TRY(motion.course, capture::motion_course(
+                                     motion.record, options.window_s.value_or(capture::usual_window_s(motion.record))));
+    motion.stretches = capture::uniform_stretches(motion.record, motion.course, {.share = options.uniform_share});
+    find_spectrum(motion);
+    add_limits(motion);
+    return motion;
+  };
+  return in_file(measure(), file);
+}
+
+DynamicExtremes extremes_of(const DynamicMotion& motion) {
+  // Within half a window of the ends there is no window of their own.
+  const auto inner = [&](const std::vector<double>& list) {
+    return std::span(list).subspan(motion.course.half_window, list.size() - 2 * motion.course.half_window);
+  };
+  const std::span<const double> v = inner(motion.course.velocity), a = inner(motion.course.acceleration);
+  const auto place = [&](std::span<const double> list, auto at) {
+    return static_cast<std::size_t>(at - list.begin()) + motion.course.half_window;
+  };
+  const auto [v_low, v_high] = std::ranges::minmax_element(v);
+  const auto [a_low, a_high] = std::ranges::minmax_element(a);
+  return {.fastest_up = place(v, v_high),
+          .fastest_down = place(v, v_low),
+          .strongest_up = place(a, a_high),
+          .strongest_down = place(a, a_low)};
+}
+
+std::optional<double> way_of(const DynamicMotion& motion, const capture::SpectrumPeak& peak) {
+  if (motion.spectrum_of != SpectrumOf::longest_stretch || !(peak.frequency_hz > 0.0)) return std::nullopt;
+  return std::abs(motion.spectrum_stretch.velocity) / peak.frequency_hz;
+}
+
+namespace {
+
+void add_row(std::string& text, std::initializer_list<double> values) {
+  bool first = true;
+  for (const double x : values) {
+    text += first ? "" : ",";
+    text += format_exact(x);
+    first = false;
+  }
+  text += '\n';
+}
+
+Result<void> write_rows(const std::string& file, std::string head, std::size_t count, const auto& add) {
+  constexpr std::size_t at_once = 4096;
+  AXIOMETRY_TRY(OutputFile output, OutputFile::create(file));
+  for (std::size_t k = 0; k < count; ++k) {
+    add(head, k);
+    if (k % at_once != at_once - 1) continue;
+    AXIOMETRY_TRY_VOID(output.write(head));
+    head.clear();
+  }
+  AXIOMETRY_TRY_VOID(output.write(head));
+  return output.commit();
+}
+
+}  // namespace
+
+Result<void> write_series(const DynamicMotion& m, const std::string& file) {
+  const std::string_view unit = m.kind == AxisKind::linear ? "mm" : "deg";
+  return write_rows(
+      file, fmt::format("time_s,position_{0},velocity_{0}_per_s,acceleration_{0}_per_s2\n", unit),
+      m.record.positions.size(), [&](std::string& text, std::size_t k) {
+        add_row(text, {m.record.time_s(k), m.record.positions[k], m.course.velocity[k], m.course.acceleration[k]});
+      });
+}
+
+Result<void> write_spectrum(const DynamicMotion& m, const std::string& file) {
+  return write_rows(file, fmt::format("frequency_hz,amplitude_{}\n", m.kind == AxisKind::linear ? "um" : "arcsec"),
+                    m.spectrum.amplitudes.size(), [&](std::string& text, std::size_t k) {
+                      add_row(text, {static_cast<double>(k) * m.spectrum.step_hz, m.spectrum.amplitudes[k]});
+                    });
+}
+
+}  // namespace axiometry::app

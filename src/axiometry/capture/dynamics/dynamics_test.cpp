@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <span>
+
+#include "axiometry/capture/dynamics/motion_course.h"
+#include "axiometry/capture/dynamics/motion_spectrum.h"
+#include "axiometry/capture/dynamics/uniform_motion.h"
+
+namespace axiometry::capture {
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+
+MotionRecord recorded(double rate, std::size_t samples, const auto& place) {
+  MotionRecord record{rate, 0.0, {}};
+  for (std::size_t k = 0; k < samples; ++k) record.positions.push_back(place(static_cast<double>(k) / rate));
+  return record;
+}
+
+TEST(MotionCourse, MeetsConstantAccelerationAtEverySample) {
+  const auto record = recorded(1000, 5000, [](double t) { return 1234.5 - 80.0 * t + 6.5 * t * t; });
+  const auto course = motion_course(record, 0.021);
+  ASSERT_TRUE(course);
+  EXPECT_EQ(course->half_window, 10u);
+  for (std::size_t k = 0; k < record.positions.size(); ++k) {
+    ASSERT_NEAR(course->velocity[k], -80.0 + 13.0 * record.time_s(k), 1e-6) << k;
+    ASSERT_NEAR(course->acceleration[k], 13.0, 1e-3) << k;
+  }
+  EXPECT_LT(course->noise, 1e-12);
+}
+
+TEST(MotionCourse, LeavesOfAVibrationWhatTheHeaderSays) {
+  const double f = 40.0, window = 0.0201;
+  const auto record = recorded(10'000, 20'000, [&](double t) { return std::sin(turn * f * t); });
+  const auto course = motion_course(record, window);
+  const double z = std::numbers::pi * f * course->window_s;
+  const double share = 3.0 * (std::sin(z) - z * std::cos(z)) / (z * z * z);
+  const std::span inner = std::span(course->velocity).subspan(course->half_window, 19'000);
+  EXPECT_NEAR(std::ranges::max(inner), turn * f * share, 0.001 * turn * f);
+}
+
+TEST(MotionCourse, TellsTheNoiseAndWhatItMakesOfVelocities) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0.0, 1e-4);
+  const auto record = recorded(2000, 40'000, [&](double t) { return 50.0 * t + normal(random); });
+  const auto course = motion_course(record, 0.0105);
+  EXPECT_NEAR(course->noise, 1e-4, 3e-6);
+  double v2 = 0.0, a2 = 0.0;
+  for (std::size_t k = 100; k < 39'900; ++k) {
+    v2 += std::pow(course->velocity[k] - 50.0, 2) / 39'800.0;
+    a2 += std::pow(course->acceleration[k], 2) / 39'800.0;
+  }
+  EXPECT_NEAR(std::sqrt(v2) / course->velocity_noise, 1.0, 0.05);
+  EXPECT_NEAR(std::sqrt(a2) / course->acceleration_noise, 1.0, 0.05);
+}
+
+TEST(MotionCourse, RefusesWindowsThatTheRecordingCannotHold) {
+  const auto record = recorded(100, 100, [](double t) { return t; });
+  for (const double window : {0.0, -1.0, 0.02, 0.5, 1e300, std::nan("")}) EXPECT_FALSE(motion_course(record, window));
+  EXPECT_TRUE(motion_course(record, 0.05));
+  EXPECT_TRUE(motion_course(record, usual_window_s(record)));
+}
+
+/// There and back at 20 mm/s with half a second of standstill at the ends and a ripple of 50 nm every 2 mm.
+MotionRecord there_and_back() {
+  return recorded(1000, 10'000, [](double t) {
+    const double way = t < 0.5   ? 0.0
+                       : t < 4.5 ? 20.0 * (t - 0.5)
+                       : t < 5.5 ? 80.0
+                       : t < 9.5 ? 80.0 - 20.0 * (t - 5.5)
+                                 : 0.0;
+    return way + 50e-6 * std::sin(turn * way / 2.0);
+  });
+}
+
+TEST(UniformMotion, FindsEveryMovementAndTellsHowEvenItIs) {
+  const MotionRecord record = there_and_back();
+  const auto course = motion_course(record, 0.011);
+  const auto stretches = uniform_stretches(record, *course, {});
+  ASSERT_EQ(stretches.size(), 2u);
+  EXPECT_NEAR(stretches[0].velocity, 20.0, 1e-4);
+  EXPECT_NEAR(stretches[1].velocity, -20.0, 1e-4);
+  for (const UniformStretch& s : stretches) {
+    EXPECT_NEAR(static_cast<double>(s.count()), 4000.0, 120.0);  // the ripple has a period of 100 samples
+    EXPECT_NEAR(s.deviation_rms, 50e-6 / std::sqrt(2.0), 1e-6);
+    EXPECT_NEAR(s.deviation_range, 100e-6, 4e-6);
+  }
+}
+
+TEST(UniformMotion, LeavesOutWhereTheAxisGathersSpeedAndBrakes) {
+  const auto record = recorded(1000, 6000, [](double t) {  // 10 mm/s² to 10 mm/s, 2 s of it, and down again
+    return t < 1 ? 5 * t * t : t < 3 ? 5 + 10 * (t - 1) : t < 4 ? 25 + 10 * (t - 3) - 5 * (t - 3) * (t - 3) : 30.0;
+  });
+  const auto stretches = uniform_stretches(record, *motion_course(record, 0.011), {});
+  ASSERT_EQ(stretches.size(), 1u);
+  EXPECT_NEAR(record.time_s(stretches[0].first), 1.0, 0.02);
+  EXPECT_NEAR(record.time_s(stretches[0].last), 3.0, 0.02);
+  EXPECT_LT(stretches[0].deviation_range, 1e-4);  // 12.5 µm would be left of 50 ms of either
+}
+
+TEST(UniformMotion, FindsNoneWhereNothingMovesOrNothingIsEven) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0.0, 1e-4);
+  const auto rest = recorded(1000, 5000, [&](double) { return normal(random); });
+  EXPECT_TRUE(uniform_stretches(rest, *motion_course(rest, 0.011), {}).empty());
+  const auto swing = recorded(1000, 5000, [](double t) { return std::sin(turn * t); });
+  EXPECT_TRUE(uniform_stretches(swing, *motion_course(swing, 0.011), {}).empty());
+  const MotionRecord flat = recorded(1000, 5000, [](double) { return 3.0; });
+  EXPECT_TRUE(uniform_stretches(flat, *motion_course(flat, 0.011), {}).empty());
+}
+
+TEST(MotionSpectrum, FindsSinusoidsBetweenItsLinesWithTheirAmplitudes) {
+  std::vector<double> values;
+  for (int k = 0; k < 3000; ++k)
+    values.push_back(7.0 + 2.0 * std::sin(turn * 31.37 * k / 1000.0) + 0.01 * std::cos(turn * 211.11 * k / 1000.0));
+  const MotionSpectrum s = motion_spectrum(values, 1000.0, 10);
+  ASSERT_EQ(s.peaks.size(), 2u);  // what the window leaves beside them is no vibration
+  EXPECT_NEAR(s.peaks[0].frequency_hz, 31.37, 1e-3);
+  EXPECT_NEAR(s.peaks[0].amplitude, 2.0, 2e-4);
+  EXPECT_NEAR(s.peaks[1].frequency_hz, 211.11, 1e-3);
+  EXPECT_NEAR(s.peaks[1].amplitude, 0.01, 1e-6);
+}
+
+TEST(MotionSpectrum, TakesNeighboursWithinItsResolutionForOne) {
+  std::vector<double> values;
+  for (int k = 0; k < 1000; ++k)
+    values.push_back(std::sin(turn * 100.0 * k / 1000.0) + std::sin(turn * 101.0 * k / 1000.0));
+  const MotionSpectrum s = motion_spectrum(values, 1000.0, 10);
+  EXPECT_DOUBLE_EQ(s.resolution_hz, 2.0);
+  std::size_t near = 0;
+  for (const SpectrumPeak& peak : s.peaks) near += std::abs(peak.frequency_hz - 100.5) < 1.5 ? 1 : 0;
+  EXPECT_EQ(near, 1u);
+}
+
+TEST(MotionSpectrum, OfNoiseHasNoPeaks) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  std::vector<double> values;
+  for (int k = 0; k < 4096; ++k) values.push_back(normal(random));
+  EXPECT_TRUE(motion_spectrum(values, 1000.0, 10).peaks.empty());
+}
+
+TEST(MotionSpectrum, OfNothingHasNoPeaks) {
+  EXPECT_TRUE(motion_spectrum(std::vector<double>(64, 5.0), 10.0, 10).peaks.empty());
+}
+
+}  // namespace
+}  // namespace axiometry::capture

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/capture/dynamics/motion_spectrum.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "axiometry/base/contract.h"
+#include "axiometry/numeric/fourier.h"
+#include "axiometry/numeric/median.h"
+
+namespace axiometry::capture {
+namespace {
+
+constexpr double recordings_of_false_peak = 100.0;
+constexpr double rounding = 1e-13;           // of the largest value: what sums of equal ones leave is no vibration
+constexpr double lines_of_resolution = 2.0;  // half the main lobe of Hann's window, in 1/T
+constexpr std::size_t values_least = 16;
+constexpr int refinements = 16;             // of a golden section: 5·10⁻⁴ of the interval
+constexpr std::size_t turns_at_once = 256;  // of a phase that is turned on, before it is computed anew
+
+/// Values less their mean in Hann's window, so that nothing is left at 0 Hz, times that window; and what divides the
+/// sums.
+struct Windowed {
+  std::vector<double> values;
+  double scale = 0.0;  // 2/Σ w
+};
+
+Windowed windowed(std::span<const double> values) {
+  const auto n = static_cast<double>(values.size());
+  Windowed result;
+  double sum = 0.0, mean = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double w = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (static_cast<double>(k) + 0.5) / n);
+    sum += w;
+    mean += w * values[k];
+    result.values.push_back(w);
+  }
+  mean /= sum;
+  for (std::size_t k = 0; k < values.size(); ++k) result.values[k] *= values[k] - mean;
+  result.scale = 2.0 / sum;
+  return result;
+}
+
+/// At any frequency, in cycles a sample: a direct sum.
+double amplitude_at(const Windowed& w, double cycles) {
+  std::complex<double> sum, phase;
+  const std::complex<double> turn = std::polar(1.0, -2.0 * std::numbers::pi * cycles);
+  for (std::size_t k = 0; k < w.values.size(); ++k) {
+    phase = k % turns_at_once == 0
+                ? std::polar(1.0, -2.0 * std::numbers::pi * std::fmod(cycles * static_cast<double>(k), 1.0))
+                : phase * turn;
+    sum += w.values[k] * phase;
+  }
+  return w.scale * std::abs(sum);
+}
+
+/// The highest amplitude between two frequencies with one peak between them: a golden section.
+SpectrumPeak highest_between(const Windowed& w, double low, double high) {
+  constexpr double golden = 1.0 / std::numbers::phi;
+  double a = high - golden * (high - low), b = low + golden * (high - low);
+  double at_a = amplitude_at(w, a), at_b = amplitude_at(w, b);
+  for (int k = 0; k < refinements; ++k) {
+    if (at_a > at_b) {
+      high = b;
+      b = a, at_b = at_a;
+      a = high - golden * (high - low), at_a = amplitude_at(w, a);
+    } else {
+      low = a;
+      a = b, at_a = at_b;
+      b = low + golden * (high - low), at_b = amplitude_at(w, b);
+    }
+  }
+  return at_a > at_b ? SpectrumPeak{a, at_a} : SpectrumPeak{b, at_b};
+}
+
+/// What a peak at most leaves d steps of 1/T beside it, as a share of itself: |sin(π d)/(π d (1 − d²))| of Hann's
+/// window.
+double share_beside(double d) { return 1.0 / (std::numbers::pi * d * (d * d - 1.0)); }
+
+/// Numbers of the amplitudes that are the highest within the resolution about them, highest first.
+std::vector<std::size_t> places_of_peaks(const MotionSpectrum& s, std::size_t most) {
+  const std::span<const double> a = s.amplitudes;
+  const auto apart = static_cast<std::size_t>(std::ceil(s.resolution_hz / s.step_hz));
+  std::vector<std::size_t> places;
+  for (std::size_t k = apart; k + 1 < a.size(); ++k)
+    if (a[k] > s.threshold && a[k] >= a[k - 1] && a[k] > a[k + 1]) places.push_back(k);
+  std::ranges::stable_sort(places, [&](std::size_t i, std::size_t k) { return a[i] > a[k]; });
+  std::vector<std::size_t> kept;
+  for (const std::size_t k : places) {
+    if (kept.size() == most) break;
+    double left_of_others = 0.0;
+    bool beside = false;
+    for (const std::size_t other : kept) {
+      const std::size_t steps = k > other ? k - other : other - k;
+      beside = beside || steps < apart;
+      const double d = lines_of_resolution * s.step_hz / s.resolution_hz * static_cast<double>(steps);
+      if (!beside) left_of_others += a[other] * share_beside(d);
+    }
+    if (!beside && a[k] > 2.0 * left_of_others) kept.push_back(k);
+  }
+  return kept;
+}
+
+}  // namespace
+
+MotionSpectrum motion_spectrum(std::span<const double> values, double rate_hz, std::size_t most_peaks) {
+  AXIOMETRY_CONTRACT(values.size() >= values_least && rate_hz > 0.0);
+  const Windowed w = windowed(values);
+  const std::size_t size = std::bit_ceil(2 * values.size());
+  std::vector<std::complex<double>> sums(w.values.begin(), w.values.end());
+  sums.resize(size);
+  numeric::FourierTransform{size}(sums);
+  MotionSpectrum spectrum;
+  spectrum.step_hz = rate_hz / static_cast<double>(size);
+  spectrum.resolution_hz = lines_of_resolution * rate_hz / static_cast<double>(values.size());
+  for (std::size_t k = 0; k <= size / 2; ++k) spectrum.amplitudes.push_back(w.scale * std::abs(sums[k]));
+  const auto first = static_cast<std::ptrdiff_t>(std::ceil(spectrum.resolution_hz / spectrum.step_hz));
+  spectrum.floor =
+      numeric::upper_median(std::vector<double>(spectrum.amplitudes.begin() + first, spectrum.amplitudes.end()));
+  // Amplitudes of noise have Rayleigh's distribution: k medians are exceeded with the probability 2^(−k²).
+  const auto lines = static_cast<double>(spectrum.amplitudes.size());
+  double largest = 0.0;
+  for (const double x : values) largest = std::max(largest, std::abs(x));
+  spectrum.threshold =
+      std::max(std::sqrt(std::log2(recordings_of_false_peak * lines)) * spectrum.floor, rounding * largest);
+  const double line = 1.0 / static_cast<double>(size);
+  for (const std::size_t k : places_of_peaks(spectrum, most_peaks)) {
+    const double at = static_cast<double>(k) * line;
+    SpectrumPeak peak = highest_between(w, at - line, at + line);
+    peak.frequency_hz *= rate_hz;
+    spectrum.peaks.push_back(peak);
+  }
+  std::ranges::stable_sort(spectrum.peaks, std::greater{}, &SpectrumPeak::amplitude);
+  return spectrum;
+}
+
+}  // namespace axiometry::capture

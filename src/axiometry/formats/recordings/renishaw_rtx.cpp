@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Renishaw .rtx: a dynamic recording, a header of text and numbers of eight bytes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <numbers>
+
+#include "axiometry/base/counted.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/recording.h"
+#include "axiometry/formats/recordings/rtx_header.h"
+
+namespace axiometry::formats {
+namespace {
+
+constexpr std::size_t rtx_number = sizeof(double);
+constexpr std::size_t rtx_batch = 4096;
+constexpr std::size_t longest_rtx_end = 64;  // bytes: "\r\nEOF::\r\n" and blanks
+constexpr double deg_per_mrad = 180.0 / std::numbers::pi / 1000.0;
+
+class RtxReader final : public RecordingReader {
+ public:
+  explicit RtxReader(const RecordingOptions& options)
+      : scale_(options.kind == AxisKind::rotary ? deg_per_mrad : 1.0), kind_(options.kind) {}
+
+  Result<void> feed(std::string_view bytes, const SampleSink& sink) override {
+    begun_ += bytes;
+    if (header_) return take_numbers(sink);
+    if (begun_.size() < next_look_) return {};
+    next_look_ = 2 * begun_.size();  // pieces of a byte must not cost the header anew for each
+    return begin(sink);
+  }
+
+  Result<void> finish(const SampleSink& sink) override {
+    if (!header_ && !begun_.empty()) AXIOMETRY_TRY_VOID(begin(sink));
+    if (!header_) return fail("found an .rtx recording that ends in its header, expected samples");
+    if (interrupted_) return {};
+    if (taken_ < header_->samples)
+      return fail(fmt::format("found {}, expected {} as the header says: the file is cut off",
+                              counted(taken_, "sample"), header_->samples));
+    const std::string_view rest = text::trim(begun_);
+    if (rest.empty() || text::equal_ignoring_case(rest, "EOF::")) return {};
+    return fail(fmt::format("found more behind the {} that the header says, expected EOF::",
+                            counted(header_->samples, "sample")));
+  }
+
+  Result<void> interrupted(const SampleSink&) override {
+    begun_.clear();
+    interrupted_ = true;
+    return {};
+  }
+
+  std::size_t unfinished() const override { return begun_.size(); }
+  std::size_t lost() const override { return 0; }
+  std::vector<std::string> remarks() const override {
+    std::vector<std::string> remarks = header_ ? rtx_remarks(*header_) : std::vector<std::string>{};
+    if (header_ && kind_ == AxisKind::rotary) remarks.push_back("the numbers of the file were taken as angles in mrad");
+    return remarks;
+  }
+
+ private:
+  Result<void> begin(const SampleSink& sink) {
+    AXIOMETRY_TRY(header_, rtx_header(begun_));
+    if (!header_) return {};
+    begun_.erase(0, header_->data_at);
+    return take_numbers(sink);
+  }
+
+  Result<void> take_numbers(const SampleSink& sink) {
+    std::size_t at = 0;
+    while (taken_ < header_->samples && begun_.size() - at >= rtx_number) {
+      const std::uint64_t room = std::min<std::uint64_t>(header_->samples - taken_, rtx_batch);
+      const auto count = std::min<std::size_t>(room, (begun_.size() - at) / rtx_number);
+      AXIOMETRY_TRY_VOID(hand_over(std::string_view(begun_).substr(at, count * rtx_number), sink));
+      at += count * rtx_number;
+    }
+    begun_.erase(0, at);
+    if (taken_ < header_->samples || begun_.size() <= longest_rtx_end) return {};
+    return fail(fmt::format("found more behind the {} that the header says, expected EOF::",
+                            counted(header_->samples, "sample")));
+  }
+
+  Result<void> hand_over(std::string_view bytes, const SampleSink& sink) {
+    std::vector<Sample> samples;
+    Result<void> done;
+    for (std::size_t k = 0; done && k < bytes.size(); k += rtx_number) {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, bytes.data() + k, rtx_number);
+      if constexpr (std::endian::native == std::endian::big) bits = std::byteswap(bits);
+      const auto position = std::bit_cast<double>(bits) * scale_;
+      if (std::isfinite(position))
+        samples.push_back({static_cast<double>(taken_++) / header_->rate_hz, position});
+      else
+        done = fail(fmt::format("found a number that is not finite in sample {}, expected a position", taken_ + 1));
+    }
+    if (!samples.empty()) AXIOMETRY_TRY_VOID(sink(samples));
+    return done;
+  }
+
+  double scale_;
+  AxisKind kind_;
+  std::optional<RtxHeader> header_;
+  std::string begun_;  // the header, later less than a number, or what follows the last one
+  std::size_t next_look_ = 1;
+  bool interrupted_ = false;
+  std::uint64_t taken_ = 0;
+};
+
+Result<std::unique_ptr<RecordingReader>> open(const RecordingOptions& options) {
+  if (options.units_per_count)
+    return fail("found a length per count for an .rtx recording, expected none: it holds positions");
+  if (options.rate_hz) return fail("found a rate for an .rtx recording, expected none: it states its own");
+  if (options.axis > 0) return fail(fmt::format("found axis {} of an .rtx recording, expected 1", options.axis + 1));
+  return std::make_unique<RtxReader>(options);
+}
+
+int recognise(std::string_view head) {
+  constexpr std::string_view title = "HEADER::";
+  if (!text::equal_ignoring_case(head.substr(0, title.size()), title)) return 0;
+  const auto header = rtx_header(head);
+  if (header) return *header ? 100 : head.find("Sample no") != head.npos ? 60 : 0;
+  return head.find("Sample no") != head.npos ? 90 : 0;  // the reader says what is wrong with it
+}
+
+constexpr std::string_view manual =
+    R"(A dynamic recording of a Renishaw laser (`.rtx`, as CARTO and older programs export it). Known from programs that
+read it, not from its maker.
+
+```
+HEADER::
+Owner: CARTO-Dynamic
+Sample rate: 50000
+Sample no: 1000001
+Trigger interval: 2e-05
+Actual sample rate: 50000
+Data:
+(1000001 numbers of eight bytes)
+EOF::
+```
+
+- Lines of `Key: value` in any order up to `Data:`; then as many numbers as `Sample no` says, each a float64,
+  little-endian, in mm; for a rotary axis in mrad. Sample i was taken at i / `Actual sample rate`, or `Sample rate`
+  where that is not stated.
+- Machine, axis, location and date are told as remarks: whether the day or the month stands first is not known.
+- A trigger interval that is not one over the rate is told: the samples may have been triggered by position.
+- Refused: fewer or more numbers than the header says, numbers that are not finite, a header without a number of
+  samples or a rate, or of more than 64 KiB.
+- `axiometry dynamic` tells velocity, acceleration, vibrations and how evenly the axis moved; with stops in it
+  `axiometry evaluate --plan` takes the readings out of it.
+)";
+
+}  // namespace
+
+extern const Recording renishaw_rtx_recording;
+const Recording renishaw_rtx_recording = {
+    .id = "renishaw-rtx",
+    .title = "Renishaw laser, dynamic",
+    .extensions = ".rtx",
+    .manual = manual,
+    .recognise = recognise,
+    .open = open,
+};
+
+}  // namespace axiometry::formats

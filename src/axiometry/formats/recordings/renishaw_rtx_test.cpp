@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/formats/recording.h"
+#include "axiometry/formats/recordings/rtx_header.h"
+#include "tests/support/recording_feed.h"
+#include "tests/support/rtx_file.h"
+
+namespace axiometry::formats {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing_support::read_samples;
+using testing_support::rtx_file;
+using testing_support::same_however_cut;
+
+constexpr double three[] = {0.5, -1.25, 3.0};
+
+std::string rtx_text(std::string_view bytes, RecordingOptions options = {}) {
+  EXPECT_TRUE(same_however_cut("renishaw-rtx", bytes, options));
+  const auto read = read_samples("renishaw-rtx", bytes, options);
+  std::string text = read.refusal;
+  for (const Sample& s : read.samples)
+    text += (text.empty() ? "" : " ") + format_exact(s.time_s) + ":" + format_exact(s.position);
+  return text;
+}
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, text.npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(RenishawRtx, ReadsPositionsAtTheActualRate) {
+  const std::string file = rtx_file(three, 4.0);
+  EXPECT_EQ((*recognise_recording(file))->id, "renishaw-rtx");
+  EXPECT_EQ(rtx_text(file), "0:0.5 0.25:-1.25 0.5:3");
+  EXPECT_EQ(rtx_text(replaced(file, "\r\nEOF::\r\n", "")), "0:0.5 0.25:-1.25 0.5:3");
+  EXPECT_EQ(rtx_text(replaced(file, "\r\nEOF::\r\n", "EOF::")), "0:0.5 0.25:-1.25 0.5:3");
+  EXPECT_EQ(rtx_text(rtx_file(three, 1, "Sample no: 3\nSample rate: 2\nActual sample rate:\n")), "0:0.5 0.5:-1.25 1:3");
+}
+
+TEST(RenishawRtx, TakesAnglesInMilliradiansForARotaryAxis) {
+  RecordingOptions rotary;
+  rotary.kind = AxisKind::rotary;
+  const double one[] = {M_PI * 1000.0};
+  EXPECT_NEAR(read_samples("renishaw-rtx", rtx_file(one, 1), rotary).samples.at(0).position, 180.0, 1e-10);
+}
+
+TEST(RenishawRtx, TellsWhatTheHeaderSaysAndWhatIsDoubtful) {
+  const auto header = rtx_header(rtx_file(three, 4.0));
+  ASSERT_TRUE(header && *header);
+  EXPECT_EQ((*header)->machine, "Mill 5");
+  EXPECT_EQ((*header)->samples, 3u);
+  EXPECT_THAT(rtx_remarks(**header), Contains(HasSubstr("whether the day or the month stands first")));
+  EXPECT_THAT(rtx_remarks(**header), Not(Contains(HasSubstr("trigger interval"))));
+  const auto by_place = rtx_header(rtx_file(three, 1, "Sample no: 3\nTrigger interval: 0.01\nActual sample rate: 4\n"));
+  EXPECT_THAT(rtx_remarks(**by_place), Contains(HasSubstr("were the samples triggered by position")));
+  const auto asked = rtx_header(rtx_file(three, 1, "Sample no: 3\nSample rate: 2\n"));
+  EXPECT_THAT(rtx_remarks(**asked), Contains(HasSubstr("no actual sample rate")));
+}
+
+TEST(RenishawRtx, RefusesInWordsWhatIsNotWhole) {
+  const std::string file = rtx_file(three, 4.0);
+  const std::size_t data = file.find("Data:\r\n") + 7;
+  EXPECT_EQ(rtx_text(file.substr(0, data + 20)),
+            "found 2 samples, expected 3 as the header says: the file is cut off 0:0.5 0.25:-1.25");
+  EXPECT_EQ(rtx_text(file.substr(0, data - 9)), "found an .rtx recording that ends in its header, expected samples");
+  EXPECT_THAT(rtx_text(replaced(file, "Sample no: 3", "Sample no: 2")),
+              HasSubstr("found more behind the 2 samples that the header says, expected EOF::"));
+  EXPECT_THAT(rtx_text(replaced(file, "Sample no: 3", "Sample no: 2") + std::string(100, 'x')),
+              HasSubstr("found more behind the 2 samples"));
+  EXPECT_THAT(rtx_text(replaced(file, "Sample no: 3", "Sample no: 0")), HasSubstr("found \"0\" as Sample no"));
+  EXPECT_THAT(rtx_text(replaced(file, "Sample no: 3", "Sample no: 99999999999999999999")), HasSubstr("as Sample no"));
+  EXPECT_THAT(rtx_text(replaced(file, "Sample no: 3", "Sample no: 9000000000000000000")),
+              HasSubstr("the file is cut off"));
+  for (const char* rate : {"0", "-4", "nan", "inf", "1e99", "4 Hz"})
+    EXPECT_THAT(rtx_text(rtx_file(three, 1, std::string("Sample no: 3\nActual sample rate: ") + rate + "\n")),
+                HasSubstr("as sample rate of an .rtx recording, expected Hz above 0"))
+        << rate;
+  const double bad[] = {1.0, std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_EQ(rtx_text(rtx_file(bad, 1)), "found a number that is not finite in sample 2, expected a position 0:1");
+  EXPECT_THAT(read_samples("renishaw-rtx", "HEADER::\n" + std::string(70'000, 'x')).refusal,
+              HasSubstr("found no Data: in the first 65536 bytes"));
+  RecordingOptions options;
+  options.rate_hz = 5;
+  EXPECT_FALSE(find_recording("renishaw-rtx")->open(options));
+  options = {};
+  options.units_per_count = 5;
+  EXPECT_FALSE(find_recording("renishaw-rtx")->open(options));
+  options = {};
+  options.axis = 1;
+  EXPECT_FALSE(find_recording("renishaw-rtx")->open(options));
+}
+
+TEST(RenishawRtx, IsNotTakenForTheOtherFilesOfThatMaker) {
+  EXPECT_EQ(find_recording("renishaw-rtx")->recognise("HEADER::\r\nFile type  : rtl\r\nTARGET DATA::\r\n"), 0);
+}
+
+}  // namespace
+}  // namespace axiometry::formats

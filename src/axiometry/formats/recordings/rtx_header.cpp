@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/recordings/rtx_header.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+
+namespace axiometry::formats {
+namespace {
+
+constexpr std::size_t longest_rtx_header = std::size_t{64} << 10;
+constexpr double fastest_hz = 1e9;
+constexpr double interval_tolerance = 0.01;
+constexpr std::size_t longest_value = 200;
+
+struct RtxLine {
+  std::string_view key, value;
+};
+
+RtxLine key_and_value(std::string_view line) {
+  const std::size_t colon = line.find(':');
+  if (colon == line.npos) return {text::trim(line), {}};
+  return {text::trim(line.substr(0, colon)), text::trim(line.substr(colon + 1))};
+}
+
+/// Readable text of one line, whatever its bytes are.
+std::string shown_value(std::string_view value) {
+  std::string shown;
+  for (const char c : value.substr(0, longest_value))
+    shown += static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~' ? '?' : c;
+  return shown;
+}
+
+void take_text(RtxHeader& header, std::string_view key, std::string_view value) {
+  const std::pair<std::string_view, std::string*> members[] = {{"owner", &header.owner},
+                                                               {"version no", &header.version},
+                                                               {"file type", &header.file_type},
+                                                               {"machine", &header.machine},
+                                                               {"serial no", &header.serial_number},
+                                                               {"date", &header.date},
+                                                               {"by", &header.by},
+                                                               {"axis", &header.axis},
+                                                               {"location", &header.location}};
+  for (const auto& [name, member] : members)
+    if (text::equal_ignoring_case(key, name)) *member = shown_value(value);
+}
+
+struct RtxNumbers {
+  std::string_view samples, rate, actual_rate, interval;
+};
+
+void take_number(RtxNumbers& numbers, std::string_view key, std::string_view value) {
+  const std::pair<std::string_view, std::string_view*> members[] = {{"sample no", &numbers.samples},
+                                                                    {"sample rate", &numbers.rate},
+                                                                    {"actual sample rate", &numbers.actual_rate},
+                                                                    {"trigger interval", &numbers.interval}};
+  for (const auto& [name, member] : members)
+    if (text::equal_ignoring_case(key, name)) *member = value;
+}
+
+Result<void> settle(RtxHeader& header, const RtxNumbers& numbers) {
+  const auto samples = parse_count(numbers.samples);
+  if (!samples || *samples == 0)
+    return fail(fmt::format("found {} as Sample no of an .rtx recording, expected how many samples it holds",
+                            text::quoted(numbers.samples)));
+  header.samples = static_cast<std::uint64_t>(*samples);
+  header.rate_is_actual = !numbers.actual_rate.empty();
+  const std::string_view stated = header.rate_is_actual ? numbers.actual_rate : numbers.rate;
+  const auto rate = parse_number(stated);
+  if (!rate || !(*rate > 0.0 && *rate <= fastest_hz))
+    return fail(fmt::format("found {} as sample rate of an .rtx recording, expected Hz above 0", text::quoted(stated)));
+  header.rate_hz = *rate;
+  header.trigger_interval = parse_number(numbers.interval);
+  return {};
+}
+
+}  // namespace
+
+Result<std::optional<RtxHeader>> rtx_header(std::string_view bytes) {
+  constexpr std::string_view title = "HEADER::";
+  if (!text::equal_ignoring_case(bytes.substr(0, title.size()), title.substr(0, bytes.size())))
+    return fail("found no .rtx recording, expected HEADER:: at its beginning");
+  RtxHeader header;
+  RtxNumbers numbers;
+  std::size_t at = 0;
+  while (true) {
+    const std::size_t end = bytes.find('\n', at);
+    if ((end == bytes.npos ? bytes.size() : end) > longest_rtx_header)
+      return fail(
+          fmt::format("found no Data: in the first {} bytes of an .rtx recording, expected it behind the header",
+                      longest_rtx_header));
+    if (end == bytes.npos) return std::optional<RtxHeader>();
+    const auto [key, value] = key_and_value(bytes.substr(at, end - at));
+    at = end + 1;
+    if (text::equal_ignoring_case(key, "data") && value.empty()) break;
+    take_text(header, key, value);
+    take_number(numbers, key, value);
+  }
+  header.data_at = at;
+  AXIOMETRY_TRY_VOID(settle(header, numbers));
+  return std::optional(std::move(header));
+}
+
+std::vector<std::string> rtx_remarks(const RtxHeader& h) {
+  std::vector<std::string> remarks;
+  if (!h.rate_is_actual)
+    remarks.push_back(
+        "the file states no actual sample rate: the times are those of the sample rate that was asked for");
+  if (h.trigger_interval && std::abs(*h.trigger_interval * h.rate_hz - 1.0) > interval_tolerance)
+    remarks.push_back(
+        fmt::format("the file states a trigger interval of {} and a rate of {} Hz, which are no interval of time and "
+                    "its rate: were the samples triggered by position, their times are wrong",
+                    format_exact(*h.trigger_interval), format_exact(h.rate_hz)));
+  const std::pair<std::string_view, const std::string*> named[] = {
+      {"the file names the machine {}", &h.machine},
+      {"the file names the axis {}", &h.axis},
+      {"the file names the location {}", &h.location},
+      {"the file names the serial number {}", &h.serial_number}};
+  for (const auto& [words, value] : named)
+    if (!value->empty()) remarks.push_back(fmt::format(fmt::runtime(words), text::quoted(*value)));
+  if (!h.date.empty())
+    remarks.push_back(fmt::format("the file is of {}; whether the day or the month stands first it does not say",
+                                  text::quoted(h.date)));
+  return remarks;
+}
+
+}  // namespace axiometry::formats
