@@ -56,6 +56,17 @@ def siemens_lec(text):
     return even(beside["MIN"], beside["STEP"], values)
 
 
+def siemens_lec_with_backlash(text):
+    """Beside the curve MD32450 is driven more at each reversal into the negative direction; positive where it lags."""
+    number = re.search(r"^; MD32450 = its value without any table \+ (-?[\d.]+)$", text, re.M)
+    return {p: (up, down - 1000.0 * float(number.group(1))) for p, (up, down) in siemens_lec(text).items()}
+
+
+def turned(rule):
+    """Of a control whose sign is the other one."""
+    return lambda text: {p: (-up, -down) for p, (up, down) in rule(text).items()}
+
+
 def siemens_cec(text):
     curves = {}
     for table in sorted(set(re.findall(r"\$AN_CEC\[(\d+),", text))):
@@ -244,8 +255,7 @@ def parameters(readings):
     return {"A": max(ends) - min(ends), "E": max(means) - min(means), "R": max(R), "B": max(B), "M": max(M) - min(M)}
 
 
-def check(program, control, folder):
-    rule, options = CONTROLS[control]
+def check(program, control, rule, options, folder):
     readings = measured(7)
     test, out = folder / "axis.csv", folder / f"{control}.table"
     with open(test, "w", newline="", encoding="utf-8") as file:
@@ -283,13 +293,19 @@ def check(program, control, folder):
 def main():
     program = sys.argv[1]
     listed = subprocess.run([program, "compensate", "--list", "--json", "-"], capture_output=True, text=True, check=True).stdout
-    ids = [control["id"] for control in json.loads(listed)]
+    controls = [c for c in json.loads(listed) if c["limits"]["linear"] or c["limits"]["rotary"]]  # not of cross tables alone
+    ids = [control["id"] for control in controls]
     faults = [f"{control}: no rule is known here" for control in ids if control not in CONTROLS]
     faults += [f"{control}: is not listed by the program" for control in CONTROLS if control not in ids]
     with tempfile.TemporaryDirectory() as folder:
-        for control in ids:
-            if control in CONTROLS:
-                faults += check(program, control, pathlib.Path(folder))
+        for control in controls:
+            if control["id"] not in CONTROLS:
+                continue
+            rule, options = CONTROLS[control["id"]]
+            faults += check(program, control["id"], rule, options, pathlib.Path(folder))
+            if control["turned_sign"]:
+                faults += check(program, control["id"], turned(rule), [*options, "--turned-sign"], pathlib.Path(folder))
+        faults += check(program, "siemens-lec", siemens_lec_with_backlash, ["--curves", "with-backlash"], pathlib.Path(folder))
     print("\n".join(faults) if faults else f"{len(ids)} controls: ok")
     return 1 if faults else 0
 

@@ -88,7 +88,7 @@ SAME = set("""
     Ende Lauf Soll Test UTF- VDI Windows- bar csv- csv-long csv-wide deg eff json kPa linear min normal negative
     positive
     ppm    rad sin therm was Ist Mill generic time-position screw
-    EEC SINUMERIK JIS DGQ
+    BACKLASH EEC SINUMERIK JIS DGQ with-backlash
     DEVICE EVE MACHINE MISALIGNMENT PROBING STATION TOOL EXX EYY EZZ ECC xij XYZ xyz
     CALIBRATION RDEVICE RMISALIGNMENT UCALIBRATION UDEVICE UEVE UMISALIGNMENT UPROBING USTATION dfarthest dnearest
 """.split())

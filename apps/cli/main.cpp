@@ -49,6 +49,22 @@ std::string unknown_first_word(const CLI::App& program, int argc, char** argv) {
                      near ? fmt::format("perhaps {}", *near) : fmt::format("one of {}", fmt::join(known, ", ")));
 }
 
+/// Of a text that CLI11 makes no number of it says neither what was expected nor why. Such options are whole numbers,
+/// all of them: others are read by our own functions.
+std::string not_converted(const std::string& what) {
+  using namespace axiometry;
+  constexpr std::string_view beginning = "Could not convert: ";
+  const std::size_t equals = what.find(" = ");
+  if (!what.starts_with(beginning) || equals == std::string::npos) return what;
+  const std::string name = what.substr(beginning.size(), equals - beginning.size()), text = what.substr(equals + 3);
+  const bool is_negative = text.starts_with('-');
+  const bool is_whole = !text.empty() && text.find_first_not_of("0123456789", is_negative ? 1 : 0) == text.npos;
+  return fmt::format("{}: found {}, expected {}", name, axiometry::text::quoted(text),
+                     !is_whole     ? "a whole number"
+                     : is_negative ? "a whole number of 0 or more"
+                                   : "a smaller whole number");
+}
+
 int run(int argc, char** argv) {
   using namespace axiometry::cli;
   int exit_code = exit_done;
@@ -93,7 +109,8 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) {
       program.exit(error);
     } else {
-      fmt::print(stderr, "axiometry: {}\nTry 'axiometry --help' or 'axiometry VERB --help'.\n", error.what());
+      fmt::print(stderr, "axiometry: {}\nTry 'axiometry --help' or 'axiometry VERB --help'.\n",
+                 not_converted(error.what()));
       return exit_usage;
     }
   }

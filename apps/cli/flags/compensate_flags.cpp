@@ -66,13 +66,21 @@ void add_table_flags(const Verb& verb, app::CompensateRequest& request) {
            })
       ->group(group);
   verb.add_flag("--smooth", request.smooth, "As smooth as foretells targets best that are left out")->group(group);
-  add_read(verb, {"--curves", "WORD", "both-ways: one curve although the control has one for each direction"},
+  add_read(verb,
+           {"--curves", "WORD",
+            "both-ways: one curve although the control has one for each direction; with-backlash: one, and the number "
+            "for the reversal beside it"},
            [&request](const std::string& text) -> Result<void> {
-             if (text != curves_name(TableCurves::both_ways))
-               return fail(fmt::format("found {}, expected both-ways", text::quoted(text)));
-             request.curves = TableCurves::both_ways;
-             return {};
+             for (const TableCurves curves : {TableCurves::both_ways, TableCurves::with_backlash})
+               if (text == curves_name(curves)) {
+                 request.curves = curves;
+                 return {};
+               }
+             return fail(fmt::format("found {}, expected both-ways or with-backlash", text::quoted(text)));
            })
+      ->group(group);
+  verb.add_flag("--turned-sign", request.table.turned_sign,
+                "The other sign than was inferred of the control, where a re-test has shown it")
       ->group(group);
   verb.add_flag("--inch", request.table.in_inch, "The control counts in inches")->group(group);
   add_count(verb, {"--number", "N", "Of the table, encoder, joint or first point, as the control counts (0)"},
@@ -101,6 +109,31 @@ void add_table_flags(const Verb& verb, app::CompensateRequest& request) {
 }
 
 }  // namespace
+
+void add_measured_flags(const Verb& verb, app::CompensateRequest& request) {
+  constexpr const char* group = "Table";
+  add_read(verb,
+           {"--periodic", "WORD",
+            "leave: the periodic part of screw or scale stays out of the table; keep: as the readings have it (keep)"},
+           [&request](const std::string& text) -> Result<void> {
+             if (text != "keep" && text != "leave")
+               return fail(fmt::format("found {}, expected keep or leave", text::quoted(text)));
+             request.periodic = text == "leave" ? compensation::Periodic::leave : compensation::Periodic::keep;
+             return {};
+           })
+      ->group(group);
+  add_number(verb, {"--period", "NUMBER", "Its period, mm or ° (axis.expected_period of the test)"},
+             [&request](double x) { request.period = x; })
+      ->group(group);
+  add_read(verb, {"--existing-unit", "UNIT", "mm or inch: of the table that was active (that of the new one)"},
+           [&request](const std::string& text) -> Result<void> {
+             if (text != "mm" && text != "inch")
+               return fail(fmt::format("found {}, expected mm or inch", text::quoted(text)));
+             request.existing_in_inch = text == "inch";
+             return {};
+           })
+      ->group(group);
+}
 
 void add_compensate_flags(const Verb& verb, app::CompensateRequest& request) {
   verb.add_option("--for", request.control, "One of 'axiometry compensate --list'")->type_name("CONTROL");

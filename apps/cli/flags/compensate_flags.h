@@ -9,4 +9,7 @@ namespace axiometry::cli {
 /// What a table is for and how it is made, beside the readings: --for, its positions, its values.
 void add_compensate_flags(const Verb& verb, app::CompensateRequest& request);
 
+/// What only a measured test has: a periodic part, and a table that was active.
+void add_measured_flags(const Verb& verb, app::CompensateRequest& request);
+
 }  // namespace axiometry::cli

@@ -2,7 +2,10 @@
 #include "cli/flags/verb.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <utility>
+
+#include "cli/flags/alone.h"
 
 namespace axiometry::cli {
 namespace {
@@ -96,5 +99,14 @@ std::optional<Flag> Verb::find_option(const std::string& name) const {
 }
 std::size_t Verb::count(const std::string& name) const { return app_->count(name); }
 std::string Verb::get_name() const { return app_->get_name(); }
+
+void check_alone(const Verb& verb, const std::string& name, const std::vector<std::string>& beside) {
+  if (verb.count(name) == 0) return;
+  for (const CLI::Option* option : verb.app().get_options()) {
+    const std::string other = option->get_name();
+    if (option->count() == 0 || other == name || std::ranges::find(beside, other) != beside.end()) continue;
+    throw UsageError(name, "found " + other + " beside it, which it has no use for; expected it to be left out");
+  }
+}
 
 }  // namespace axiometry::cli

@@ -11,6 +11,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
+#include "cli/flags/alone.h"
 #include "cli/flags/compensate_flags.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
@@ -30,6 +31,7 @@ Examples:
   axiometry compensate --list
   axiometry compensate x.csv --for linuxcnc --out x.comp --report x.pdf
   axiometry compensate x.csv --for siemens-lec --axis X1 --start 0 --end 500 --step 10 --out x.ini
+  axiometry compensate x.csv --for siemens-lec --curves with-backlash --periodic leave --period 10 --out x.ini
   axiometry compensate again.csv --for linuxcnc --existing x.comp --out x2.comp
   axiometry compensate x.csv --for linuxcnc --retest after.csv)";
 
@@ -107,9 +109,11 @@ void add_compensate(const Verb& program, int& exit_code) {
       ->type_name("FILE")
       ->group("Table");
   add_compensate_flags(*verb, arguments->request);
+  add_measured_flags(*verb, arguments->request);
   add_reading_flags(*verb, arguments->files.reading, "axis.kind=rotary");
   add_experiment_flags(*verb, arguments->outputs);
-  verb->callback([arguments, &exit_code] {
+  verb->callback([arguments, verb, &exit_code] {
+    check_alone(*verb, "--list", {"--json"});
     check_experiment_outputs(arguments->outputs);
     exit_code = run(*arguments);
   });

@@ -7,9 +7,12 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/plan/nc_program.h"
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/nc/numbers.h"
 #include "cli/failure.h"
+#include "cli/flags/alone.h"
+#include "cli/flags/option_text.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
 
@@ -34,13 +37,26 @@ struct NcArguments {
   app::NcRequest request;
   std::string output = "-";
   std::string manual;
-  unsigned trigger = 0;
+  std::string trigger;
   unsigned number = 0;
   bool list = false;
   std::string rollover = "off";
   bool inch = false;
   bool no_block_numbers = false;
 };
+
+/// "27" or "M27"; which of them a control takes is asked later.
+unsigned m_code_in(const std::string& text) {
+  std::string_view digits = text;
+  if (digits.starts_with('M') || digits.starts_with('m')) digits.remove_prefix(1);
+  const auto code = parse_count(digits);
+  constexpr unsigned long long code_most = 99'999;  // more than any control has
+  if (code && *code <= code_most) return static_cast<unsigned>(*code);
+  throw UsageError("--trigger",
+                   fmt::format("found {}, expected the number of an M code, one of those that 'axiometry nc "
+                               "--manual ID' names",
+                               text::quoted(text)));
+}
 
 void list_dialects() {
   for (const nc::Dialect* dialect : nc::dialect_table())
@@ -79,10 +95,10 @@ void add_nc(const Verb& program, int& exit_code) {
   verb->add_option("--dialect", arguments->request.dialect, "Control to write for (axiometry nc --list)")
       ->type_name("ID");
   verb->add_option("--out", arguments->output, "File of the program; - for the standard output (-)")->type_name("FILE");
-  verb->add_option(
-          "--part", arguments->request.part,
-          "Which test of the plan: 1 the plan itself, 2 … its further ones; which run of a volumetric plan (1)")
-      ->type_name("N");
+  add_count(*verb,
+            {"--part", "N",
+             "Which test of the plan: 1 the plan itself, 2 … its further ones; which run of a volumetric plan (1)"},
+            [arguments](unsigned long long n) { arguments->request.part = static_cast<std::size_t>(n); });
   verb->add_option("--line", arguments->request.line, "One line of a tracking plan; all of them when not given")
       ->type_name("ID");
   verb->add_flag("--unrolled", options.unrolled, "No loops and variables, every run written out");
@@ -110,14 +126,17 @@ void add_nc(const Verb& program, int& exit_code) {
   const Flag list = verb->add_flag("--list", arguments->list, "List the dialects");
   verb->add_option("--manual", arguments->manual, "Explain a dialect")->type_name("ID")->excludes(list);
   verb->footer(nc_examples);
-  verb->callback([arguments, trigger, number, &exit_code] {
+  verb->callback([arguments, verb, trigger, number, &exit_code] {
+    check_alone(*verb, "--list");
+    check_alone(*verb, "--manual");
     auto& chosen = arguments->request.options;
-    if (arguments->rollover != "on" && arguments->rollover != "off")
+    const std::string rollover = text::to_lower(arguments->rollover);
+    if (rollover != "on" && rollover != "off")
       throw UsageError("--rollover", fmt::format("found {}, expected on or off", text::quoted(arguments->rollover)));
-    chosen.rollover = arguments->rollover == "on";
+    chosen.rollover = rollover == "on";
     if (arguments->inch) chosen.unit = nc::LengthUnit::inch;
     chosen.block_numbers = !arguments->no_block_numbers;
-    if (trigger->count() > 0) chosen.trigger_m_code = arguments->trigger;
+    if (trigger->count() > 0) chosen.trigger_m_code = m_code_in(arguments->trigger);
     if (number->count() > 0) chosen.number = arguments->number;
     exit_code = run(*arguments);
   });

@@ -50,6 +50,7 @@ std::string extension_of(const std::string& file) {
   return extension.starts_with('.') ? extension.substr(1) : extension;
 }
 
+constexpr int id_most = 2'147'483'647;
 constexpr const char* verb_name = "axiometry store compensate";
 
 std::string figure_of(const Compensation& c, const char* parameter, const char* state) {
@@ -120,6 +121,8 @@ Result<int> keep(const CompensationArguments& a) {
 
 Result<int> list_kept(const CompensationArguments& a) {
   AXIOMETRY_TRY(const auto archive, archive_at(a.address, {.create = false}));
+  if (a.test > 0) AXIOMETRY_TRY_VOID(archive->test(a.test));
+  if (a.axis > 0) AXIOMETRY_TRY_VOID(archive->get<store::Axis>(a.axis));
   store::CompensationFilter filter{.withdrawn = a.withdrawn, .limit = a.limit};
   if (a.test > 0) filter.test = a.test;
   if (a.axis > 0) filter.axis = a.axis;
@@ -210,6 +213,7 @@ void add_keep(const Verb& store, int& exit_code) {
       ->type_name("FILE");
   verb->add_option("--notes", made->notes, "Notes");
   add_compensate_flags(*verb, made->request);
+  add_measured_flags(*verb, made->request);
 }
 
 }  // namespace
@@ -219,8 +223,10 @@ void add_store_compensations(const Verb& store, int& exit_code) {
   auto made = std::make_shared<CompensationArguments>();
   Verb listed =
       store_verb(store, {"compensations", "List tables of compensation, the newest first"}, exit_code, made, list_kept);
-  listed->add_option("--test", made->test, "Only those of that test, or proved by it")->type_name("N");
-  listed->add_option("--axis", made->axis, "Only those of that axis")->type_name("N");
+  listed->add_option("--test", made->test, "Only those of that test, or proved by it")
+      ->type_name("N")
+      ->check_range(1, id_most);
+  listed->add_option("--axis", made->axis, "Only those of that axis")->type_name("N")->check_range(1, id_most);
   listed->add_flag("--withdrawn", made->withdrawn, "Withdrawn ones, too");
   listed->add_option("--limit", made->limit, "How many (50)")->check_range(1, 1000);
   made = std::make_shared<CompensationArguments>();

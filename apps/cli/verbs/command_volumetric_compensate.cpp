@@ -12,6 +12,7 @@
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
 #include "cli/flags/compensate_flags.h"
+#include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/verb.h"
 #include "cli/verbs/command_volumetric.h"
@@ -28,11 +29,14 @@ Exit code 3: something must be looked at before the table is used.
 Examples:
   axiometry volumetric compensate result.json --for siemens-lec --along X --axis AX1 --out x.ini
   axiometry volumetric compensate result.json --for siemens-cec --along Y --component X --axis AX2 --output-axis AX1
-      --number 4 --out xy.ini)";
+      --number 4 --out xy.ini
+  axiometry volumetric compensate result.json --for marlin-skew --along Y --component X --out skew.gcode
+      --report skew.pdf)";
 
 struct VolumetricCompensateArguments {
   app::VolumeCompensationRequest request;
-  std::string out, json;
+  std::string out;
+  ExperimentArguments outputs;
   bool has_component = false;
 };
 
@@ -51,7 +55,7 @@ void print_made(const app::VolumeCompensation& made) {
   };
   sizes("largest", made.effect.before.largest.value, made.effect.after.largest.value);
   sizes("95 % below", made.effect.before.percent_95, made.effect.after.percent_95);
-  fmt::print("  {}\n", made.control->sign);
+  fmt::print("  {}\n", nc::sign_of(*made.control, made.options));
   for (const NamedFinding& finding : made.findings)
     fmt::print("  {}: {}\n", finding.serious ? "serious" : "note", finding.message);
 }
@@ -62,20 +66,24 @@ int run(VolumetricCompensateArguments& arguments) {
   if (request.how.control.empty()) throw MissingOption("--for");
   if (!arguments.has_component) request.component = request.along;
   const std::vector<app::InputFile> inputs = {{request.result, false}};
-  for (const std::string& output : {arguments.out, arguments.json})
-    if (!output.empty())
-      if (const auto spared = app::InputFiles(inputs).check_spared(output); !spared)
-        return failed(spared.error(), exit_usage);
-  if (!arguments.out.empty() && arguments.out == arguments.json)
+  app::OutputNames& outputs = arguments.outputs.outputs;
+  outputs.inputs = app::InputFiles(inputs);
+  if (const auto spared = app::check_inputs_spared(outputs); !spared) return failed(spared.error(), exit_usage);
+  if (!arguments.out.empty())
+    if (const auto spared = outputs.inputs.check_spared(arguments.out); !spared)
+      return failed(spared.error(), exit_usage);
+  if (!arguments.out.empty() && arguments.out == outputs.json)
     throw UsageError("--out", "found the name of --json too, expected another one");
+  if (!arguments.out.empty() && std::ranges::find(outputs.reports, arguments.out) != outputs.reports.end())
+    throw UsageError("--out", "found the name of a report too, expected another one");
   const auto made = app::compensate_volume(request);
   if (!made) return failed(made.error());
   if (!arguments.out.empty())
     if (const auto written = app::write_file(arguments.out, made->text); !written) return failed(written.error());
-  if (!arguments.json.empty())
-    if (const auto written = app::write_file(arguments.json, json::dump(app::to_json(*made)) + "\n"); !written)
-      return failed(written.error());
-  if (arguments.out != "-" && arguments.json != "-") print_made(*made);
+  const app::Experiment shown = app::present(*made, arguments.outputs.report);
+  if (const auto written = app::write_outputs(shown, outputs, arguments.outputs.report); !written)
+    return failed(written.error());
+  if (!arguments.outputs.quiet && arguments.out != "-" && outputs.json != "-") print_made(*made);
   return std::ranges::any_of(made->findings, &NamedFinding::serious) ? exit_exceeded : exit_done;
 }
 
@@ -104,11 +112,12 @@ void add_volumetric_compensate(const Verb& volumetric, int& exit_code) {
   verb->add_option("--out", arguments->out, "The table to FILE, or to the standard output with -")
       ->check(fault_of_name)
       ->type_name("FILE");
-  verb->add_option("--json", arguments->json, "What it does as JSON to FILE, or to the standard output with -")
-      ->check(fault_of_name)
-      ->type_name("FILE");
   add_compensate_flags(*verb, arguments->request.how);
-  verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  add_experiment_flags(*verb, arguments->outputs);
+  verb->callback([arguments, &exit_code] {
+    check_experiment_outputs(arguments->outputs);
+    exit_code = run(*arguments);
+  });
 }
 
 }  // namespace axiometry::cli

@@ -11,6 +11,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
+#include "cli/flags/alone.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/verb.h"
 #include "cli/verbs/command_volumetric.h"
@@ -75,7 +76,10 @@ void add_volumetric_export(const Verb& volumetric, int& exit_code) {
              arguments->request.nodes = static_cast<std::size_t>(*number);
              return {};
            });
-  verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  verb->callback([arguments, verb, &exit_code] {
+    check_alone(*verb, "--list");
+    exit_code = run(*arguments);
+  });
 }
 
 }  // namespace axiometry::cli

@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/numeric/band_cholesky.h"
 #include "axiometry/numeric/moments.h"
 
@@ -186,8 +186,8 @@ Result<void> check_covered(std::span<const Wanted> wanted, std::span<const doubl
   return fail(
       fmt::format("found a table from {} to {}, expected it within {} to {}, where {} were measured: nothing is "
                   "extrapolated",
-                  format_exact(nodes.front()), format_exact(nodes.back()), format_exact(wanted.front().position),
-                  format_exact(wanted.back().position), of));
+                  format_rounded(nodes.front()), format_rounded(nodes.back()), format_rounded(wanted.front().position),
+                  format_rounded(wanted.back().position), of));
 }
 
 Result<void> check_nodes(std::span<const double> nodes) {

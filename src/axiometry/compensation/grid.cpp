@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/model/axis_correction.h"
 #include "axiometry/numeric/median.h"
 
@@ -72,7 +72,7 @@ Result<std::vector<double>> of_step(double start, double end, double step, const
   const auto count = steps_between(start, end, step);
   if (!count)
     return fail(fmt::format("found steps of {} that do not lead from {} to {}, expected a whole number of them",
-                            format_exact(step), format_exact(start), format_exact(end)));
+                            format_rounded(step), format_rounded(start), format_rounded(end)));
   return steps_from(start, step, *count + 1);
 }
 
@@ -120,26 +120,26 @@ Result<std::vector<double>> grid_of(std::span<const double> targets, const GridR
   if (!is_wished && fits_fixed_step && targets.size() <= most && (!limits.equidistant || is_even(targets)))
     return std::vector<double>(targets.begin(), targets.end());
   if (request.step && !(*request.step > 0.0))
-    return fail(fmt::format("found a step of {}, expected one above 0", format_exact(*request.step)));
+    return fail(fmt::format("found a step of {}, expected one above 0", format_rounded(*request.step)));
   if (request.points && *request.points < 2)
     return fail(fmt::format("found {}, expected at least two", counted(*request.points, "point")));
 
   if (request.start && request.end && !(*request.end > *request.start))
-    return fail(fmt::format("found an end at {}, expected one above the start at {}", format_exact(*request.end),
-                            format_exact(*request.start)));
+    return fail(fmt::format("found an end at {}, expected one above the start at {}", format_rounded(*request.end),
+                            format_rounded(*request.start)));
   if (request.points) {
     const double start = request.start.value_or(targets.front());
     const double end = request.end    ? *request.end
                        : request.step ? start + *request.step * static_cast<double>(*request.points - 1)
                                       : targets.back();
     if (!(end > start))
-      return fail(fmt::format("found an end at {}, expected one above the start at {}", format_exact(end),
-                              format_exact(start)));
+      return fail(fmt::format("found an end at {}, expected one above the start at {}", format_rounded(end),
+                              format_rounded(start)));
     const double step = (end - start) / static_cast<double>(*request.points - 1);
     if (request.step && std::abs(step - *request.step) > slack)
       return fail(fmt::format("found a step of {} and {} points from {} to {}, which would be steps of {}",
-                              format_exact(*request.step), *request.points, format_exact(start), format_exact(end),
-                              format_exact(step)));
+                              format_rounded(*request.step), *request.points, format_rounded(start),
+                              format_rounded(end), format_rounded(step)));
     return of_step(start, end, step, limits);
   }
 
@@ -158,7 +158,7 @@ Result<std::vector<double>> grid_of(std::span<const double> targets, const GridR
   const auto [start, end] = ends_of(step);
   if (!(end > start))
     return fail(fmt::format("found no two positions at steps of {} between the targets at {} and {}",
-                            format_exact(step), format_exact(targets.front()), format_exact(targets.back())));
+                            format_rounded(step), format_rounded(targets.front()), format_rounded(targets.back())));
   return of_step(start, end, step, limits);
 }
 

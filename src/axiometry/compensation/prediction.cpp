@@ -35,10 +35,14 @@ double change_at(double position, Direction direction, const AxisCorrection& add
 
 }  // namespace
 
+Result<Series> shifted_series(const Series& series, const std::function<double(double, Direction)>& added) {
+  return shifted(series,
+                 [&](std::size_t i, Direction direction) { return added(series.targets()[i].in_native(), direction); });
+}
+
 Result<Series> corrected_series(const Series& series, const AxisCorrection& added, const AxisCorrection* removed) {
-  return shifted(series, [&](std::size_t i, Direction direction) {
-    return change_at(series.targets()[i].in_native(), direction, added, removed);
-  });
+  return shifted_series(
+      series, [&](double position, Direction direction) { return change_at(position, direction, added, removed); });
 }
 
 Result<Series> scatter_alone(const Series& series) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "axiometry/base/result.h"
@@ -9,6 +11,9 @@
 
 /// What a table would do to a test, and what no table can.
 namespace axiometry::compensation {
+
+/// The same series with something more at every target and direction.
+Result<Series> shifted_series(const Series& series, const std::function<double(double, Direction)>& added);
 
 /// The readings of the same test with `added` in the control in place of `removed` (none: with no table). A command
 /// to P then moves to P + c(P): the deviation there is that of P but for its slope over c, of some µm, which is left

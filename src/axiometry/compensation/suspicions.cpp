@@ -9,6 +9,7 @@
 #include <string>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/numeric/moments.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
 
@@ -44,7 +45,21 @@ std::string deviation_words(double value, AxisKind kind) {
 }
 
 std::string place_words(double position, AxisKind kind) {
-  return fmt::format("{} {}", format_exact(std::round(position * 1e6) / 1e6), position_unit(kind));
+  return fmt::format("{} {}", format_rounded(position), position_unit(kind));
+}
+
+/// How many positions lie within the targets and have none of them between the positions beside them.
+std::size_t nodes_without_target(const Series& series, const std::vector<double>& nodes) {
+  const double first = series.targets().front().in_native(), last = series.targets().back().in_native();
+  std::size_t bare = 0, next = 0;  // next: the first target above the position before
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const double below = k > 0 ? nodes[k - 1] : first - 1.0, above = k + 1 < nodes.size() ? nodes[k + 1] : last + 1.0;
+    while (next < series.target_count() && series.targets()[next].in_native() <= below + printed) ++next;
+    const bool is_within = nodes[k] >= first - printed && nodes[k] <= last + printed;
+    const bool has_target = next < series.target_count() && series.targets()[next].in_native() < above - printed;
+    if (is_within && !has_target) ++bare;
+  }
+  return bare;
 }
 
 }  // namespace
@@ -143,10 +158,16 @@ std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorr
                                     "the value of the last target, which nobody measured",
                                     place_words(nodes.front(), kind), place_words(nodes.back(), kind),
                                     place_words(first, kind), place_words(last, kind))});
+  if (const std::size_t bare = nodes_without_target(series, nodes); bare > 0)
+    findings.push_back(
+        {"compensation-between-targets", false,
+         fmt::format("found {} of the {} positions of the table without a target between their neighbours: there it "
+                     "follows from the targets beside them, and what the axis does between these nobody measured",
+                     bare, nodes.size())});
   return findings;
 }
 
-NamedFinding finding_of_retest(const Effect& effect) {
+NamedFinding finding_of_retest(const Effect& effect, bool sign_inferred) {
   const double slack = std::max(0.25, 3.0 * effect.u);
   const auto is_near = [&](double share) { return std::abs(effect.share - share) < slack; };
   const std::string share =
@@ -162,7 +183,9 @@ NamedFinding finding_of_retest(const Effect& effect) {
   if (is_near(-1.0))
     return {
         "retest-sign", true,
-        fmt::format("the error has doubled, the re-test shows {} of the table: a sign mistake; take it out", share)};
+        fmt::format(
+            "the error has doubled, the re-test shows {} of the table: a sign mistake; take it out{}", share,
+            sign_inferred ? ", and make it with the sign that this control has: --turned-sign, or without it" : "")};
   if (is_near(2.0))
     return {"retest-twice", true,
             fmt::format("the table is applied twice, the re-test shows {} of it: is an older one still active beside "

@@ -18,14 +18,16 @@ namespace axiometry::compensation {
 Result<void> check_plausible(const Series& series, AxisKind kind);
 
 /// Of the readings: outliers in a mean, with what they do to it; a direction that was not measured; runs that drift;
-/// a rotary axis whose ends, a whole turn apart, differ. `reference` is where the table is to do nothing.
+/// a rotary axis whose ends, a whole turn apart, differ.
 std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind kind, TableCurves curves);
 
-/// Of a table: what lies beyond its ends, of what was measured; values at a node that no target is near.
+/// Of a table: what lies beyond its ends, of what was measured; positions without a target between their neighbours,
+/// which follow from those beside them.
 std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorrection& correction);
 
 /// Of a re-test: "did what it should", or what went wrong instead: a sign mistake (the error doubled), a table that was
-/// not active, one that was added twice, directions that were exchanged, a reversal that is corrected twice.
-NamedFinding finding_of_retest(const Effect& effect);
+/// not active, one that was added twice, directions that were exchanged, a reversal that is corrected twice. Of a
+/// control whose sign was inferred a sign mistake names the way out.
+NamedFinding finding_of_retest(const Effect& effect, bool sign_inferred = false);
 
 }  // namespace axiometry::compensation

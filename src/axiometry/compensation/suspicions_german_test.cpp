@@ -83,6 +83,10 @@ std::set<std::string> of_tables() {
   const Series series = make_series(five_targets, scattered(0, 0), scattered(0, 0));
   std::set<std::string> ids = german_ids(findings_of_table(series, straight(AxisKind::linear, 50.5, 350)));
   ids.merge(german_ids(findings_of_table(series, straight(AxisKind::rotary, -50.5, 450))));
+  const AxisCorrection fine =
+      AxisCorrection::make(AxisKind::linear, {0, 30, 60, 90, 100.5, 200}, {0, 1, 2, 3, 4, 5}, {0, 1, 2, 3, 4, 5})
+          .value();
+  ids.merge(german_ids(findings_of_table(series, fine)));
   return ids;
 }
 
@@ -91,6 +95,8 @@ std::set<std::string> of_retests() {
   for (const double share : {1.0, 0.0, -1.0, 2.0, 0.5}) findings.push_back(finding_of_retest({share, 0.01, 1.0}));
   for (const double reversal : {-1.0, 2.0, 0.0}) findings.push_back(finding_of_retest({1.0, 0.01, 1.0, reversal}));
   findings.push_back(finding_of_retest({1.0, 0.5, 1.0}));
+  findings.push_back(finding_of_retest({-1.0, 0.01, 1.0}, true));
+  EXPECT_NE(findings.back().message.find("--turned-sign"), std::string::npos);
   return german_ids(findings);
 }
 
@@ -104,6 +110,25 @@ TEST(GermanSuspicions, AreAllOfThem) {
   for (std::sregex_iterator at(source.begin(), source.end(), id), end; at != end; ++at) expected.insert((*at)[1]);
   EXPECT_GE(expected.size(), 17u);
   EXPECT_EQ(found, expected);
+}
+
+TEST(Suspicions, CountPositionsThatNoTargetIsNear) {
+  const Series series = make_series(five_targets, scattered(0, 0), scattered(0, 0));
+  const auto bare = [&](std::vector<double> positions) -> std::string {
+    const std::vector<double> zeros(positions.size());
+    const auto table = AxisCorrection::make(AxisKind::linear, std::move(positions), zeros, zeros).value();
+    for (const NamedFinding& finding : findings_of_table(series, table))
+      if (finding.id == "compensation-between-targets")
+        return finding.message.substr(0, finding.message.find(" positions"));
+    return "";
+  };
+  EXPECT_EQ(bare({0, 100, 200, 300, 400.5}), "") << "the targets themselves";
+  EXPECT_EQ(bare({50, 150, 250, 350}), "") << "one target between each";
+  EXPECT_EQ(bare({0, 50, 100, 150, 200, 300, 400.5}), "found 2 of the 7")
+      << "50 and 150 follow from the targets that their neighbours stand at";
+  EXPECT_EQ(bare({0, 30, 60, 90, 200, 300}), "found 2 of the 6");
+  EXPECT_EQ(bare({0, 20, 40, 60, 80, 120, 400.5}), "found 3 of the 7") << "20 to 60: 80 has the target at 100";
+  EXPECT_EQ(bare({-90, -60, -30, 0, 100}), "") << "beyond the targets another finding speaks";
 }
 
 TEST(GermanSuspicions, SayWhatNoAxisDoes) {

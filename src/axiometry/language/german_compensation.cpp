@@ -56,10 +56,37 @@ constexpr Phrase rows[] = {
      "Was die Steuerung zur befohlenen Position addiert, in beiden Anfahrrichtungen."},
     {"before ↑", "vorher ↑"},
     {"before ↓", "vorher ↓"},
+    {"beside the table {0=} must be what it was without any table and {1#} added: the prediction counts on it, and no "
+     "control reads it from the file",
+     "neben der Tabelle muss {0} sein, was es ohne jede Tabelle war, plus {1}: Die Vorhersage rechnet damit, und "
+     "keine Steuerung liest es aus der Datei"},
     {"compensation", "Kompensation"},
+    {"existing_unit: {0}", "existing_unit: {0}"},
+    {"found a backlash beside one curve asked for of {0}, expected a curve for each direction, which it has, or "
+     "both-ways",
+     "ein Umkehrspiel neben einer einzigen Kurve für {0} verlangt; erwartet: eine Kurve je Richtung, die sie hat, oder "
+     "both-ways"},
+    {"found a backlash beside one curve asked for of {0}, expected one curve alone: no number for it is known",
+     "ein Umkehrspiel neben einer einzigen Kurve für {0} verlangt; erwartet: nur eine Kurve, denn eine Zahl dafür ist "
+     "nicht bekannt"},
     {"found a compensation of the archive without its table", "eine Kompensation des Archivs ohne ihre Tabelle"},
     {"found a compensation without a control, expected one", "Kompensation ohne Steuerung; erwartet: eine"},
     {"found a compensation without its table, expected one", "Kompensation ohne ihre Tabelle; erwartet: eine"},
+    {"found a periodic part to leave out and no period, expected one: axis.expected_period of the test, or --period",
+     "ein periodischer Anteil, der wegbleiben soll, und keine Periode; erwartet: eine: axis.expected_period der "
+     "Prüfung, oder --period"},
+    {"found a periodic part with a period of {0#}, of an amplitude of {1#} and {2#}, in the readings, and positions of "
+     "the table up to {3#} apart, above half the period: the table holds what the targets happened to meet of it, and "
+     "is wrong between them; --periodic leave leaves it out",
+     "ein periodischer Anteil mit einer Periode von {0} und einer Amplitude von {1} und {2} in den Messwerten, und "
+     "Positionen der Tabelle bis {3} auseinander, mehr als die halbe Periode: Die Tabelle enthält davon, was die "
+     "Zielpositionen gerade trafen, und ist dazwischen falsch; --periodic leave lässt ihn weg"},
+    {"found a periodic part with a period of {0#}, of an amplitude of {1#}, in the readings, and positions of the "
+     "table up to {2#} apart, above half the period: the table holds what the targets happened to meet of it, and is "
+     "wrong between them; --periodic leave leaves it out",
+     "ein periodischer Anteil mit einer Periode von {0} und einer Amplitude von {1} in den Messwerten, und Positionen "
+     "der Tabelle bis {2} auseinander, mehr als die halbe Periode: Die Tabelle enthält davon, was die Zielpositionen "
+     "gerade trafen, und ist dazwischen falsch; --periodic leave lässt ihn weg"},
     {"found a re-test of another kind of axis", "eine Nachprüfung einer anderen Art von Achse"},
     {"found a re-test without its version, expected both or none",
      "Nachprüfung ohne ihre Version; erwartet: beides oder keines"},
@@ -69,6 +96,14 @@ constexpr Phrase rows[] = {
     {"found a step of {0#} and {1#} points from {2#} to {3#}, which would be steps of {4#}",
      "Schritt {0} und {1} Stützpunkte von {2} bis {3}, was Schritte von {4} wären"},
     {"found a step of {0#}, expected one above 0", "Schritt {0}; erwartet: einer über 0"},
+    {"found a table from {0#} to {1#} where the targets go from {2#} to {3#}, which it would fit in inches: expected "
+     "it in mm, as the table to make, or --existing-unit that says what it is in",
+     "eine Tabelle von {0} bis {1}, wo die Zielpositionen von {2} bis {3} gehen, zu denen sie in Zoll passen würde; "
+     "erwartet: sie in mm wie die neue Tabelle, oder --existing-unit, das sagt, worin sie ist"},
+    {"found a table from {0#} to {1#} where the targets go from {2#} to {3#}, which it would fit in mm: expected it in "
+     "inches, as the table to make, or --existing-unit that says what it is in",
+     "eine Tabelle von {0} bis {1}, wo die Zielpositionen von {2} bis {3} gehen, zu denen sie in mm passen würde; "
+     "erwartet: sie in Zoll wie die neue Tabelle, oder --existing-unit, das sagt, worin sie ist"},
     {"found a table from {0#} to {1#}, expected it within {2#} to {3#}, where targets were measured: nothing is "
      "extrapolated",
      "eine Tabelle von {0} bis {1}; erwartet: innerhalb von {2} bis {3}, wo Zielpositionen gemessen wurden: Nichts "
@@ -83,6 +118,10 @@ constexpr Phrase rows[] = {
      "eine Tabelle, die {0} nach der Position von {1} bewegt, für {2}; erwartet: eine der Achse selbst, das Format "
      "nimmt "
      "keine andere"},
+    {"found a unit of length for the table of a rotary axis, expected none: it is in °",
+     "eine Längeneinheit für die Tabelle einer Rundachse; erwartet: keine, denn sie ist in °"},
+    {"found a unit of the existing table and no such table, expected both",
+     "eine Einheit der vorhandenen Tabelle und keine solche Tabelle; erwartet: beides"},
     {"found an end at {0#}, expected one above the start at {1#}", "Ende bei {0}; erwartet: über dem Anfang bei {1}"},
     {"found an outlier at {0#} run {1#}: it lies {2#} from what the other readings let expect and moves the mean "
      "there, and so the table, by {3#}; look at it before the table is used",
@@ -106,6 +145,10 @@ constexpr Phrase rows[] = {
     {"found no file {0=} of compensation {1#}", "keine Datei {0} der Kompensation {1}"},
     {"found no file, expected a table", "keine Datei; erwartet: eine Tabelle"},
     {"found no form, expected one with options", "kein Formular; erwartet: eines mit options"},
+    {"found no periodic part with a period of {0#} in the readings that noise would not make in one test of a hundred: "
+     "nothing was left out",
+     "kein periodischer Anteil mit einer Periode von {0} in den Messwerten, den nicht Rauschen in einer von hundert "
+     "Prüfungen machte: Nichts wurde weggelassen"},
     {"found no position for the table, expected at least one",
      "keine Position für die Tabelle; erwartet: mindestens eine"},
     {"found no reading {0#}: what the table does to approaches from there nobody measured, and the reversal error "
@@ -153,11 +196,11 @@ constexpr Phrase rows[] = {
      "make a new one of test {3#}",
      "axiometry {0} würde eine andere Tabelle als Kompensation {1} erzeugen, die {2} erzeugt hat; erwartet: dieselbe: "
      "eine neue aus Prüfung {3} erzeugen"},
-    {"found that the control would not become better by this table: E from {0#} to {1#}, mean deviations (r.m.s.) "
+    {"found that the axis would not become better by this table: E from {0#} to {1#}, mean deviations (r.m.s.) "
      "from {2#} to {3#}; no table is written",
      "die Achse würde durch diese Tabelle nicht besser: E von {0} auf {1}, mittlere Abweichungen (quadratisches "
      "Mittel) von {2} auf {3}; keine Tabelle wird geschrieben"},
-    {"found that the control would not become better by this table: displacements on the line differ by {0#} with it, "
+    {"found that the axis would not become better by this table: displacements on the line differ by {0#} with it, "
      "by "
      "{1#} without; no table is written",
      "die Achse würde durch diese Tabelle nicht besser: Verlagerungen auf der Linie unterscheiden sich mit ihr um {0}, "
@@ -167,6 +210,12 @@ constexpr Phrase rows[] = {
      "die Achsen {0} und {1} für eine Tabelle, die {2} nach der Position von {3} bewegt; erwartet: eine Achse"},
     {"found the axes {0=} and {1=} for a table that moves {2=} by the position of {3=}, expected two axes",
      "die Achsen {0} und {1} für eine Tabelle, die {2} nach der Position von {3} bewegt; erwartet: zwei Achsen"},
+    {"found the existing table from {0#} to {1#}, beyond the targets from {2#} to {3#}: what it should become there "
+     "nobody measured; expected --hold-ends, which changes it there as at the last target, or --start, --end, --step "
+     "or --points, which give the new one other positions",
+     "die vorhandene Tabelle von {0} bis {1}, jenseits der Zielpositionen von {2} bis {3}: Was dort aus ihr werden "
+     "soll, hat niemand gemessen; erwartet: --hold-ends, womit sie sich dort ändert wie am letzten Ziel, oder --start, "
+     "--end, --step oder --points, womit die neue andere Positionen hat"},
     {"found the largest number {0#}, expected a number from {1#} to {2#}",
      "größte Zahl {0}; erwartet: eine Zahl von {1} bis {2}"},
     {"found the magnification {0#}, expected a number from {1#} to {2#}",
@@ -175,16 +224,24 @@ constexpr Phrase rows[] = {
     {"found the part {0=} in the form, expected options, notes and one file {1=}",
      "Teil {0} im Formular; erwartet: options, notes und eine Datei {1}"},
     {"found the part {0=} twice in the form, expected it once", "Teil {0} zweimal im Formular; erwartet: einmal"},
+    {"found the period {0#}, expected a number from {1#} to {2#}", "Periode {0}; erwartet: eine Zahl von {1} bis {2}"},
     {"found the resolution {0#}, expected a number from {1#} to {2#}",
      "resolution {0}; erwartet: eine Zahl von {1} bis {2}"},
     {"found the step {0#}, expected a number from {1#} to {2#}", "Schritt {0}; erwartet: eine Zahl von {1} bis {2}"},
     {"found the steps per unit {0#}, expected a number from {1#} to {2#}",
      "Schritte je Einheit {0}; erwartet: eine Zahl von {1} bis {2}"},
+    {"found {0#} of the {1#} positions of the table without a target between their neighbours: there it follows from "
+     "the targets beside them, and what the axis does between these nobody measured",
+     "{0} der {1} Positionen der Tabelle ohne eine Zielposition zwischen ihren Nachbarn: Dort folgt sie aus den "
+     "Zielpositionen daneben, und was die Achse zwischen diesen tut, hat niemand gemessen"},
     {"found {0#} point, expected at least two", "{0} Stützpunkt; erwartet: mindestens zwei"},
     {"found {0#} points, expected at least two", "{0} Stützpunkte; erwartet: mindestens zwei"},
     {"found {0#} positions, expected at most {1#}", "{0} Positionen; erwartet: höchstens {1}"},
     {"found {0#} target, expected at least two", "{0} Zielposition; erwartet: mindestens zwei"},
     {"found {0#} targets, expected at least two", "{0} Zielpositionen; erwartet: mindestens zwei"},
+    {"found {0} for a test of one axis, which it does not correct; expected it of the 21 errors, volumetric compensate",
+     "{0} für die Prüfung einer Achse, die es nicht korrigiert; erwartet: aus den 21 Abweichungen, volumetric "
+     "compensate"},
     {"hold_ends: {0}", "hold_ends: {0}"},
     {"inch: {0}", "inch: {0}"},
     {"largest: {0}", "largest: {0}"},
@@ -195,6 +252,7 @@ constexpr Phrase rows[] = {
     {"new table ↑", "neue Tabelle ↑"},
     {"new table ↓", "neue Tabelle ↓"},
     {"number: {0}", "Nummer: {0}"},
+    {"periodic: {0}", "periodic: {0}"},
     {"points: {0}", "Stützpunkte: {0}"},
     {"re-test ↑", "Nachprüfung ↑"},
     {"re-test ↓", "Nachprüfung ↓"},
@@ -210,6 +268,10 @@ constexpr Phrase rows[] = {
     {"the error has doubled, the re-test shows {0#} ± {1#} (k = 2) of the table: a sign mistake; take it out",
      "der Fehler hat sich verdoppelt, die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: ein Vorzeichenfehler; sie "
      "herausnehmen"},
+    {"the error has doubled, the re-test shows {0#} ± {1#} (k = 2) of the table: a sign mistake; take it out, and make "
+     "it with the sign that this control has: --turned-sign, or without it",
+     "der Fehler hat sich verdoppelt, die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: ein Vorzeichenfehler; sie "
+     "herausnehmen und mit dem Vorzeichen machen, das diese Steuerung hat: --turned-sign, oder ohne"},
     {"the instrument counts against the axis: turn its sign, or the axis in the test",
      "das Messgerät zählt gegen die Achse: sein Vorzeichen umkehren, oder die Achse in der Prüfung"},
     {"the instrument did not see the axis move", "das Messgerät hat die Bewegung der Achse nicht gesehen"},
@@ -219,6 +281,14 @@ constexpr Phrase rows[] = {
      "die Linie durch die Mitte wird besser, das Volumen nicht: 95 % der Fehler des Werkzeugpunkts liegen mit dieser "
      "Tabelle "
      "allein unter {0}, ohne sie unter {1}"},
+    {"the periodic part with a period of {0#}, of an amplitude of {1#} and {2#}, is not in the table: it stays, and is "
+     "in what is predicted",
+     "der periodische Anteil mit einer Periode von {0} und einer Amplitude von {1} und {2} ist nicht in der Tabelle: "
+     "Er bleibt, und die Vorhersage enthält ihn"},
+    {"the periodic part with a period of {0#}, of an amplitude of {1#}, is not in the table: it stays, and is in what "
+     "is predicted",
+     "der periodische Anteil mit einer Periode von {0} und einer Amplitude von {1} ist nicht in der Tabelle: Er "
+     "bleibt, und die Vorhersage enthält ihn"},
     {"the re-test has fewer than three targets in common with the test: it cannot be held against the prediction",
      "die Nachprüfung hat weniger als drei Ziele mit der Prüfung gemein: Sie kann nicht an der Vorhersage gemessen "
      "werden"},
@@ -247,6 +317,9 @@ constexpr Phrase rows[] = {
      "neben der Tabelle?"},
     {"the reversal is not corrected, the re-test shows {0#} of it",
      "die Umkehrspanne wird nicht korrigiert, die Nachprüfung zeigt {0} davon"},
+    {"the sign is turned against what was inferred of {0}: only a re-test tells whether this is the one of the control",
+     "das Vorzeichen ist gegen das gedreht, was für {0} erschlossen wurde: Erst eine Nachprüfung sagt, ob es das der "
+     "Steuerung ist"},
     {"the table does what it should: the re-test shows {0#} ± {1#} (k = 2) of it",
      "die Tabelle tut, was sie soll: Die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr"},
     {"the table goes from {0#} to {1#}, the targets from {2#} to {3#}: beyond its ends the control holds the last "
@@ -267,11 +340,19 @@ constexpr Phrase rows[] = {
      "referenced?",
      "die Tabelle wirkt nicht, die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr: Ist sie geladen, eingeschaltet und "
      "die Achse referenziert?"},
+    {"the table that was active goes from {0#} to {1#}, the new one from {2#} to {3#}: beyond its ends what the old "
+     "one corrected is given up",
+     "die Tabelle, die wirkte, geht von {0} bis {1}, die neue von {2} bis {3}: Jenseits ihrer Enden ist aufgegeben, "
+     "was die alte korrigierte"},
     {"the table's two directions are exchanged: the re-test shows {0#} of its reversal",
      "die beiden Richtungen der Tabelle sind vertauscht: Die Nachprüfung zeigt {0} ihrer Umkehrspanne"},
     {"the targets are in inches and the readings in mm", "die Zielpositionen sind in Zoll und die Messwerte in mm"},
     {"the targets are in mm and the readings in inches", "die Zielpositionen sind in mm und die Messwerte in Zoll"},
+    {"the targets do not tell a periodic part with a period of {0#}: nothing was left out",
+     "die Zielpositionen lassen einen periodischen Anteil mit einer Periode von {0} nicht erkennen: Nichts wurde "
+     "weggelassen"},
     {"these are no deviations of an axis", "das sind keine Abweichungen einer Achse"},
+    {"turned_sign: {0}", "turned_sign: {0}"},
     {"{0=} from {1#} to {2#}, as predicted from the same readings",
      "{0} von {1} auf {2}, vorhergesagt aus denselben Messwerten"},
     {"{0=} of the re-test: {1#}", "{0} der Nachprüfung: {1}"},

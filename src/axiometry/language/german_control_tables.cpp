@@ -14,6 +14,10 @@ constexpr Phrase rows[] = {
      "3605#0 = 1; erwartet: 0: eine Tabelle für beide Richtungen gleich"},
     {"found IS_MODULO, expected it on a rotary axis whose table is a whole turn",
      "IS_MODULO; erwartet: nur bei einer Rundachse, deren Tabelle eine ganze Umdrehung ist"},
+    {"found UTF-16 text, expected a table of single bytes; save the file as UTF-8 without BOM",
+     "Text in UTF-16; erwartet: eine Tabelle aus einzelnen Bytes; die Datei als UTF-8 ohne BOM speichern"},
+    {"found a NUL byte, so this is a binary file, expected a table",
+     "ein NUL-Byte, also eine Binärdatei; erwartet: eine Tabelle"},
     {"found a backlash of {0#} and one of {1#}, expected the same everywhere",
      "ein Umkehrspiel von {0} und eines von {1}; erwartet: überall dasselbe"},
     {"found a backlash of {0#}, expected 0 or more: the axis goes too far at a reversal, which this control cannot "
@@ -28,14 +32,20 @@ constexpr Phrase rows[] = {
     {"found a correction of {0#}, expected at most {1#} encoder steps of {2#}",
      "Korrektur {0}; erwartet: höchstens {1} Geberinkremente von je {2}"},
     {"found a curve for each direction, expected one for both", "eine Kurve je Richtung; erwartet: eine für beide"},
+    {"found a curve for each direction, expected one for both (--curves both-ways): BLCOMP moves its own motor alone",
+     "eine Kurve je Richtung; erwartet: eine für beide (--curves both-ways), denn BLCOMP bewegt nur den eigenen Motor"},
+    {"found a factor of {0#}, expected -1 to 1", "Faktor {0}; erwartet: -1 bis 1"},
     {"found a line that is not three numbers, where LinuxCNC ends reading without a word, expected NOMINAL FORWARD "
      "REVERSE",
      "eine Zeile, die nicht aus drei Zahlen besteht, an der LinuxCNC das Lesen wortlos beendet; erwartet: "
      "SOLLPOSITION VORWÄRTS RÜCKWÄRTS"},
     {"found a linear axis, which {0} has no such table for", "eine Linearachse, für die {0} keine solche Tabelle hat"},
+    {"found a mark of the byte order (BOM) at the head of the table, expected none: a control takes it for a part of "
+     "the first line; save the file as UTF-8 without BOM",
+     "eine Byte-Reihenfolge-Marke (BOM) am Anfang der Tabelle; erwartet: keine, denn eine Steuerung hält sie für einen "
+     "Teil der ersten Zeile; die Datei als UTF-8 ohne BOM speichern"},
     {"found a nominal position that is not above the one before, which LinuxCNC refuses",
      "eine Sollposition, die nicht über der vorigen liegt, was LinuxCNC ablehnt"},
-    {"found a number that is none at position {0#} of the table", "keine endliche Zahl an Position {0} der Tabelle"},
     {"found a position of {0#}, expected them 0.0001 apart at least and at most {1#} counts",
      "Position {0}; erwartet: mindestens 0,0001 auseinander und höchstens {1} Inkremente"},
     {"found a range of {0#}, expected at most the length of the table, {1#}",
@@ -47,6 +57,14 @@ constexpr Phrase rows[] = {
      "eine Tabelle für eine Richtung; erwartet: eine je Richtung, oder eine für beide"},
     {"found a table of {0#} entries over {1#} counts, expected at most {2#} and at least 1 count",
      "eine Tabelle mit {0} Einträgen über {1} Inkremente; erwartet: höchstens {2} und mindestens 1 Inkrement"},
+    {"found a table that says: A positive number moves the axis in the negative direction; expected the sign that was "
+     "asked for, --turned-sign or not as the table was made",
+     "eine Tabelle, die sagt: Eine positive Zahl bewegt die Achse in negativer Richtung; erwartet: das Vorzeichen, das "
+     "verlangt ist, --turned-sign oder nicht, wie die Tabelle gemacht wurde"},
+    {"found a table that says: A positive number moves the axis in the positive direction; expected the sign that was "
+     "asked for, --turned-sign or not as the table was made",
+     "eine Tabelle, die sagt: Eine positive Zahl bewegt die Achse in positiver Richtung; erwartet: das Vorzeichen, das "
+     "verlangt ist, --turned-sign oder nicht, wie die Tabelle gemacht wurde"},
     {"found a table without an input axis, an output axis or a direction, expected all three",
      "eine Tabelle ohne Eingangsachse, Ausgangsachse oder Richtung; erwartet: alle drei"},
     {"found a turn from {0#}, expected it to begin at the reference point",
@@ -57,6 +75,8 @@ constexpr Phrase rows[] = {
      "eine Umdrehung, die sich nicht schließt; erwartet: Zahlen, deren Summe 0 ist, die erste gleich der letzten"},
     {"found a turn whose points do not lead from the reference point once round, expected them to",
      "eine Umdrehung, deren Stützpunkte nicht vom Referenzpunkt einmal herum führen; erwartet: genau das"},
+    {"found a turned sign asked for of {0}, expected it as it is: that sign is verified",
+     "ein gedrehtes Vorzeichen für {0} verlangt; erwartet: das Vorzeichen, wie es ist, denn es ist geprüft"},
     {"found an entry at machine zero that is not 0, expected 0",
      "ein Eintrag am Maschinennullpunkt, der nicht 0 ist; erwartet: 0"},
     {"found corrections of {0#} and {1#} a whole turn apart, expected the same: it is one place",
@@ -68,6 +88,8 @@ constexpr Phrase rows[] = {
     {"found inches, expected mm, the one unit of the file that is known",
      "Zoll; erwartet: mm, die einzige bekannte Einheit der Datei"},
     {"found inches, expected mm, the unit of 3624 that is known", "Zoll; erwartet: mm, die bekannte Einheit von 3624"},
+    {"found inches, expected mm: a factor has no unit, and the range stands in mm",
+     "Zoll; erwartet: mm, denn ein Faktor hat keine Einheit, und der Bereich steht in mm"},
     {"found kw.ssfk.{0=}, expected interval, kw_startpos, kw_nr_max, unit, bilateral, modulo or table",
      "kw.ssfk.{0}; erwartet: interval, kw_startpos, kw_nr_max, unit, bilateral, modulo oder table"},
     {"found more than a turn, expected parameter 3625 with a table that turns",
@@ -82,6 +104,8 @@ constexpr Phrase rows[] = {
     {"found no CONNECT of this axis, expected one", "kein CONNECT dieser Achse; erwartet: eines"},
     {"found no M17 at the end, expected one: the file may be cut",
      "kein M17 am Ende; erwartet: eines: Die Datei kann abgeschnitten sein"},
+    {"found no M852 {0=}NUMBER with M500 behind it, expected both",
+     "kein M852 {0}ZAHL mit M500 dahinter; erwartet: beides"},
     {"found no Start, Length above 0 or Points, expected all three",
      "Start, Length über 0 oder Points fehlt; erwartet: alle drei"},
     {"found no [END], expected one: the table may be cut",
@@ -91,6 +115,8 @@ constexpr Phrase rows[] = {
      "one of 0.0001 at least",
      "in der negativen Richtung nirgends ein Fehler, was die 8055 für den der positiven hält; erwartet: einer von "
      "mindestens 0,0001"},
+    {"found no finite number in row {0#} of the table, expected numbers alone",
+     "keine endliche Zahl in Zeile {0} der Tabelle; erwartet: nur Zahlen"},
     {"found no parameter {0#}, expected 3620 to 3624", "kein Parameter {0}; erwartet: 3620 bis 3624"},
     {"found no point {0=}, expected all without a gap", "kein Stützpunkt {0}; erwartet: alle ohne Lücke"},
     {"found no point, expected at least one", "kein Stützpunkt; erwartet: mindestens einer"},
@@ -129,6 +155,10 @@ constexpr Phrase rows[] = {
     {"found the axis {0=}, expected {1=} alone", "Achse {0}; erwartet: nur {1}"},
     {"found the axis {0=}, expected {1=} once", "Achse {0}; erwartet: {1}, einmal"},
     {"found the encoder {0=}, expected {1#} alone", "Messgeber {0}; erwartet: nur {1}"},
+    {"found the output axis {0=}, expected the number of its motor, 1 to {1#} and another than {2#} (--output-axis, "
+     "--number)",
+     "Ausgangsachse {0}; erwartet: die Nummer ihres Motors, 1 bis {1} und eine andere als {2} (--output-axis, "
+     "--number)"},
     {"found the reference point at {0#} and positions from {1#} to {2#}, expected it a whole number of steps from "
      "them, which is what {3} needs",
      "Referenzpunkt bei {0} und Positionen von {1} bis {2}; erwartet: eine ganze Zahl von Schritten von ihnen "
@@ -139,6 +169,8 @@ constexpr Phrase rows[] = {
     {"found the reference point at {0#} and positions from {1#} to {2#}, expected it at the last, which is what {3} "
      "needs",
      "Referenzpunkt bei {0} und Positionen von {1} bis {2}; erwartet: an der letzten, was {3} verlangt"},
+    {"found the reference point at {0#}, expected 0, from where M852 counts",
+     "Referenzpunkt bei {0}; erwartet: 0, von wo M852 zählt"},
     {"found the unit {0#}, expected 1", "Einheit {0}; erwartet: 1"},
     {"found {0#} as the largest number, expected at most {1#}", "{0} als größte Zahl; erwartet: höchstens {1}"},
     {"found {0#} detection units at the reference point in the negative direction, expected at most {1#}",
@@ -172,6 +204,8 @@ constexpr Phrase rows[] = {
      "{0} mal {1} wären von {2} bis {3} zu addieren; erwartet: {4} bis {5} in einer Zahl der Tabelle; Abhilfe: {6}"},
     {"found {0=} given for {1}, which has no use for it; expected it to be left out",
      "{0} angegeben, womit {1} nichts anfangen kann; erwartet: ohne diese Angabe"},
+    {"found {0=} to be moved by the position of {1=}, expected X by Y, X by Z or Y by Z, which M852 has",
+     "{0}, bewegt nach der Position von {1}; erwartet: X nach Y, X nach Z oder Y nach Z, die M852 hat"},
     {"found {0=}, expected #4101 to #5124 with a number of -128 to 127",
      "{0}; erwartet: #4101 bis #5124 mit einer Zahl von -128 bis 127"},
     {"found {0=}, expected #MOTOR DEFINE COMP ENTRIES,COUNTS, then BLCOMP, of this motor",
@@ -191,10 +225,12 @@ constexpr Phrase rows[] = {
     {"found {0=}, expected :START AXIS POSUNIT=PRIMARY CORUNIT=PRIMARY/1000 SAMPDIST=NUMBER OFFSET=NUMBER",
      "{0}; erwartet: :START ACHSE POSUNIT=PRIMARY CORUNIT=PRIMARY/1000 SAMPDIST=ZAHL OFFSET=ZAHL"},
     {"found {0=}, expected ; range LOW to HIGH", "{0}; erwartet: ; range UNTEN to OBEN"},
+    {"found {0=}, expected ; range LOW to HIGH, once", "{0}; erwartet: ; range UNTEN to OBEN, einmal"},
     {"found {0=}, expected BEGIN NAME.COM {1=}", "{0}; erwartet: BEGIN NAME.COM {1}"},
     {"found {0=}, expected CONNECT RPOS(AXIS)=APOS(AXIS)+MAP(APOS(AXIS),NAME,START,STEP) of this axis",
      "{0}; erwartet: CONNECT RPOS(ACHSE)=APOS(ACHSE)+MAP(APOS(ACHSE),NAME,ANFANG,SCHRITT) dieser Achse"},
     {"found {0=}, expected GLOBAL REAL NAME(SIZE), once", "{0}; erwartet: GLOBAL REAL NAME(GRÖSSE), einmal"},
+    {"found {0=}, expected M852 {1=}NUMBER once, then M500", "{0}; erwartet: einmal M852 {1}ZAHL, dann M500"},
     {"found {0=}, expected Map = Positive, then Map = Negative", "{0}; erwartet: Map = Positive, dann Map = Negative"},
     {"found {0=}, expected N10000+POINT P NUMBER, a number of -127 to 127",
      "{0}; erwartet: N10000+STÜTZPUNKT P ZAHL, eine Zahl von -127 bis 127"},
@@ -235,6 +271,7 @@ constexpr Phrase rows[] = {
     {"found {0=}, expected nothing behind [END]", "{0}; erwartet: nichts hinter [END]"},
     {"found {0=}, expected nothing behind the end in line {1#}", "{0}; erwartet: nichts hinter dem Ende in Zeile {1}"},
     {"found {0=}, expected numbers, or :END", "{0}; erwartet: Zahlen oder :END"},
+    {"found {0=}, expected one backlash, a number", "{0}; erwartet: ein einziges Umkehrspiel, eine Zahl"},
     {"found {0=}, expected range LOW to HIGH", "{0}; erwartet: range UNTEN to OBEN"},
     {"found {0=}, expected row {1#} of four numbers", "{0}; erwartet: Zeile {1} mit vier Zahlen"},
     {"found {0=}, expected the axis {1=}", "{0}; erwartet: die Achse {1}"},

@@ -19,8 +19,22 @@ constexpr Phrase rows[] = {
      "the table: one above the nominal moves the axis in the negative direction.",
      "Eine Zahl ist die Stelle, an der die Achse ohne Tabelle wirklich stand (vorwärts, dann rückwärts), als die "
      "Sollposition befohlen war: Eine über der Sollposition bewegt die Achse in negativer Richtung."},
+    {"A positive factor moves the first axis in the negative direction where the second stands above 0, by the factor "
+     "times that position.",
+     "Ein positiver Faktor bewegt die erste Achse in negativer Richtung, wo die zweite über 0 steht, um den Faktor mal "
+     "diese Position."},
     {"A positive number moves the axis in the negative direction: it is actual less set position.",
      "Eine positive Zahl bewegt die Achse in negativer Richtung: Sie ist Istposition minus Sollposition."},
+    {"A positive number moves the axis in the negative direction: it is taken off (turned against what was inferred).",
+     "Eine positive Zahl bewegt die Achse in negativer Richtung: Sie wird abgezogen (gegen das Erschlossene gedreht)."},
+    {"A positive number moves the axis in the negative direction: it is taken off (turned against what was inferred); "
+     "with NEGCOR in the positive.",
+     "Eine positive Zahl bewegt die Achse in negativer Richtung: Sie wird abgezogen (gegen das Erschlossene gedreht); "
+     "mit NEGCOR in positiver."},
+    {"A positive number moves the axis in the negative direction: it is the actual less the expected position (turned "
+     "against what was inferred).",
+     "Eine positive Zahl bewegt die Achse in negativer Richtung: Sie ist tatsächliche minus erwartete Position "
+     "(gegen das Erschlossene gedreht)."},
     {"A positive number moves the axis in the negative direction: it is the error, what is too far (inferred).",
      "Eine positive Zahl bewegt die Achse in negativer Richtung: Sie ist der Fehler, um den die Achse zu weit steht "
      "(erschlossen)."},
@@ -51,6 +65,10 @@ constexpr Phrase rows[] = {
      "(inferred).",
      "Eine positive Zahl bewegt die Achse in positiver Richtung: Sie ist erwartete minus tatsächliche Position "
      "(erschlossen)."},
+    {"A positive number moves the axis in the positive direction: it is what is too short (turned against what was "
+     "inferred).",
+     "Eine positive Zahl bewegt die Achse in positiver Richtung: Sie ist, was zu kurz ist (gegen das Erschlossene "
+     "gedreht)."},
     {"A positive number of COMP moves the axis in the positive direction; one of BLCOMP in the negative, and only "
      "while it moves in the negative direction.",
      "Eine positive Zahl von COMP bewegt die Achse in positiver Richtung; eine von BLCOMP in negativer, und nur "
@@ -78,11 +96,14 @@ constexpr Phrase rows[] = {
     {"Delete the buffers that are in the way (TBUF, ROTARY, GATHER, tables of lower motors), send the lines, motors "
      "with the highest number first, SAVE. I51=1 switches all tables on; they are active once the motor is homed. "
      "--number is the motor, --resolution one count. With one BLCOMP the reversal is in it: Ix86 adds to it, set that "
-     "to 0.",
-     "Die Puffer löschen, die im Weg sind (TBUF, ROTARY, GATHER, Tabellen niedrigerer Motoren), die Zeilen senden, "
-     "die Motoren mit der höchsten Nummer zuerst, SAVE. I51=1 schaltet alle Tabellen ein; sie wirken, sobald der "
-     "Motor referenziert ist. --number ist der Motor, --resolution ein Inkrement. Mit einer BLCOMP ist die "
-     "Umkehrspanne in ihr: Ix86 kommt hinzu und ist auf 0 zu setzen."},
+     "to 0. A cross table moves the motor of --output-axis by the position of --number, both of one --resolution; it "
+     "belongs to the motor that it moves, and where that has a table already to one without.",
+     "Die Puffer löschen, die im Weg sind (TBUF, ROTARY, GATHER, Tabellen niedrigerer Motoren), die Zeilen senden, die "
+     "Motoren mit der höchsten Nummer zuerst, SAVE. I51=1 schaltet alle Tabellen ein; sie wirken, sobald der Motor "
+     "referenziert ist. --number ist der Motor, --resolution ein Inkrement. Mit einer BLCOMP ist die Umkehrspanne in "
+     "ihr: Ix86 kommt hinzu und ist auf 0 zu setzen. Eine Kreuztabelle bewegt den Motor von --output-axis nach der "
+     "Position von --number, beide mit derselben --resolution; sie gehört dem Motor, den sie bewegt, und wo der schon "
+     "eine Tabelle hat, einem ohne."},
     {"Delta Tau PMAC, COMP and BLCOMP", "Delta Tau PMAC, COMP und BLCOMP"},
     {"Enter start, length, number of points and the numbers in the dialog of screw mapping, for each direction (since "
      "build 4780; before it there is one map: ask for --curves both-ways), in the motor's units, and enable the map.",
@@ -115,9 +136,11 @@ constexpr Phrase rows[] = {
      "Aufbau, Namen, und dass zwei Tabellen mit entgegengesetzten Richtungen eine positionsabhängige Losekompensation "
      "ergeben: Handbücher der 802D, 828D und 840D."},
     {"Layout, names, sign, that the ends hold and that one curve serves both directions: function manuals of 840D, "
-     "828D and 808D.",
+     "828D and 808D. That MD32450 is positive where the encoder leads the machine, which is lost motion, and may be "
+     "negative: parameter manual of 808D.",
      "Aufbau, Namen, Vorzeichen, dass jenseits der Enden der letzte Wert gehalten wird und eine Kurve für beide "
-     "Richtungen gilt: Funktionshandbücher der 840D, 828D und 808D."},
+     "Richtungen gilt: Funktionshandbücher der 840D, 828D und 808D. Dass MD32450 positiv ist, wo der Geber der "
+     "Maschine vorauseilt, also bei Umkehrspiel, und negativ sein darf: Parameterhandbuch der 808D."},
     {"Layout, sign, limits and rule: the sources of LinuxCNC (usrmotintf.cc, command.c, control.c), and its motion "
      "controller run in a test.",
      "Aufbau, Vorzeichen, Grenzen und Regel: die Quellen von LinuxCNC (usrmotintf.cc, command.c, control.c) und seine "
@@ -145,13 +168,16 @@ constexpr Phrase rows[] = {
      "Maschinenachse, AX1."},
     {"MD38000 must be at least the number of points (808D: at most 200), and changing it clears the memory. Set "
      "MD32700 of the axis to 0, load the file as a part program of initialisation, set MD32700 to 1, reference the "
-     "axis. The unit is that of MD10240. All points of an old table are replaced only where the new one has as many.",
+     "axis. The unit is that of MD10240. With --curves with-backlash the head of the file says what is to be added to "
+     "MD32450 (BACKLASH). All points of an old table are replaced only where the new one has as many.",
      "MD38000 muss mindestens die Zahl der Stützpunkte sein (808D: höchstens 200), und seine Änderung löscht den "
      "Speicher. MD32700 der Achse auf 0 setzen, die Datei als Initialisierungsprogramm einlesen, MD32700 auf 1 "
-     "setzen, die Achse referenzieren. Die Einheit ist die von MD10240. Alle Stützpunkte einer alten Tabelle werden "
+     "setzen, die Achse referenzieren. Die Einheit ist die von MD10240. Mit --curves with-backlash sagt der Kopf der "
+     "Datei, was zu MD32450 (BACKLASH) kommt. Alle Stützpunkte einer alten Tabelle werden "
      "nur ersetzt, wenn die neue ebenso viele hat."},
     {"Mach4, screw mapping", "Mach4, Spindelkorrektur (Screw Mapping)"},
     {"Marlin, M92 and M425", "Marlin, M92 und M425"},
+    {"Marlin, squareness (M852)", "Marlin, Rechtwinkligkeit (M852)"},
     {"Mitsubishi MELDAS C64, E68, incremental pitch errors",
      "Mitsubishi MELDAS C64, E68, inkrementelle Steigungsfehler"},
     {"More steps per unit move the axis further. A positive backlash is driven more at each reversal: after one into "
@@ -226,6 +252,13 @@ constexpr Phrase rows[] = {
      "BACKLASH_COMPENSATION and BACKLASH_GCODE. --steps-per-unit is what M92 says now.",
      "Die Zeilen in mm (G21) senden; M500 behält sie. M425 gibt es nur, wenn die Firmware mit BACKLASH_COMPENSATION "
      "und BACKLASH_GCODE übersetzt ist. --steps-per-unit ist, was M92 jetzt sagt."},
+    {"Send the lines in mm (G21); M500 keeps them. M852 is there only when the firmware is built with SKEW_CORRECTION "
+     "and SKEW_CORRECTION_GCODE. I is X over Y, J is X over Z, K is Y over Z: J and K only with SKEW_CORRECTION_FOR_Z. "
+     "The factor replaces the one that M852 says now: set that to 0 before the machine is measured.",
+     "Die Zeilen in mm (G21) senden; M500 behält sie. M852 gibt es nur, wenn die Firmware mit SKEW_CORRECTION und "
+     "SKEW_CORRECTION_GCODE gebaut ist. I ist X über Y, J ist X über Z, K ist Y über Z: J und K nur mit "
+     "SKEW_CORRECTION_FOR_Z. Der Faktor ersetzt den, den M852 jetzt nennt: diesen auf 0 setzen, bevor die Maschine "
+     "gemessen wird."},
     {"Send the lines to the control, or enter them in the sender's settings; home the axis. Backlash is there only "
      "when the firmware is built with it. --steps-per-unit is what the setting 100 and on says now. grbl itself has "
      "no backlash: take the steps alone.",
@@ -244,7 +277,14 @@ constexpr Phrase rows[] = {
      "seither: die Worte des Herstellers."},
     {"That a backlash is made up for in whole steps, which is left out of what is predicted.",
      "Dass ein Umkehrspiel in ganzen Schritten ausgeglichen wird, was in der Vorhersage weggelassen ist."},
-    {"That comments behind ; are taken in the file.", "Dass Kommentare hinter ; in der Datei angenommen werden."},
+    {"That comments behind ; are taken in the file. That MD32450 is driven in full at each reversal into the negative "
+     "direction, as it is predicted.",
+     "Dass Kommentare hinter ; in der Datei angenommen werden. Dass MD32450 bei jeder Umkehr in die negative Richtung "
+     "ganz gefahren wird, wie es vorhergesagt ist."},
+    {"That positions count from where the firmware has 0. What I times K does to J is left out: it is of second order. "
+     "How it is loaded.",
+     "Dass Positionen von dort zählen, wo die Firmware 0 hat. Was I mal K an J ändert, ist weggelassen: Es ist von "
+     "zweiter Ordnung. Wie es geladen wird."},
     {"That tables are text in UTF-8, add to the axis, are linear between points, hold their ends, and serve both "
      "directions alike: the control's help.",
      "Dass die Tabellen Text in UTF-8 sind, zur Achse addieren, zwischen den Stützpunkten linear sind, jenseits ihrer "
@@ -274,10 +314,10 @@ constexpr Phrase rows[] = {
      "Die Spalten AXISPOS, BACKLASH (Werte der negativen Richtung) und eine mit dem Namen der Achse, config.cma, dass "
      "eine Rundachse 0 bis 360 hat: Seiten technischer Handbücher."},
     {"The commands, 1/16 count, the first entry one spacing from home, the rollover, that COMP is added in both "
-     "directions and BLCOMP taken off in the negative one: reference and user's manuals.",
+     "directions and BLCOMP taken off in the negative one, source and target of a table: reference and user's manuals.",
      "Die Befehle, 1/16 Inkrement, der erste Eintrag einen Abstand vom Referenzpunkt, der Überlauf am Tabellenende, "
-     "dass COMP in beiden Richtungen addiert und BLCOMP in der negativen abgezogen wird: Referenz- und "
-     "Benutzerhandbuch."},
+     "dass COMP in beiden Richtungen addiert und BLCOMP in der negativen abgezogen wird, Quelle und Ziel einer "
+     "Tabelle: Referenz- und Benutzerhandbuch."},
     {"The commands, and that the table is added to the command of the motor: a script in use that writes them.",
      "Die Befehle, und dass die Tabelle zum Sollwert des Motors addiert wird: ein verwendetes Skript, das sie "
      "schreibt."},
@@ -290,6 +330,10 @@ constexpr Phrase rows[] = {
      "Die Schlüsselwörter, von wo OFFSET zählt, und das Vorzeichen: Ein verwendetes Programm schreibt die Abweichung "
      "selbst, was das Gegenteil wäre. Eine Nachprüfung nach dem Laden zeigt es; NEGCOR im Kopf kehrt es um. Wie "
      "geladen wird."},
+    {"The letters of M852, factors from -1 to 1, that a factor times the second position is taken off the first, and "
+     "that J is used less I times K: source of the firmware.",
+     "Die Buchstaben von M852, Faktoren von -1 bis 1, dass ein Faktor mal die zweite Position von der ersten abgezogen "
+     "wird, und dass J um I mal K vermindert wirkt: Quelltext der Firmware."},
     {"The lines: number of points, spacing, offset, then index and command; that it is the command that is needed, in "
      "one direction: the maker's wiki and forum.",
      "Die Zeilen: Zahl der Stützpunkte, Abstand, Versatz, dann Index und Sollwert; dass es der nötige Sollwert ist, "

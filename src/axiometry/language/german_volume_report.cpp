@@ -9,14 +9,20 @@ constexpr Phrase rows[] = {
     {"At / mm", "Bei / mm"},
     {"B, reversal value", "B, Umkehrspanne"},
     {"Breaks of the beam found", "Gefundene Strahlunterbrechungen"},
+    {"Compensation of the volume", "Kompensation des Volumens"},
     {"Curves", "Kurven"},
     {"Deviation / µm", "Abweichung / µm"},
     {"Deviations", "Abweichungen"},
     {"Deviations along the line, as predicted", "Vorhergesagte Abweichungen entlang der Linie"},
     {"Diagonals, predicted", "Diagonalen, vorhergesagt"},
     {"Difference over u", "Differenz durch u"},
+    {"Direction that is corrected", "Richtung, die korrigiert wird"},
     {"Directions of which the lengths say nothing", "Richtungen, über die die Längen nichts sagen"},
     {"Displacement", "Verlagerung"},
+    {"Displacement on the line", "Verlagerung auf der Linie"},
+    {"Displacement on the line from {0#} to {1#} µm, as predicted from the 21 errors",
+     "Verlagerung auf der Linie von {0} auf {1} µm, wie aus den 21 Abweichungen vorhergesagt"},
+    {"Displacement on the line, range", "Verlagerung auf der Linie, Spannweite"},
     {"E, bidirectional systematic deviation", "E, beidseitige systematische Abweichung"},
     {"Error motions", "Bewegungsabweichungen"},
     {"Error motions of {0=}", "Bewegungsabweichungen von {0}"},
@@ -25,9 +31,14 @@ constexpr Phrase rows[] = {
     {"Error of the tool point on the planes through the middle of the volume",
      "Abweichung des Werkzeugpunkts in den Ebenen durch die Mitte des Arbeitsraums"},
     {"Error of the tool point over the volume", "Abweichung des Werkzeugpunkts im Arbeitsraum"},
+    {"Error of the tool point, 95 % below", "Fehler des Werkzeugpunkts, 95 % darunter"},
+    {"Error of the tool point, largest", "Fehler des Werkzeugpunkts, größter"},
+    {"Error of the tool point, mean", "Fehler des Werkzeugpunkts, Mittel"},
+    {"Errors", "Abweichungen"},
     {"Errors can cancel along a diagonal: a small E of one proves little alone.",
      "Abweichungen können sich entlang einer Diagonale aufheben: Ein kleines E einer einzigen beweist allein wenig."},
     {"From X; Y; Z / mm", "Von X; Y; Z / mm"},
+    {"From the 21 errors of a machine", "Aus den 21 Abweichungen einer Maschine"},
     {"ISO 230-1:2012, names of errors", "ISO 230-1:2012, Namen der Abweichungen"},
     {"Kinematic chain", "Kinematische Kette"},
     {"Lengths", "Längen"},
@@ -46,12 +57,15 @@ constexpr Phrase rows[] = {
      "Auf einem Gitter über dem beobachteten Verfahrweg. Ohne Starrkörperbewegung: abzüglich der bestpassenden "
      "Verlagerung und Verdrehung der ganzen Maschine, die die Lage eines Werkstücks aufnimmt. 95 % des Gitters haben "
      "höchstens den Wert der letzten Spalte."},
+    {"Positions of axis", "Positionen der Achse"},
     {"Predicted from the 21 errors, along the diagonals of the travel that was observed: E is the bidirectional "
      "systematic deviation that ISO 230-6 would show. P and N name the ends of the axes, P the larger; of a face the "
      "third axis stands in the middle.",
      "Aus den 21 Abweichungen vorhergesagt, entlang der Diagonalen des beobachteten Verfahrwegs: E ist die beidseitige "
      "systematische Abweichung, die ISO 230-6 zeigen würde. P und N nennen die Enden der Achsen, P das größere; bei "
      "einer Fläche steht die dritte Achse in der Mitte."},
+    {"Predicted from the 21 errors, not measured: only another calibration proves it.",
+     "Aus den 21 Abweichungen vorhergesagt, nicht gemessen: Erst eine weitere Kalibrierung beweist es."},
     {"Prediction", "Vorhersage"},
     {"Probability of as much by chance", "Wahrscheinlichkeit, dass es Zufall ist"},
     {"Reading, in the order of measurement", "Messwert in der Reihenfolge der Messung"},
@@ -73,8 +87,13 @@ constexpr Phrase rows[] = {
      "Die Geradheit ist die des Werkzeugpunkts für die Kette {0} mit dem im Ergebnis genannten Bezugspunkt jeder "
      "Achse; "
      "für eine andere Kette wären es andere Zahlen."},
+    {"Table", "Tabelle"},
     {"Test predicted from the 21 errors", "Aus den 21 Abweichungen vorhergesagte Prüfung"},
     {"The 21 errors of the machine", "Die 21 Abweichungen der Maschine"},
+    {"The line runs through the middle of the volume that was observed, both directions of approach. The error of the "
+     "tool point is over that volume, without rigid motion, with this table alone.",
+     "Die Linie läuft durch die Mitte des beobachteten Volumens, in beiden Anfahrrichtungen. Der Fehler des "
+     "Werkzeugpunkts gilt über dieses Volumen, ohne Starrkörperbewegung, mit dieser Tabelle allein."},
     {"The picture is of the tool {0=}, as found.", "Das Bild gilt für das Werkzeug {0}, wie gefunden."},
     {"The three displacements and the three rotations of the axis over its position, with the bands in which they lie.",
      "Die drei Verlagerungen und die drei Verdrehungen der Achse über ihrer Position, mit den Bändern, in denen sie "
@@ -95,6 +114,13 @@ constexpr Phrase rows[] = {
     {"What is left of each length, in the order of measurement, over the positions of the axes and by station.",
      "Was von jeder Länge übrig bleibt: in der Reihenfolge der Messung, über den Positionen der Achsen und nach "
      "Standort."},
+    {"What remains", "Was bleibt"},
+    {"With the table / µm", "Mit der Tabelle / µm"},
+    {"With the table ↑ / µm", "Mit der Tabelle ↑ / µm"},
+    {"With the table ↓ / µm", "Mit der Tabelle ↓ / µm"},
+    {"Without / µm", "Ohne / µm"},
+    {"Without ↑ / µm", "Ohne ↑ / µm"},
+    {"Without ↓ / µm", "Ohne ↓ / µm"},
     {"Y to X", "Y zu X"},
     {"Z to X", "Z zu X"},
     {"Z to Y", "Z zu Y"},

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 
 namespace axiometry {
 
@@ -29,14 +29,14 @@ Result<AxisCorrection> AxisCorrection::make(AxisKind kind, std::vector<double> p
                             positions.size(), up.size(), down.size()));
   for (std::size_t k = 0; k < positions.size(); ++k) {
     if (!std::isfinite(positions[k]) || !std::isfinite(up[k]) || !std::isfinite(down[k]))
-      return fail(fmt::format("found a number that is none at position {} of the table", k + 1));
+      return fail(fmt::format("found no finite number in row {} of the table, expected numbers alone", k + 1));
     if (k > 0 && !(positions[k] > positions[k - 1]))
-      return fail(fmt::format("found position {} after {}, expected positions that ascend", format_exact(positions[k]),
-                              format_exact(positions[k - 1])));
+      return fail(fmt::format("found position {} after {}, expected positions that ascend",
+                              format_rounded(positions[k]), format_rounded(positions[k - 1])));
     for (const double value : {up[k], down[k]})
       if (std::abs(value) > largest_um)
         return fail(fmt::format("found a correction of {:.4g} {} at {}, expected at most {:.0f}", value,
-                                deviation_unit(kind), format_exact(positions[k]), largest_um));
+                                deviation_unit(kind), format_rounded(positions[k]), largest_um));
   }
   return AxisCorrection(kind, std::move(positions), std::move(up), std::move(down));
 }

@@ -27,6 +27,7 @@ struct AxisTableOptions {
   unsigned largest = 0;         ///< number that the control takes in its table; 0: the least that is known of its kind
   double step = 0.0;            ///< spacing of a table that is read and does not say it, mm or °; 0: it says it
   double steps_per_unit = 0.0;  ///< what the control drives now, steps per mm or °; 0: not told
+  bool turned_sign = false;     ///< the control's sign is the other one than was inferred of it
 };
 
 /// Where the reference point is, at which the correction is 0.
@@ -46,6 +47,7 @@ struct AxisTableLimits {
   bool zero_upwards = false;  ///< of two curves the positive one is 0 at the reference point, not their mean
   bool closes = false;        ///< of a rotary axis: values a whole turn apart are one
   bool linear = true, rotary = true;
+  bool cross_only = false;  ///< it moves another axis than the one at whose positions it stands, never that one
 };
 
 /// Which of AxisTableOptions a control has at all.
@@ -56,6 +58,7 @@ struct AxisTableUses {
   bool largest = false;
   bool steps_per_unit = false;
   bool output_axis = false;
+  bool turned_sign = false;  ///< its sign was inferred and may be the other one
 };
 
 struct AxisTable {
@@ -70,16 +73,33 @@ struct AxisTable {
   std::string_view verified;  ///< what of this format was seen in a file, a source or a manual
   std::string_view inferred;  ///< what was not; "" where nothing
 
-  /// The file. Fails on what the control cannot hold, saying what it can.
+  /// What a positive number does if the sign that was inferred is the other one; "" where it is verified.
+  std::string_view turned_sign{};
+  /// Of a control with one curve that has a number for the reversal beside it: how it calls that; "" without one.
+  std::string_view backlash{};
+
+  /// The file. Fails on what the control cannot hold, saying what it can. Called by write_table() alone.
   Result<std::string> (*write)(const AxisCorrection& correction, const AxisTableOptions& options);
 
   /// What the control adds with this file loaded, by its own rule and rounded as the file has it. Written apart from
-  /// `write`, so that one proves the other. Fails on what the control would not take, naming the line.
+  /// `write`, so that one proves the other. Fails on what the control would not take, naming the line. Called by
+  /// read_table() alone.
   Result<AxisCorrection> (*read)(std::string_view text, const AxisTableOptions& options);
 
   /// Whether a text can be of this kind, by its first lines; nullptr: it has nothing to be known by.
   bool (*recognises)(std::string_view text) = nullptr;
 };
+
+/// What a positive number of such a file does.
+std::string_view sign_of(const AxisTable& table, const AxisTableOptions& options);
+
+/// The file of a control; of a turned sign every number has the other one. Fails as the table's `write`.
+Result<std::string> write_table(const AxisTable& table, const AxisCorrection& correction,
+                                const AxisTableOptions& options);
+
+/// What the control adds with a file. Fails as the table's `read`; on a mark of the byte order at the head, which
+/// controls take for a part of the first line, a NUL byte, and a file that says itself to have the other sign.
+Result<AxisCorrection> read_table(const AxisTable& table, std::string_view text, const AxisTableOptions& options);
 
 /// An option by the name of its flag and of its member in requests.
 struct NamedTableOption {
@@ -89,7 +109,8 @@ struct NamedTableOption {
 };
 std::span<const NamedTableOption> named_table_options();
 
-/// Fails on an option that is given for a control that has no use for it: nothing that somebody says is passed over.
+/// Fails on an option that is given for a control that has no use for it: nothing that somebody says is passed over. So
+/// does a turned sign where the sign is verified.
 Result<void> check_used(const AxisTable& table, const AxisTableOptions& options);
 
 /// Every table, in alphabetical order of the source files (generated).

@@ -50,6 +50,7 @@ AxisTableOptions usual_options(const AxisTable& table) {
   AxisTableOptions options;
   if (table.uses.steps_per_unit) options.steps_per_unit = 80.0;
   if (table.uses.magnification) options.magnification = 2;
+  if (table.limits.cross_only) options.axis = "Y", options.output_axis = "X";
   return options;
 }
 
@@ -145,7 +146,8 @@ std::vector<WrongTable> wrong_as_a_whole() {
 
 TEST(GermanControls, SayAllOfThemselvesInGerman) {
   for (const AxisTable* table : axis_table_table())
-    for (const std::string_view text : {table->title, table->sign, table->loading, table->verified, table->inferred}) {
+    for (const std::string_view text :
+         {table->title, table->sign, table->loading, table->verified, table->inferred, table->turned_sign}) {
       if (text.empty()) continue;
       EXPECT_TRUE(language::is_known(text, Language::german)) << table->id << ": " << text;
       if (text.ends_with('.')) {

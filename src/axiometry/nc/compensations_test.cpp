@@ -25,6 +25,7 @@ AxisTableOptions options_of(const AxisTable& table, AxisKind kind) {
   AxisTableOptions options;
   options.kind = kind;
   options.axis = kind == AxisKind::linear ? "X" : "A";
+  if (table.limits.cross_only) options.axis = "Y", options.output_axis = "X";
   if (table.uses.steps_per_unit) options.steps_per_unit = 80.0;
   if (table.id.starts_with("fanuc")) options.magnification = 4;
   if (table.id == "pmac") options.resolution = 0.1;
@@ -175,6 +176,7 @@ TEST(Compensations, APositiveCorrectionIsSpelledAsTheControlTakesIt) {
       {"twincat-ptp", {"(Position := 10.000000, Compensation := 0.010000),\n"}},
       {"grblhal", {"\n$100=80.080000\n", "\n$160=0.050000\n"}},
       {"marlin", {"\nM92 X80.080000\nM425 F1 X0.050000\nM500\n"}},
+      {"marlin-skew", {"\nM852 I-0.00100000\nM500\n"}},
       {"smoothie", {"\nalpha_steps_per_mm 80.080000\nalpha_backlash_mm 0.050000\n"}},
   };
   for (const AxisTable* table : axis_table_table()) {
@@ -184,10 +186,12 @@ TEST(Compensations, APositiveCorrectionIsSpelledAsTheControlTakesIt) {
     if (table->uses.steps_per_unit) options.steps_per_unit = 80.0;
     if (table->id.starts_with("fanuc")) options.magnification = 2;
     const std::vector<double> up = {0.0, 10.0, 20.0};
+    if (table->limits.cross_only) options.axis = "Y", options.output_axis = "X";
     const AxisCorrection correction =
-        table->limits.points == 2 ? correction_of(AxisKind::linear, {0.0, 20.0}, {0.0, 20.0}, {-50.0, -30.0})
-        : table->id == "haas"     ? correction_of(AxisKind::linear, {-12.7, 0.0}, {10.16, 0.0}, {10.16, 0.0})
-                                  : correction_of(AxisKind::linear, {0.0, 10.0, 20.0}, up, up);
+        table->limits.cross_only    ? correction_of(AxisKind::linear, {0.0, 20.0}, {0.0, 20.0}, {0.0, 20.0})
+        : table->limits.points == 2 ? correction_of(AxisKind::linear, {0.0, 20.0}, {0.0, 20.0}, {-50.0, -30.0})
+        : table->id == "haas"       ? correction_of(AxisKind::linear, {-12.7, 0.0}, {10.16, 0.0}, {10.16, 0.0})
+                                    : correction_of(AxisKind::linear, {0.0, 10.0, 20.0}, up, up);
     const std::string text = table_text_of(*table, correction, options);
     for (const std::string_view part : by_hand.at(table->id)) {
       EXPECT_NE(('\n' + text).find(part), std::string::npos) << part << "\nin\n" << text;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/nc/numbers.h"
 #include "axiometry/nc/safe_text.h"
@@ -84,22 +85,22 @@ Result<void> check_limits(const AxisCorrection& correction, const AxisTable& tab
   if (limits.points > 0 && positions.size() > limits.points)
     return fail(fmt::format("found {} positions, expected at most {}, which is what {} takes", positions.size(),
                             limits.points, table.title));
-  if (table.curves != TableCurves::each_way && table.curves != TableCurves::with_backlash)
-    AXIOMETRY_TRY_VOID(check_one_curve(correction));
+  if (table.curves == TableCurves::both_ways && table.backlash.empty()) AXIOMETRY_TRY_VOID(check_one_curve(correction));
   if (limits.closes && is_whole_turn(correction))
     for (const Direction direction : {Direction::up, Direction::down})
       if (std::abs(correction.values(direction).front() - correction.values(direction).back()) > 1e-6)
-        return fail(fmt::format("found corrections of {} and {} a whole turn apart, expected the same: it is one place",
-                                format_exact(correction.values(direction).front()),
-                                format_exact(correction.values(direction).back())));
+        return fail(fmt::format(
+            "found corrections of {} and {} ″ a whole turn apart, expected the same: it is one place",
+            format_rounded(correction.values(direction).front()), format_rounded(correction.values(direction).back())));
   if (!limits.equidistant) return {};
+  if (positions.size() < 2) return fail("found one position, expected at least two");
   const auto step = common_step(positions);
   if (!step)
     return fail(
         fmt::format("found positions of uneven spacing, expected an even one, which is what {} takes", table.title));
   if (limits.step_native > 0.0 && std::abs(*step - limits.step_native) > 1e-6)
-    return fail(fmt::format("found a spacing of {}, expected {}, the only one of {}", format_exact(*step),
-                            format_exact(limits.step_native), table.title));
+    return fail(fmt::format("found a spacing of {}, expected {}, the only one of {}", format_rounded(*step),
+                            format_rounded(limits.step_native), table.title));
   return {};
 }
 
@@ -116,7 +117,7 @@ Result<void> check_origin(const AxisCorrection& correction, const AxisTable& tab
     return fail(
         fmt::format("found the reference point at {} and positions from {} to {}, expected it {}, which is what "
                     "{} needs",
-                    format_exact(reference), format_exact(positions.front()), format_exact(positions.back()),
+                    format_rounded(reference), format_rounded(positions.front()), format_rounded(positions.back()),
                     table.limits.origin == TableOrigin::first  ? "at the first"
                     : table.limits.origin == TableOrigin::last ? "at the last"
                                                                : "a whole number of steps from them",
@@ -126,7 +127,7 @@ Result<void> check_origin(const AxisCorrection& correction, const AxisTable& tab
     return fail(
         fmt::format("found a correction of {} at the reference point, expected 0, which is all that {} can have "
                     "there",
-                    format_exact(there), table.title));
+                    format_rounded(there), table.title));
   return {};
 }
 

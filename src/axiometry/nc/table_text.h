@@ -82,4 +82,16 @@ long long counts(double value, double resolution);
 /// Fails where a control that has one curve would get two.
 Result<void> check_one_curve(const AxisCorrection& correction);
 
+/// What the axis falls back by at a reversal, c↑ − c↓, µm or ″; below 0 where it goes too far. Fails where it differs
+/// from place to place.
+Result<double> backlash_of(const AxisCorrection& correction);
+
+/// The comment that tells the number beside a table of one curve: "; MD32450 = its value without any table
+/// + 0.003700".
+std::string backlash_line(std::string_view mark, const AxisTable& table, double backlash,
+                          const AxisTableOptions& options);
+/// The number of that comment, µm or ″; 0 without one. Fails on a second one.
+Result<double> backlash_in(std::string_view text, std::string_view mark, const AxisTable& table,
+                           const AxisTableOptions& options);
+
 }  // namespace axiometry::nc

@@ -911,7 +911,7 @@ export interface components {
                 rotary: boolean;
             };
             /** @description Those that the control has a use for; others are refused. */
-            options: ("number" | "resolution" | "magnification" | "largest" | "steps_per_unit")[];
+            options: ("number" | "resolution" | "magnification" | "largest" | "steps_per_unit" | "turned_sign")[];
             /** @description What a positive number in the file does. */
             sign: string;
             /** @description How the table gets into the control. */
@@ -920,6 +920,10 @@ export interface components {
             verified: string;
             /** @description What was not; empty where nothing. */
             inferred: string;
+            /** @description What a positive number does with a turned sign; empty where the sign is verified. */
+            turned_sign: string;
+            /** @description How it calls its number for the reversal beside one curve; empty where none is known. */
+            backlash: string;
         };
         /** @description What the table depends on beside the test. As the flags of `axiometry compensate`. */
         CompensationOptions: {
@@ -941,10 +945,10 @@ export interface components {
             /** @description Beyond the targets the value at the last one, which nobody measured there. */
             hold_ends?: boolean;
             /**
-             * @description One curve although the control has one for each direction.
+             * @description Both-ways: one curve although the control has one for each direction. With-backlash: one, and a number for the reversal beside it.
              * @enum {string}
              */
-            curves?: "both-ways";
+            curves?: "both-ways" | "with-backlash";
             inch?: boolean;
             number?: number;
             /** @description What one count stands for, µm or ″. */
@@ -953,6 +957,20 @@ export interface components {
             largest?: number;
             /** @description Steps per mm or ° of a control without tables. */
             steps_per_unit?: number;
+            /** @description The other sign than was inferred of the control; refused where it is verified. */
+            turned_sign?: boolean;
+            /**
+             * @description Whether the periodic part of the readings goes into the table; left out: keep.
+             * @enum {string}
+             */
+            periodic?: "keep" | "leave";
+            /** @description Of the periodic part, mm or °; left out: axis.expected_period of the test. */
+            period?: number;
+            /**
+             * @description Of the existing table; left out: that of the new one.
+             * @enum {string}
+             */
+            existing_unit?: "mm" | "inch";
         };
         CompensationNode: {
             /** @description mm or ° */

@@ -7,10 +7,11 @@
 #include <cmath>
 #include <utility>
 
+#include "axiometry/app/compensate/existing_table.h"
 #include "axiometry/app/compensate/table_positions.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/iso_date.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/compensation/suspicions.h"
 
@@ -59,18 +60,22 @@ struct Setting {
   nc::AxisTableOptions options;
   std::optional<AxisCorrection> existing;
   TableCurves curves = TableCurves::both_ways;
+  const Series* fitted = nullptr;  ///< the readings that make the table: all, or without the periodic part
   std::vector<double> nodes{};
 };
 
 Result<std::vector<double>> nodes_of(const Setting& s) {
-  if (s.control.limits.points != 1 && s.existing && !is_wished(s.request.grid)) return s.existing->positions();
+  if (s.control.limits.points != 1 && s.existing && !is_wished(s.request.grid)) {
+    if (!s.request.hold_ends) AXIOMETRY_TRY_VOID(check_within_targets(*s.existing, s.series));
+    return s.existing->positions();
+  }
   return table_positions(s.control, s.options.reference, s.request.grid, target_positions(s.series));
 }
 
 /// The new table before it is rounded: the change that the readings ask for, upon what was there.
 Result<compensation::Fit> table_by(const Setting& s, compensation::Method method) {
   AXIOMETRY_TRY(compensation::Fit fit,
-                compensation::fit_correction(s.series, s.options.kind,
+                compensation::fit_correction(*s.fitted, s.options.kind,
                                              {s.nodes, s.curves, method, s.request.smooth, s.request.hold_ends}));
   if (s.existing) {
     AXIOMETRY_TRY(fit.correction, compensation::updated(*s.existing, fit.correction));
@@ -86,7 +91,8 @@ Result<compensation::Fit> table_by(const Setting& s, compensation::Method method
 
 /// The file, read back as the control reads it. Fails where it would not make the axis better.
 Result<AxisCorrection> proved(const Setting& s, const std::string& text, const Evaluation& before) {
-  AXIOMETRY_TRY(const AxisCorrection applied, in_file(s.control.read(text, s.options), "the table that was made"));
+  AXIOMETRY_TRY(const AxisCorrection applied,
+                in_file(nc::read_table(s.control, text, s.options), "the table that was made"));
   AXIOMETRY_TRY(const Evaluation after, evaluated_with(s.series, applied, s.existing ? &*s.existing : nullptr));
   const auto E_before = systematic(before.parameters), E_after = systematic(after.parameters);
   const double spread_before = spread_of_means(before), spread_after = spread_of_means(after);
@@ -97,7 +103,7 @@ Result<AxisCorrection> proved(const Setting& s, const std::string& text, const E
   };
   const std::string_view unit = deviation_unit(s.options.kind);
   return fail(fmt::format(
-      "found that the control would not become better by this table: E from {} to {} {}, mean deviations (r.m.s.) from "
+      "found that the axis would not become better by this table: E from {} to {} {}, mean deviations (r.m.s.) from "
       "{:.2f} to {:.2f} {}; no table is written",
       text_of(E_before), text_of(E_after), unit, spread_before, spread_after, unit));
 }
@@ -122,15 +128,15 @@ void add_doubts_of_retest(const Metadata& before, const Metadata& after, std::ve
                                     then, first)});
 }
 
-Result<Retest> retest_of(NamedTest again, const Test& before, const AxisCorrection& applied,
-                         const std::optional<AxisCorrection>& existing, std::vector<NamedFinding>& findings) {
+Result<Retest> retest_of(NamedTest again, const Test& before, const AxisCorrection& applied, const Setting& s,
+                         std::vector<NamedFinding>& findings) {
   Test& test = again.test;
   if (test.metadata.axis.kind != before.metadata.axis.kind)
     return std::unexpected(in_file(Error{"found a re-test of another kind of axis", {}, {}}, again.name));
-  const AxisCorrection* removed = existing ? &*existing : nullptr;
+  const AxisCorrection* removed = s.existing ? &*s.existing : nullptr;
   const auto effect = compensation::effect_of_table(before.series, test.series, applied, removed, same_target_native);
   if (effect)
-    findings.push_back(compensation::finding_of_retest(*effect));
+    findings.push_back(compensation::finding_of_retest(*effect, s.control.uses.turned_sign));
   else
     findings.push_back({"retest-other-targets", true,
                         "the re-test has fewer than three targets in common with the test: it cannot be held against "
@@ -176,14 +182,69 @@ struct Within {
 
 Result<void> check_within(std::string_view what, double x, Within range) {
   if (x >= range.least && x <= range.most) return {};
-  return fail(fmt::format("found the {} {}, expected a number from {} to {}", what, format_exact(x),
-                          format_exact(range.least), format_exact(range.most)));
+  return fail(fmt::format("found the {} {}, expected a number from {} to {}", what, format_rounded(x, 9),
+                          format_rounded(range.least, 9), format_rounded(range.most, 9)));
 }
 
 Result<NamedTest> test_in(const std::string& file, const EvaluateOptions& reading) {
   AXIOMETRY_TRY(Test measured, read_test(file, reading.format, reading.profile));
   AXIOMETRY_TRY(Test test, in_file(prepare_test(std::move(measured), reading), file));
   return NamedTest{file, std::move(test)};
+}
+
+/// Fails on curves that the control cannot hold.
+Result<void> check_curves(const AxisTable& control, std::optional<TableCurves> curves) {
+  if (curves != TableCurves::with_backlash || control.curves == TableCurves::with_backlash || !control.backlash.empty())
+    return {};
+  return fail(fmt::format("found a backlash beside one curve asked for of {}, expected {}", control.title,
+                          control.curves == TableCurves::each_way
+                              ? "a curve for each direction, which it has, or both-ways"
+                              : "one curve alone: no number for it is known"));
+}
+
+/// The period that somebody states, on the command line or in the test. Fails where one is needed and nobody does.
+Result<std::optional<double>> period_of(const CompensateRequest& request, const Test& test) {
+  if (request.period) return request.period;
+  const auto& expected = test.metadata.axis.expected_period;
+  if (expected && expected->in_native() > 0.0) return std::optional(expected->in_native());
+  if (request.periodic == compensation::Periodic::leave)
+    return fail(
+        "found a periodic part to leave out and no period, expected one: axis.expected_period of the test, or "
+        "--period");
+  return std::optional<double>();
+}
+
+/// The table that was active, as the control read it.
+Result<std::optional<AxisCorrection>> existing_of(const std::optional<NamedTable>& existing, const Setting& s) {
+  const std::optional<bool>& in_inch = s.request.existing_in_inch;
+  if (in_inch && !existing) return fail("found a unit of the existing table and no such table, expected both");
+  if (in_inch && s.options.kind == AxisKind::rotary)
+    return fail("found a unit of length for the table of a rotary axis, expected none: it is in °");
+  if (!existing) return std::optional<AxisCorrection>();
+  nc::AxisTableOptions options = s.options;
+  if (in_inch) options.in_inch = *in_inch;
+  AXIOMETRY_TRY(AxisCorrection read, in_file(nc::read_table(s.control, existing->text, options), existing->name));
+  if (!in_inch) AXIOMETRY_TRY_VOID(in_file(check_unit_of_length(read, s.series, s.options.in_inch), existing->name));
+  return std::optional(std::move(read));
+}
+
+/// What must be done beside the table, or is known of it beside its numbers.
+void add_findings_of_control(const Setting& s, const AxisCorrection& applied, std::vector<NamedFinding>& findings) {
+  if (s.options.turned_sign)
+    findings.push_back({"compensation-sign-turned", false,
+                        fmt::format("the sign is turned against what was inferred of {}: only a re-test tells whether "
+                                    "this is the one of the control",
+                                    s.control.title)});
+  const double backlash = applied.values(Direction::up).front() - applied.values(Direction::down).front();
+  if (!s.control.backlash.empty() && backlash != 0.0)
+    findings.push_back(
+        {"compensation-number-beside", false,
+         fmt::format("beside the table {} must be what it was without any table and {:.3f} {} added: the prediction "
+                     "counts on it, and no control reads it from the file",
+                     s.control.backlash, backlash, deviation_unit(s.options.kind))});
+  const bool has_positions = s.control.limits.points == 0 || s.control.limits.points > 2;
+  if (s.existing && has_positions)
+    if (auto cut = finding_of_cut_table(*s.existing, s.nodes)) findings.push_back(*std::move(cut));
 }
 
 }  // namespace
@@ -200,6 +261,8 @@ Result<void> check_table_options(const nc::AxisTableOptions& o) {
 Result<void> check_request(const CompensateRequest& request) {
   AXIOMETRY_TRY(const AxisTable* control, nc::axis_table_named(request.control));
   AXIOMETRY_TRY_VOID(nc::check_used(*control, request.table));
+  AXIOMETRY_TRY_VOID(check_curves(*control, request.curves));
+  if (request.period) AXIOMETRY_TRY_VOID(check_within("period", *request.period, {1e-6, 1e6}));
   if (request.smooth && request.method == compensation::Method::interpolation)
     return fail("found smoothing asked for with interpolation, which has none; expected it with least-squares");
   if (request.grid.step) AXIOMETRY_TRY_VOID(check_within("step", *request.grid.step, {1e-9, 1e6}));
@@ -226,25 +289,40 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   Test& test = axis.measured.test;
   AXIOMETRY_TRY_VOID(in_file(compensation::check_plausible(test.series, test.metadata.axis.kind), name));
 
+  if (control->limits.cross_only)
+    return fail(
+        fmt::format("found {} for a test of one axis, which it does not correct; expected it of the 21 errors, "
+                    "volumetric compensate",
+                    control->title));
   Setting s{request, test.series, *control, request.table, {}, request.curves.value_or(control->curves)};
   s.options.kind = test.metadata.axis.kind;
   s.options.axis = !request.axis.empty()              ? request.axis
                    : !test.metadata.axis.name.empty() ? test.metadata.axis.name
                                                       : "X";
   s.options.step = request.grid.step.value_or(0.0);
-  if (axis.existing) {
-    AXIOMETRY_TRY(s.existing, in_file(control->read(axis.existing->text, s.options), axis.existing->name));
-  }
+  AXIOMETRY_TRY(s.existing, existing_of(axis.existing, s));
   AXIOMETRY_TRY(s.nodes, in_file(nodes_of(s), name));
+  AXIOMETRY_TRY(const std::optional<double> period, in_file(period_of(request, test), name));
+  std::optional<compensation::PeriodicPart> periodic;
+  if (period) periodic = compensation::periodic_part(test.series, *period);
+  std::optional<Series> smooth;
+  if (periodic && request.periodic == compensation::Periodic::leave) {
+    AXIOMETRY_TRY(smooth, compensation::without_periodic(test.series, *periodic));
+  }
+  s.fitted = smooth ? &*smooth : &test.series;
 
   const Evaluation before = iso230_2::evaluate(test.series);
   const AxisCorrection* removed = s.existing ? &*s.existing : nullptr;
   AXIOMETRY_TRY(const compensation::Fit fit, in_file(table_by(s, request.method), name));
-  AXIOMETRY_TRY(std::string text, in_file(control->write(fit.correction, s.options), name));
+  AXIOMETRY_TRY(std::string text, in_file(nc::write_table(*control, fit.correction, s.options), name));
   AXIOMETRY_TRY(AxisCorrection applied, in_file(proved(s, text, before), name));
 
   std::vector<NamedFinding> findings = compensation::findings_of_readings(test.series, s.options.kind, s.curves);
   std::ranges::move(compensation::findings_of_table(test.series, fit.correction), std::back_inserter(findings));
+  if (periodic)
+    std::ranges::move(compensation::findings_of_periodic(*periodic, request.periodic, s.nodes, s.options.kind),
+                      std::back_inserter(findings));
+  add_findings_of_control(s, applied, findings);
   AXIOMETRY_TRY(const compensation::Fit plain, in_file(table_by(s, compensation::Method::interpolation), name));
   AXIOMETRY_TRY(const Evaluation interpolated, evaluated_with(test.series, plain.correction, removed));
   AXIOMETRY_TRY(const Evaluation fitted, evaluated_with(test.series, fit.correction, removed));
@@ -254,7 +332,7 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY_VOID(in_file(check_worth_it(before, expected, s.options.kind), name));
   std::optional<Retest> retest;
   if (axis.retest) {
-    AXIOMETRY_TRY(retest, retest_of(*std::move(axis.retest), test, applied, s.existing, findings));
+    AXIOMETRY_TRY(retest, retest_of(*std::move(axis.retest), test, applied, s, findings));
     if (expected) add_exceeded(retest->evaluation, *expected, s.options.kind, findings);
   }
   if (request.axis.empty() && test.metadata.axis.name.empty())
@@ -267,6 +345,8 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
                          .text = std::move(text),
                          .applied = std::move(applied),
                          .existing = std::move(s.existing),
+                         .periodic_choice = request.periodic,
+                         .periodic = std::move(periodic),
                          .smoothing = fit.smoothing,
                          .before = before,
                          .predicted = iso230_2::evaluate(corrected),

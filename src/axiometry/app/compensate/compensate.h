@@ -11,6 +11,7 @@
 #include "axiometry/compensation/expectation.h"
 #include "axiometry/compensation/fit.h"
 #include "axiometry/compensation/grid.h"
+#include "axiometry/compensation/periodic_part.h"
 #include "axiometry/compensation/prediction.h"
 #include "axiometry/model/named_finding.h"
 #include "axiometry/nc/axis_table.h"
@@ -28,14 +29,17 @@ struct CompensateRequest {
   compensation::Method method = compensation::Method::least_squares;
   bool smooth = false;
   bool hold_ends = false;
+  compensation::Periodic periodic = compensation::Periodic::keep;
+  std::optional<double> period{};          ///< of the periodic part, mm or °; nothing: as the test expects it
+  std::optional<bool> existing_in_inch{};  ///< the unit of the table that was active; nothing: that of the new one
 };
 
 /// Fails on what no control has: a resolution outside 0.000001 to 10 000 µm or ″, a magnification outside 1 to 1 000, a
 /// largest number or a number above 99 999, steps per unit not above 0 or above 10 000 000, a step below 0.
 Result<void> check_table_options(const nc::AxisTableOptions& options);
 
-/// Likewise; on an unknown control, an option that it has no use for, smoothing with interpolation, and a step that is
-/// not above 0.
+/// Likewise; on an unknown control, an option or curves that it has no use for, smoothing with interpolation, and a
+/// step or a period that is not above 0.
 Result<void> check_request(const CompensateRequest& request);
 
 /// A test, ready to be evaluated, under the name that messages call it by.
@@ -80,7 +84,9 @@ struct CompensatedAxis {
   std::string text;        ///< the file for the control
   AxisCorrection applied;  ///< what the control adds with it, as its own rule reads it
   std::optional<AxisCorrection> existing;
-  double smoothing = 0.0;  ///< λ; 0 without
+  compensation::Periodic periodic_choice = compensation::Periodic::keep;
+  std::optional<compensation::PeriodicPart> periodic;  ///< where a period is known
+  double smoothing = 0.0;                              ///< λ; 0 without
   iso230_2::Evaluation before, predicted;
   iso230_2::AxisParameters interpolated;  ///< with nodes interpolated instead, unrounded
   iso230_2::AxisParameters fitted;        ///< with the nodes of the fit, unrounded
@@ -90,10 +96,12 @@ struct CompensatedAxis {
   std::vector<NamedFinding> findings;
 };
 
-/// Fails as check_request() does; on a series that no axis makes, on a table that the control would not take, and on a
-/// re-test of another kind of axis; where the control cannot hold the table; and where the table, read back by the
-/// control's own rule, would not reduce E and the root mean square of the mean deviations, of these readings, or E of
-/// the re-tests that are to be expected: nothing is written then.
+/// Fails as check_request() does; on a periodic part to leave without a period that anybody knows; on an existing table
+/// that fits the targets in the other unit of length alone, or goes beyond them where nobody says what to do there; on
+/// a series that no axis makes, on a table that the control would not take, and on a re-test of another kind of axis;
+/// where the control cannot hold the table; and where the table, read back by the control's own rule, would not reduce
+/// E and the root mean square of the mean deviations, of these readings, or E of the re-tests that are to be expected:
+/// nothing is written then.
 Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& request);
 
 /// Positions with what the control adds there in each direction: [{"position", "up", "down"}].

@@ -55,16 +55,27 @@ const std::vector<double> quarters{0, 100, 200, 300, 400};
 
 TEST(GermanCompensation, SaysWhatSpeaksAgainstARetest) {
   std::set<std::string> ids;
-  const auto take = [&](NamedTest retest, Metadata before = {}) {
-    NamedTest first = sloping_axis(quarters);
-    first.test.metadata = std::move(before);
-    const auto made = compensate({std::move(first), {}, std::move(retest)}, {.control = "linuxcnc"});
+  const auto take_of = [&](MeasuredAxis axis, const CompensateRequest& request) {
+    const auto made = compensate(std::move(axis), request);
     ASSERT_TRUE(made) << made.error().message;
     for (const NamedFinding& finding : made->findings) {
       expect_all_german(finding.message);
       ids.insert(finding.id);
     }
   };
+  const auto take = [&](NamedTest retest, Metadata before = {}) {
+    NamedTest first = sloping_axis(quarters);
+    first.test.metadata = std::move(before);
+    take_of({std::move(first), {}, std::move(retest)}, {.control = "linuxcnc"});
+  };
+  CompensateRequest turned{.control = "siemens-cec"};
+  turned.table.turned_sign = true;
+  take_of({measured(quarters, sloping(7.5, 0), sloping(7.5, 4), AxisKind::linear)}, turned);
+  take_of({measured(quarters, sloping(7.5, 0), sloping(7.5, 4), AxisKind::linear)},
+          {.control = "siemens-lec", .curves = TableCurves::with_backlash});
+  take_of({sloping_axis(quarters), NamedTable{"old.comp", "-50.5 -50.5 -50.5\n450 450 450\n"}},
+          {.control = "linuxcnc", .grid = {.step = 100.0}});
+  EXPECT_TRUE(ids.contains("compensation-existing-cut"));
   take(sloping_axis({50, 150, 250, 350, 450}));
   take(sloping_axis(quarters));
   Metadata before;
@@ -104,6 +115,28 @@ TEST(GermanCompensation, SaysWhyNoTableIsMade) {
     noise.push_back(std::move(run));
   }
   expect_refused({measured(quarters, noise, noise, AxisKind::linear)}, usual, "what scatter makes of them");
+  const auto refused_with = [&](const std::string& old_table, CompensateRequest request, const std::string& part) {
+    expect_refused({sloping_axis(quarters), NamedTable{"old.comp", old_table}}, request, part);
+  };
+  const std::string in_mm = "0 0 0\n400.5 400.5 400.5\n", in_inch = "0 0 0\n15.75 15.75 15.75\n";
+  CompensateRequest inch = usual;
+  inch.table.in_inch = true;
+  refused_with(in_mm, inch, "--existing-unit");
+  refused_with(in_inch, usual, "--existing-unit");
+  refused_with("-50.5 -50.5 -50.5\n450 450 450\n", usual, "--hold-ends");
+  CompensateRequest stated = usual;
+  stated.existing_in_inch = true;
+  expect_refused({sloping_axis(quarters)}, stated, "no such table");
+  expect_refused({sloping_axis(quarters, AxisKind::rotary), NamedTable{"old.comp", in_mm}}, stated, "rotary axis");
+  expect_refused({sloping_axis(quarters)}, {.control = "linuxcnc", .periodic = compensation::Periodic::leave},
+                 "no period");
+  expect_refused({sloping_axis(quarters)}, {.control = "linuxcnc", .curves = TableCurves::with_backlash},
+                 "a curve for each direction");
+  expect_refused({sloping_axis(quarters)}, {.control = "kflop", .curves = TableCurves::with_backlash},
+                 "one curve alone");
+  CompensateRequest turned = usual;
+  turned.table.turned_sign = true;
+  expect_refused({sloping_axis(quarters)}, turned, "that sign is verified");
   const auto with = [](auto&& change) {
     CompensateRequest request{.control = "fanuc"};
     change(request);
@@ -115,6 +148,7 @@ TEST(GermanCompensation, SaysWhyNoTableIsMade) {
            std::pair(with([](auto& r) { r.table.largest = 100'000; }), "the largest number"),
            std::pair(with([](auto& r) { r.table.number = 100'000; }), "the number"),
            std::pair(with([](auto& r) { r.grid.step = -0.5; }), "the step"),
+           std::pair(with([](auto& r) { r.period = -0.5; }), "the period"),
            std::pair(with([](auto& r) { r.control = "marlin", r.table.steps_per_unit = -0.5; }), "the steps per unit"),
        })
     expect_refused({sloping_axis(quarters)}, request, part);
@@ -138,6 +172,10 @@ TEST(GermanCompensation, SaysWhatIsWrongWithOptions) {
                               R"({"control": "fanuc", "smooth": 1})",
                               R"({"control": "fanuc", "hold_ends": 1})",
                               R"({"control": "fanuc", "curves": "x"})",
+                              R"({"control": "fanuc", "periodic": "x"})",
+                              R"({"control": "fanuc", "period": "x"})",
+                              R"({"control": "fanuc", "turned_sign": 1})",
+                              R"({"control": "fanuc", "existing_unit": "x"})",
                               R"({"control": "fanuc", "method": "x"})",
                               R"({"control": "fanuc", "colour": "x"})",
                               R"([])"}) {

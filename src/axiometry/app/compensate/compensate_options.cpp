@@ -23,7 +23,10 @@ constexpr std::pair<std::string_view, Method> method_words[] = {{"least-squares"
 constexpr std::pair<std::string_view, AxisKind> kind_words[] = {{"linear", AxisKind::linear},
                                                                 {"rotary", AxisKind::rotary}};
 constexpr std::pair<std::string_view, std::optional<TableCurves>> curves_words[] = {
-    {"both-ways", TableCurves::both_ways}};
+    {"both-ways", TableCurves::both_ways}, {"with-backlash", TableCurves::with_backlash}};
+constexpr std::pair<std::string_view, compensation::Periodic> periodic_words[] = {
+    {"keep", compensation::Periodic::keep}, {"leave", compensation::Periodic::leave}};
+constexpr std::pair<std::string_view, std::optional<bool>> unit_words[] = {{"mm", false}, {"inch", true}};
 
 Result<std::string> axis_in(JsonMembers& members, const std::string& otherwise) {
   std::optional<std::string> axis;
@@ -45,6 +48,7 @@ Result<void> take_table_options(JsonMembers& members, nc::AxisTableOptions& opti
   AXIOMETRY_TRY_VOID(members.take("resolution", options.resolution));
   AXIOMETRY_TRY_VOID(take_count(members, "magnification", options.magnification));
   AXIOMETRY_TRY_VOID(take_count(members, "largest", options.largest));
+  AXIOMETRY_TRY_VOID(take_switch(members, "turned_sign", options.turned_sign));
   return members.take("steps_per_unit", options.steps_per_unit);
 }
 
@@ -71,6 +75,9 @@ Result<CompensateRequest> compensate_request_from(const Value& value) {
   AXIOMETRY_TRY_VOID(take_choice<Method>(members, "method", method_words, request.method));
   AXIOMETRY_TRY_VOID(take_switch(members, "smooth", request.smooth));
   AXIOMETRY_TRY_VOID(take_switch(members, "hold_ends", request.hold_ends));
+  AXIOMETRY_TRY_VOID(take_choice<compensation::Periodic>(members, "periodic", periodic_words, request.periodic));
+  AXIOMETRY_TRY_VOID(take_number(members, "period", request.period));
+  AXIOMETRY_TRY_VOID(take_choice<std::optional<bool>>(members, "existing_unit", unit_words, request.existing_in_inch));
   AXIOMETRY_TRY_VOID(members.finish());
   AXIOMETRY_TRY_VOID(check_request(request));
   return request;
@@ -105,6 +112,10 @@ Value to_json(const CompensateRequest& request) {
   if (request.method != usual.method) options.add("method", "interpolation");
   add_switch("smooth", request.smooth);
   add_switch("hold_ends", request.hold_ends);
+  add_switch("turned_sign", request.table.turned_sign);
+  if (request.periodic != usual.periodic) options.add("periodic", "leave");
+  add_given("period", request.period);
+  if (request.existing_in_inch) options.add("existing_unit", *request.existing_in_inch ? "inch" : "mm");
   return options;
 }
 

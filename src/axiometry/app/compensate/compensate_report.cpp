@@ -30,14 +30,33 @@ Value means_to_json(const iso230_2::Evaluation& evaluation) {
   return rows;
 }
 
+Value periodic_to_json(const compensation::PeriodicPart& part, compensation::Periodic choice) {
+  Value value = Value::object();
+  value.add("period", part.period);
+  value.add("choice", choice == compensation::Periodic::leave ? "leave" : "keep");
+  for (const auto& [name, direction] : {std::pair("up", Direction::up), std::pair("down", Direction::down)}) {
+    const auto& fit = part.directions[static_cast<std::size_t>(direction)];
+    if (!fit) {
+      value.add(name, Value());
+      continue;
+    }
+    Value& found = value.add(name, Value::object());
+    found.add("amplitude", fit->amplitude);
+    found.add("u", fit->amplitude_u);
+    found.add("chance", fit->chance);
+    found.add("significant", part.is_significant(direction));
+  }
+  return value;
+}
+
 Value limits_to_json(const nc::AxisTable& control) {
   Value limits = Value::object();
   limits.add("points", control.limits.points > 0 ? Value(control.limits.points) : Value());
   limits.add("step", control.limits.step_native > 0.0 ? Value(control.limits.step_native) : Value());
   limits.add("equidistant", control.limits.equidistant);
   limits.add("curves", curves_name(control.curves));
-  limits.add("linear", control.limits.linear);
-  limits.add("rotary", control.limits.rotary);
+  limits.add("linear", control.limits.linear && !control.limits.cross_only);
+  limits.add("rotary", control.limits.rotary && !control.limits.cross_only);
   return limits;
 }
 
@@ -77,6 +96,8 @@ json::Value control_to_json(const nc::AxisTable& control) {
   value.add("limits", limits_to_json(control));
   value.add("options", options_to_json(control));
   value.add("sign", control.sign);
+  value.add("turned_sign", control.turned_sign);
+  value.add("backlash", control.backlash);
   value.add("loading", control.loading);
   value.add("verified", control.verified);
   value.add("inferred", control.inferred);
@@ -90,7 +111,8 @@ Experiment present(const CompensatedAxis& done, const report::Options& options) 
   root.add("axis", done.options.axis);
   root.add("kind", axis_kind_name(kind));
   root.add("unit", deviation_unit_key(kind));
-  root.add("sign", done.control->sign);
+  root.add("sign", nc::sign_of(*done.control, done.options));
+  root.add("turned_sign", done.options.turned_sign);
   root.add("table", nodes_to_json(done.applied));
   if (done.existing) root.add("existing", nodes_to_json(*done.existing));
   root.add("before", parameter_values(done.before.parameters));
@@ -106,6 +128,7 @@ Experiment present(const CompensatedAxis& done, const report::Options& options) 
   root.add("scatter", parameter_values(done.scatter));
   root.add("before_means", means_to_json(done.before));
   root.add("predicted_means", means_to_json(done.predicted));
+  root.add("periodic", done.periodic ? periodic_to_json(*done.periodic, done.periodic_choice) : Value());
   root.add("smoothing", done.smoothing > 0.0 ? Value(done.smoothing) : Value());
   if (done.retest) {
     Value& retest = root.add("retest", Value::object());
@@ -123,7 +146,7 @@ Experiment present(const CompensatedAxis& done, const report::Options& options) 
   root.add("findings", findings_value(done.findings));
   const nc::AxisTable& c = *done.control;
   const report::CompensationSubject subject{done.test,
-                                            {c.title, c.sign, c.loading, c.verified, c.inferred},
+                                            {c.title, nc::sign_of(c, done.options), c.loading, c.verified, c.inferred},
                                             done.applied,
                                             done.existing ? &*done.existing : nullptr,
                                             done.before,

@@ -26,13 +26,6 @@ using volumetric::ErrorModel;
 constexpr std::size_t places = 201;  // along the line: between what tables can hold
 constexpr std::string_view axis_letters = "XYZ";
 
-/// Displacements of the tool point along one direction while one axis moves through the middle of the volume.
-struct LineOfVolume {
-  std::vector<double> positions_mm;
-  std::vector<double> up_um, down_um;
-  double largest_u_um = 0.0;
-};
-
 Approaches approaching(std::size_t axis, double direction) {
   Approaches approaches{};
   approaches[axis] = direction;
@@ -122,12 +115,12 @@ Result<void> check_axes(const VolumeCompensationRequest& request, const nc::Axis
 
 std::vector<NamedFinding> findings_of(const VolumeCompensation& made) {
   std::vector<NamedFinding> findings;
-  if (made.line_before_um < 4.0 * made.largest_u_um)
+  if (made.line_before_um < 4.0 * made.line.largest_u_um)
     findings.push_back(
         {"volume-table-of-uncertainty", true,
          fmt::format("the displacements on the line differ by {:.2f} µm, and each is known to ±{:.2f} µm (k = 2): the "
                      "table is mostly what the lengths do not tell",
-                     made.line_before_um, 2.0 * made.largest_u_um)});
+                     made.line_before_um, 2.0 * made.line.largest_u_um)});
   if (made.effect.after.percent_95 > made.effect.before.percent_95)
     findings.push_back(
         {"volume-not-better", true,
@@ -160,7 +153,7 @@ Result<VolumeCompensation> compensate_volume(const ErrorModel& model, const Volu
   AXIOMETRY_TRY(const std::size_t tool, tool_of_model(model, request.tool));
   const Vector3 tool_mm = model.machine().tools[tool].offset_mm;
   const nc::AxisTableOptions options = table_options(request);
-  AXIOMETRY_TRY(const LineOfVolume line, line_through_middle(model, request, tool_mm));
+  AXIOMETRY_TRY(LineOfVolume line, line_through_middle(model, request, tool_mm));
   AXIOMETRY_TRY(const Series series, series_of(line));
   AXIOMETRY_TRY(const std::vector<double> nodes,
                 table_positions(*control, options.reference, request.how.grid, line.positions_mm));
@@ -172,12 +165,12 @@ Result<VolumeCompensation> compensate_volume(const ErrorModel& model, const Volu
   AXIOMETRY_TRY(fit.correction,
                 compensation::with_zero_at(fit.correction,
                                            control->limits.zero_upwards ? TableCurves::with_backlash : curves, zero));
-  AXIOMETRY_TRY(std::string text, control->write(fit.correction, options));
-  AXIOMETRY_TRY(AxisCorrection applied, in_file(control->read(text, options), "the table that was made"));
+  AXIOMETRY_TRY(std::string text, nc::write_table(*control, fit.correction, options));
+  AXIOMETRY_TRY(AxisCorrection applied, in_file(nc::read_table(*control, text, options), "the table that was made"));
   const double before = range_with(line, nullptr), after = range_with(line, &applied);
   if (!(after < before))
     return fail(
-        fmt::format("found that the control would not become better by this table: displacements on the line "
+        fmt::format("found that the axis would not become better by this table: displacements on the line "
                     "differ by {:.2f} µm with it, by {:.2f} µm without; no table is written",
                     after, before));
   const auto effect = volumetric::table_effect(
@@ -196,9 +189,13 @@ Result<VolumeCompensation> compensate_volume(const ErrorModel& model, const Volu
                           std::move(text),
                           std::move(applied),
                           errors_of(request.along, request.component),
+                          model.machine().name,
+                          model.machine().tools[tool].name,
+                          request.along,
+                          request.component,
+                          std::move(line),
                           before,
                           after,
-                          line.largest_u_um,
                           *effect,
                           {}};
   made.findings = findings_of(made);
@@ -212,12 +209,13 @@ Value to_json(const VolumeCompensation& made) {
   root.add("output_axis", made.options.output_axis.empty() ? made.options.axis : made.options.output_axis);
   root.add("errors", made.errors);
   root.add("unit", deviation_unit_key(made.options.kind));
-  root.add("sign", made.control->sign);
+  root.add("sign", nc::sign_of(*made.control, made.options));
+  root.add("turned_sign", made.options.turned_sign);
   root.add("table", nodes_to_json(made.applied));
   Value& line = root.add("line_range", Value::object());
   line.add("before", made.line_before_um);
   line.add("after", made.line_after_um);
-  line.add("u", made.largest_u_um);
+  line.add("u", made.line.largest_u_um);
   Value& volume = root.add("volume", Value::object());
   volume.add("before", sizes_value(made.effect.before));
   volume.add("after", sizes_value(made.effect.after));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "axiometry/app/compensate/compensate.h"
+#include "axiometry/app/results/experiment.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/named_finding.h"
@@ -24,16 +25,25 @@ struct VolumeCompensationRequest {
   CompensateRequest how;      ///< control, positions, curves
 };
 
+/// Displacements of the tool point along one direction while one axis moves through the middle of the volume.
+struct LineOfVolume {
+  std::vector<double> positions_mm;
+  std::vector<double> up_um, down_um;
+  double largest_u_um = 0.0;  ///< standard uncertainty of one of them
+};
+
 /// What is moved and what of it: of `along` = `component` EXX with what rotations do on the line, of Y and X EXY with
 /// C0Y, of X and Y EYX.
 struct VolumeCompensation {
   const nc::AxisTable* control = nullptr;
   nc::AxisTableOptions options;
-  std::string text;        ///< the file for the control
-  AxisCorrection applied;  ///< what the control adds with it, as its own rule reads it, µm along `component`
-  std::string errors;      ///< "EXY, C0Y"
-  double line_before_um = 0.0, line_after_um = 0.0;  ///< range of the displacements along the middle line
-  double largest_u_um = 0.0;                         ///< of these displacements, standard uncertainty
+  std::string text;           ///< the file for the control
+  AxisCorrection applied;     ///< what the control adds with it, as its own rule reads it, µm along `component`
+  std::string errors;         ///< "EXY, C0Y"
+  std::string machine, tool;  ///< names; may be empty
+  std::size_t along = 0, component = 0;  ///< as they were asked for
+  LineOfVolume line;
+  double line_before_um = 0.0, line_after_um = 0.0;  ///< range of the displacements on the line
   volumetric::TableEffect effect;                    ///< on the error of the tool point over the volume
   std::vector<NamedFinding> findings;
 };
@@ -48,5 +58,8 @@ Result<VolumeCompensation> compensate_volume(const volumetric::ErrorModel& model
                                              const VolumeCompensationRequest& request);
 
 json::Value to_json(const VolumeCompensation& made);
+
+/// Report and JSON; keys: docs/results.md.
+Experiment present(const VolumeCompensation& made, const report::Options& options);
 
 }  // namespace axiometry::app

@@ -125,7 +125,7 @@ TEST(VolumeCompensation, TellsWhatOneTableLeavesOfTheVolume) {
 
 TEST(VolumeCompensation, WritesTheTableOfOneAxisForEveryControlThatHoldsOne) {
   for (const nc::AxisTable* control : nc::axis_table_table()) {
-    if (!control->limits.linear || control->limits.points == 1) continue;
+    if (!control->limits.linear || control->limits.points == 1 || control->limits.cross_only) continue;
     SCOPED_TRACE(control->id);
     auto request = asked_table(std::string(control->id), 0, 0);
     if (control->uses.magnification) request.how.table.magnification = 4;
@@ -152,6 +152,59 @@ TEST(VolumeCompensation, RefusesACrossTableWhereTheFormatHasNone) {
   own.how.axis = "AX1";
   own.how.table.output_axis = "AX7";
   EXPECT_THAT(compensate_volume(identified_model(), own).error().message, HasSubstr("expected one axis"));
+}
+
+TEST(VolumeCompensation, GivesSquarenessAsOneNumberWhereThatIsAll) {
+  const auto made = compensate_volume(identified_model(), asked_table("marlin-skew", 1, 0));
+  ASSERT_TRUE(made) << made.error().to_string();
+  EXPECT_THAT(made->text, HasSubstr("\nM852 I"));
+  EXPECT_LT(made->line_after_um, made->line_before_um);
+  // One factor: what it adds is a straight line, and takes the slope of the line in the true machine away with it.
+  const TrueLine before = true_line(1, 0, nullptr), after = true_line(1, 0, &made->applied);
+  EXPECT_NEAR(after.range_beside, before.range_beside, 1e-6);
+  const double factor = (made->applied.at(500.0, Direction::up) - made->applied.at(100.0, Direction::up)) / 400.0;
+  EXPECT_NEAR(after.slope - before.slope, factor, 1e-9);
+  EXPECT_THAT(compensate_volume(identified_model(), asked_table("marlin-skew", 0, 1)).error().message,
+              HasSubstr("expected X by Y, X by Z or Y by Z"));
+  EXPECT_FALSE(compensate_volume(identified_model(), asked_table("marlin-skew", 0, 0)));
+}
+
+TEST(VolumeCompensation, MovesAnotherMotorOfPmac) {
+  auto request = asked_table("pmac", 1, 0);
+  request.how.table.resolution = 0.1;
+  request.how.table.number = 2;
+  EXPECT_THAT(compensate_volume(identified_model(), request).error().message, HasSubstr("number of its motor"));
+  request.how.table.output_axis = "1";
+  request.how.curves = TableCurves::both_ways;
+  const auto made = compensate_volume(identified_model(), request);
+  ASSERT_TRUE(made) << made.error().to_string();
+  EXPECT_THAT(made->text, HasSubstr("\n#1 DEFINE COMP "));
+  EXPECT_THAT(made->text, HasSubstr(",#2,#1,"));
+  const TrueLine before = true_line(1, 0, nullptr), after = true_line(1, 0, &made->applied);
+  EXPECT_LT(after.range_beside, 0.35 * before.range_beside);
+}
+
+TEST(VolumeCompensation, ReportsWhatItPredicts) {
+  const auto made = compensate_volume(identified_model(), asked_table("siemens-cec", 1, 0));
+  ASSERT_TRUE(made) << made.error().to_string();
+  const Experiment shown = present(*made, {});
+  std::string all = report::plain_text(shown.document.status.at(0).heading);
+  for (const report::Section& section : shown.document.sections)
+    for (const auto& block : section.blocks)
+      if (const auto* table = std::get_if<report::Table>(&block))
+        for (const auto& row : table->rows) {
+          EXPECT_EQ(row.size(), table->columns.size());
+          for (const report::TableCell& cell : row) all += "|" + report::plain_text(cell.text);
+        }
+  const auto digits = [](double x) {
+    const double rounded = std::round(x * 100.0) / 100.0;
+    std::string text = std::to_string(rounded);
+    return text.substr(0, text.find('.') + 3);
+  };
+  for (const double figure :
+       {made->line_before_um, made->line_after_um, made->effect.before.largest.value, made->effect.after.percent_95})
+    EXPECT_THAT(all, HasSubstr(digits(figure)));
+  EXPECT_EQ(json::dump(shown.json), json::dump(to_json(*made)));
 }
 
 TEST(VolumeCompensation, ExtrapolatesNothing) {

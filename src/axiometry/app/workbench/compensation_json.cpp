@@ -149,7 +149,7 @@ Value to_json(const KeptCompensation& kept, const Reader& reader) {
 
 Result<Value> read_table_to_json(const nc::AxisTable& control, const nc::AxisTableOptions& options,
                                  std::string_view text) {
-  AXIOMETRY_TRY(const AxisCorrection correction, control.read(text, options));
+  AXIOMETRY_TRY(const AxisCorrection correction, nc::read_table(control, text, options));
   Value object = Value::object();
   object.add("control", control.id);
   object.add("kind", axis_kind_name(correction.kind()));

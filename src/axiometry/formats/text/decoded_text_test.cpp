@@ -56,6 +56,8 @@ TEST(DecodedText, RefusesWhatIsNoText) {
   };
   EXPECT_EQ(message(""), "found an empty file, expected measured deviations");
   EXPECT_EQ(message("ab\0cd"s), "line 1:3: found a NUL byte, so this is a binary file, expected a text file");
+  EXPECT_EQ(message(std::string(400, '\0')),
+            "line 1:1: found a NUL byte, so this is a binary file, expected a text file");
   EXPECT_EQ(message("\xFF\xFEX\0Y"s), "line 1:1: found UTF-16LE text that is cut or broken, expected whole characters");
   EXPECT_EQ(message("\xFF\xFE\0\0X\0\0\0"s),
             "line 1:1: found UTF-16 or UTF-32 text, expected UTF-8; save the file as UTF-8");

@@ -43,8 +43,9 @@ Result<std::string_view> readable_text(std::string_view bytes) {
     if (bytes.starts_with(s.bytes))
       return fail(fmt::format("found {}, expected a text file{}", s.what, s.advice), {1, 1});
   if (const std::size_t nul = bytes.find('\0'); nul != std::string_view::npos) {
-    // UTF-16 without a mark has a NUL in every second byte of its ASCII.
-    const bool utf16 = nul < 2 && bytes.size() >= 4 && bytes[nul + 2] == '\0';
+    // UTF-16 without a mark has a NUL in every second byte of its ASCII, and none between them.
+    const bool utf16 =
+        nul < 2 && bytes.size() >= 4 && bytes[nul + 2] == '\0' && bytes[1 - nul] != '\0' && bytes[3 - nul] != '\0';
     return fail(utf16 ? "found UTF-16 text without a byte order mark, expected UTF-8; save the file as UTF-8"
                       : "found a NUL byte, so this is a binary file, expected a text file",
                 place(bytes, nul, 1));

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/nc/table_text.h"
@@ -29,7 +30,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY_VOID(check_axis_word(options));
   const std::vector<double>& positions = correction.positions();
   const auto step = common_step(positions);
-  if (!step) return fail("found one position, expected at least two");
+  AXIOMETRY_CONTRACT(step);  // check_limits()
   const double unit = position_per_unit(options);
   const std::string name = "Comp" + options.axis;
   std::string text = comment_lines("!", sign);

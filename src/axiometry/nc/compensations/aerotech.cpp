@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/nc/table_text.h"
@@ -31,10 +32,10 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY_VOID(check_axis_word(options));
   const std::vector<double>& positions = correction.positions();
   const auto step = common_step(positions);
-  if (!step) return fail("found one position, expected at least two");
+  AXIOMETRY_CONTRACT(step);  // check_limits()
   const double unit = position_per_unit(options);
   const int decimals = table_decimals(options);
-  std::string text = comment_lines(";", sign);
+  std::string text = comment_lines(";", sign_of(aerotech_axis_table, options));
   fmt::format_to(std::back_inserter(text), ":START {} POSUNIT=PRIMARY CORUNIT=PRIMARY/1000 SAMPDIST={} OFFSET={}\n",
                  options.axis, trimmed_fixed(*step / unit, decimals + 2),
                  trimmed_fixed(positions.front() / unit, decimals));
@@ -110,6 +111,7 @@ const AxisTable aerotech_axis_table = {
     .extension = ".cal",
     .curves = TableCurves::both_ways,
     .limits = {.equidistant = true, .closes = true},
+    .uses = {.turned_sign = true},
     .sign = aerotech::sign,
     .loading =
         "Name it among the calibration files of the controller, switch the calibration of the axis on, reset the "
@@ -121,6 +123,9 @@ const AxisTable aerotech_axis_table = {
         "The keywords, what OFFSET counts from, and the sign: a program that is in use writes the deviation itself, "
         "which would be the opposite. A re-test after loading tells it; NEGCOR in the head turns it round. How it is "
         "loaded.",
+    .turned_sign =
+        "A positive number moves the axis in the negative direction: it is taken off (turned against what was "
+        "inferred); with NEGCOR in the positive.",
     .write = aerotech::write,
     .read = aerotech::read,
     .recognises = [](std::string_view text) { return text.substr(0, 1024).find(":START ") != text.npos; },

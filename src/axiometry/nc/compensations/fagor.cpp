@@ -38,7 +38,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
         "found no error in the negative direction at all, which the 8055 takes for that of the positive one, "
         "expected one of 0.0001 at least");
   std::string text = fmt::format("; {} LSCRWCOM (P15) = ON, NPOINTS (P16) = {}\n", options.axis, count) +
-                     comment_lines(";", fagor_axis_table.sign);
+                     comment_lines(";", sign_of(fagor_axis_table, options));
   for (std::size_t k = 0; k < count; ++k)
     fmt::format_to(std::back_inserter(text), "P{:03} {} {} {}\n", k + 1,
                    fixed_number(correction.positions()[k] / position_per_unit(options), decimals),
@@ -77,6 +77,7 @@ const AxisTable fagor_axis_table = {
     .extension = ".txt",
     .curves = TableCurves::each_way,
     .limits = {.points = 1000, .closes = true},
+    .uses = {.turned_sign = true},
     .sign = "A positive number moves the axis in the negative direction: it is the error, what is too far (inferred).",
     .loading =
         "Set P15 (LSCRWCOM) of the axis to ON and P16 (NPOINTS) to the number of points, enter the points in the "
@@ -87,6 +88,9 @@ const AxisTable fagor_axis_table = {
     .inferred =
         "That the error is actual less commanded, as the manual's word for it says. It is a list to enter by hand; "
         "the layout of a file was not seen. How it is loaded.",
+    .turned_sign =
+        "A positive number moves the axis in the positive direction: it is what is too short (turned against what was "
+        "inferred).",
     .write = fagor::write,
     .read = fagor::read,
     .recognises = [](std::string_view text) { return text.substr(0, 128).find("LSCRWCOM") != text.npos; },

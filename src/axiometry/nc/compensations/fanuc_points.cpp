@@ -8,7 +8,8 @@
 #include <iterator>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/contract.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/nc/compensations/increments.h"
 #include "axiometry/nc/table_text.h"
 
@@ -73,11 +74,11 @@ Result<std::string> write(const AxisCorrection& given, const AxisTableOptions& o
     return fail(fmt::format("found {} as the largest number, expected at most {}", options.largest, largest_of_any));
   const std::vector<double>& positions = correction.positions();
   const auto step = common_step(positions);
-  if (!step) return fail("found one position, expected at least two");
+  AXIOMETRY_CONTRACT(step);  // check_limits()
   const bool turns = is_whole_turn(correction);
   if (turns && std::abs(positions.front() - options.reference) > 1e-6)
     return fail(fmt::format("found a turn from {}, expected it to begin at the reference point, {}",
-                            format_exact(positions.front()), format_exact(options.reference)));
+                            format_rounded(positions.front()), format_rounded(options.reference)));
 
   const auto sections = static_cast<long long>(positions.size()) - 1;
   const long long before = std::llround((options.reference - positions.front()) / *step);

@@ -30,7 +30,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   std::string text =
       fmt::format("; {}: entry, 0.0001 inch; entry 1 is at machine zero, each half an inch further down\n",
                   options.axis) +
-      comment_lines(";", haas_axis_table.sign);
+      comment_lines(";", sign_of(haas_axis_table, options));
   const std::vector<double>& values = correction.values(Direction::up);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double value = values[values.size() - 1 - k];
@@ -76,7 +76,7 @@ const AxisTable haas_axis_table = {
                .step_native = haas::spacing_mm,
                .origin = TableOrigin::last,
                .rotary = false},
-    .uses = {.resolution = true},
+    .uses = {.resolution = true, .turned_sign = true},
     .sign = "A positive number moves the axis in the positive direction: it is added (inferred).",
     .loading =
         "Enter the numbers on the page of the axis' leadscrew compensation, which the maker's settings unlock, and "
@@ -85,6 +85,9 @@ const AxisTable haas_axis_table = {
         "Half an inch between entries, 0.0001 inch, the first entry at machine zero and the others in the negative "
         "direction, 127 encoder steps, 256 entries inside: the manual of 1999.",
     .inferred = "The sign. A re-test after entering it tells it. It is a list to enter by hand. How it is loaded.",
+    .turned_sign =
+        "A positive number moves the axis in the negative direction: it is taken off (turned against what was "
+        "inferred).",
     .write = haas::write,
     .read = haas::read,
     .recognises =

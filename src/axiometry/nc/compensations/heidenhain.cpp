@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/nc/table_text.h"
 
@@ -27,7 +27,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   if (options.kind == AxisKind::rotary && (positions.front() < 0.0 || positions.back() > 360.0))
     return fail(
         fmt::format("found positions from {} to {}, expected 0 to 360, all that the control uses of a rotary axis",
-                    format_exact(positions.front()), format_exact(positions.back())));
+                    format_rounded(positions.front()), format_rounded(positions.back())));
   const int decimals = table_decimals(options);
   std::string text = fmt::format("BEGIN {}.COM {}\nNR AXISPOS BACKLASH {}\n", options.axis,
                                  options.in_inch ? "INCH" : "MM", options.axis);
@@ -82,6 +82,7 @@ const AxisTable heidenhain_axis_table = {
     .extension = ".com",
     .curves = TableCurves::each_way,
     .limits = {.closes = true},
+    .uses = {.turned_sign = true},
     .sign = "A positive number moves the axis in the negative direction: it is what is too far (inferred).",
     .loading =
         "Copy the values into a .COM table of the control, name it in the axis' column of config.cma (.CMA), mark "
@@ -94,6 +95,9 @@ const AxisTable heidenhain_axis_table = {
     .inferred =
         "The sign; that BACKLASH holds the whole value of the negative direction and not the difference; the lines "
         "of the head and the widths of the columns. A re-test after loading tells sign and BACKLASH. How it is loaded.",
+    .turned_sign =
+        "A positive number moves the axis in the positive direction: it is what is too short (turned against what was "
+        "inferred).",
     .write = heidenhain::write,
     .read = heidenhain::read,
     .recognises =

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc::increments {
@@ -17,7 +17,7 @@ Result<std::vector<long long>> of_curve(const std::vector<double>& positions, co
       return fail(
           fmt::format("found {} {} to be added from {} to {}, expected {} to {} in one number of the table: {} "
                       "may do",
-                      step, range.unit, format_exact(positions[k - 1]), format_exact(positions[k]), range.lowest,
+                      step, range.unit, format_rounded(positions[k - 1]), format_rounded(positions[k]), range.lowest,
                       range.highest, range.way_out));
     found.push_back(step);
   }

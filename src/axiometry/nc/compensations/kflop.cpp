@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/base/contract.h"
 #include "axiometry/base/text.h"
 #include "axiometry/nc/table_text.h"
 
@@ -22,7 +23,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY_VOID(check_limits(correction, kflop_axis_table));
   const std::vector<double>& positions = correction.positions();
   const auto step = common_step(positions);
-  if (!step) return fail("found one position, expected at least two");
+  AXIOMETRY_CONTRACT(step);  // check_limits()
   const double unit = position_per_unit(options);
   const int decimals = table_decimals(options);
   std::string text = fmt::format("{}\n{}\n{}\n", positions.size(), trimmed_fixed(*step / unit, decimals + 2),

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/nc/table_text.h"
 
@@ -24,10 +25,9 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY_VOID(check_limits(correction, mach4_axis_table));
   AXIOMETRY_TRY_VOID(check_axis_word(options));
   const std::vector<double>& positions = correction.positions();
-  if (!common_step(positions)) return fail("found one position, expected at least two");
   const double unit = position_per_unit(options);
   const int decimals = table_decimals(options);
-  std::string text = comment_lines(";", mach4_axis_table.sign);
+  std::string text = comment_lines(";", sign_of(mach4_axis_table, options));
   fmt::format_to(std::back_inserter(text), "Motor of {}\nStart = {}\nLength = {}\nPoints = {}\n", options.axis,
                  trimmed_fixed(positions.front() / unit, decimals),
                  trimmed_fixed((positions.back() - positions.front()) / unit, decimals), positions.size());
@@ -88,7 +88,7 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
   for (const std::vector<double>& map : sheet.maps)
     if (map.size() < 2 || static_cast<double>(map.size()) != *sheet.points)
       return fail(fmt::format("found {} points in a map, expected {} (Points), at least 2", map.size(),
-                              format_exact(*sheet.points)));
+                              format_rounded(*sheet.points)));
   const double unit = position_per_unit(options);
   return even_correction(options.kind, *sheet.start * unit, *sheet.length * unit / (*sheet.points - 1.0),
                          std::move(sheet.maps[0]), std::move(sheet.maps[1]));
@@ -103,6 +103,7 @@ const AxisTable mach4_axis_table = {
     .extension = ".txt",
     .curves = TableCurves::each_way,
     .limits = {.equidistant = true, .closes = true},
+    .uses = {.turned_sign = true},
     .sign =
         "A positive number moves the axis in the positive direction: it is the expected less the actual position "
         "(inferred).",
@@ -116,6 +117,9 @@ const AxisTable mach4_axis_table = {
     .inferred =
         "The sign: the difference between the expected and the actual is taken in that order. A re-test tells it. "
         "It is a list to enter by hand; no file of it was seen. How it is loaded.",
+    .turned_sign =
+        "A positive number moves the axis in the negative direction: it is the actual less the expected position "
+        "(turned against what was inferred).",
     .write = mach4::write,
     .read = mach4::read,
     .recognises = [](std::string_view text) { return text.substr(0, 512).find("\nMap = Positive") != text.npos; },

@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/nc/compensations/increments.h"
 #include "axiometry/nc/table_text.h"
@@ -35,10 +37,10 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY_VOID(check_axis_word(options));
   AXIOMETRY_TRY_VOID(check_origin(correction, mitsubishi_axis_table, options.reference));
   const auto step = common_step(correction.positions());
-  if (!step) return fail("found one position, expected at least two");
+  AXIOMETRY_CONTRACT(step);  // check_limits()
   if (is_whole_turn(correction) && std::abs(correction.positions().front() - options.reference) > 1e-6)
     return fail(fmt::format("found a turn from {}, expected it to begin at the reference point",
-                            format_exact(correction.positions().front())));
+                            format_rounded(correction.positions().front())));
   const double count = 0.5 * options.resolution * options.magnification;
   const std::string unit = fmt::format("times {} {}", trimmed_fixed(count, 6), deviation_unit(options.kind));
   AXIOMETRY_TRY(const std::vector<long long> data,

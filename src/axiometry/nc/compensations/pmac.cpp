@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/nc/table_text.h"
 
@@ -33,10 +35,36 @@ struct Span {
   long long entries = 0, length_counts = 0;
 };
 
+/// Whose position the table follows, and which motor it moves.
+struct Motors {
+  unsigned source = 1, target = 1;
+
+  bool is_cross() const { return source != target; }
+  /// Both are named where they are two. The table belongs to the motor that it moves.
+  std::string of_table() const { return is_cross() ? fmt::format("#{},#{},", source, target) : std::string(); }
+};
+
+Result<Motors> motors_of(const AxisTableOptions& options) {
+  Motors motors;
+  motors.source = motors.target = options.number > 0 ? options.number : 1;
+  if (options.output_axis.empty() || options.output_axis == options.axis) return motors;
+  std::string_view digits = options.output_axis;
+  if (digits.starts_with('#')) digits.remove_prefix(1);
+  constexpr unsigned long long motors_most = 32;
+  const auto target = parse_count(digits);
+  if (!target || *target < 1 || *target > motors_most || *target == motors.source)
+    return fail(
+        fmt::format("found the output axis {}, expected the number of its motor, 1 to {} and another than {} "
+                    "(--output-axis, --number)",
+                    text::quoted(options.output_axis), motors_most, motors.source));
+  motors.target = static_cast<unsigned>(*target);
+  return motors;
+}
+
 Result<Span> span_of(const AxisCorrection& correction, const AxisTableOptions& options) {
   const std::vector<double>& positions = correction.positions();
   const auto step = common_step(positions);
-  if (!step) return fail("found one position, expected at least two");
+  AXIOMETRY_CONTRACT(step);  // check_limits()
   Span span{std::min(positions.front(), options.reference), std::max(positions.back(), options.reference), *step};
   // The one section behind the last position leads back to the first.
   const double entries = (span.high - span.low) / *step + (is_whole_turn(correction) ? 0.0 : 1.0);
@@ -68,13 +96,19 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY_VOID(check_axis_word(options));
   AXIOMETRY_TRY_VOID(check_origin(correction, pmac_axis_table, options.reference));
   AXIOMETRY_TRY(const Span span, span_of(correction, options));
-  const unsigned motor = options.number > 0 ? options.number : 1;
+  AXIOMETRY_TRY(const Motors motors, motors_of(options));
+  if (motors.is_cross() && !correction.same_both_ways())
+    return fail(
+        "found a curve for each direction, expected one for both (--curves both-ways): BLCOMP moves its own motor "
+        "alone");
   std::string text = comment_lines(";", pmac_axis_table.sign);
-  fmt::format_to(std::back_inserter(text), "{}{} to {}\n#{} DEFINE COMP {},{}\n", range_mark,
-                 trimmed_fixed(span.low, 6), trimmed_fixed(span.high, 6), motor, span.entries, span.length_counts);
+  fmt::format_to(std::back_inserter(text), "{}{} to {}\n#{} DEFINE COMP {},{}{}\n", range_mark,
+                 trimmed_fixed(span.low, 6), trimmed_fixed(span.high, 6), motors.target, span.entries,
+                 motors.of_table(), span.length_counts);
   AXIOMETRY_TRY_VOID(write_entries(text, span, options, [&](double x) { return correction.at(x, Direction::up); }));
   if (!correction.same_both_ways()) {
-    fmt::format_to(std::back_inserter(text), "#{} DEFINE BLCOMP {},{}\n", motor, span.entries, span.length_counts);
+    fmt::format_to(std::back_inserter(text), "#{} DEFINE BLCOMP {},{}\n", motors.target, span.entries,
+                   span.length_counts);
     AXIOMETRY_TRY_VOID(write_entries(text, span, options, [&](double x) {
       return correction.at(x, Direction::up) - correction.at(x, Direction::down);
     }));
@@ -88,18 +122,22 @@ struct Buffer {
   std::vector<long long> values{};
 };
 
-std::optional<Buffer> buffer_of(std::string_view line, const AxisTableOptions& options) {
+std::optional<Buffer> buffer_of(std::string_view line, const Motors& motors) {
   const std::vector<std::string_view> words = text::words(line);
-  const std::string motor = fmt::format("#{}", options.number > 0 ? options.number : 1);
-  if (words.size() != 4 || words[0] != motor || words[1] != "DEFINE" || (words[2] != "COMP" && words[2] != "BLCOMP"))
-    return std::nullopt;
+  if (words.size() != 4 || words[1] != "DEFINE" || (words[2] != "COMP" && words[2] != "BLCOMP")) return std::nullopt;
+  const bool is_backlash = words[2] == "BLCOMP";
+  if (words[0] != fmt::format("#{}", motors.target) || (is_backlash && motors.is_cross())) return std::nullopt;
+  // In the manual's order: how many entries, source and target, the length in counts of the source.
   const auto parts = text::split(words[3], ',');
-  const auto entries = whole_number(parts[0]);
-  const auto length = parts.size() == 2 ? parse_count(parts[1]) : std::nullopt;
+  const bool names_both = parts.size() == 4 && parts[1] == fmt::format("#{}", motors.source) &&
+                          parts[2] == fmt::format("#{}", motors.target);
+  if (motors.is_cross() ? !names_both : parts.size() != 2) return std::nullopt;
+  const auto entries = whole_number(parts.front());
+  const auto length = parse_count(parts.back());
   if (!entries || *entries < 1 || *entries > static_cast<long long>(AxisCorrection::nodes_max) || !length ||
       *length < 1 || *length > 1'000'000'000'000'000ull)
     return std::nullopt;
-  return Buffer{words[2] == "BLCOMP", *entries, static_cast<long long>(*length)};
+  return Buffer{is_backlash, *entries, static_cast<long long>(*length)};
 }
 
 struct Program {
@@ -108,7 +146,7 @@ struct Program {
   bool is_on = false;
 };
 
-Result<void> take(TableLine line, const AxisTableOptions& options, Program& program) {
+Result<void> take(TableLine line, const Motors& motors, Program& program) {
   if (line.text.starts_with(range_mark) && !program.range) {
     const auto words = text::words(line.text.substr(range_mark.size()));
     const auto low = words.size() == 3 ? parse_number(words[0]) : std::nullopt;
@@ -125,7 +163,7 @@ Result<void> take(TableLine line, const AxisTableOptions& options, Program& prog
     return {};
   }
   if (line.text.starts_with('#')) {
-    const auto buffer = buffer_of(line.text, options);
+    const auto buffer = buffer_of(line.text, motors);
     if (!buffer || program.buffers.size() == 2 || buffer->is_backlash != !program.buffers.empty())
       return refused(line, "#MOTOR DEFINE COMP ENTRIES,COUNTS, then BLCOMP, of this motor");
     program.buffers.push_back(*buffer);
@@ -148,7 +186,8 @@ double rolled(const Buffer& buffer, long long steps) {
 
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options) {
   Program program;
-  for (const TableLine& line : lines_of(text)) AXIOMETRY_TRY_VOID(take(line, options, program));
+  AXIOMETRY_TRY(const Motors motors, motors_of(options));
+  for (const TableLine& line : lines_of(text)) AXIOMETRY_TRY_VOID(take(line, motors, program));
   if (program.buffers.empty() || !program.is_on) return fail("found no table with I51=1 behind it, expected both");
   const Buffer& comp = program.buffers.front();
   for (const Buffer& buffer : program.buffers)
@@ -163,7 +202,7 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
   const double high = program.range ? program.range->second : options.reference + length;
   if (high - low > length * (1.0 + 1e-6) + 1e-6)
     return fail(fmt::format("found a range of {}, expected at most the length of the table, {}",
-                            format_exact(high - low), format_exact(length)));
+                            format_rounded(high - low), format_rounded(length)));
   std::vector<double> up, down;
   const long long first = std::llround((low - options.reference) / step),
                   last = std::llround((high - options.reference) / step);
@@ -186,7 +225,7 @@ const AxisTable pmac_axis_table = {
     .extension = ".pmc",
     .curves = TableCurves::each_way,
     .limits = {.equidistant = true, .origin = TableOrigin::on_grid, .zero_upwards = true, .closes = true},
-    .uses = {.number = true, .resolution = true},
+    .uses = {.number = true, .resolution = true, .output_axis = true},
     .sign =
         "A positive number of COMP moves the axis in the positive direction; one of BLCOMP in the negative, and only "
         "while it moves in the negative direction.",
@@ -194,10 +233,12 @@ const AxisTable pmac_axis_table = {
         "Delete the buffers that are in the way (TBUF, ROTARY, GATHER, tables of lower motors), send the lines, "
         "motors with the highest number first, SAVE. I51=1 switches all tables on; they are active once the motor is "
         "homed. --number is the motor, --resolution one count. With one BLCOMP the reversal is in it: Ix86 adds to "
-        "it, set that to 0.",
+        "it, set that to 0. A cross table moves the motor of --output-axis by the position of --number, both of one "
+        "--resolution; it belongs to the motor that it moves, and where that has a table already to one without.",
     .verified =
         "The commands, 1/16 count, the first entry one spacing from home, the rollover, that COMP is added in both "
-        "directions and BLCOMP taken off in the negative one: reference and user's manuals.",
+        "directions and BLCOMP taken off in the negative one, source and target of a table: reference and user's "
+        "manuals.",
     .inferred = "24 bits of an entry.",
     .write = pmac::write,
     .read = pmac::read,

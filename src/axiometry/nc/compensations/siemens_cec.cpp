@@ -49,9 +49,9 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AxisTableOptions output = options;
   output.axis = output_of(options);
   AXIOMETRY_TRY_VOID(check_axis_word(output));
-  AXIOMETRY_TRY(const siemens::Grid grid, siemens::grid_of_table(correction, options));
+  const siemens::Grid grid = siemens::grid_of_table(correction, options);
   const bool is_modulo = is_whole_turn(correction);
-  std::string text = "%_N_NC_CEC_INI\nCHANDATA(1)\n" + comment_lines(";", sign);
+  std::string text = "%_N_NC_CEC_INI\nCHANDATA(1)\n" + comment_lines(";", sign_of(siemens_cec_axis_table, options));
   const bool is_one = correction.same_both_ways();
   write_table(text, options.number, is_one ? "0" : "1", correction.values(Direction::up), grid, options, is_modulo);
   if (!is_one)
@@ -145,7 +145,7 @@ const AxisTable siemens_cec_axis_table = {
     .extension = ".ini",
     .curves = TableCurves::each_way,
     .limits = {.equidistant = true, .closes = true},
-    .uses = {.number = true, .output_axis = true},
+    .uses = {.number = true, .output_axis = true, .turned_sign = true},
     .sign = siemens_cec::sign,
     .loading =
         "MD18342[t] must be at least the number of points (828D: 8 tables of at most 200). Switch the tables off "
@@ -157,6 +157,9 @@ const AxisTable siemens_cec_axis_table = {
     .inferred =
         "The sign: taken as that of the leadscrew errors of the same control. A re-test after loading tells it. "
         "That comments behind ; are taken in the file. How the tables are switched off and on.",
+    .turned_sign =
+        "A positive number moves the axis in the positive direction: it is what is too short (turned against what was "
+        "inferred).",
     .write = siemens_cec::write,
     .read = siemens_cec::read,
     .recognises = [](std::string_view text) { return text.substr(0, 4096).find("$AN_CEC") != text.npos; },

@@ -27,9 +27,11 @@ constexpr std::string_view sign = "A positive number moves the axis in the negat
 Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options) {
   AXIOMETRY_TRY_VOID(check_limits(correction, siemens_lec_axis_table));
   AXIOMETRY_TRY_VOID(check_axis_word(options));
-  AXIOMETRY_TRY(const siemens::Grid grid, siemens::grid_of_table(correction, options));
+  const siemens::Grid grid = siemens::grid_of_table(correction, options);
   const std::string place = fmt::format("[{},{}]", options.number, options.axis);
+  AXIOMETRY_TRY(const double backlash, backlash_of(correction));
   std::string text = "%_N_AX_EEC_INI\nCHANDATA(1)\n" + comment_lines(";", sign);
+  if (backlash != 0.0) text += backlash_line(";", siemens_lec_axis_table, backlash, options);
   for (std::size_t k = 0; k < correction.positions().size(); ++k)
     fmt::format_to(
         std::back_inserter(text), "$AA_ENC_COMP[{},{},{}]={}\n", options.number, k, options.axis,
@@ -78,7 +80,9 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
   AXIOMETRY_TRY(std::vector<double> values, found.values.all(count));
   for (double& value : values) value /= -unit_per_deviation(options);
   const double unit = position_per_unit(options);
+  AXIOMETRY_TRY(const double backlash, backlash_in(text, ";", siemens_lec_axis_table, options));
   std::vector<double> down = values;
+  for (double& value : down) value -= backlash;
   return even_correction(options.kind, *found.frame.min * unit, *found.frame.step * unit, std::move(values),
                          std::move(down));
 }
@@ -97,12 +101,18 @@ const AxisTable siemens_lec_axis_table = {
     .loading =
         "MD38000 must be at least the number of points (808D: at most 200), and changing it clears the memory. Set "
         "MD32700 of the axis to 0, load the file as a part program of initialisation, set MD32700 to 1, reference the "
-        "axis. The unit is that of MD10240. All points of an old table are replaced only where the new one has as "
+        "axis. The unit is that of MD10240. With --curves with-backlash the head of the file says what is to be added "
+        "to MD32450 (BACKLASH). All points of an old table are replaced only where the new one has as "
         "many.",
     .verified =
         "Layout, names, sign, that the ends hold and that one curve serves both directions: function manuals of 840D, "
-        "828D and 808D.",
-    .inferred = "That comments behind ; are taken in the file.",
+        "828D and 808D. That MD32450 is positive where the encoder leads the machine, which is lost motion, and may be "
+        "negative: parameter manual of 808D.",
+    .inferred =
+        "That comments behind ; are taken in the file. That MD32450 is driven in full at each reversal into the "
+        "negative "
+        "direction, as it is predicted.",
+    .backlash = "MD32450",
     .write = siemens_lec::write,
     .read = siemens_lec::read,
     .recognises = [](std::string_view text) { return text.substr(0, 4096).find("$AA_ENC_COMP") != text.npos; },

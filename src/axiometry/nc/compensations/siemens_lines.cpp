@@ -6,14 +6,16 @@
 #include <cmath>
 #include <utility>
 
+#include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/base/text.h"
 
 namespace axiometry::nc::siemens {
 
-Result<Grid> grid_of_table(const AxisCorrection& correction, const AxisTableOptions& options) {
+Grid grid_of_table(const AxisCorrection& correction, const AxisTableOptions& options) {
   const auto step = common_step(correction.positions());
-  if (!step) return fail("found one position, expected at least two");
+  AXIOMETRY_CONTRACT(step);  // check_limits()
   const double unit = position_per_unit(options);
   // MAX is MIN and so many steps as the steps are printed, so that the control counts as many points.
   const int decimals = table_decimals(options) + 2;
@@ -80,8 +82,8 @@ Result<std::size_t> Frame::points(const AxisTableOptions& options) const {
   const double steps = (*max - *min) / *step;
   if (!(*step > 0.0) || !(steps >= 1.0) || std::abs(steps - std::round(steps)) > 1e-3 ||
       steps >= static_cast<double>(AxisCorrection::nodes_max))
-    return fail(fmt::format("found steps of {} from {} to {}, expected a whole number of them", format_exact(*step),
-                            format_exact(*min), format_exact(*max)));
+    return fail(fmt::format("found steps of {} from {} to {}, expected a whole number of them", format_rounded(*step),
+                            format_rounded(*min), format_rounded(*max)));
   if (*is_modulo != 0.0 && (options.kind == AxisKind::linear || std::abs(*max - *min - 360.0) > 1e-6))
     return fail("found IS_MODULO, expected it on a rotary axis whose table is a whole turn");
   return static_cast<std::size_t>(std::llround(steps)) + 1;

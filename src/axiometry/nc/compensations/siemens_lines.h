@@ -18,8 +18,8 @@ namespace axiometry::nc::siemens {
 struct Grid {
   std::string step, first, last;
 };
-/// Fails on fewer than two points.
-Result<Grid> grid_of_table(const AxisCorrection& correction, const AxisTableOptions& options);
+/// Contract: check_limits() of a table of even spacing.
+Grid grid_of_table(const AxisCorrection& correction, const AxisTableOptions& options);
 
 /// Lines of assignments, without heads and comments, up to M17. Fails on a line behind it, and where it is missing.
 Result<std::vector<TableLine>> assignments(std::string_view text);

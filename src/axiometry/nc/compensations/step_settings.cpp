@@ -17,22 +17,6 @@ namespace {
 
 constexpr std::string_view range_mark = " range ";
 
-/// What the axis falls back by, µm or ″.
-Result<double> backlash_of(const AxisCorrection& correction) {
-  const std::vector<double>&up = correction.values(Direction::up), &down = correction.values(Direction::down);
-  const double backlash = up.front() - down.front();
-  for (std::size_t k = 0; k < up.size(); ++k)
-    if (std::abs(up[k] - down[k] - backlash) > 1e-6)
-      return fail(fmt::format("found a backlash of {:.3f} and one of {:.3f} {}, expected the same everywhere", backlash,
-                              up[k] - down[k], deviation_unit(correction.kind())));
-  if (backlash < 0.0)
-    return fail(
-        fmt::format("found a backlash of {:.3f} {}, expected 0 or more: the axis goes too far at a reversal, which "
-                    "this control cannot take back",
-                    backlash, deviation_unit(correction.kind())));
-  return backlash;
-}
-
 }  // namespace
 
 Result<unsigned> axis_number(const AxisTableOptions& options, std::size_t count) {
@@ -49,6 +33,11 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY_VOID(check_limits(correction, table));
   if (options.in_inch) return fail("found inches, expected mm, in which this control counts steps and backlash");
   AXIOMETRY_TRY(const double backlash, backlash_of(correction));
+  if (backlash < 0.0)
+    return fail(
+        fmt::format("found a backlash of {:.3f} {}, expected 0 or more: the axis goes too far at a reversal, which "
+                    "this control cannot take back",
+                    backlash, deviation_unit(correction.kind())));
   const std::vector<double>& positions = correction.positions();
   const std::vector<double>& up = correction.values(Direction::up);
   const double per_position = deviation_per_position(options.kind);

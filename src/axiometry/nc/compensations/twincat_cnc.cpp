@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/nc/table_text.h"
 
@@ -37,7 +37,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
     if (std::abs(positions[k] * per_position) > static_cast<double>(count_most) ||
         (k > 0 && setpoint(k) == setpoint(k - 1)))
       return fail(fmt::format("found a position of {}, expected them 0.0001 apart at least and at most {} counts",
-                              format_exact(positions[k]), count_most));
+                              format_rounded(positions[k]), count_most));
   std::string text;
   fmt::format_to(std::back_inserter(text),
                  "kopf.achs_nr {}\nkopf.log_achs_name {}\nkw.ssfk.interval 0\nkw.ssfk.kw_startpos {}\n"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "axiometry/numeric/moments.h"
 
@@ -65,6 +66,19 @@ class MotionEvaluation {
     std::vector<double> values(series_.runs());
     for (std::size_t r = 0; r < values.size(); ++r) values[r] = series_.value(d, r, i);
     return numeric::moments(values).mean;
+  }
+
+  /// 0 where a mean of all readings is nothing but what doubles left of it. Of a sum of n terms up to y in size the
+  /// roundings are at most n − 1 halves of ε n y, so those of both means and their difference, divided by their counts,
+  /// stay below (runs + positions + 4) ε y (Higham, Accuracy and Stability of Numerical Algorithms, 4.2).
+  double without_roundings(double mean) const {
+    double largest = 0.0;
+    for (std::size_t d = 0; d < series_.directions().size(); ++d)
+      for (std::size_t r = 0; r < series_.runs(); ++r)
+        for (std::size_t i = 0; i < m_; ++i) largest = std::max(largest, std::abs(series_.value(d, r, i)));
+    const double bound =
+        static_cast<double>(series_.runs() + m_ + 4) * std::numeric_limits<double>::epsilon() * largest;
+    return std::abs(mean) <= bound ? 0.0 : mean;
   }
 
   /// Coefficients of e_p − e_q: δ_ip − δ_iq − (x_p − x_q) w_i.
@@ -237,7 +251,7 @@ class MotionEvaluation {
     reversal.by_direction[0][largest] = 1.0;
     reversal.by_direction[1][largest] = -1.0;
     motion.reversal = estimate(reversals[largest], reversal);
-    motion.reversal_mean = numeric::moments(reversals).mean;
+    motion.reversal_mean = without_roundings(numeric::moments(reversals).mean);
 
     Functional range = nothing();
     const double between = series_.positions_mm()[high_i] - series_.positions_mm()[low_i];

@@ -137,6 +137,18 @@ TEST(ErrorMotions, OfBothDirectionsFollowTheFormulasOfPositions) {
   EXPECT_NEAR(*m.repeatability, std::max({2 * s + 1.1, 2 * s1 + 2 * s + 0.6, 2 * s + 0.7, 4 * s1}), 1e-12);
 }
 
+TEST(ErrorMotions, OfReversalsThatCancelTheMeanIsNothingAndNotARounding) {
+  std::vector<MotionReading> readings;
+  const double up[3] = {0.1, 0.7, 0.5}, down[3] = {0.3, 0.4, 0.6};  // −0.2, 0.3, −0.1
+  for (std::size_t i = 0; i < 3; ++i) {
+    readings.push_back({100.0 * static_cast<double>(i), Direction::up, 1, up[i]});
+    readings.push_back({100.0 * static_cast<double>(i), Direction::down, 1, down[i]});
+  }
+  EXPECT_EQ(*axis_motion(series_of(readings), {.reference = Reference::end_points}).reversal_mean, 0.0);
+  readings[0].value += 1e-9;  // three reversals: a third of it
+  EXPECT_NEAR(*axis_motion(series_of(readings), {.reference = Reference::end_points}).reversal_mean, 1e-9 / 3.0, 1e-15);
+}
+
 TEST(ErrorMotions, HoldTheInstrumentWhateverItsCorrelation) {
   // U = 0.2 µm + 0.5 µm/m · L; by end points both ends in full: (0.1 + 0.1 + 0.5 · 0.9 / 2) µm over 0.9 m.
   const MotionOptions options{.reference = Reference::end_points, .instrument = InstrumentUncertainty{0.2, 0.5}};

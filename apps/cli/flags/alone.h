@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/flags/verb.h"
+
+namespace axiometry::cli {
+
+/// Defined in verb.cpp, which knows CLI11. Of an option that leaves the others of its verb without a use, such as
+/// --list: throws UsageError where it was given and one that is not among `beside` too.
+void check_alone(const Verb& verb, const std::string& name, const std::vector<std::string>& beside = {});
+
+}  // namespace axiometry::cli

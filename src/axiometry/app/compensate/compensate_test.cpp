@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a table does with an older one, with the periodic part, with a number beside it and with a turned sign.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "axiometry/app/compensate/compensate.h"
+#include "axiometry/app/compensate/compensate_options.h"
+#include "axiometry/base/json.h"
+#include "tests/support/series.h"
+
+namespace axiometry::app {
+namespace {
+
+using compensation::Periodic;
+using ReadingRuns = std::vector<testing_support::RunDeviations>;
+
+/// 21 targets over 500 mm, three runs; ↓ lies `reversal` above ↑.
+NamedTest axis_of(double slope, double periodic, double reversal) {
+  std::vector<double> targets;
+  for (int i = 0; i < 21; ++i) targets.push_back(23.0 * i + 10.0 * std::fmod(i * std::numbers::phi, 1.0));
+  ReadingRuns up, down;
+  for (int j = 0; j < 3; ++j) {
+    testing_support::RunDeviations run_up, run_down;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      const double value = slope * targets[i] + periodic * std::sin(2.0 * std::numbers::pi * targets[i] / 10.0);
+      run_up.push_back(value + 0.02 * static_cast<double>((3 * i + 2 * static_cast<std::size_t>(j)) % 5));
+      run_down.push_back(value + reversal + 0.02 * static_cast<double>((2 * i + static_cast<std::size_t>(j)) % 5));
+    }
+    up.push_back(run_up);
+    down.push_back(run_down);
+  }
+  axiometry::Test test{{}, testing_support::make_series(targets, up, down), {}};
+  test.metadata.axis.name = "X";
+  return {"x.csv", std::move(test)};
+}
+
+bool has_finding(const CompensatedAxis& made, std::string_view id) {
+  return std::ranges::find(made.findings, id, &NamedFinding::id) != made.findings.end();
+}
+
+TEST(Compensate, AnOlderTableIsReadInTheUnitThatIsSaid) {
+  CompensateRequest in_mm{.control = "linuxcnc"}, in_inch = in_mm;
+  in_inch.table.in_inch = true;
+  const auto old_mm = compensate({axis_of(0.05, 0, 4)}, in_mm), old_inch = compensate({axis_of(0.05, 0, 4)}, in_inch);
+  ASSERT_TRUE(old_mm && old_inch);
+  const auto with = [](const std::string& old_table, CompensateRequest request, std::optional<bool> unit) {
+    request.existing_in_inch = unit;
+    return compensate({axis_of(0.02, 0, 2), NamedTable{"old.comp", old_table}}, request);
+  };
+  const auto of_mm = with(old_mm->text, in_mm, {}), of_inch = with(old_inch->text, in_mm, true);
+  ASSERT_TRUE(of_mm) << of_mm.error().message;
+  ASSERT_TRUE(of_inch) << of_inch.error().message;
+  ASSERT_EQ(of_mm->applied.positions().size(), of_inch->applied.positions().size());
+  for (std::size_t k = 0; k < 21; ++k)
+    EXPECT_NEAR(of_mm->applied.values(Direction::down)[k], of_inch->applied.values(Direction::down)[k], 2e-3);
+  EXPECT_NEAR(of_mm->applied.at(400.0, Direction::up), -(0.05 + 0.02) * 400.0, 3.5) << "old and change, less the zero";
+  EXPECT_FALSE(with(old_inch->text, in_mm, {}));
+  EXPECT_FALSE(with(old_mm->text, in_inch, {}));
+  in_mm.grid.step = 50.0;
+  EXPECT_FALSE(with(old_inch->text, in_mm, {})) << "not even where its positions are not taken";
+}
+
+TEST(Compensate, ALongTableIsNotTakenForOneInInches) {
+  // 2 m of table, and a test of its first 480 mm: nothing speaks for another unit.
+  const auto made = compensate({axis_of(0.02, 0, 2), NamedTable{"old.comp", "0 0 0\n2000 2000.01 2000.01\n"}},
+                               {.control = "linuxcnc", .hold_ends = true});
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_NEAR(made->applied.positions().back(), 2000.0, 1e-9);
+}
+
+TEST(Compensate, ThePeriodicPartIsLeftOrKeptAsIsSaid) {
+  CompensateRequest request{.control = "siemens-cec", .grid = {.start = 20.0, .end = 460.0, .step = 20.0}};
+  const auto kept = compensate({axis_of(0.05, 2.0, 4)}, request);
+  ASSERT_TRUE(kept) << kept.error().message;
+  EXPECT_FALSE(kept->periodic) << "nobody says a period";
+  request.period = 10.0;
+  const auto told = compensate({axis_of(0.05, 2.0, 4)}, request);
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->text, kept->text);
+  EXPECT_TRUE(has_finding(*told, "compensation-periodic-aliased"));
+  request.periodic = Periodic::leave;
+  const auto left = compensate({axis_of(0.05, 2.0, 4)}, request);
+  ASSERT_TRUE(left) << left.error().message;
+  EXPECT_TRUE(has_finding(*left, "compensation-periodic-left"));
+  EXPECT_FALSE(has_finding(*left, "compensation-periodic-aliased"));
+  // The table without it is that of the straight axis, and the prediction has it: its range is twice the amplitude.
+  double off_straight_left = 0.0, off_straight_kept = 0.0;
+  for (std::size_t k = 0; k < left->applied.positions().size(); ++k) {
+    const double straight = -0.05 * left->applied.positions()[k];
+    const auto off = [&](const CompensatedAxis& made) {
+      return std::abs(made.applied.values(Direction::up)[k] - made.applied.values(Direction::up)[0] - straight - 1.0);
+    };
+    off_straight_left = std::max(off_straight_left, off(*left));
+    off_straight_kept = std::max(off_straight_kept, off(*told));
+  }
+  EXPECT_LT(off_straight_left, 0.2);
+  EXPECT_GT(off_straight_kept, 0.8);
+  EXPECT_NEAR(left->predicted.parameters.E->in_native(), 4.0, 0.4);
+}
+
+TEST(Compensate, TheTestItselfSaysThePeriod) {
+  NamedTest axis = axis_of(0.05, 2.0, 4);
+  axis.test.metadata.axis.expected_period = Position::native(10.0);
+  const auto made = compensate({std::move(axis)}, {.control = "linuxcnc", .periodic = Periodic::leave});
+  ASSERT_TRUE(made) << made.error().message;
+  ASSERT_TRUE(made->periodic);
+  EXPECT_NEAR(made->periodic->directions[0]->amplitude, 2.0, 0.1);
+  const json::Value json = present(*made, {}).json;
+  EXPECT_EQ(json.find("periodic")->find("choice")->text(), "leave");
+  EXPECT_TRUE(json.find("periodic")->find("up")->find("significant")->boolean());
+}
+
+TEST(Compensate, ANumberBesideTheTableIsPredictedWithIt) {
+  const auto one = compensate({axis_of(0.05, 0, 4)}, {.control = "siemens-lec"});
+  const auto both = compensate({axis_of(0.05, 0, 4)}, {.control = "siemens-lec", .curves = TableCurves::with_backlash});
+  ASSERT_TRUE(one && both);
+  EXPECT_NEAR(std::abs(one->predicted.parameters.B->in_native()), 4.0, 0.1);
+  EXPECT_LT(std::abs(both->predicted.parameters.B->in_native()), 0.1);
+  EXPECT_EQ(one->text.find("MD32450"), std::string::npos);
+  EXPECT_NE(both->text.find("; MD32450 = its value without any table + 0.00"), std::string::npos) << both->text;
+  EXPECT_TRUE(has_finding(*both, "compensation-number-beside"));
+  // The next table replaces the number as it replaces the curve.
+  const auto next = compensate({axis_of(0.01, 0, 1.0), NamedTable{"old.ini", both->text}},
+                               {.control = "siemens-lec", .curves = TableCurves::with_backlash});
+  ASSERT_TRUE(next) << next.error().message;
+  EXPECT_NEAR(next->applied.at(100.0, Direction::up) - next->applied.at(100.0, Direction::down), 5.0, 0.1);
+}
+
+TEST(Compensate, ATurnedSignTurnsTheFileAndNotWhatIsPredicted) {
+  CompensateRequest request{.control = "heidenhain"};
+  const auto plain = compensate({axis_of(0.05, 0, 4)}, request);
+  request.table.turned_sign = true;
+  const auto turned = compensate({axis_of(0.05, 0, 4)}, request);
+  ASSERT_TRUE(plain && turned);
+  EXPECT_NE(plain->text, turned->text);
+  EXPECT_NEAR(plain->predicted.parameters.E->in_native(), turned->predicted.parameters.E->in_native(), 1e-9);
+  const json::Value json = present(*turned, {}).json;
+  EXPECT_TRUE(json.find("turned_sign")->boolean());
+  EXPECT_NE(json.find("sign")->text().find("turned against"), std::string::npos);
+}
+
+TEST(Compensate, OptionsAreReadAsTheyAreWritten) {
+  CompensateRequest request{.control = "siemens-lec", .curves = TableCurves::with_backlash};
+  request.periodic = Periodic::leave;
+  request.period = 10.0;
+  request.existing_in_inch = false;
+  const auto again = compensate_request_from(to_json(request));
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(json::dump(to_json(*again)), json::dump(to_json(request)));
+  EXPECT_EQ(again->periodic, Periodic::leave);
+  EXPECT_EQ(again->period, 10.0);
+  EXPECT_EQ(again->existing_in_inch, false);
+  CompensateRequest turned{.control = "mach4"};
+  turned.table.turned_sign = true;
+  EXPECT_TRUE(compensate_request_from(to_json(turned))->table.turned_sign);
+}
+
+}  // namespace
+}  // namespace axiometry::app

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/compensate/existing_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "axiometry/base/rounded_text.h"
+#include "axiometry/nc/numbers.h"
+
+namespace axiometry::app {
+namespace {
+
+constexpr double beside = 1e-3;  // mm or °: what positions in a file may lie beside targets
+
+struct Stretch {
+  double low = 0.0, high = 0.0;
+};
+
+/// What two stretches have in common, of what they cover together.
+double common_share(Stretch a, Stretch b) {
+  const double common = std::min(a.high, b.high) - std::max(a.low, b.low);
+  const double covered = std::max(a.high, b.high) - std::min(a.low, b.low);
+  return covered > 0.0 ? std::max(0.0, common) / covered : 0.0;
+}
+
+Stretch stretch_of(const std::vector<double>& positions, double scale = 1.0) {
+  return {scale * positions.front(), scale * positions.back()};
+}
+
+Stretch stretch_of(const Series& series) {
+  return {series.targets().front().in_native(), series.targets().back().in_native()};
+}
+
+}  // namespace
+
+Result<void> check_unit_of_length(const AxisCorrection& existing, const Series& series, bool in_inch) {
+  if (existing.kind() != AxisKind::linear) return {};
+  constexpr double little = 0.2, most = 0.5;
+  const Stretch targets = stretch_of(series);
+  const double scale = in_inch ? 1.0 / nc::mm_per_inch : nc::mm_per_inch;
+  const Stretch as_read = stretch_of(existing.positions()), otherwise = stretch_of(existing.positions(), scale);
+  if (common_share(as_read, targets) >= little || common_share(otherwise, targets) <= most) return {};
+  return fail(
+      fmt::format("found a table from {} to {} mm where the targets go from {} to {} mm, which it would fit in {}: "
+                  "expected it in {}, "
+                  "as the table to make, or --existing-unit that says what it is in",
+                  format_rounded(as_read.low), format_rounded(as_read.high), format_rounded(targets.low),
+                  format_rounded(targets.high), in_inch ? "mm" : "inches", in_inch ? "inches" : "mm"));
+}
+
+Result<void> check_within_targets(const AxisCorrection& existing, const Series& series) {
+  const Stretch table = stretch_of(existing.positions()), targets = stretch_of(series);
+  if (table.low >= targets.low - beside && table.high <= targets.high + beside) return {};
+  const std::string_view unit = position_unit(existing.kind());
+  return fail(fmt::format(
+      "found the existing table from {} to {} {}, beyond the targets from {} to {} {}: what it should become there "
+      "nobody measured; expected --hold-ends, which changes it there as at the last target, or --start, --end, --step "
+      "or "
+      "--points, which give the new one other positions",
+      format_rounded(table.low), format_rounded(table.high), unit, format_rounded(targets.low),
+      format_rounded(targets.high), unit));
+}
+
+std::optional<NamedFinding> finding_of_cut_table(const AxisCorrection& existing, const std::vector<double>& nodes) {
+  const Stretch before = stretch_of(existing.positions()), now = stretch_of(nodes);
+  if (now.low <= before.low + beside && now.high >= before.high - beside) return std::nullopt;
+  const std::string_view unit = position_unit(existing.kind());
+  return NamedFinding{
+      "compensation-existing-cut", true,
+      fmt::format("the table that was active goes from {} to {} {}, the new one from {} to {} {}: beyond "
+                  "its ends what the old one corrected is given up",
+                  format_rounded(before.low), format_rounded(before.high), unit, format_rounded(now.low),
+                  format_rounded(now.high), unit)};
+}
+
+}  // namespace axiometry::app

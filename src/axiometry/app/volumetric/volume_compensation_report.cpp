@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "axiometry/app/volumetric/volume_compensation.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/report/translated.h"
+
+namespace axiometry::app {
+namespace {
+
+using report::Align;
+using report::plain;
+
+constexpr int displacement_decimals = 2;
+constexpr std::size_t line_rows = 21;  // of the 201 places that are known: each tenth
+
+report::Section remaining_section(const VolumeCompensation& made, const report::Options& options) {
+  report::Table table;
+  table.columns = {{plain("Quantity"), Align::start, true, true},
+                   {plain("Without / µm"), Align::decimal},
+                   {plain("With the table / µm"), Align::decimal}};
+  const auto add = [&](std::string_view name, double before, double after) {
+    table.rows.push_back({word_cell(name), number_cell(before, displacement_decimals, options),
+                          number_cell(after, displacement_decimals, options)});
+  };
+  add("Displacement on the line, range", made.line_before_um, made.line_after_um);
+  add("Error of the tool point, largest", made.effect.before.largest.value, made.effect.after.largest.value);
+  add("Error of the tool point, 95 % below", made.effect.before.percent_95, made.effect.after.percent_95);
+  add("Error of the tool point, mean", made.effect.before.mean, made.effect.after.mean);
+  table.notes = {
+      plain("The line runs through the middle of the volume that was observed, both directions of approach. The "
+            "error of the tool point is over that volume, without rigid motion, with this table alone."),
+      plain("Predicted from the 21 errors, not measured: only another calibration proves it.")};
+  return {"remaining", "What remains", true, {std::move(table)}};
+}
+
+report::Section line_section(const VolumeCompensation& made, const report::Options& options) {
+  report::Table table;
+  table.columns = {{plain("Position / mm"), Align::decimal, true},
+                   {plain("Without ↑ / µm"), Align::decimal},
+                   {plain("Without ↓ / µm"), Align::decimal},
+                   {plain("With the table ↑ / µm"), Align::decimal},
+                   {plain("With the table ↓ / µm"), Align::decimal}};
+  const LineOfVolume& line = made.line;
+  const std::size_t step = std::max<std::size_t>(1, (line.positions_mm.size() - 1) / (line_rows - 1));
+  for (std::size_t k = 0; k < line.positions_mm.size(); k += step) {
+    const double position = line.positions_mm[k];
+    const auto with = [&](double found, Direction direction) { return found + made.applied.at(position, direction); };
+    table.rows.push_back({number_cell(position, 3, options), number_cell(line.up_um[k], displacement_decimals, options),
+                          number_cell(line.down_um[k], displacement_decimals, options),
+                          number_cell(with(line.up_um[k], Direction::up), displacement_decimals, options),
+                          number_cell(with(line.down_um[k], Direction::down), displacement_decimals, options)});
+  }
+  table.dense = true;
+  return {"line", "Displacement on the line", true, {std::move(table)}};
+}
+
+report::Section nodes_section(const VolumeCompensation& made, const report::Options& options) {
+  constexpr std::size_t rows_most = 400;  // the file itself has the others
+  report::Table table;
+  table.columns = {{plain("Position / mm"), Align::decimal, true},
+                   {plain("Added ↑ / µm"), Align::decimal},
+                   {plain("Added ↓ / µm"), Align::decimal}};
+  const std::size_t count = std::min(made.applied.positions().size(), rows_most);
+  for (std::size_t k = 0; k < count; ++k)
+    table.rows.push_back({number_cell(made.applied.positions()[k], 4, options),
+                          number_cell(made.applied.values(Direction::up)[k], 3, options),
+                          number_cell(made.applied.values(Direction::down)[k], 3, options)});
+  if (count < made.applied.positions().size())
+    table.notes.push_back(plain(fmt::format("The first {} of {} positions.", count, made.applied.positions().size())));
+  table.dense = true;
+  return {"table", "Table", true, {std::move(table)}};
+}
+
+report::Section control_words(const VolumeCompensation& made) {
+  const nc::AxisTable& control = *made.control;
+  report::Facts facts{"", {}};
+  const auto add = [&](std::string_view name, std::string_view value) {
+    facts.facts.push_back({plain(name), word_cell(value)});
+  };
+  add("Control", control.title);
+  add("A number in the file", nc::sign_of(control, made.options));
+  add("Loading", control.loading);
+  add("Verified of this format", control.verified);
+  if (!control.inferred.empty()) add("Inferred, not seen", control.inferred);
+  return {"control", "Control", true, {std::move(facts)}};
+}
+
+}  // namespace
+
+Experiment present(const VolumeCompensation& made, const report::Options& options) {
+  constexpr std::string_view letters = "XYZ";
+  report::Document document = experiment_document("Compensation of the volume", "From the 21 errors of a machine");
+  document.kind = "Compensation";
+  document.running_head = report::translated(document.title, options);
+  document.running_status = "Compensation, predicted";
+  if (!made.machine.empty()) document.identity.push_back({plain("Machine"), {report::verbatim(made.machine)}});
+  if (!made.tool.empty()) document.identity.push_back({plain("Tool"), {report::verbatim(made.tool)}});
+  document.identity.push_back({plain("Positions of axis"), {report::verbatim(letters.substr(made.along, 1))}});
+  document.identity.push_back(
+      {plain("Direction that is corrected"), {report::verbatim(letters.substr(made.component, 1))}});
+  document.identity.push_back({plain("Errors"), {report::verbatim(made.errors)}});
+  report::Notice notice{report::Tone::normal,
+                        plain(fmt::format("Displacement on the line from {} to {} µm, as predicted from the 21 errors",
+                                          format_fixed(made.line_before_um, displacement_decimals, options.numbers),
+                                          format_fixed(made.line_after_um, displacement_decimals, options.numbers))),
+                        {}};
+  for (const NamedFinding& finding : made.findings) {
+    if (finding.serious) notice.tone = report::Tone::bad;
+    notice.lines.push_back(report::sentence(finding.message));
+  }
+  document.status = {std::move(notice)};
+  document.sections = {remaining_section(made, options), line_section(made, options), nodes_section(made, options),
+                       control_words(made)};
+  return {std::move(document), to_json(made)};
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/base/rounded_text.h"
+
+#include <cmath>
+
+#include "axiometry/base/number_text.h"
+
+namespace axiometry {
+
+std::string format_rounded(double x, int decimals) {
+  const double unit = std::pow(10.0, decimals);
+  const double rounded = std::round(x * unit) / unit;
+  // Where x times the unit is beyond what doubles count one by one, x has no such decimals to round.
+  if (!std::isfinite(rounded) || std::abs(x) * unit >= 9e15) return format_exact(x);
+  return format_exact(rounded + 0.0);
+}
+
+}  // namespace axiometry

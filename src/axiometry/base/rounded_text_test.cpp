@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/base/rounded_text.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace axiometry {
+namespace {
+
+TEST(RoundedText, LeavesOutWhatArithmeticLeft) {
+  EXPECT_EQ(format_rounded(0.1 + 0.2), "0.3");
+  EXPECT_EQ(format_rounded(489.34 * 25.4), "12429.236");
+  EXPECT_EQ(format_rounded(-1e-12), "0");
+  EXPECT_EQ(format_rounded(1.23456789), "1.234568");
+  EXPECT_EQ(format_rounded(1.23456789, 2), "1.23");
+  EXPECT_EQ(format_rounded(-100.0), "-100");
+}
+
+TEST(RoundedText, KeepsNumbersWithoutSuchDecimals) {
+  EXPECT_EQ(format_rounded(1e300), "1e+300");
+  EXPECT_EQ(format_rounded(std::numeric_limits<double>::max()), "1.7976931348623157e+308");
+}
+
+}  // namespace
+}  // namespace axiometry
