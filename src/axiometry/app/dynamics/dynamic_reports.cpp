@@ -129,7 +129,8 @@ struct DynamicReport {
         report::Tone::caution,
         plain("No test of ISO 230-2"),
         {plain(
-            "The axis was not at rest at targets, and nobody knows when the control wanted it where. What is told is "
+            "Standstills at targets are not looked for, and nobody knows when the control wanted a moving axis where. "
+            "What is told is "
             "how far it strays from an even motion: errors of position, control and feed alike, as the instrument "
             "saw them. An error of scale, a lag and a reversal error cannot be told, nor A, E, R, B and M.")}});
     if (m.stretches.empty()) {
@@ -239,7 +240,7 @@ struct DynamicReport {
   }
 
   report::Document document(bool with_figures) const {
-    report::Document d = experiment_document("Motion of an axis, recorded without standstills", "");
+    report::Document d = experiment_document("Motion of an axis, evaluated without standstills", "");
     d.kind = "Recording";
     d.running_head = report::translated(d.title, options);
     d.running_status = "Motion, no test of ISO 230-2";

@@ -77,6 +77,10 @@ TEST(TrackingPlanJson, IsToldFromAPlanOfOneAxis) {
 TEST(TrackingPlanJson, OfAnAlignedInterferometerHasNeitherStationNorLimits) {
   TrackingPlan plan = whole();
   plan.setup.station = no_station();
+  EXPECT_NE(tracking_plan_error(write_tracking_plan(plan)).find("in a plan without a station, expected diagonals"),
+            std::string::npos);
+  plan.lines[0].id = "NN0-PP0";
+  plan.lines[1].id = "NNN-PPP";
   const std::string text = write_tracking_plan(plan);
   EXPECT_EQ(text.find("\"station\""), std::string::npos);
   EXPECT_EQ(text.find("\"limits\""), std::string::npos);
