@@ -63,6 +63,10 @@ COMMANDS = [
     ("", f"{PLAN} --station 100,80,-600 --diagonals body --sheet {{out}}"),
     ("", f"{PLAN} --station 100,80,-600 --elevation 0:10 --range 0.5m:0.8m --incidence 20 --sheet {{out}}"),
     ("", f"{PLAN} --station 100,80,-600 --safe-radius 200 --min-length 300 --targets 3 --runs 1 --sheet {{out}}"),
+    ("", "tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --seed 3 --diagonals body,face --sheet {out}"),
+    ("dynamic", "dynamic x-axis.rtx --report {out}"),
+    ("dynamic", "dynamic x-axis.rtx --feed 1200 --to 0.4 --report {out}"),
+    ("tracking-evaluate", "tracking evaluate diagonals.csv --plan diagonals.json --report {out}"),
     ("tracking-evaluate", "tracking evaluate lengths.csv --plan seven.json --report {out}"),
     ("tracking-evaluate", "tracking evaluate lengths.csv --plan seven.json --tolerance A=10um --tolerance xyz:A=20um "
                           f"--rule iso14253-1 --uncertainty annex-a,gum,monte-carlo {TRIALS} --report {{out}}"),
@@ -83,7 +87,7 @@ COMMANDS = [
 WORD = re.compile(r"[A-Za-zÄÖÜäöüß][A-Za-zÄÖÜäöüß’'-]{2,}")
 # The same in both languages: words, names of persons, formats and standards, what stands for a value.
 SAME = set("""
-    Amplitude Axiometry Carlo Ciddor DIN Drift Ellipsoid Format GUM ISO Information JCGM JSON Lee Linear Median nde Monte
+    Amplitude Axiometry Carlo Ciddor DIN Drift Ellipsoid Format GUM ISO Information Interferometer JCGM JSON Lee Linear Median nde Monte
     Multilateration NDE Name Octant Phase Plan Position SHA- Segment Sensor Sensors Simulation Standard Station Student
     Ende Lauf Soll Test UTF- VDI Windows- bar csv- csv-long csv-wide deg eff json kPa linear min normal negative
     positive
@@ -95,9 +99,9 @@ SAME = set("""
 # Words of two letters that German does not have.
 SHORT = set("as at be by if is no of on or to up we".split())
 # What the examples and their files call things, and names of files and of metadata.
-NAMES = re.compile(r"\w+[\w-]*\.(?:csv|json|txt)|[a-z]+\.[a-z_]+|--[a-z-]+|axiometry [a-z]+|this-machine|"
+NAMES = re.compile(r"\w+[\w-]*\.(?:csv|json|txt|rtx)|[a-z]+\.[a-z_]+|--[a-z-]+|axiometry [a-z]+|this-machine|"
                    r"Table 2 of ISO 230-2 \(worked example\)|Tilting rotary table \(made up\)|Virtual machine|Fräse 7|"
-                   r"Machining centre|\b(?:P_?s,|U_?)(?:mean|max)\b|E[A-CX-Z][X-Z]\b|NN[NP]-PP[NP]|NP[NP]-PN[NP]|\bvice\b")
+                   r"Machining centre|\b(?:P_?s,|U_?)(?:mean|max)\b|E[A-CX-Z][X-Z]\b|[NP0]{3}-[NP0]{3}|\bvice\b")
 
 
 def segments(page):

@@ -7,9 +7,11 @@
 #include <cmath>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
+#include "axiometry/tracking/lengths/face_pairs.h"
 
 namespace axiometry::cli {
 namespace {
@@ -26,13 +28,15 @@ std::string heading(const app::EvaluatedLines& e, const report::Options& options
   const Vector3 s = e.plan.setup.station.position_mm;
   const auto number = [&](double x) { return format_fixed(x, 3, options.numbers); };
   const auto said = [&](std::string_view english) { return report::translated(english, options); };
-  std::string title = said("Lines from a tracking interferometer");
+  std::string title = said(is_aligned(e.plan.setup) ? "Diagonals by an aligned interferometer"
+                                                    : "Lines from a tracking interferometer");
   if (!e.plan.machine.empty()) title += ", " + e.plan.machine;
   const std::string& file = e.lengths.file;
   return fmt::format(
       "{}\n{}\n{}\n\n", terminal.bold(report::printable(title)),
-      said(fmt::format("Station at {}, {}, {} mm, {}", number(s.x), number(s.y), number(s.z),
-                       e.station_file ? "located" : "as planned")),
+      is_aligned(e.plan.setup) ? said("An interferometer that is aligned with each line in turn")
+                               : said(fmt::format("Station at {}, {}, {} mm, {}", number(s.x), number(s.y), number(s.z),
+                                                  e.station_file ? "located" : "as planned")),
       terminal.faint(fmt::format("{} (SHA-256 {}…)", file == "-" ? said("standard input") : report::printable(file),
                                  e.lengths.sha256.substr(0, 12))));
 }
@@ -82,9 +86,13 @@ std::string table(const app::EvaluatedLines& e, const report::Options& options, 
   std::string text = terminal.faint(head) + "\n";
   for (std::size_t k = 0; k < e.tests.size(); ++k) text += row(e.evaluation.lines[k], e.tests[k], options, terminal);
   return text +
-         terminal.faint(wrapped(said("Slopes with U (k = 2) of their scatter, kept in E and A; Δd: 95 % bound of the "
-                                     "length difference that the uncertainty of the station causes"),
-                                terminal.width(), 0)) +
+         terminal.faint(
+             wrapped(said(is_aligned(e.plan.setup)
+                              ? "Slopes with U (k = 2) of their scatter, kept in E and A; distances from the "
+                                "beginning of each line"
+                              : "Slopes with U (k = 2) of their scatter, kept in E and A; Δd: 95 % bound of "
+                                "the length difference that the uncertainty of the station causes"),
+                     terminal.width(), 0)) +
          "\n\n";
 }
 
@@ -106,6 +114,18 @@ std::string diagonals(const app::EvaluatedLines& e, const report::Options& optio
              wrapped(report::translated("Errors can cancel along a diagonal: a small E proves little alone.", options),
                      terminal.width(), 0)) +
          "\n\n";
+}
+
+std::string pairs(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
+  const auto pairs = tracking::face_pairs(e.evaluation.lines);
+  if (pairs.empty()) return "";
+  std::string text;
+  for (const tracking::FacePair& pair : pairs)
+    text += fmt::format("{}{}/{}  {} {} µrad\n", left(pair.face, id_width), pair.first, pair.second, pair.term,
+                        pair.uncertainty_um_per_m
+                            ? slope_text(pair.squareness_um_per_m, *pair.uncertainty_um_per_m, options)
+                            : format_fixed(pair.squareness_um_per_m, 2, options.numbers));
+  return terminal.bold(report::translated("Squareness from the two diagonals of a face", options)) + "\n" + text + "\n";
 }
 
 std::string squareness(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
@@ -145,7 +165,7 @@ std::string findings(const app::EvaluatedLines& e, const report::Options& option
 
 std::string lines_summary(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
   return heading(e, options, terminal) + table(e, options, terminal) + diagonals(e, options, terminal) +
-         squareness(e, options, terminal) + findings(e, options, terminal);
+         pairs(e, options, terminal) + squareness(e, options, terminal) + findings(e, options, terminal);
 }
 
 }  // namespace axiometry::cli

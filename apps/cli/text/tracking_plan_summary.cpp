@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axiometry/base/counted.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/report/documents/plan_sheet.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/translated.h"
@@ -79,10 +80,15 @@ std::string tracking_plan_summary(const app::PlannedLines& planned, const report
                                   const Terminal& terminal) {
   const TrackingPlan& plan = planned.plan;
   const auto said = [&](std::string_view english) { return report::translated(english, options); };
-  std::string title = plan.title.empty() ? said("Lines from a tracking interferometer") : plan.title;
+  std::string title = plan.title.empty() ? said(is_aligned(plan.setup) ? "Diagonals by an aligned interferometer"
+                                                                       : "Lines from a tracking interferometer")
+                                         : plan.title;
   if (!plan.machine.empty()) title += (options.language == language::Language::english ? " on " : ", ") + plan.machine;
-  std::string text = terminal.bold(report::printable(title)) + "\n" +
-                     said(fmt::format("Station at {}", place(plan.setup.station.position_mm, options))) + "\n\n";
+  std::string text =
+      terminal.bold(report::printable(title)) + "\n" +
+      said(is_aligned(plan.setup) ? std::string("An interferometer that is aligned with each line in turn")
+                                  : fmt::format("Station at {}", place(plan.setup.station.position_mm, options))) +
+      "\n\n";
   text += line_table(plan, options, terminal) + notes(plan, options, terminal);
   const std::string kept =
       said(fmt::format("{} of {}.", plan.lines.size(), counted(plan.lines.size() + plan.lost.size(), "line")));

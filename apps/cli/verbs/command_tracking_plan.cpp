@@ -33,7 +33,7 @@ Examples:
       --locate 6 --points points.csv
   axiometry tracking plan --setup lines.json --station 400,-20,-600 --suggest --out other.json
   axiometry tracking plan --setup lines.json --lines x,y,xy --rule corner --out three.json
-  axiometry tracking plan --setup lines.json --diagonals body --out diagonals.json)";
+  axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --diagonals body,face --sheet d.pdf --out diagonals.json)";
 
 struct TrackingPlanArguments {
   app::TrackingPlanRequest request;
@@ -73,8 +73,9 @@ void add_setup(const Verb& verb, TrackingPlanArguments& arguments) {
            into(setup.tool_offset_mm, app::parse_vector))
       ->group(group);
   verb.add_option("--station", setup.station,
-                  "Where the instrument stands, X,Y,Z, or the file that `tracking locate --json` wrote")
-      ->type_name("X,Y,Z or FILE")
+                  "Where the instrument stands, X,Y,Z, or the file that `tracking locate --json` wrote; none: it is "
+                  "aligned with each diagonal")
+      ->type_name("X,Y,Z, FILE or none")
       ->group(group);
   verb.add_option_function<std::vector<std::string>>(
           "--obstacle",
@@ -135,7 +136,7 @@ void add_lines(const Verb& verb, TrackingPlanArguments& arguments) {
   add_read(verb,
            {"--diagonals", "LIST",
             "Full diagonals of the travels (ISO 230-6): body, face, or some such as NNN-PPP,NN0-PP0. For an "
-            "interferometer aligned with them"},
+            "interferometer aligned with each of them, which needs no station"},
            [&lines](const std::string& text) -> Result<void> {
              add_ids(lines.ids, text);
              return {};
@@ -219,7 +220,8 @@ void add_outputs(const Verb& verb, TrackingPlanArguments& arguments) {
 app::InputFiles inputs_of(const app::SetupRequest& setup) {
   std::vector<app::InputFile> inputs;
   if (!setup.file.empty()) inputs.push_back({setup.file, false});
-  if (!setup.station.empty() && !app::parse_vector(setup.station)) inputs.push_back({setup.station, false});
+  if (!setup.station.empty() && setup.station != "none" && !app::parse_vector(setup.station))
+    inputs.push_back({setup.station, false});
   return app::InputFiles(inputs);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/model/aligned.h"
 
 namespace axiometry::capture {
 namespace {
@@ -86,7 +87,7 @@ LineStops line_stops(const TrackingPlan& plan) {
   StopList& list = lines.list;
   list.tolerance_mm = machine_mm;
   list.direction_counts = true;
-  list.station_error_mm = station_error_of(plan.setup.station);
+  list.station_error_mm = is_aligned(plan.setup) ? 0.0 : station_error_of(plan.setup.station);
   double overrun = std::numeric_limits<double>::infinity(), dwell_s = overrun, feed = overrun;
   for (const TrackingLine& line : plan.lines) {
     overrun = std::min(overrun, line.plan.overrun.in_native());
@@ -96,19 +97,24 @@ LineStops line_stops(const TrackingPlan& plan) {
   }
   if (plan.lines.empty()) return lines;
   list.drive = {feed, Duration::s(dwell_s), overrun / 4.0};
-  StopPath path(plan.setup.station.position_mm, list.drive.turn_mm);
+  const bool aligned = is_aligned(plan.setup);
+  StopPath path(setup_along(plan.setup, plan.lines.front()).station.position_mm, list.drive.turn_mm);
   const Vector3 tool = plan.setup.tool_offset_mm;
   for (std::size_t k = 0; k < plan.lines.size(); ++k) {
     const Plan& of_line = plan.lines[k].plan;
     const auto line = spatial_line(of_line.axis);
     AXIOMETRY_CONTRACT(line.has_value());
-    for (const Vector3 place : of_line.way_in_mm) path.go(place + tool);
+    // An aligned interferometer sees nothing of the ways between, on which it is set up anew.
+    if (aligned) path.begin_segment(setup_along(plan.setup, plan.lines[k]).station.position_mm);
+    if (!aligned)
+      for (const Vector3 place : of_line.way_in_mm) path.go(place + tool);
     for (const PlannedMove& move : moves(of_line)) {
       const Vector3 place = line->at(move.to) + tool;
       move.approach ? path.stop(place) : path.go(place);
       if (move.approach) lines.approaches.push_back({k, *move.approach});
     }
-    for (const Vector3 place : of_line.way_out_mm) path.go(place + tool);
+    if (!aligned)
+      for (const Vector3 place : of_line.way_out_mm) path.go(place + tool);
   }
   list.stops = path.stops();
   return lines;

@@ -50,7 +50,7 @@ constexpr Phrase rows[] = {
     {"Means at {0#} positions.", "Mittelwerte an {0} Positionen."},
     {"Means over the runs at each position; the mean of both directions where there are two.",
      "Mittelwerte der Durchläufe an jeder Position; das Mittel beider Richtungen, wo es zwei gibt."},
-    {"Motion of an axis, recorded without standstills", "Bewegung einer Achse, aufgezeichnet ohne Stillstände"},
+    {"Motion of an axis, evaluated without standstills", "Bewegung einer Achse, ausgewertet ohne Stillstände"},
     {"Motion, no test of ISO 230-2", "Bewegung, keine Prüfung nach ISO 230-2"},
     {"No line is removed from angles: their slope is a bend or a twist of the way.",
      "Von Winkeln wird keine Gerade abgezogen: Ihre Steigung ist eine Biegung oder Verdrehung der Führung."},
@@ -113,19 +113,19 @@ constexpr Phrase rows[] = {
     {"Squareness of two axes {0=}", "Rechtwinkligkeit zweier Achsen {0}"},
     {"Squareness over one metre", "Rechtwinkligkeit über einen Meter"},
     {"Squareness, θ₂ − θ₁ + error of the square", "Rechtwinkligkeit, θ₂ − θ₁ + Abweichung des Winkels"},
+    {"Standstills at targets are not looked for, and nobody knows when the control wanted a moving axis where. What is "
+     "told is how far it strays from an even motion: errors of position, control and feed alike, as the instrument saw "
+     "them. An error of scale, a lag and a reversal error cannot be told, nor A, E, R, B and M.",
+     "Stillstände an Zielpositionen werden nicht gesucht, und niemand weiß, wann die Steuerung eine bewegte Achse wo "
+     "wollte. Angegeben ist, wie weit sie von einer gleichmäßigen Bewegung abweicht: Abweichungen von Position, "
+     "Regelung und Vorschub gleichermaßen, wie das Messgerät sie sah. Eine Maßstabsabweichung, ein Nachlauf und eine "
+     "Umkehrspanne sind nicht zu erkennen, und auch A, E, R, B und M nicht."},
     {"Straightness", "Geradheit"},
     {"Straightness {0=}", "Geradheit {0}"},
     {"Straightness, range of the residuals", "Geradheit, Spannweite der Residuen"},
     {"Strays", "Abweichung"},
     {"Strays, range / µm", "Abweichung, Spannweite / µm"},
     {"Strays, range / ″", "Abweichung, Spannweite / ″"},
-    {"The axis was not at rest at targets, and nobody knows when the control wanted it where. What is told is how far "
-     "it strays from an even motion: errors of position, control and feed alike, as the instrument saw them. An error "
-     "of scale, a lag and a reversal error cannot be told, nor A, E, R, B and M.",
-     "Die Achse stand nicht an Zielpositionen still, und niemand weiß, wann die Steuerung sie wo wollte. Angegeben "
-     "ist, wie weit sie von einer gleichmäßigen Bewegung abweicht: Abweichungen von Position, Regelung und Vorschub "
-     "gleichermaßen, wie das Messgerät sie sah. Eine Maßstabsabweichung, ein Nachlauf und eine Umkehrspanne sind nicht "
-     "zu erkennen, und auch A, E, R, B und M nicht."},
     {"The position of the highest and the lowest residual is taken as known.",
      "Wo das höchste und das tiefste Residuum liegen, gilt als bekannt."},
     {"To / s", "Bis / s"},
@@ -180,10 +180,10 @@ constexpr Phrase rows[] = {
      "Wiederholpräzision"},
     {"rms / ″", "Effektivwert / ″"},
     {"s of velocity / %", "s der Geschwindigkeit / %"},
-    {"the axis was not at rest at targets: nothing here is a parameter of ISO 230-2, and neither an error of scale nor "
-     "a reversal error can be told",
-     "die Achse stand nicht an Zielpositionen still: Nichts hier ist eine Kenngröße nach ISO 230-2, und weder eine "
-     "Maßstabsabweichung noch eine Umkehrspanne ist zu erkennen"},
+    {"standstills at targets are not looked for: nothing here is a parameter of ISO 230-2, and neither an error of "
+     "scale nor a reversal error can be told",
+     "Stillstände an Zielpositionen werden nicht gesucht: Nichts hier ist eine Kenngröße nach ISO 230-2, und weder "
+     "eine Maßstabsabweichung noch eine Umkehrspanne ist zu erkennen"},
     {"the feed that was asked for is not stated (--feed): how far the axis is from it is not known",
      "der verlangte Vorschub ist nicht angegeben (--feed): Wie weit die Achse davon entfernt ist, ist nicht bekannt"},
     {"the files do not both name their error: whether they are of one plane was not checked",

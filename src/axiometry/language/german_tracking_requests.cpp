@@ -12,6 +12,14 @@ constexpr Phrase rows[] = {
      "Formular ohne Plan; erwartet: die Dateien lengths und plan"},
     {"found a form without lengths, expected the files lengths and plan",
      "Formular ohne Längen; erwartet: die Dateien lengths und plan"},
+    {"found a plan whose interferometer is aligned with each line, expected one with a station: 'axiometry tracking' "
+     "plans and evaluates it in a terminal",
+     "ein Plan, dessen Interferometer auf jede Linie ausgerichtet wird; erwartet: einer mit Station: 'axiometry "
+     "tracking' plant und wertet ihn im Terminal aus"},
+    {"found a plan whose interferometer is aligned with each line, expected one with a station: the simulator follows "
+     "a reflector",
+     "ein Plan, dessen Interferometer auf jede Linie ausgerichtet wird; erwartet: einer mit Station, denn der "
+     "Simulator folgt einem Reflektor"},
     {"found a sheet as {0=}, expected one of {1=}", "Blatt als {0}; erwartet: eines von {1}"},
     {"found a step of {0#}, expected {1#} to {2#}", "Schrittweite {0}; erwartet: {1} bis {2}"},
     {"found an obstacle without exactly one shape, expected a box, a sphere or a cylinder",
@@ -31,6 +39,7 @@ constexpr Phrase rows[] = {
      "keine Linie ist messbar; erwartet: wenigstens eine; x: {0}; y: {1}; z: {2}; xy: {3}; xz: {4}; yz: {5}; "
      "xyz: {6}; {7}"},
     {"found no request, expected one", "keine Anforderung; erwartet: eine"},
+    {"found no station, expected one", "keine Station; erwartet: eine"},
     {"found options of {0#} bytes, expected at most {1#}", "Optionen von {0} Bytes; erwartet: höchstens {1}"},
     {"found the end of the text, expected a member name in quotes",
      "Ende des Textes; erwartet: der Name eines Eintrags in Anführungszeichen"},

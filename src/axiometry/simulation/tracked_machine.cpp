@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "axiometry/base/text.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/simulation/elementary.h"
 
@@ -215,13 +216,14 @@ Result<SimulatedLengths> simulate_lengths(const TrackedMachine& machine, const V
   Drive motion(machine, plan.setup.tool_offset_mm, {seed, stream_stop, block_lines}, readings);
   motion.begin_at(begin);
   Display display(tracker, {seed, stream_length, block_lines}, readings);
-  display.move_to(tracker.station_mm);
+  if (!is_aligned(plan.setup)) display.move_to(tracker.station_mm);
   SimulatedLengths lengths;
   for (const TrackingLine& line : plan.lines) {
     // The direction is made a unit vector here, without std::hypot.
     SpatialLine way = *spatial_line(line.plan.axis);
     const std::vector<double>& given = line.plan.axis.line_direction;
     const Vector3 direction = {given[0], given[1], given[2]};
+    if (is_aligned(plan.setup)) display.move_to(setup_along(plan.setup, line).station.position_mm);
     way.direction = 1.0 / length_of(direction) * direction;
     for (const Vector3 place : line.plan.way_in_mm) motion.go(place, line.plan.feed);
     for (const PlannedMove& move : moves(line.plan)) {

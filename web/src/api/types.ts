@@ -2248,6 +2248,18 @@ export interface components {
                     line: string;
                     value_um: number;
                 } | null;
+                /** @description Squareness of each face whose two diagonals were measured. */
+                face_pairs: {
+                    /** @enum {string} */
+                    face: "XY" | "XZ" | "YZ";
+                    lines: string[];
+                    slope_difference_um_per_m: number;
+                    /** @enum {string} */
+                    squareness: "C0Y" | "B0Z" | "A0Z";
+                    um_per_m: number;
+                    /** @description Standard. */
+                    u_um_per_m: number | null;
+                }[];
             };
             squareness: {
                 terms: {
@@ -2308,7 +2320,7 @@ export interface components {
             machine?: string | null;
             /** @description Date on which the plan was made. */
             date?: string | null;
-            /** @description Machine, instrument and what stands about. */
+            /** @description Machine, instrument and what stands about. Without a station: an interferometer that is aligned with each line in turn. */
             setup: {
                 /** @description Where the axes may stand. */
                 travel: {
@@ -2320,7 +2332,7 @@ export interface components {
                 /** @description From where the axes stand to the centre of the reflector. */
                 tool_offset_mm?: number[];
                 /** @description The place of the instrument. */
-                station: {
+                station?: {
                     /** @description Where the instrument stands, in the reflector's coordinates. */
                     position_mm: number[];
                     /** @description Covariance of the station; absent when nothing is known about it. */

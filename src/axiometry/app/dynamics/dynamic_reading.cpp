@@ -122,7 +122,8 @@ void add_limits(DynamicMotion& motion) {
         "no stretch of even motion was found: the vibrations are those of the whole recording about a straight line, "
         "into which every acceleration enters");
   motion.remarks.push_back(
-      "the axis was not at rest at targets: nothing here is a parameter of ISO 230-2, and neither an error of scale "
+      "standstills at targets are not looked for: nothing here is a parameter of ISO 230-2, and neither an error of "
+      "scale "
       "nor "
       "a reversal error can be told");
   if (!motion.feed)

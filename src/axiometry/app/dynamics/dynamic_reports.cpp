@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
 #include "axiometry/app/files/source.h"
@@ -75,27 +76,10 @@ struct DynamicReport {
                                           {plain(format_fixed(m.record.positions[s.last], 2, options.numbers))},
                                           number(per_minute, 6)};
     if (m.feed) row.push_back({plain(format_fixed(100.0 * (per_minute / *m.feed - 1.0), 3, options.numbers))});
-    const double mean = std::abs(s.velocity);
-    row.push_back({plain(format_fixed(100.0 * s.velocity_deviation / mean, 3, options.numbers))});
-    row.push_back({plain(format_fixed(100.0 * s.velocity_range / mean, 3, options.numbers))});
-    row.push_back(number(s.deviation_range * deviation_scale(), 4));
-    row.push_back(number(s.deviation_rms * deviation_scale(), 4));
     return row;
   }
 
-  report::Section uniform() const {
-    report::Section section{"uniform", "Even motion, without standstills", true, {}};
-    section.blocks.emplace_back(report::Notice{
-        report::Tone::caution,
-        plain("No test of ISO 230-2"),
-        {plain(
-            "The axis was not at rest at targets, and nobody knows when the control wanted it where. What is told is "
-            "how far it strays from an even motion: errors of position, control and feed alike, as the instrument "
-            "saw them. An error of scale, a lag and a reversal error cannot be told, nor A, E, R, B and M.")}});
-    if (m.stretches.empty()) {
-      section.blocks.emplace_back(report::Paragraph{plain("No stretch of even motion was found.")});
-      return section;
-    }
+  report::Table stretch_table() const {
     report::Table table;
     table.columns = {{plain("Direction"), Align::centre, true},
                      {plain("From / s"), Align::decimal},
@@ -104,13 +88,7 @@ struct DynamicReport {
                      {plain(fmt::format("To / {}", unit())), Align::decimal},
                      {plain(fmt::format("Feed / {}/min", unit())), Align::decimal, false, false, true}};
     if (m.feed) table.columns.push_back({plain("less that asked for / %"), Align::decimal});
-    table.columns.push_back({plain("s of velocity / %"), Align::decimal});
-    table.columns.push_back({plain("its range / %"), Align::decimal});
-    table.columns.push_back(
-        {plain(fmt::format("Strays, range / {}", deviation_unit(m.kind))), Align::decimal, false, false, true});
-    table.columns.push_back({plain(fmt::format("rms / {}", deviation_unit(m.kind))), Align::decimal});
-    for (const UniformStretch& s : m.stretches)
-      if (table.rows.size() < most_stretches_shown) table.rows.push_back(stretch_row(s));
+    for (const UniformStretch& s : shown()) table.rows.push_back(stretch_row(s));
     table.notes = {plain(fmt::format(
         "Of each movement the longest part whose velocity stays within {} % of its median, from where it first reaches "
         "that to where it last has it; it strays from the straight line of position over time by least squares.",
@@ -118,8 +96,49 @@ struct DynamicReport {
     if (m.stretches.size() > most_stretches_shown)
       table.notes.push_back(plain(
           fmt::format("… and {} more; all of them stand in the JSON.", m.stretches.size() - most_stretches_shown)));
-    table.dense = true;
-    section.blocks.emplace_back(std::move(table));
+    return table;
+  }
+
+  report::Table straying_table() const {
+    report::Table table;
+    table.columns = {{plain("Direction"), Align::centre, true},
+                     {plain("From / s"), Align::decimal},
+                     {plain("s of velocity / %"), Align::decimal},
+                     {plain("its range / %"), Align::decimal},
+                     {plain(fmt::format("Strays, range / {}", deviation_unit(m.kind))), Align::decimal},
+                     {plain(fmt::format("rms / {}", deviation_unit(m.kind))), Align::decimal}};
+    for (const UniformStretch& s : shown()) {
+      const double mean = std::abs(s.velocity);
+      table.rows.push_back({word_cell(s.velocity > 0.0 ? "↑" : "↓"),
+                            time(s.first),
+                            {plain(format_fixed(100.0 * s.velocity_deviation / mean, 3, options.numbers))},
+                            {plain(format_fixed(100.0 * s.velocity_range / mean, 3, options.numbers))},
+                            number(s.deviation_range * deviation_scale(), 4),
+                            number(s.deviation_rms * deviation_scale(), 4)});
+    }
+    return table;
+  }
+
+  std::span<const UniformStretch> shown() const {
+    return std::span(m.stretches).first(std::min(m.stretches.size(), most_stretches_shown));
+  }
+
+  report::Section uniform() const {
+    report::Section section{"uniform", "Even motion, without standstills", true, {}};
+    section.blocks.emplace_back(report::Notice{
+        report::Tone::caution,
+        plain("No test of ISO 230-2"),
+        {plain(
+            "Standstills at targets are not looked for, and nobody knows when the control wanted a moving axis where. "
+            "What is told is "
+            "how far it strays from an even motion: errors of position, control and feed alike, as the instrument "
+            "saw them. An error of scale, a lag and a reversal error cannot be told, nor A, E, R, B and M.")}});
+    if (m.stretches.empty()) {
+      section.blocks.emplace_back(report::Paragraph{plain("No stretch of even motion was found.")});
+      return section;
+    }
+    section.blocks.emplace_back(stretch_table());
+    section.blocks.emplace_back(straying_table());
     return section;
   }
 
@@ -221,7 +240,7 @@ struct DynamicReport {
   }
 
   report::Document document(bool with_figures) const {
-    report::Document d = experiment_document("Motion of an axis, recorded without standstills", "");
+    report::Document d = experiment_document("Motion of an axis, evaluated without standstills", "");
     d.kind = "Recording";
     d.running_head = report::translated(d.title, options);
     d.running_status = "Motion, no test of ISO 230-2";

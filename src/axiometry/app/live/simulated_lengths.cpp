@@ -11,6 +11,7 @@
 
 #include "axiometry/app/volumetric/simulated_recording.h"
 #include "axiometry/base/text.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/simulation/tracked_recording.h"
 #include "axiometry/volumetric/simulate/simulated_lengths.h"
 
@@ -58,6 +59,10 @@ std::size_t middle_of(const TrackingPlan& plan) {
 
 Result<Connect> lines_source(const SimulatedLengthCapture& capture) {
   const TrackingPlan& plan = *capture.task.lines();
+  if (is_aligned(plan.setup))
+    return fail(
+        "found a plan whose interferometer is aligned with each line, expected one with a station: the "
+        "simulator follows a reflector");
   const std::uint64_t seed = capture.seed + capture.task.part();
   simulation::VirtualTracker tracker;
   tracker.station_mm = plan.setup.station.position_mm;

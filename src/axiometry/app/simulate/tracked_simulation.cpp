@@ -13,6 +13,7 @@
 #include "axiometry/app/simulate/tracked_truth.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/simulation/tracked_recording.h"
 #include "axiometry/tracking/station/location_points.h"
 
@@ -84,9 +85,17 @@ Result<TrackedResults> simulate(const TrackedSimulation& request, const TrackedF
     AXIOMETRY_TRY(const std::string text, whole_file(files.plan));
     AXIOMETRY_TRY(results.plan, in_file(formats::read_tracking_plan(text), files.plan));
   }
+  const bool aligned = results.plan && is_aligned(results.plan->setup);
+  if (aligned && (request.station_mm || !files.points.empty() || !files.recording.empty() || !files.ranges.empty()))
+    return fail(
+        "found a station, points, a recording or ranges for a plan whose interferometer is aligned with each line, "
+        "expected --lengths and --truth");
   if (!request.station_mm && !results.plan)
     return fail("found neither a true station nor a plan that has one, expected --station-true or --plan");
-  results.tracker.station_mm = request.station_mm ? *request.station_mm : results.plan->setup.station.position_mm;
+  if (aligned)
+    results.tracker.station_mm = setup_along(results.plan->setup, results.plan->lines.at(0)).station.position_mm;
+  else
+    results.tracker.station_mm = request.station_mm ? *request.station_mm : results.plan->setup.station.position_mm;
   if (results.stations_mm.empty()) results.stations_mm = {results.tracker.station_mm};
   const simulation::TrackedMachine& machine = request.truth.machine;
   simulation::PointDrive drive;

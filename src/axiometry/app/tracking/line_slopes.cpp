@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "axiometry/base/text.h"
+#include "axiometry/model/aligned.h"
 
 namespace axiometry::app {
 
@@ -15,7 +16,7 @@ Result<std::vector<double>> slopes_um_per_m(const TrackingPlan& plan, std::span<
     for (const LengthReading& r : readings) {
       if (r.line != line.id || !way) continue;
       const Vector3 reflector = way->at(line.plan.targets[r.approach.target]) + plan.setup.tool_offset_mm;
-      distances.push_back(distance(reflector, plan.setup.station.position_mm));
+      distances.push_back(distance(reflector, setup_along(plan.setup, line).station.position_mm));
       deviations.push_back(r.length_difference_mm - distances.back());
     }
     double mean_d = 0.0, mean_x = 0.0, covariance = 0.0, variance = 0.0;

@@ -19,6 +19,7 @@
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/tracking/station_json.h"
 #include "axiometry/formats/tracking/tracking_lengths_csv.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/report/tracking.h"
 #include "axiometry/tracking/lengths/reading_order.h"
 
@@ -100,6 +101,11 @@ Result<void> read_setup(const TrackingFiles& files, EvaluatedLines& evaluated) {
   evaluated.plan_file = {files.plan.name, sha256(files.plan.bytes)};
   if (!files.station) return {};
   const GivenFile& located = *files.station;
+  if (is_aligned(evaluated.plan.setup))
+    return std::unexpected(
+        Error{"found a located station for a plan whose interferometer is aligned with each line, expected none",
+              located.name,
+              {}});
   AXIOMETRY_TRY(const Station station, in_file(formats::read_station(located.bytes), located.name));
   const double moved = distance(station.position_mm, evaluated.plan.setup.station.position_mm);
   evaluated.plan.setup.station = station;

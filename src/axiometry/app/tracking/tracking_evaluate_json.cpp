@@ -7,6 +7,7 @@
 #include "axiometry/app/tracking/tracking_json.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/text/json_members.h"
+#include "axiometry/tracking/lengths/face_pairs.h"
 
 namespace axiometry::app {
 namespace {
@@ -79,6 +80,20 @@ Value largest_to_json(const std::optional<iso230_6::DiagonalSummary::Largest>& l
   return object;
 }
 
+Value face_pairs_to_json(std::span<const tracking::EvaluatedLine> lines) {
+  Value list = Value::array();
+  for (const tracking::FacePair& pair : tracking::face_pairs(lines)) {
+    Value& row = list.push(Value::object());
+    row.add("face", pair.face);
+    row.add("lines", Value::array({pair.first, pair.second}));
+    row.add("slope_difference_um_per_m", pair.slope_difference_um_per_m);
+    row.add("squareness", pair.term);
+    row.add("um_per_m", pair.squareness_um_per_m);
+    row.add("u_um_per_m", number_or_null(pair.uncertainty_um_per_m));
+  }
+  return list;
+}
+
 Value diagonals_to_json(const EvaluatedLines& evaluated) {
   Value object = Value::object();
   object.add("standard", iso230_6::edition);
@@ -88,6 +103,7 @@ Value diagonals_to_json(const EvaluatedLines& evaluated) {
   object.add("E", largest_to_json(evaluated.diagonals.E));
   object.add("R", largest_to_json(evaluated.diagonals.R));
   object.add("B", largest_to_json(evaluated.diagonals.B));
+  object.add("face_pairs", face_pairs_to_json(evaluated.evaluation.lines));
   return object;
 }
 

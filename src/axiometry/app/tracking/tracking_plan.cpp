@@ -15,6 +15,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/tracking/station_json.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/report/tracking.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
 
@@ -61,6 +62,48 @@ std::string place_text(Vector3 v) {
 
 std::string direction_text(Vector3 axis) {
   return fmt::format("({}, {}, {})", format_fixed(axis.x, 3), format_fixed(axis.y, 3), format_fixed(axis.z, 3));
+}
+
+constexpr std::string_view no_station_word = "none";
+
+bool only_diagonals(const tracking::LinesRequest& lines) {
+  return !lines.ids.empty() && std::ranges::none_of(lines.ids, [](const std::string& id) {
+    return std::ranges::find(tracking::seven_lines, id) != tracking::seven_lines.end();
+  });
+}
+
+/// What says something of a tracking interferometer; "" for nothing.
+std::string_view said_of_tracker(const TrackingPlanRequest& request) {
+  const SetupRequest& setup = request.setup;
+  if (setup.range_mm) return "a range of the instrument";
+  if (setup.elevation_deg) return "an elevation of the beam";
+  if (setup.incidence_deg || setup.reflector_axis || request.turn_reflector) return "a direction of the reflector";
+  if (setup.safe_radius_mm) return "a safe radius about the station";
+  if (setup.line_least_mm) return "a least length of lines";
+  if (request.suggest) return "a better station to be suggested";
+  if (request.lines.rule != tracking::DiagonalRule::equal_increments) return "a rule for diagonals from the station";
+  return {};
+}
+
+/// For diagonals alone a station need not be given: the interferometer is then aligned with each of them.
+SetupRequest setup_request(const TrackingPlanRequest& request) {
+  SetupRequest setup = request.setup;
+  const bool begun = setup.whole || !setup.file.empty();
+  if (setup.station.empty() && !begun && only_diagonals(request.lines)) setup.station = no_station_word;
+  return setup;
+}
+
+Result<void> check_aligned(const TrackingSetup& setup, const TrackingPlanRequest& request) {
+  if (!is_aligned(setup)) return {};
+  if (!only_diagonals(request.lines))
+    return fail(
+        "found no station, expected its place or the file of a located one: only diagonals of the travels need none");
+  if (const std::string_view said = said_of_tracker(request); !said.empty())
+    return fail(
+        fmt::format("found {} without a station, expected none: the interferometer is aligned with each "
+                    "diagonal",
+                    said));
+  return {};
 }
 
 bool may_turn(const TrackingPlanRequest& request) {
@@ -128,7 +171,9 @@ Result<TrackingSetup> setup_of(const SetupRequest& request) {
     return fail("found no station, expected its place or the file of a located one");
   take(request.travel, setup.travel);
   take(request.tool_offset_mm, setup.tool_offset_mm);
-  if (!request.station.empty()) {
+  if (request.station == no_station_word) {
+    setup.station = no_station();
+  } else if (!request.station.empty()) {
     AXIOMETRY_TRY(setup.station, station_of(request.station));
   }
   if (request.range_mm) {
@@ -151,7 +196,9 @@ Result<TrackingSetup> setup_of(const SetupRequest& request) {
 
 Result<MountedSetup> mounted_setup(const TrackingPlanRequest& request) {
   MountedSetup mounted;
-  AXIOMETRY_TRY(mounted.setup, setup_of(request.setup));
+  AXIOMETRY_TRY(mounted.setup, setup_of(setup_request(request)));
+  AXIOMETRY_TRY_VOID(check_aligned(mounted.setup, request));
+  if (is_aligned(mounted.setup)) return mounted;
   if (may_turn(request))
     if (auto turned = turn_reflector(mounted.setup, request.lines)) mounted.remarks.push_back(*std::move(turned));
   return mounted;

@@ -24,7 +24,9 @@ struct SetupRequest {
   std::optional<TrackingSetup> whole{};  ///< a set-up that is at hand, in place of a file
   std::optional<TravelBox> travel{};
   std::optional<Vector3> tool_offset_mm{};
-  std::string station{};  ///< "x,y,z", or the file of a located station; empty: that of the file
+  /// "x,y,z", the file of a located station, or "none" for an interferometer aligned with each line (model/aligned.h);
+  /// empty: that of the file, or none where nothing but diagonals of the travels is asked for.
+  std::string station{};
   std::optional<LowHigh> range_mm{};
   std::optional<LowHigh> elevation_deg{};
   std::optional<double> incidence_deg{};

@@ -6,6 +6,7 @@
 
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
+#include "axiometry/model/aligned.h"
 #include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
@@ -106,6 +107,31 @@ TEST_F(TrackingPlanFiles, SaysWhatIsMissingOrWrong) {
   r = request("100,80,-600");
   r.lines.acceleration = -1;
   EXPECT_THAT(refusal(r), HasSubstr("found the acceleration -1"));
+}
+
+TEST(TrackingPlan, NeedsNoStationForDiagonalsAlone) {
+  TrackingPlanRequest request;
+  request.setup.travel = TravelBox{{0, 0, -500}, {800, 600, 0}};
+  request.lines.ids = {"body", "face"};
+  request.lines.seed = 3;
+  const auto planned = plan_tracking(request);
+  ASSERT_TRUE(planned) << planned.error().to_string();
+  EXPECT_TRUE(is_aligned(planned->plan.setup));
+  EXPECT_EQ(planned->plan.lines.size(), 10u);
+  EXPECT_TRUE(planned->plan.lost.empty());
+  EXPECT_GT(planned->duration.in_s(), 0.0);
+  request.suggest = true;
+  EXPECT_NE(plan_tracking(request).error().message.find("without a station"), std::string::npos);
+  request.suggest = false;
+  request.setup.safe_radius_mm = 100.0;
+  EXPECT_NE(plan_tracking(request).error().message.find("a safe radius about the station without a station"),
+            std::string::npos);
+  request.setup.safe_radius_mm.reset();
+  request.setup.station = "none";
+  request.lines.ids = {"NNN-PPP"};
+  EXPECT_EQ(plan_tracking(request)->plan.lines.size(), 1u);
+  request.lines.ids = {"NNN-PPP", "x"};
+  EXPECT_NE(plan_tracking(request).error().message.find("only diagonals of the travels need none"), std::string::npos);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "axiometry/formats/test/test_schema.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/text/text_source.h"
+#include "axiometry/model/aligned.h"
 
 namespace axiometry::formats {
 namespace {
@@ -33,6 +34,12 @@ Result<TrackingLine> line_from(const Value& value, const std::vector<TrackingLin
                             text::quoted(line.id)),
                 plan->at());
   return line;
+}
+
+/// "NNN-PPP": a diagonal of the travels.
+bool names_diagonal(std::string_view id) {
+  constexpr std::size_t letters = 3;
+  return id.size() == 2 * letters + 1 && id[letters] == '-' && id.find_first_not_of("NP0-") == id.npos;
 }
 
 Result<LostLine> lost_from(const Value& value) {
@@ -72,6 +79,13 @@ Result<TrackingPlan> tracking_plan_from(const Value& root) {
     plan.lines.push_back(std::move(line));
     return {};
   }));
+  for (const TrackingLine& line : plan.lines)
+    if (is_aligned(plan.setup) && !names_diagonal(line.id))
+      return fail(
+          fmt::format("found the line {} in a plan without a station, expected diagonals of the travels such as "
+                      "NNN-PPP",
+                      text::quoted(line.id)),
+          lines->at());
   AXIOMETRY_TRY_VOID(each(members.optional("lost"), "lost", [&](const Value& item) -> Result<void> {
     AXIOMETRY_TRY(plan.lost.emplace_back(), lost_from(item));
     return {};

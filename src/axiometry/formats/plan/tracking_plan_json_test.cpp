@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "axiometry/formats/plan/plan_json.h"
+#include "axiometry/model/aligned.h"
 
 namespace axiometry::formats {
 namespace {
@@ -73,10 +74,28 @@ TEST(TrackingPlanJson, IsToldFromAPlanOfOneAxis) {
   EXPECT_FALSE(is_tracking_plan(""));
 }
 
+TEST(TrackingPlanJson, OfAnAlignedInterferometerHasNeitherStationNorLimits) {
+  TrackingPlan plan = whole();
+  plan.setup.station = no_station();
+  EXPECT_NE(tracking_plan_error(write_tracking_plan(plan)).find("in a plan without a station, expected diagonals"),
+            std::string::npos);
+  plan.lines[0].id = "NN0-PP0";
+  plan.lines[1].id = "NNN-PPP";
+  const std::string text = write_tracking_plan(plan);
+  EXPECT_EQ(text.find("\"station\""), std::string::npos);
+  EXPECT_EQ(text.find("\"limits\""), std::string::npos);
+  const auto read = read_tracking_plan(text);
+  ASSERT_TRUE(read) << read.error().to_string();
+  EXPECT_TRUE(is_aligned(read->setup));
+  EXPECT_EQ(write_tracking_plan(*read), text);
+}
+
 TEST(TrackingPlanJson, RefusesWhatIsNoneWithItsPlace) {
   EXPECT_NE(tracking_plan_error(whole_with("\"id\": \"xyz\"", "\"id\": \"x\"")).find("the line \"x\" a second time"),
             std::string::npos);
-  EXPECT_NE(tracking_plan_error(whole_with("\"station\"", "\"statoin\"")).find("no member \"station\""),
+  EXPECT_NE(tracking_plan_error(whole_with("\"station\"", "\"statoin\"")).find("perhaps \"station\""),
+            std::string::npos);
+  EXPECT_NE(tracking_plan_error(whole_with("\"travel\"", "\"travle\"")).find("no member \"travel\""),
             std::string::npos);
   EXPECT_NE(tracking_plan_error(whole_with("\"obstacles\"", "\"obstacle\"")).find("perhaps \"obstacles\""),
             std::string::npos);

@@ -90,7 +90,9 @@ Value setup() {
                                                    {"per_length_um_per_m", number(0, farthest_mm, "b, in µm/m.")}}),
                                            Value::array(), "Expanded uncertainty (k = 2) of a length L: a + b·L.")},
                         {"obstacles", list_of(obstacle(), "What stands in the way of reflector and beam.")}}),
-                Value::array({"travel", "station"}), "Machine, instrument and what stands about.");
+                Value::array({"travel"}),
+                "Machine, instrument and what stands about. Without a station: an interferometer that is aligned with "
+                "each line in turn.");
 }
 
 Value line() {

@@ -10,6 +10,7 @@
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/test/test_schema.h"
 #include "axiometry/formats/text/json_members.h"
+#include "axiometry/model/aligned.h"
 
 namespace axiometry::formats {
 namespace {
@@ -192,8 +193,10 @@ Result<TrackingSetup> tracking_setup_from(const Value& value) {
   AXIOMETRY_TRY(const Value* travel, members.required("travel"));
   AXIOMETRY_TRY(setup.travel, box_from(*travel, "travel"));
   AXIOMETRY_TRY_VOID(members.take("tool_offset_mm", setup.tool_offset_mm));
-  AXIOMETRY_TRY(const Value* station, members.required("station"));
-  AXIOMETRY_TRY(setup.station, station_from(*station));
+  setup.station = no_station();
+  if (const Value* station = members.optional("station")) {
+    AXIOMETRY_TRY(setup.station, station_from(*station));
+  }
   if (const Value* limits = members.optional("limits")) {
     AXIOMETRY_TRY(setup.limits, limits_from(*limits));
   }
@@ -211,17 +214,20 @@ Result<TrackingSetup> tracking_setup_from(const Value& value) {
 }
 
 Value tracking_setup_value(const TrackingSetup& setup) {
+  Value whole = object({{"travel", shape_value(BoxObstacle{setup.travel.lowest_mm, setup.travel.highest_mm})},
+                        {"tool_offset_mm", vector_value(setup.tool_offset_mm)}});
   Value station = object({{"position_mm", vector_value(setup.station.position_mm)}});
   if (setup.station.covariance_mm2) station.add("covariance_mm2", matrix_value(*setup.station.covariance_mm2));
   Value obstacles = Value::array();
   for (const Obstacle& obstacle : setup.obstacles) obstacles.push(obstacle_value(obstacle));
-  return object({{"travel", shape_value(BoxObstacle{setup.travel.lowest_mm, setup.travel.highest_mm})},
-                 {"tool_offset_mm", vector_value(setup.tool_offset_mm)},
-                 {"station", std::move(station)},
-                 {"limits", limits_value(setup.limits)},
-                 {"ranging", object({{"constant_um", setup.ranging.constant.in_um()},
-                                     {"per_length_um_per_m", setup.ranging.per_length.in_um_per_m()}})},
-                 {"obstacles", std::move(obstacles)}});
+  if (!is_aligned(setup)) {
+    whole.add("station", std::move(station));
+    whole.add("limits", limits_value(setup.limits));
+  }
+  whole.add("ranging", object({{"constant_um", setup.ranging.constant.in_um()},
+                               {"per_length_um_per_m", setup.ranging.per_length.in_um_per_m()}}));
+  whole.add("obstacles", std::move(obstacles));
+  return whole;
 }
 
 }  // namespace axiometry::formats

@@ -11,6 +11,7 @@
 
 #include "axiometry/base/counted.h"
 #include "axiometry/base/version.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/documents/lines_sections.h"
 #include "axiometry/report/figures/figures.h"
@@ -142,7 +143,10 @@ std::vector<Notice> status(const LinesSubject& subject, const Options& options) 
   if (auto notice = tolerances_notice(subject)) all.push_back(*std::move(notice));
   if (all_conform(subject)) all.push_back(conformance_notice(subject, options));
   if (!subject.plan.lost.empty()) {
-    Notice lost{Tone::caution, plain("Not all lines could be measured from this station"), {}};
+    Notice lost{Tone::caution,
+                plain(is_aligned(subject.plan.setup) ? "Not all lines could be measured"
+                                                     : "Not all lines could be measured from this station"),
+                {}};
     for (const LostLine& line : subject.plan.lost)
       lost.lines.push_back(joined({strong_verbatim(line.id), plain(": "), prose(line.reason)}));
     all.push_back(std::move(lost));
@@ -160,8 +164,9 @@ Document front_page(const LinesSubject& subject, const Options& options) {
   Document document;
   const bool good = all_conform(subject);
   document.kind = "Test report";
-  document.title = has_diagonal(subject) ? "Axes and diagonals of a machine tool, by a tracking interferometer"
-                                         : "Axes of a machine tool, by a tracking interferometer";
+  document.title = is_aligned(subject.plan.setup) ? "Diagonals of a machine tool, by an aligned interferometer"
+                   : has_diagonal(subject)        ? "Axes and diagonals of a machine tool, by a tracking interferometer"
+                                                  : "Axes of a machine tool, by a tracking interferometer";
   document.edition = good ? editions(subject) : fmt::format("Formulas of {}", editions(subject));
   document.identity = {{plain("Lines"), verbatim_cell(line_names(subject))}};
   const Metadata none;
@@ -192,7 +197,7 @@ TableCell resting_axes_cell(const Metadata& metadata) {
   return text.empty() ? quiet_cell("not stated") : text == "none" ? text_cell(text) : verbatim_cell(text);
 }
 
-Facts line_facts(const AssessedLine& line, const Options& options) {
+Facts line_facts(const AssessedLine& line, bool aligned, const Options& options) {
   const Test& test = line.line.test;
   const Axis& axis = test.metadata.axis;
   Facts facts;
@@ -211,7 +216,8 @@ Facts line_facts(const AssessedLine& line, const Options& options) {
                              counted(test.series.run_count(), "approach", "approaches")));
   if (!line.line.distances_mm.empty()) {
     const auto [least, most] = std::ranges::minmax(line.line.distances_mm);
-    add("Distance from the station", fmt::format("{} to {}", shown_mm(least, 1, options), shown_mm(most, 1, options)));
+    add(aligned ? "Distance from the beginning of the line" : "Distance from the station",
+        fmt::format("{} to {}", shown_mm(least, 1, options), shown_mm(most, 1, options)));
   }
   return facts;
 }
@@ -234,14 +240,14 @@ std::string caption(const std::string& title, const std::string& line) {
                      title.starts_with("Figure ") && end != title.npos ? title.substr(end + 2) : title);
 }
 
-Section line_section(const AssessedLine& line, const Options& asked) {
+Section line_section(const AssessedLine& line, bool aligned, const Options& asked) {
   const Options options = fitted(asked, line.assessment.evaluation.parameters);
   const Subject subject = subject_of(line);
   Section section{"line-" + line.line.id,
                   fmt::format("Line {} ({})", line.line.id, standard_of(line.line.test.metadata.axis)),
                   true,
                   {}};
-  section.blocks.emplace_back(line_facts(line, options));
+  section.blocks.emplace_back(line_facts(line, aligned, options));
   if (auto all = figures(subject, options); !all.empty()) {
     all.front().title = caption(all.front().title, line.line.id);
     section.blocks.emplace_back(std::move(all.front()));
@@ -329,8 +335,9 @@ Document compose(const LinesSubject& subject, const Options& options) {
   sections.push_back(overview_section(subject, options));
   if (has_diagonal(subject)) sections.push_back(diagonal_section(subject, options));
   if (subject.evaluation.squareness) sections.push_back(squareness_section(subject, options));
-  sections.push_back(length_difference_section(subject, options));
-  for (const AssessedLine& line : subject.lines) sections.push_back(line_section(line, options));
+  const bool aligned = is_aligned(subject.plan.setup);
+  if (!aligned) sections.push_back(length_difference_section(subject, options));
+  for (const AssessedLine& line : subject.lines) sections.push_back(line_section(line, aligned, options));
   sections.push_back(lines_claim_section(subject));
   Section findings = findings_of_lines(subject, options);
   if (auto table = tracking_finding_table(subject.evaluation.findings))

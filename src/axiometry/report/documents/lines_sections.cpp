@@ -7,11 +7,13 @@
 #include <array>
 #include <cmath>
 
+#include "axiometry/model/aligned.h"
 #include "axiometry/report/claim_text.h"
 #include "axiometry/report/figures/lines_overview.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/standards/test_standard.h"
+#include "axiometry/tracking/lengths/face_pairs.h"
 
 namespace axiometry::report {
 namespace {
@@ -187,8 +189,12 @@ Facts setup_facts(const TrackingPlan& plan, const Options& options) {
   const auto add = [&](std::string_view name, const std::string& value) {
     facts.facts.push_back({plain(name), value.empty() ? quiet_cell("not stated") : text_cell(value)});
   };
-  add("Station X / Y / Z", shown_point(setup.station.position_mm, 4, options));
-  add("Standard uncertainty of the station, X / Y / Z", uncertainty);
+  if (is_aligned(setup)) {
+    add("Interferometer", "aligned with each line in turn");
+  } else {
+    add("Station X / Y / Z", shown_point(setup.station.position_mm, 4, options));
+    add("Standard uncertainty of the station, X / Y / Z", uncertainty);
+  }
   add("Reflector from where the axes stand", shown_point(setup.tool_offset_mm, 3, options));
   add("Travels from", shown_point(setup.travel.lowest_mm, 3, options));
   add("Travels to", shown_point(setup.travel.highest_mm, 3, options));
@@ -201,7 +207,8 @@ Facts setup_facts(const TrackingPlan& plan, const Options& options) {
 
 Table lost_table(const TrackingPlan& plan) {
   Table table;
-  table.caption = plain("Lines that cannot be measured from this station");
+  table.caption = plain(is_aligned(plan.setup) ? "Lines that cannot be measured"
+                                               : "Lines that cannot be measured from this station");
   table.columns = {{plain("Line"), Align::start, true}, {plain("Reason"), Align::start, false, true}};
   for (const LostLine& line : plan.lost)
     table.rows.push_back({TableCell{strong_verbatim(line.id)}, TableCell{sentence(line.reason)}});
@@ -248,6 +255,29 @@ Section lines_claim_section(const LinesSubject& subject) {
   return section;
 }
 
+Table face_pair_table(std::span<const tracking::FacePair> pairs, const Options& options) {
+  Table table;
+  table.caption = plain("Squareness from the two diagonals of a face");
+  table.columns = {{plain("Face"), Align::start, true},
+                   {plain("Diagonals")},
+                   {plain("Difference of slopes / µm/m"), Align::decimal, false, false, true},
+                   {plain("Squareness")},
+                   {plain("µrad"), Align::decimal},
+                   {joined({italic("U"), plain(" ("), italic("k"), plain(" = 2)")}), Align::decimal}};
+  for (const tracking::FacePair& pair : pairs)
+    table.rows.push_back(
+        {verbatim_cell(pair.face), verbatim_cell(fmt::format("{}, {}", pair.first, pair.second)),
+         number_cell(pair.slope_difference_um_per_m, 2, options), verbatim_cell(pair.term),
+         number_cell(pair.squareness_um_per_m, 2, options),
+         pair.uncertainty_um_per_m ? number_cell(2.0 * *pair.uncertainty_um_per_m, 2, options) : quiet_cell("–")});
+  table.notes = {
+      plain("From the law of cosines: with the direction u of the first diagonal the angle is the difference of the "
+            "slopes over twice the product of its two components. What the scales of the axes and of the instrument do "
+            "to both diagonals alike cancels; what changed between the two, such as the temperature, does not, and is "
+            "not in U.")};
+  return table;
+}
+
 Section diagonal_section(const LinesSubject& subject, const Options& options) {
   Section section{"diagonals", "Diagonals (ISO 230-6)", true, {}};
   Facts facts;
@@ -273,6 +303,8 @@ Section diagonal_section(const LinesSubject& subject, const Options& options) {
       {plain(
           "A small E of one diagonal proves little alone: look at all of them together, and at the single axes. Scale "
           "errors and squareness show as slopes.")}});
+  if (const auto pairs = tracking::face_pairs(subject.evaluation.lines); !pairs.empty())
+    section.blocks.emplace_back(face_pair_table(pairs, options));
   const bool rays = std::ranges::any_of(subject.lines, [](const AssessedLine& line) {
     return is_diagonal(line.line.test.metadata.axis) && line.line.id.find('-') == std::string::npos;
   });
@@ -329,7 +361,8 @@ Section setup_section(const LinesSubject& subject, const Options& options) {
   section.blocks.emplace_back(setup_facts(subject.plan, options));
   if (!subject.plan.lost.empty()) section.blocks.emplace_back(lost_table(subject.plan));
   Figure figure = layout_figure(layout_of(subject.plan), options);
-  figure.title = "Station, travels of the reflector and lines";
+  figure.title = is_aligned(subject.plan.setup) ? "Travels of the reflector and lines"
+                                                : "Station, travels of the reflector and lines";
   section.blocks.emplace_back(std::move(figure));
   return section;
 }

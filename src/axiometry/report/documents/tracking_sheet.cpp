@@ -6,6 +6,7 @@
 
 #include "axiometry/base/counted.h"
 #include "axiometry/base/version.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/report/documents/plan_sheet.h"
 #include "axiometry/report/sections/fact.h"
 #include "axiometry/report/sections/sections.h"
@@ -43,6 +44,10 @@ Facts set_up_facts(const Sheet& sheet) {
                                fmt::format("{} to {}", shown_short(setup.travel.lowest_mm[k], sheet.options),
                                            sheet.mm(setup.travel.highest_mm[k]))));
   facts.facts.push_back(fact("Reflector, from where the axes stand", sheet.place(setup.tool_offset_mm) + " mm"));
+  if (is_aligned(setup)) {
+    facts.facts.push_back(fact("Interferometer", "aligned with each line in turn"));
+    return facts;
+  }
   facts.facts.push_back(
       fact("Station, in the reflector's coordinates", sheet.place(setup.station.position_mm) + " mm"));
   if (const auto& covariance = setup.station.covariance_mm2) {
@@ -67,10 +72,9 @@ std::string obstacle_text(const Sheet& sheet, const CylinderObstacle& cylinder) 
                      sheet.mm(cylinder.radius_mm), sheet.mm(cylinder.height_mm));
 }
 
-Facts limit_facts(const Sheet& sheet) {
+void append_limits(Facts& facts, const Sheet& sheet) {
   const TrackerLimits& limits = sheet.plan.setup.limits;
   const Vector3 axis = limits.reflector_axis;
-  Facts facts{"Limits of instrument and reflector", {}};
   facts.facts.push_back(fact("Range", fmt::format("{} to {}", shown_short(limits.range_least_mm, sheet.options),
                                                   sheet.mm(limits.range_most_mm))));
   facts.facts.push_back(
@@ -83,6 +87,11 @@ Facts limit_facts(const Sheet& sheet) {
   facts.facts.push_back(fact("Largest incidence", sheet.degrees(limits.incidence_most_deg)));
   facts.facts.push_back(fact("Safe radius about the station", sheet.mm(limits.safe_radius_mm)));
   facts.facts.push_back(fact("Least length of a line", sheet.mm(limits.line_least_mm)));
+}
+
+Facts limit_facts(const Sheet& sheet) {
+  Facts facts{is_aligned(sheet.plan.setup) ? "Obstacles" : "Limits of instrument and reflector", {}};
+  if (!is_aligned(sheet.plan.setup)) append_limits(facts, sheet);
   for (const Obstacle& obstacle : sheet.plan.setup.obstacles)
     facts.facts.push_back(
         fact(obstacle.name.empty() ? "Obstacle" : "Obstacle: " + obstacle.name,
@@ -121,8 +130,10 @@ Figure layout_of(const Sheet& sheet) {
   const TrackingSetup& setup = sheet.plan.setup;
   Layout layout;
   layout.box = TravelBox{sheet.reflector(setup.travel.lowest_mm), sheet.reflector(setup.travel.highest_mm)};
-  layout.stations_mm = {setup.station.position_mm};
-  layout.safe_radius_mm = setup.limits.safe_radius_mm;
+  if (!is_aligned(setup)) {
+    layout.stations_mm = {setup.station.position_mm};
+    layout.safe_radius_mm = setup.limits.safe_radius_mm;
+  }
   for (const TrackingLine& line : sheet.plan.lines) {
     const SpatialLine along = *spatial_line(line.plan.axis);
     layout.lines.push_back({sheet.reflector(along.at(line.plan.targets.front())),
@@ -158,9 +169,14 @@ Table line_table(const Sheet& sheet) {
          interval ? text_cell(fmt::format("{}; {}", interval->limited_by_begin, interval->limited_by_end)) : dash,
          text_cell(fmt::format("{}", line.plan.targets.size())), text_cell(fmt::format("{}", line.plan.runs))});
   }
-  table.notes.push_back(plain(
-      "From and to are distances from the station between which the reflector can be driven and seen; overruns lie "
-      "within. Octant: which way X, Y and Z go, away from the station."));
+  if (is_aligned(sheet.plan.setup))
+    table.notes.push_back(plain(
+        "Each diagonal is driven over the full travels, in both directions. Align the interferometer with it before "
+        "its first run, and set it to zero."));
+  else
+    table.notes.push_back(plain(
+        "From and to are distances from the station between which the reflector can be driven and seen; overruns lie "
+        "within. Octant: which way X, Y and Z go, away from the station."));
   return table;
 }
 
@@ -197,17 +213,23 @@ Table way_table(const Sheet& sheet) {
 Table target_table(const Sheet& sheet, const TrackingLine& line) {
   const SpatialLine along = *spatial_line(line.plan.axis);
   Table table;
-  table.columns = {{italic("i"), Align::start, true}, {joined({symbol("P_i"), plain(" / mm")}), Align::decimal},
-                   {plain("X / mm"), Align::decimal}, {plain("Y / mm"), Align::decimal},
-                   {plain("Z / mm"), Align::decimal}, {plain("From station / mm"), Align::decimal}};
+  table.columns = {{italic("i"), Align::start, true},
+                   {joined({symbol("P_i"), plain(" / mm")}), Align::decimal},
+                   {plain("X / mm"), Align::decimal},
+                   {plain("Y / mm"), Align::decimal},
+                   {plain("Z / mm"), Align::decimal}};
+  const bool aligned = is_aligned(sheet.plan.setup);
+  if (!aligned) table.columns.push_back({plain("From station / mm"), Align::decimal});
   const auto& targets = line.plan.targets;
   for (std::size_t i = 0; i < std::min(targets.size(), most_targets_of_line); ++i) {
     const Vector3 at = along.at(targets[i]);
-    table.rows.push_back(
-        {text_cell(fmt::format("{}", i + 1)), text_cell(sheet.number(targets[i].in_native(), place_decimals)),
-         text_cell(sheet.number(at.x, place_decimals)), text_cell(sheet.number(at.y, place_decimals)),
-         text_cell(sheet.number(at.z, place_decimals)),
-         text_cell(sheet.number(distance(sheet.reflector(at), sheet.plan.setup.station.position_mm), place_decimals))});
+    table.rows.push_back({text_cell(fmt::format("{}", i + 1)),
+                          text_cell(sheet.number(targets[i].in_native(), place_decimals)),
+                          text_cell(sheet.number(at.x, place_decimals)), text_cell(sheet.number(at.y, place_decimals)),
+                          text_cell(sheet.number(at.z, place_decimals))});
+    if (!aligned)
+      table.rows.back().push_back(
+          text_cell(sheet.number(distance(sheet.reflector(at), sheet.plan.setup.station.position_mm), place_decimals)));
   }
   if (targets.size() > most_targets_of_line)
     table.notes.push_back(
@@ -269,8 +291,10 @@ Section remark_section(const TrackingPlan& plan) {
 Document title_page(const TrackingPlan& plan, Duration duration, const Options& options) {
   Document document;
   document.kind = "Test plan";
-  document.title = plan.title.empty() ? "Lines from a tracking interferometer" : plan.title;
-  document.edition = "ISO 230-2:2014, ISO 230-6:2002";
+  document.title = !plan.title.empty()      ? plan.title
+                   : is_aligned(plan.setup) ? "Diagonals by an aligned interferometer"
+                                            : "Lines from a tracking interferometer";
+  document.edition = is_aligned(plan.setup) ? "ISO 230-6:2002" : "ISO 230-2:2014, ISO 230-6:2002";
   document.identity = {
       {plain("Machine"), plan.machine.empty() ? quiet_cell("not stated") : verbatim_cell(plan.machine)},
       {plain("Date of plan"), plan.date.empty() ? quiet_cell("not stated") : verbatim_cell(plan.date)},
@@ -294,7 +318,7 @@ Document tracking_sheet(const TrackingPlan& plan, Duration duration, const Optio
   if (!plan.remarks.empty()) document.sections.push_back(remark_section(plan));
   Section setup{"setup", "Set-up", false, {}};
   setup.blocks.emplace_back(set_up_facts(sheet));
-  setup.blocks.emplace_back(limit_facts(sheet));
+  if (Facts limits = limit_facts(sheet); !limits.facts.empty()) setup.blocks.emplace_back(std::move(limits));
   setup.blocks.emplace_back(layout_of(sheet));
   document.sections.push_back(std::move(setup));
   document.sections.push_back({"ways", "Ways", false, {way_table(sheet)}});

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "axiometry/base/counted.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/report/figures/parts/chart.h"
 #include "axiometry/report/figures/parts/legend.h"
 #include "axiometry/report/figures/parts/plate.h"
@@ -103,7 +104,10 @@ LegendEntry entry(const AssessedLine& line, const Stroke& pen, const Options& op
 Figure lines_overview_figure(const LinesSubject& subject, const Options& options) {
   Figure figure{.width = plot::plate_width,
                 .height = 0.0,
-                .title = "Mean deviation of all lines over the distance from the station; in brackets the slope",
+                .title = is_aligned(subject.plan.setup)
+                             ? "Mean deviation of all lines over the distance from their beginning; in brackets the "
+                               "slope"
+                             : "Mean deviation of all lines over the distance from the station; in brackets the slope",
                 .description = fmt::format("The means of {} at {} targets.", counted(subject.lines.size(), "line"),
                                            subject.lines.size() == 1 ? "its" : "their"),
                 .operations = {}};
@@ -122,7 +126,8 @@ Figure lines_overview_figure(const LinesSubject& subject, const Options& options
       .low = x.low,
       .high = x.high,
       .unit = plot::position_axis_unit(AxisKind::linear, std::max(std::abs(x.low), std::abs(x.high))),
-      .title = translated("Distance from the station", options)};
+      .title = translated(is_aligned(subject.plan.setup) ? "Distance from the beginning" : "Distance from the station",
+                          options)};
   const ChartAxis deviation{
       .low = y.low,
       .high = y.high,

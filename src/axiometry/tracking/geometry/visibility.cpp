@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "axiometry/model/aligned.h"
 #include "axiometry/tracking/geometry/line_geometry.h"
 #include "axiometry/tracking/geometry/obstacles.h"
 
@@ -91,6 +92,7 @@ std::optional<std::string> hidden_because(const TrackingSetup& setup, Vector3 re
 }
 
 std::optional<std::string> beam_lost_because(const TrackingSetup& setup, Vector3 from_mm, Vector3 to_mm) {
+  if (is_aligned(setup)) return std::nullopt;  // nobody knows where it stands; its beam lies in the line
   const Vector3 station = setup.station.position_mm;
   const double nearest = distance_to_segment(station, from_mm, to_mm);
   if (!is_finite(from_mm) || !is_finite(to_mm)) return "a place that is not finite";
@@ -118,7 +120,7 @@ std::optional<std::string> blocked_because(const TrackingSetup& setup, Vector3 f
     }
   }
   const double near = distance_to_segment(setup.station.position_mm, from_mm, to_mm);
-  if (near < setup.limits.safe_radius_mm - limit_slack_mm)
+  if (!is_aligned(setup) && near < setup.limits.safe_radius_mm - limit_slack_mm)
     return fmt::format("{:.1f} mm from the station, within its safe radius of {:.1f} mm", near,
                        setup.limits.safe_radius_mm);
   for (const Obstacle& obstacle : setup.obstacles)

@@ -14,6 +14,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/tracking/lengths/one_line.h"
 #include "axiometry/tracking/lengths/reading_name.h"
 #include "axiometry/tracking/lengths/reading_order.h"
@@ -152,7 +153,7 @@ Result<LinesEvaluation> evaluate_lines(const TrackingPlan& plan, std::span<const
   if (options.station_covariance_mm2) setup.station.covariance_mm2 = options.station_covariance_mm2;
   LinesEvaluation evaluation;
   evaluation.findings = findings_on_lines(plan, readings);
-  if (!setup.station.covariance_mm2)
+  if (!is_aligned(setup) && !setup.station.covariance_mm2)
     evaluation.findings.push_back(
         {false, "the uncertainty of the station is not known: the length difference it causes is not judged"});
   std::vector<LineSlope> slopes;

@@ -45,7 +45,8 @@ struct DeadPath {
 struct EvaluatedLine {
   std::string id;
   Test test;  ///< deviations along the line; metadata says the line, the tool and what is known of the station
-  std::vector<double> distances_mm;              ///< nominal, of each target of the test from the station
+  /// Nominal, of each target of the test from the station; from the beginning of the line where there is none.
+  std::vector<double> distances_mm;
   OffsetUncertainty offset;                      ///< of the station across this line; 0 when nothing is known
   std::vector<Length> length_difference_bounds;  ///< 95 %, at each target, relative to the farthest; else empty
   double negligible_from_mm = 0.0;               ///< negligible_from_mm() for a third; 0 when nothing is known

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/numeric/median.h"
 #include "axiometry/standards/iso230_2/parameters.h"
 #include "axiometry/tracking/geometry/line_geometry.h"
@@ -227,7 +228,9 @@ class Course {
   }
 
   void describe(EvaluatedLine& line) const {
-    for (const std::size_t i : kept_) line.distances_mm.push_back(geometry_.distances_mm[i]);
+    for (const std::size_t i : kept_)
+      line.distances_mm.push_back(is_aligned(in_.setup) ? in_.line.plan.targets[i].in_native()
+                                                        : geometry_.distances_mm[i]);
     line.beam_angle_most_deg = geometry_.angle_most_deg;
     if (const auto& covariance = in_.setup.station.covariance_mm2) {
       line.offset = offset_uncertainty(*covariance, geometry_.direction);
@@ -325,7 +328,7 @@ class Course {
 }  // namespace
 
 Result<LineOutcome> evaluate_line(const LineInput& input) {
-  AXIOMETRY_TRY(LineGeometry geometry, line_geometry(input.setup, input.line));
+  AXIOMETRY_TRY(LineGeometry geometry, line_geometry(setup_along(input.setup, input.line), input.line));
   return Course(input, std::move(geometry)).run();
 }
 

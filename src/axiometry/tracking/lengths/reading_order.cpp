@@ -12,6 +12,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/numeric/median.h"
 #include "axiometry/tracking/geometry/line_geometry.h"
 #include "axiometry/tracking/lengths/reading_name.h"
@@ -48,7 +49,7 @@ double tolerance_of(const LineGeometry& geometry) {
 Result<Lines> lines_of(const TrackingPlan& plan) {
   Lines lines;
   for (const TrackingLine& line : plan.lines) {
-    AXIOMETRY_TRY(LineGeometry geometry, line_geometry(plan.setup, line));
+    AXIOMETRY_TRY(LineGeometry geometry, line_geometry(setup_along(plan.setup, line), line));
     lines.tolerance_mm.push_back(tolerance_of(geometry));
     lines.geometry.push_back(std::move(geometry));
   }

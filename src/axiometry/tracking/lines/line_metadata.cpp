@@ -7,6 +7,7 @@
 #include <string>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/tracking/geometry/machine_axes.h"
 
 namespace axiometry::tracking {
@@ -39,8 +40,9 @@ Axis axis_of(const LineDescription& d) {
   if (!planned.compensation_points.empty()) axis.compensation_points = planned.compensation_points;
   axis.measurement_line = planned.measurement_line;
   if (axis.measurement_line.empty())
-    axis.measurement_line =
-        fmt::format("away from a tracking interferometer at {}", station_text(d.setup.station.position_mm));
+    axis.measurement_line = is_aligned(d.setup) ? "along an interferometer that is aligned with it"
+                                                : fmt::format("away from a tracking interferometer at {}",
+                                                              station_text(d.setup.station.position_mm));
   return axis;
 }
 
@@ -95,7 +97,7 @@ Metadata line_metadata(const LineDescription& d) {
   const Vector3 t = d.setup.tool_offset_mm;
   m.conditions.tool_offset_mm = {t.x, t.y, t.z};
   if (!device_given(d.given)) m.uncertainty.device_calibration = ranging_um(d);
-  m.tracking.station_position = d.geometry.foot;
+  if (!is_aligned(d.setup)) m.tracking.station_position = d.geometry.foot;
   m.tracking.station_uncertainty_mm.clear();
   if (const auto& covariance = d.setup.station.covariance_mm2) {
     const OffsetUncertainty offset = offset_uncertainty(*covariance, d.geometry.direction);
@@ -114,7 +116,7 @@ std::vector<SourceRemark> line_remarks(const LineDescription& d) {
                      "{} µm/m over the measured travel of {} mm: {} µm",
                      format_exact(ranging.constant.in_um()), format_exact(ranging.per_length.in_um_per_m()),
                      format_fixed(d.travel_mm, 1), format_fixed(ranging_um(d).in_native(), 2))});
-  if (!d.setup.station.covariance_mm2)
+  if (!is_aligned(d.setup) && !d.setup.station.covariance_mm2)
     remarks.push_back({false,
                        "nothing is known about the uncertainty of the station, so that the length difference "
                        "that it causes is not part of the uncertainty"});

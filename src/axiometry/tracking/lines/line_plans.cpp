@@ -7,6 +7,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
 #include "axiometry/standards/iso230_6.h"
 #include "axiometry/tracking/geometry/visibility.h"
@@ -40,6 +41,10 @@ Result<std::vector<std::string>> wanted_ids(const TrackingSetup& setup, const Li
   const auto add = [&](const std::string& id) {
     if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
   };
+  if (is_aligned(setup) && (request.ids.empty() || std::ranges::any_of(request.ids, is_seven)))
+    return fail(
+        "found no station, expected its place or the file of a located one: only diagonals of the travels "
+        "need none");
   for (const std::string& id : request.ids)
     if (id == "body" || id == "face") {
       for (const auto& diagonal :
@@ -150,6 +155,8 @@ class Planner {
     const std::size_t before = plan_.lines.size();
     add(task);
     if (plan_.lines.size() == before) return;
+    if (task.usable.length() > 2000.0) note_long(diagonal.id);
+    if (is_aligned(setup_)) return;
     const Vector3 u = unit(end - begin), r = setup_.station.position_mm - begin;
     if (const double off = norm(r - dot(r, u) * u); off > on_extension_mm)
       plan_.remarks.push_back(fmt::format(
@@ -158,7 +165,6 @@ class Planner {
           diagonal.id, off));
     else if (const auto hidden = beam_lost_because(setup_, begin, end))
       plan_.remarks.push_back(fmt::format("{}: not all of it can be seen from the station: {}", diagonal.id, *hidden));
-    if (task.usable.length() > 2000.0) note_long(diagonal.id);
   }
 
   void note_long(const std::string& id) {
@@ -290,7 +296,7 @@ Plan plan_alone(const TrackingSetup& setup, const TrackingLine& line) {
 
 std::optional<UsableInterval> interval_of(const TrackingSetup& setup, const TrackingLine& line) {
   const auto way = spatial_line(line.plan.axis);
-  if (!is_seven(line.id) || !way || line.plan.targets.empty()) return std::nullopt;
+  if (!is_seven(line.id) || is_aligned(setup) || !way || line.plan.targets.empty()) return std::nullopt;
   const Vector3 at_target = way->at(line.plan.targets.front()) + setup.tool_offset_mm;
   const double side = dot(at_target - setup.station.position_mm, way->direction);
   Attempt attempt = attempt_line(setup, line.id, side < 0.0 ? -1.0 * way->direction + Vector3{} : way->direction);

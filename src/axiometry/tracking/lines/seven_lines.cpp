@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/tracking/geometry/obstacles.h"
 #include "axiometry/tracking/geometry/visibility.h"
 #include "axiometry/tracking/lines/line_attempt.h"
@@ -89,7 +90,9 @@ Result<void> check_station_near(const TrackingSetup& setup) {
 Result<void> check_setup(const TrackingSetup& setup) {
   static constexpr std::string_view axes = "XYZ";
   AXIOMETRY_TRY_VOID(check_place("the tool offset", setup.tool_offset_mm));
-  AXIOMETRY_TRY_VOID(check_place("the station at", setup.station.position_mm));
+  const Vector3 station = setup.station.position_mm;
+  const bool none = std::isnan(station.x) && std::isnan(station.y) && std::isnan(station.z);  // no_station()
+  if (!none) AXIOMETRY_TRY_VOID(check_place("the station at", station));
   AXIOMETRY_TRY_VOID(check_place("the lower ends of the travels", setup.travel.lowest_mm));
   AXIOMETRY_TRY_VOID(check_place("the upper ends of the travels", setup.travel.highest_mm));
   for (std::size_t k = 0; k < 3; ++k)
@@ -104,6 +107,7 @@ Result<void> check_setup(const TrackingSetup& setup) {
           fmt::format("found the obstacle \"{}\" without extent, expected lower and then higher ends, and "
                       "radii and heights above 0",
                       obstacle.name));
+  if (is_aligned(setup)) return {};
   for (const Obstacle& obstacle : setup.obstacles)
     if (const double beside = distance_to(obstacle, setup.station.position_mm); beside < beam_margin_mm)
       return fail(

@@ -5,6 +5,7 @@ import type { Place, SceneModel, ScenePath, ScenePoint } from '../../components/
 import { tracking_scene } from '../tracking/scene_model';
 import { plan_scene } from '../volume/plan_scene';
 import type { Caught } from './live';
+import { station_place } from '../tracking/station_place';
 
 export type Stop = CapturedPlan['stops'][number];
 const place = (numbers: readonly number[]): Place => [numbers[0] ?? 0, numbers[1] ?? 0, numbers[2] ?? 0];
@@ -14,7 +15,7 @@ const lines_of = ({ plan }: CapturedPlan) => plan as TrackingPlanFile;
 
 /** Where the instrument stands, in the coordinates of the reflector. */
 export function station_of(captured: CapturedPlan): Place {
-  if (captured.kind === 'lines') return place(lines_of(captured).setup.station.position_mm);
+  if (captured.kind === 'lines') return place(station_place(lines_of(captured).setup));
   const { machine, runs } = volume_of(captured);
   return place((machine.stations_mm as Record<string, number[]>)[runs[captured.part - 1]?.station ?? ''] ?? []);
 }

@@ -111,4 +111,4 @@ export const option_keys = [
   'rest-window', 'rest-threshold', 'settling', 'shortest-rest', 'target-window', 'datum', 'units-per-count', 'wavelength',
   'counts-per-wavelength', 'rate', 'stream-axis',
 ] as const;
-export const layouts = ['umd', 'time-position', 'npy', 'camonitor'] as const;
+export const layouts = ['umd', 'hpi-3d', 'time-position', 'npy', 'camonitor-stream'] as const;

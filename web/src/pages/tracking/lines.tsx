@@ -14,6 +14,7 @@ import type { TrackingForm } from './form';
 import { line_colour, tracking_scene } from './scene_model';
 import { place_text } from './station';
 import { t } from './texts';
+import { station_place } from './station_place';
 
 interface Props extends FormProps {
   request: TrackingRequest | null;
@@ -57,13 +58,13 @@ export function LinesPanel(props: Props) {
 /** The picture in sentences. */
 function told(request: TrackingRequest | null, draft: TrackingDraft | null): string {
   if (!request) return '';
-  const { travel, tool_offset_mm: tool, station } = request.setup;
+  const { travel, tool_offset_mm: tool } = request.setup;
   const reach = (k: number) => [travel.lowest_mm, travel.highest_mm].map((end) => shortest((end[k] ?? 0) + (tool?.[k] ?? 0), 1)).join(' … ');
   const lines = draft === null ? t('nothing_planned') : [
     t('told_lines', { n: draft.lines.length, ids: draft.lines.map(({ id }) => id).join(', ') }),
     ...(draft.lost.length > 0 ? [t('told_lost', { ids: draft.lost.map(({ id }) => id).join(', ') })] : []),
   ].join(' ');
-  return t('told', { x: reach(0), y: reach(1), z: reach(2), station: place_text(station.position_mm), lines });
+  return t('told', { x: reach(0), y: reach(1), z: reach(2), station: place_text(station_place(request.setup)), lines });
 }
 
 function Programme(props: Props) {

@@ -11,6 +11,7 @@ import { TrackingFindings } from './findings';
 import { LineName } from './lines';
 import { place_text } from './station';
 import { t } from './texts';
+import { station_place } from './station_place';
 
 const shown: readonly Parameter[] = ['A', 'E', 'R', 'B', 'M'];
 
@@ -21,7 +22,7 @@ export function Results({ evaluation }: { evaluation: TrackingEvaluation }) {
   return (
     <div class="stack results">
       <h3>{t('results')}</h3>
-      <p class="quiet">{t('station_as', { place: place_text(evaluation.setup.station.position_mm, 3), how: t(evaluation.source.station ? 'as_located' : 'as_planned') })}</p>
+      <p class="quiet">{t('station_as', { place: place_text(station_place(evaluation.setup), 3), how: t(evaluation.source.station ? 'as_located' : 'as_planned') })}</p>
       <ResultTable evaluation={evaluation} chosen={line?.id ?? null} choose={set_wanted} />
       <Diagonals evaluation={evaluation} />
       {line && <LineChart line={line} />}

@@ -3,6 +3,7 @@
 import type { TrackingDraft, TrackingPoints, TrackingRequest } from '../../api/types';
 import { station_solids, type Place, type SceneModel, type ScenePath, type ScenePoint, type SceneSolid, type Token } from '../../components/scene';
 import { t } from './texts';
+import { station_place } from './station_place';
 
 const colours: Record<string, Token> = {
   x: '--series-1', y: '--series-3', z: '--series-4', xy: '--series-2', xz: '--series-5', yz: '--series-6', xyz: '--series-7',
@@ -23,7 +24,7 @@ export function tracking_scene({ request, draft, points }: Subject, shown: Shown
   const { setup } = request;
   const tool = setup.tool_offset_mm ?? [0, 0, 0];
   const box = { low: sum(setup.travel.lowest_mm, tool), high: sum(setup.travel.highest_mm, tool) };
-  const station = place(setup.station.position_mm);
+  const station = place(station_place(setup));
   const size = Math.hypot(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]);
   const foot = Math.min(box.low[2], station[2] - 0.06 * size);
   return {

@@ -11,6 +11,7 @@ import { TrackingFindings } from './findings';
 import { axes, located_station, station_u, type LocatedStation } from './form';
 import { MoreFields } from './more';
 import { t } from './texts';
+import { station_place } from './station_place';
 
 export const look = () => query({ language: language.value, decimal: decimal.value });
 export const place_text = (place: readonly number[], decimals = 1): string => axes.map((axis, k) => `${axis} ${shortest(place[k], decimals)}`).join(', ');
@@ -106,7 +107,7 @@ function Locate({ form, request, locate, points, set_points, asking, busy }: Pro
   const count = 8;
   const options = () => {
     const tool = request?.setup.tool_offset_mm ?? [0, 0, 0];
-    const near = request && form.station.every((text) => text.trim() !== '') ? { near_mm: request.setup.station.position_mm } : {};
+    const near = request && form.station.every((text) => text.trim() !== '') ? { near_mm: station_place(request.setup) } : {};
     const micrometres = Number(sigma.replace(',', '.'));
     return { tool, near, given: sigma.trim() === '' || Number.isNaN(micrometres) ? {} : { machine_sigma_um: micrometres } };
   };

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "axiometry/base/counted.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/report/tracking.h"
 
 namespace axiometry::report {
@@ -44,22 +45,27 @@ Layout layout_of(const TrackingPlan& plan, bool with_way) {
   const Vector3 tool = setup.tool_offset_mm, station = setup.station.position_mm;
   Layout layout;
   layout.box = TravelBox{setup.travel.lowest_mm + tool, setup.travel.highest_mm + tool};
-  layout.stations_mm = {station};
-  layout.safe_radius_mm = setup.limits.safe_radius_mm;
+  const bool aligned = is_aligned(setup);
+  if (!aligned) {
+    layout.stations_mm = {station};
+    layout.safe_radius_mm = setup.limits.safe_radius_mm;
+  }
   layout.obstacles = setup.obstacles;
   for (const TrackingLine& line : plan.lines) {
     const auto place = spatial_line(line.plan.axis);
     if (!place || line.plan.targets.empty()) continue;
     Vector3 begin = place->at(line.plan.targets.front()) + tool, end = place->at(line.plan.targets.back()) + tool;
-    if (distance(begin, station) > distance(end, station)) std::swap(begin, end);
+    if (!aligned && distance(begin, station) > distance(end, station)) std::swap(begin, end);
     layout.lines.push_back({begin, end, line.id, false});
     if (with_way) append_way(layout.way_mm, line, *place, tool);
   }
   for (const LostLine& lost : plan.lost)
-    if (auto item = lost_item(lost, *layout.box, station)) layout.lines.push_back(*std::move(item));
+    if (auto item = aligned ? std::nullopt : lost_item(lost, *layout.box, station))
+      layout.lines.push_back(*std::move(item));
   layout.title = "Set-up";
   layout.description =
-      fmt::format("The station, the travels of the reflector, {}{}.", counted(plan.lines.size(), "planned line"),
+      fmt::format("{}, {}{}.", aligned ? "The travels of the reflector" : "The station, the travels of the reflector",
+                  counted(plan.lines.size(), "planned line"),
                   plan.lost.empty() ? "" : " and " + counted(plan.lost.size(), "lost one"));
   return layout;
 }

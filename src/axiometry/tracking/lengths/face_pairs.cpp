@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/tracking/lengths/face_pairs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace axiometry::tracking {
+namespace {
+
+struct Face {
+  std::string_view name, first, second, term;
+  std::size_t a, b;  // its axes
+  double sign;       // of the term where the angle between the axes grows
+};
+constexpr std::array<Face, 3> faces = {{{"XY", "NN0-PP0", "NP0-PN0", "C0Y", 0, 1, 1.0},
+                                        {"XZ", "N0N-P0P", "N0P-P0N", "B0Z", 0, 2, -1.0},
+                                        {"YZ", "0NN-0PP", "0NP-0PN", "A0Z", 1, 2, 1.0}}};
+
+bool is_stated(double uncertainty) { return std::isfinite(uncertainty) && uncertainty > 0.0; }
+
+}  // namespace
+
+std::vector<FacePair> face_pairs(std::span<const LineSlope> slopes) {
+  std::vector<FacePair> pairs;
+  for (const Face& face : faces) {
+    const auto first = std::ranges::find(slopes, face.first, &LineSlope::id);
+    const auto second = std::ranges::find(slopes, face.second, &LineSlope::id);
+    if (first == slopes.end() || second == slopes.end()) continue;
+    const Vector3 u = unit(first->direction);
+    const double twice = 2.0 * u[face.a] * u[face.b];
+    const double difference = first->slope_um_per_m - second->slope_um_per_m;
+    FacePair pair{std::string(face.name),
+                  std::string(face.first),
+                  std::string(face.second),
+                  std::string(face.term),
+                  difference,
+                  -face.sign * difference / twice,
+                  {}};
+    if (is_stated(first->uncertainty_um_per_m) && is_stated(second->uncertainty_um_per_m))
+      pair.uncertainty_um_per_m =
+          std::hypot(first->uncertainty_um_per_m, second->uncertainty_um_per_m) / std::abs(twice);
+    pairs.push_back(std::move(pair));
+  }
+  return pairs;
+}
+
+std::vector<FacePair> face_pairs(std::span<const EvaluatedLine> lines) {
+  std::vector<LineSlope> slopes;
+  for (const EvaluatedLine& line : lines)
+    if (const auto way = spatial_line(line.test.metadata.axis))
+      slopes.push_back({line.id, way->direction, line.slope_um_per_m, line.slope_uncertainty_um_per_m,
+                        line.test.series.travel_native()});
+  return face_pairs(slopes);
+}
+
+}  // namespace axiometry::tracking
