@@ -40,6 +40,20 @@ double line_statistic(std::span<const std::size_t> readings, const Normalised& z
   return sum * sum / (n * (n * n - 1.0) / 12.0);
 }
 
+/// By chance of n normalised residuals less than once in 10⁵ stretches.
+double break_limit(std::size_t readings) { return 30.0 + 4.0 * std::log(static_cast<double>(readings)); }
+
+/// That which the beam ended before a reading: of the same station, tool and segment.
+std::size_t stretch_before(const Unknowns& unknowns, std::size_t reading) {
+  const Stretch& own = unknowns.stretches[unknowns.stretch_of[reading]];
+  std::size_t last = reading;
+  while (last-- > 0) {
+    const Stretch& other = unknowns.stretches[unknowns.stretch_of[last]];
+    if (other.virtual_station == own.virtual_station && other.segment == own.segment) break;
+  }
+  return unknowns.stretch_of[last];
+}
+
 double mean_residual(std::span<const std::size_t> readings, std::span<const double> residuals) {
   double sum = 0.0;
   for (const std::size_t i : readings) sum += residuals[i];
@@ -69,12 +83,35 @@ std::optional<BreakSuspected> clearest_break(const Problem& problem, std::span<c
         at = k;
       }
     }
-    if (best < 30.0 + 4.0 * std::log(static_cast<double>(n)) || best < line_statistic(readings, z)) continue;
+    if (best < break_limit(n) || best < line_statistic(readings, z)) continue;
     if (clearest && best <= clearest->statistic) continue;
     const std::span<const std::size_t> all = readings;
     clearest = {all[at], mean_residual(all.subspan(at), residuals) - mean_residual(all.first(at), residuals), best};
   }
   return clearest;
+}
+
+double jump_um(const Unknowns& unknowns, const State& state, std::size_t before) {
+  const std::size_t from = stretch_before(unknowns, before), to = unknowns.stretch_of[before];
+  const double drifts = unknowns.drift ? 0.5 * (state.drifts_um[from] + state.drifts_um[to]) : 0.0;
+  return 1000.0 * (state.dead_paths_mm[from] - state.dead_paths_mm[to]) - drifts;
+}
+
+bool is_clear_break(const Problem& problem, const Fit& fit, std::size_t before) {
+  const std::size_t from = stretch_before(problem.unknowns, before), to = problem.unknowns.stretch_of[before];
+  double weight_from = 0.0, weight_to = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < problem.readings.size(); ++i) {
+    const std::size_t stretch = problem.unknowns.stretch_of[i];
+    if (problem.weights[i] == 0.0 || (stretch != from && stretch != to)) continue;
+    (stretch == from ? weight_from : weight_to) += problem.weights[i];
+    ++count;
+  }
+  if (weight_from == 0.0 || weight_to == 0.0) return false;
+  const double scale = robust_scale(problem, fit.residuals_um);
+  const double variance = scale * scale * (1.0 / weight_from + 1.0 / weight_to);
+  const double jump = jump_um(problem.unknowns, fit.state, before);
+  return jump * jump >= break_limit(count) * variance;
 }
 
 double drift_chance(const Problem& problem, std::span<const double> residuals) {

@@ -24,6 +24,14 @@ struct BreakSuspected {
 /// 10⁵ stretches.
 std::optional<BreakSuspected> clearest_break(const Problem& problem, std::span<const double> residuals_um);
 
+/// By how much all lengths jump at a break before a reading: from the end of the stretch before it to the begin of its
+/// own, µm. Dead paths are taken off the length, and are those of the middle of a stretch that drifts.
+double jump_um(const Unknowns& unknowns, const State& state, std::size_t before);
+
+/// Whether that is more than scatter makes of two stretches alone: above what clearest_break() asks for. What a break
+/// seemed to be before others were found need not jump in the end.
+bool is_clear_break(const Problem& problem, const Fit& fit, std::size_t before);
+
 /// Whether the residuals drift along their stretches: χ² of the straight lines, over the robust variance, against as
 /// many degrees of freedom; the probability of as much or more.
 double drift_chance(const Problem& problem, std::span<const double> residuals_um);

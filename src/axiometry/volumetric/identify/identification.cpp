@@ -62,23 +62,10 @@ std::vector<IdentifiedStretch> stretches_of(const Identifier& done) {
   return stretches;
 }
 
-/// Dead paths are taken off the length: a length that jumps up has a smaller one behind the break.
 std::vector<FoundBreak> breaks_of(const Identifier& done) {
   std::vector<FoundBreak> breaks;
-  const Unknowns& unknowns = done.unknowns();
-  for (const std::size_t before : done.breaks()) {
-    const std::size_t after = unknowns.stretch_of[before];
-    std::size_t last = before;
-    while (last-- > 0) {
-      const Stretch& candidate = unknowns.stretches[unknowns.stretch_of[last]];
-      if (candidate.virtual_station == unknowns.stretches[after].virtual_station &&
-          candidate.segment == unknowns.stretches[after].segment)
-        break;
-    }
-    const double jump_mm =
-        done.fit().state.dead_paths_mm[unknowns.stretch_of[last]] - done.fit().state.dead_paths_mm[after];
-    breaks.push_back({before, 1000.0 * jump_mm});
-  }
+  for (const std::size_t before : done.breaks())
+    breaks.push_back({before, detail::jump_um(done.unknowns(), done.fit().state, before)});
   return breaks;
 }
 

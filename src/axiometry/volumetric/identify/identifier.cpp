@@ -387,7 +387,20 @@ Result<void> Identifier::run() {
     AXIOMETRY_TRY_VOID(find_drift_and_breaks());
     if (round == 0 || breaks_.size() > breaks || drift_ != drift) AXIOMETRY_TRY_VOID(choose_sizes());
   }
-  return find_outliers();
+  AXIOMETRY_TRY_VOID(find_outliers());
+  return drop_unclear_breaks();
+}
+
+/// In few rounds: with each that is gone others may be less clear.
+Result<void> Identifier::drop_unclear_breaks() {
+  for (std::size_t round = 0; round < outlier_rounds; ++round) {
+    const Problem fitted = problem();
+    if (std::erase_if(breaks_, [&](std::size_t before) { return !is_clear_break(fitted, *fit_, before); }) == 0) break;
+    AXIOMETRY_TRY_VOID(start());
+    AXIOMETRY_TRY_VOID(refit());
+    AXIOMETRY_TRY_VOID(find_outliers());
+  }
+  return {};
 }
 
 }  // namespace axiometry::volumetric::detail

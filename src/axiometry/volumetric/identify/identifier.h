@@ -54,6 +54,7 @@ class Identifier {
   Result<void> fit_first();
   Result<void> refit();
   Result<void> find_breaks();
+  Result<void> drop_unclear_breaks();
   Result<void> find_outliers();
   Result<void> find_drift();
   Result<void> fit_with_drift(bool drift);
