@@ -899,17 +899,7 @@ export interface components {
             title: string;
             /** @description Of its files. */
             extension: string;
-            limits: {
-                /** @description Most positions of a table; 1: a backlash alone; null: not limited. */
-                points: number | null;
-                /** @description The only spacing that there is, mm; null: any. */
-                step: number | null;
-                equidistant: boolean;
-                /** @enum {string} */
-                curves: "both-ways" | "with-backlash" | "each-way";
-                linear: boolean;
-                rotary: boolean;
-            };
+            limits: components["schemas"]["CompensationLimits"];
             /** @description Those that the control has a use for; others are refused. */
             options: ("number" | "resolution" | "magnification" | "largest" | "steps_per_unit" | "turned_sign")[];
             /** @description What a positive number in the file does. */
@@ -924,6 +914,74 @@ export interface components {
             turned_sign: string;
             /** @description How it calls its number for the reversal beside one curve; empty where none is known. */
             backlash: string;
+        };
+        /** @description What a table of a control can hold. */
+        CompensationLimits: {
+            /** @description Most positions of a table; 1: a backlash alone; null: not limited. */
+            points: number | null;
+            /** @description The only spacing that there is, mm; null: any. */
+            step: number | null;
+            equidistant: boolean;
+            /** @enum {string} */
+            curves: "both-ways" | "with-backlash" | "each-way";
+            linear: boolean;
+            rotary: boolean;
+        };
+        /** @description Mean deviations at a target, native unit; null in a direction that was not measured. */
+        CompensationMean: {
+            /** @description mm or ° */
+            target: number;
+            up: number | null;
+            down: number | null;
+        };
+        /** @description What a re-test has shown. */
+        CompensationRetest: {
+            parameters: components["schemas"]["ParameterNumbers"];
+            means: components["schemas"]["CompensationMean"][];
+            /** @description Of the table that acts: 1 the whole of it, 0 nothing, −1 the opposite. */
+            share?: number;
+            /** @description Standard uncertainty of the share. */
+            u?: number;
+            /** @description Of the change, by the share alone; 0 to 1. */
+            explained?: number;
+            /** @description Means that both tests have. */
+            compared?: number;
+        };
+        /** @description As `axiometry compensate --json` writes it; docs/results.md explains it. Texts in the language of the request. */
+        CompensationResult: {
+            /** @description `linuxcnc` */
+            control: string;
+            axis: string;
+            /** @enum {string} */
+            kind: "linear" | "rotary";
+            unit: components["schemas"]["Unit"];
+            /** @description What a positive number in the file does. */
+            sign: string;
+            table: components["schemas"]["CompensationNode"][];
+            /** @description The table that was active during the test. */
+            existing?: components["schemas"]["CompensationNode"][];
+            before: components["schemas"]["ParameterNumbers"];
+            predicted: components["schemas"]["ParameterNumbers"];
+            /** @description What re-tests will show if the axis stays as it is. */
+            expected_retest?: {
+                median: components["schemas"]["ParameterNumbers"];
+                percent_95: components["schemas"]["ParameterNumbers"];
+                trials: number;
+            };
+            least_squares: components["schemas"]["ParameterNumbers"];
+            interpolated: components["schemas"]["ParameterNumbers"];
+            /** @description What no table removes. */
+            scatter: components["schemas"]["ParameterNumbers"];
+            before_means: components["schemas"]["CompensationMean"][];
+            predicted_means: components["schemas"]["CompensationMean"][];
+            smoothing: number | null;
+            retest?: components["schemas"]["CompensationRetest"];
+            limits: components["schemas"]["CompensationLimits"];
+            verified: {
+                verified: string;
+                inferred: string;
+            };
+            findings: components["schemas"]["VolumetricFinding"][];
         };
         /** @description What the table depends on beside the test. As the flags of `axiometry compensate`. */
         CompensationOptions: {
@@ -1006,8 +1064,7 @@ export interface components {
         };
         /** @description A table that is not kept. */
         MadeCompensation: {
-            /** @description docs/results.md, "Compensation". */
-            result: Record<string, never>;
+            result: components["schemas"]["CompensationResult"];
             /** @description As it would be kept. */
             file_name: string;
             /** @description The file for the control. */
@@ -1079,8 +1136,7 @@ export interface components {
             /** @description Which made it. */
             program: string;
             options: components["schemas"]["CompensationOptions"];
-            /** @description docs/results.md, "Compensation". */
-            result: Record<string, never>;
+            result: components["schemas"]["CompensationResult"];
             /** @description The file for the control. */
             table: string;
             /** @description The table that was active while the test was measured. */
@@ -3135,6 +3191,10 @@ export type IssueRequest = components['schemas']['IssueRequest'];
 export type Judged = components['schemas']['Judged'];
 export type Judgement = components['schemas']['Judgement'];
 export type CompensatedControl = components['schemas']['CompensatedControl'];
+export type CompensationLimits = components['schemas']['CompensationLimits'];
+export type CompensationMean = components['schemas']['CompensationMean'];
+export type CompensationRetest = components['schemas']['CompensationRetest'];
+export type CompensationResult = components['schemas']['CompensationResult'];
 export type CompensationOptions = components['schemas']['CompensationOptions'];
 export type CompensationNode = components['schemas']['CompensationNode'];
 export type CompensationForm = components['schemas']['CompensationForm'];

@@ -17,7 +17,6 @@ import { Chain } from './compensations/chain';
 import { MeansChart, TableChart } from './compensations/curves';
 import { EditNotes, WithdrawTable } from './compensations/dialogs';
 import { FigureTable } from './compensations/figures';
-import { result_of } from './compensations/result';
 import { RetestDialog } from './compensations/retest';
 import { t } from './compensations/texts';
 import { in_page_words } from './compensations/words';
@@ -49,7 +48,7 @@ function Whole({ found, set }: { found: KeptCompensation; set: (found: KeptCompe
   const controls = use_get<CompensatedControl[]>('/api/controls');
   const latest = Math.max(...found.versions.map(({ version }) => version));
   const is_fixed = found.version !== latest || why_read_only() !== null;
-  const result = useMemo(() => result_of(found), [found]);
+  const { result } = found;
   const again = found.retest !== null && retest.data?.id === found.retest.id ? retest.data : null;
   const means = useMemo(() => ({ before: result.before_means, predicted: result.predicted_means, ...(result.retest ? { retest: result.retest.means } : {}) }), [result]);
   const dialog = { found, on_done: set, on_close: () => set_doing(null) };

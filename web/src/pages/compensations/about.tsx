@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a file says to a control, how it gets there, what of its format is sure; and the file itself.
 import { offer } from '../../api/client';
-import type { CompensatedControl } from '../../api/types';
+import type { CompensatedControl, CompensationResult } from '../../api/types';
 import { CopyButton } from '../../components/copy';
 import { Listing, line_count } from '../../components/listing';
-import type { CompensationResult } from './result';
 import { t } from './texts';
 import { page_words } from './words';
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
-import type { CompensationTest, KeptCompensation, Parameter, Shown } from '../../api/types';
+import type { CompensationResult, CompensationTest, KeptCompensation, Parameter, ParameterNumbers, Shown } from '../../api/types';
 import { ParameterSymbol } from '../../components/symbol';
 import { fixed, unit_sign, when } from '../../numbers';
 import { decimals_in } from './figures';
-import { shown_parameters, type CompensationResult, type Values } from './result';
+import { shown_parameters } from './result';
 import { t } from './texts';
 
 interface Props { found: KeptCompensation; result: CompensationResult; shown: readonly Shown[]; is_fixed: boolean; choose: () => void; unlink: () => void }
 
 /** What a step is known by: A and E as far as there are. */
-const headline = (values: Values): Parameter[] => shown_parameters(values).filter((parameter) => /^[AE]/.test(parameter));
+const headline = (values: ParameterNumbers): Parameter[] => shown_parameters(values).filter((parameter) => /^[AE]/.test(parameter));
 
 /** Measured, corrected, measured again: each with its date, its figures and the way to it. */
 export function Chain({ found, result, shown, is_fixed, choose, unlink }: Props) {
-  const values = (of: Values, most?: Values): ComponentChildren => (
+  const values = (of: ParameterNumbers, most?: ParameterNumbers): ComponentChildren => (
     <ul class="step-figures">
       {headline(result.before).map((parameter) => {
         const decimals = decimals_in(result.before, parameter, shown);

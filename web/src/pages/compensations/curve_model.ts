@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mean deviations before, predicted and measured again, in terms of the drawing: the colour tells the step, line and
 // shape the direction.
-import type { CompensationNode, Parameter, Shown, Unit } from '../../api/types';
+import type { CompensationMean, CompensationNode, Parameter, Shown, Unit } from '../../api/types';
 import type { ChartLine, ChartModel, ChartSeries } from '../../components/chart';
 import { position_unit, shortest, unit_sign } from '../../numbers';
 import { plain_symbol } from '../test/figures_text';
-import type { Mean } from './result';
 import { t } from './texts';
 
 export type Stage = 'before' | 'predicted' | 'retest';
-export type Means = Partial<Record<Stage, readonly Mean[]>>;
+export type Means = Partial<Record<Stage, readonly CompensationMean[]>>;
 export const stages: readonly Stage[] = ['before', 'predicted', 'retest'];
 
 const colours: Record<Stage, string> = { before: '--series-8', predicted: '--series-1', retest: '--series-3' };
@@ -22,7 +21,7 @@ function united(lists: readonly (readonly number[])[]): number[] {
   return [...new Set(lists.flat())].sort((a, b) => a - b);
 }
 
-function series_of(stage: Stage, way: 'up' | 'down', means: readonly Mean[], x: readonly number[], hidden: boolean): ChartSeries | null {
+function series_of(stage: Stage, way: 'up' | 'down', means: readonly CompensationMean[], x: readonly number[], hidden: boolean): ChartSeries | null {
   const at = new Map(means.map((mean) => [mean.target, mean[way]]));
   const values = x.map((target) => at.get(target) ?? null);
   if (values.every((value) => value === null)) return null;
@@ -36,7 +35,7 @@ function series_of(stage: Stage, way: 'up' | 'down', means: readonly Mean[], x: 
 export const drawable = (shown: readonly Shown[]): Shown[] => shown.filter((row) => row.limit !== null && /^[EM]/.test(row.parameter));
 
 /** What a limit bounds of these means: its lowest and highest. */
-export function bounded(means: readonly Mean[], parameter: Parameter): [number, number] | null {
+export function bounded(means: readonly CompensationMean[], parameter: Parameter): [number, number] | null {
   const values = means.flatMap(({ up, down }) => {
     if (parameter === 'M') return up === null || down === null ? [] : [(up + down) / 2];
     return [parameter.endsWith('_down') ? null : up, parameter.endsWith('_up') ? null : down].filter((one): one is number => one !== null);
@@ -47,7 +46,7 @@ export function bounded(means: readonly Mean[], parameter: Parameter): [number, 
 /** A limit bounds a range, not a place: its lines stand about the middle of the range of the last step. */
 function limit_lines(means: Means, limit: Shown | null, hidden: boolean): ChartLine[] {
   const last = [...stages].reverse().find((stage) => means[stage] !== undefined);
-  const range = limit === null || last === undefined ? null : bounded(means[last] as readonly Mean[], limit.parameter);
+  const range = limit === null || last === undefined ? null : bounded(means[last] as readonly CompensationMean[], limit.parameter);
   if (limit === null || limit.limit === null || range === null) return [];
   const middle = (range[0] + range[1]) / 2;
   const line = { colour: '--ink-quiet', hidden };
@@ -61,11 +60,11 @@ export interface MeansChoice { hidden: ReadonlySet<string>; limit: Shown | null 
 
 export function means_model(means: Means, kind: 'linear' | 'rotary', unit: Unit, { hidden, limit }: MeansChoice): ChartModel {
   const there = stages.filter((stage) => means[stage] !== undefined);
-  const x = united(there.map((stage) => (means[stage] as readonly Mean[]).map(({ target }) => target)));
+  const x = united(there.map((stage) => (means[stage] as readonly CompensationMean[]).map(({ target }) => target)));
   return {
     x, x_kind: kind === 'rotary' ? 'angle' : 'number', x_label: `${t('position')} / ${position_unit(kind)}`, y_label: `${t('deviation')} / ${unit_sign(unit)}`,
     series: there.flatMap((stage) => (['up', 'down'] as const).flatMap((way) =>
-      series_of(stage, way, means[stage] as readonly Mean[], x, hidden.has(stage)) ?? [])),
+      series_of(stage, way, means[stage] as readonly CompensationMean[], x, hidden.has(stage)) ?? [])),
     lines: limit_lines(means, limit, hidden.has('limits')),
   };
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Parameter, Shown, Test } from '../../api/types';
+import type { CompensationResult, Parameter, ParameterNumbers, Shown, Test } from '../../api/types';
 import { Aligned, most_decimals } from '../../components/aligned';
 import { ParameterSymbol } from '../../components/symbol';
 import { DataTable, type Column } from '../../components/table';
@@ -7,11 +7,11 @@ import { VerdictMark } from '../../components/verdict';
 import { absent, decimals_for, decimals_of, fixed, unit_sign } from '../../numbers';
 import { limit_words, plain_symbol } from '../test/figures_text';
 import { LimitBar } from '../test/limit_bar';
-import { shown_parameters, type CompensationResult, type Values } from './result';
+import { shown_parameters } from './result';
 import { t } from './texts';
 
 /** As on the page of the test; where that has no such figure, two digits of its A or E, but one decimal at least. */
-export function decimals_in(values: Values, parameter: Parameter, shown: readonly Shown[]): number {
+export function decimals_in(values: ParameterNumbers, parameter: Parameter, shown: readonly Shown[]): number {
   const row = shown.find((one) => one.parameter === parameter);
   if (row && /\d/.test(row.value)) return decimals_of(row.value);
   const size = values.A ?? values.A_up ?? values.A_down ?? values.E ?? values.E_up ?? values.E_down ?? 0;
@@ -29,13 +29,13 @@ export function FigureTable({ result, test, retest = null }: { result: Compensat
   const most = most_decimals(rows.map(({ decimals }) => fixed(0, decimals)));
   const number = ({ decimals }: Row, value: number | null | undefined) =>
     (typeof value === 'number' ? <Aligned text={fixed(value, decimals)} decimals={most} /> : absent);
-  const of = (key: string, head: string, values: Values | undefined, look = ''): Column<Row>[] =>
+  const of = (key: string, head: string, values: ParameterNumbers | undefined, look = ''): Column<Row>[] =>
     (values ? [{ key, head, number: true, class: look, cell: (row) => number(row, values[row.parameter]) }] : []);
   const mark = (row: Row, from: Test | null) => {
     const judged = from?.shown.find((one) => one.parameter === row.parameter);
     return judged && judged.limit !== null ? <VerdictMark verdict={judged.verdict} short /> : null;
   };
-  const measured = (key: string, head: string, values: Values, from: Test | null): Column<Row> =>
+  const measured = (key: string, head: string, values: ParameterNumbers, from: Test | null): Column<Row> =>
     ({ key, head, number: true, cell: (row) => <span class="judged">{mark(row, from)} {number(row, values[row.parameter])}</span> });
   const limited = rows.some(({ limit }) => limit !== null);
   const expected = result.expected_retest;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useMemo } from 'preact/hooks';
-import type { CompensatedControl, CompensationOptions, MadeCompensation, Test } from '../../api/types';
+import type { CompensatedControl, CompensationMean, CompensationOptions, MadeCompensation, Test } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { position_unit, shortest } from '../../numbers';
 import { VolumeFindings } from '../volume/findings';
@@ -11,7 +11,6 @@ import { MeansChart, TableChart } from './curves';
 import type { Existing } from './existing';
 import { FigureTable } from './figures';
 import { KeepTable } from './keep';
-import { result_of, type Mean } from './result';
 import { t } from './texts';
 import { in_page_words, page_words } from './words';
 
@@ -22,7 +21,7 @@ interface Props {
   wrong: number;                                  // fields that are
 }
 
-const means_of = (test: Test): Mean[] => test.result.positions.map(({ target, mean_up, mean_down }) => ({ target, up: mean_up, down: mean_down }));
+const means_of = (test: Test): CompensationMean[] => test.result.positions.map(({ target, mean_up, mean_down }) => ({ target, up: mean_up, down: mean_down }));
 
 /** What comes of the choice. Where no table comes of it, why not, and the axis as it was measured. */
 export function Outcome({ test, control, options, made, existing, file, read, wrong }: Props) {
@@ -30,7 +29,7 @@ export function Outcome({ test, control, options, made, existing, file, read, wr
   const { unit } = test.result;
   const before = useMemo(() => means_of(test), [test]);
   const shown = made.is_current || made.busy ? made.data : null;   // not beside what was refused
-  const result = useMemo(() => (shown ? result_of(shown) : null), [shown]);
+  const result = shown?.result ?? null;
   const fits = result !== null && control !== null && result.control === control.id;
   const stale = !made.is_current;
   const means = useMemo(() => (fits && result ? { before: result.before_means, predicted: result.predicted_means } : { before }), [fits, result, before]);
