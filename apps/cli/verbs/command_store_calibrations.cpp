@@ -2,6 +2,7 @@
 #include "cli/verbs/command_store_calibrations.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
@@ -98,6 +99,8 @@ Result<int> keep(const CalibrationArguments& a) {
   AXIOMETRY_TRY(const auto kept, app::keep_calibration(*archive, calibration, {"import", "axiometry store calibrate"}));
   const Calibration& c = kept.calibration.value;
   fmt::print("calibration {}: {}\n", kept.calibration.id, report::printable(c.title));
+  if (!kept.same_files->empty())
+    fmt::print("the same files are kept as calibration {} already\n", fmt::join(*kept.same_files, ", "));
   if (c.serious > 0) fmt::print("{}: the result should not be used as it is\n", counted(c.serious, "serious finding"));
   return c.serious > 0 || c.verdict == "does not conform" ? exit_exceeded : exit_done;
 }

@@ -13,8 +13,8 @@
 #include "axiometry/app/compensate/compensate_options.h"
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/workbench/compensations.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -62,19 +62,25 @@ std::string_view unit_text(const Compensation& c) {
   return !c.figures.empty() && c.figures[0].unit == "arcsec" ? "″" : "µm";
 }
 
-/// "E 21.3 µm → 4.2 µm predicted → 5.1 µm in the re-test".
-std::string course(const Compensation& c) {
+/// "E 21.3 µm → 4.2 µm predicted → 5.1 µm in test 7", and of a re-test that no longer counts why.
+std::string course(const app::ListedCompensation& listed) {
+  const Compensation& c = listed.compensation.value;
   const std::string_view unit = unit_text(c);
   std::string text =
       fmt::format("E {} {} → {} {} predicted", figure_of(c, "E", "before"), unit, figure_of(c, "E", "predicted"), unit);
-  if (c.retest) text += fmt::format(" → {} {} in test {}", figure_of(c, "E", "retest"), unit, *c.retest);
+  if (listed.retest_counts()) text += fmt::format(" → {} {} in test {}", figure_of(c, "E", "retest"), unit, *c.retest);
+  if (listed.retest && !listed.retest_counts())
+    text += fmt::format(", re-test {} {} since", *c.retest, listed.retest->withdrawn ? "withdrawn" : "revised");
+  if (listed.test.withdrawn || listed.test.revised)
+    text += fmt::format(", test {} {}", c.test, listed.test.withdrawn ? "withdrawn since" : "has another version");
   return text;
 }
 
 /// A re-test that shows what should not be, or a table that should be looked at.
-int code_of(const Compensation& c, std::FILE* told) {
-  if (c.serious == 0) return exit_done;
-  fmt::print(told, "{} serious findings: look at the report before the table is used\n", c.serious);
+int code_of(const app::ListedCompensation& listed, std::FILE* told) {
+  if (listed.serious == 0) return exit_done;
+  fmt::print(told, "{}: look at the report before the table is used\n",
+             counted(static_cast<std::size_t>(listed.serious), "serious finding"));
   return exit_exceeded;
 }
 
@@ -112,10 +118,10 @@ Result<int> keep(const CompensationArguments& a) {
   const Compensation& c = kept.head.compensation.value;
   std::FILE* const told = a.out == "-" ? stderr : stdout;  // the table alone goes into a pipe
   fmt::print(told, "compensation {}: {}\n", kept.head.compensation.id, report::printable(c.files[0].name));
-  fmt::print(told, "{}\n", course(c));
+  fmt::print(told, "{}\n", course(kept.head));
   std::fflush(told);  // what is said is kept, even if the file cannot be written
   if (!a.out.empty()) AXIOMETRY_TRY_VOID(app::write_file(a.out, kept.table));
-  return code_of(c, told);
+  return code_of(kept.head, told);
 }
 
 Result<int> list_kept(const CompensationArguments& a) {
@@ -127,7 +133,7 @@ Result<int> list_kept(const CompensationArguments& a) {
   for (const app::ListedCompensation& line : listed) {
     const Compensation& c = line.compensation.value;
     fmt::print("{} {} {} test {} {}{}\n", left(fmt::format("{}", line.compensation.id), 7),
-               left(line.made_at.substr(0, 10), 11), left(c.control, 20), c.test, course(c),
+               left(line.made_at.substr(0, 10), 11), left(c.control, 20), c.test, course(line),
                c.withdrawn ? " (withdrawn)" : "");
   }
   return exit_done;
@@ -138,7 +144,9 @@ void print_kept(const app::KeptCompensation& kept) {
   const Compensation& c = head.compensation.value;
   fmt::print("{}\n", report::printable(c.files[0].name));
   const auto test_text = [](const app::TestOfCompensation& test) {
-    return fmt::format("{} in version {}, {} {}", test.id, test.version, test.measured_on, test.title);
+    return fmt::format("{} in version {}{}, {} {}{}", test.id, test.version,
+                       test.latest > test.version ? fmt::format(" of {}", test.latest) : "", test.measured_on,
+                       test.title, test.withdrawn ? " (withdrawn)" : "");
   };
   const std::pair<const char*, std::string> rows[] = {
       {"control", c.control},
@@ -150,14 +158,14 @@ void print_kept(const app::KeptCompensation& kept) {
       {"made by", c.program},
       {"options", c.options},
       {"withdrawn", c.withdrawn ? "yes" : ""},
-      {"serious findings", c.serious > 0 ? fmt::format("{}", c.serious) : ""},
+      {"serious findings", head.serious > 0 ? fmt::format("{}", head.serious) : ""},
       {"notes", c.notes}};
   for (const auto& [name, text] : rows)
     if (!text.empty()) fmt::print("  {}{}\n", left(name, 18), report::printable(text));
   for (const store::KeptFile& file : c.files)
     fmt::print("  {}{} {}\n", left(file.role, 18), file.content.substr(0, 12), report::printable(file.name));
-  fmt::print("  {}\n", course(c));
-  for (const app::KeptFinding& finding : app::kept_findings(kept.result))
+  fmt::print("  {}\n", course(head));
+  for (const app::KeptFinding& finding : kept.findings)
     fmt::print("  {}: {}\n", finding.severity, report::printable(finding.message));
 }
 
@@ -191,7 +199,7 @@ Result<int> show(const CompensationArguments& a) {
     fmt::print("{}\n", json::dump(kept.result));
   else if (a.out.empty() && a.report.empty())
     print_kept(kept);
-  return changes ? code_of(kept.head.compensation.value, a.out == "-" ? stderr : stdout) : exit_done;
+  return changes ? code_of(kept.head, a.out == "-" ? stderr : stdout) : exit_done;
 }
 
 void add_keep(const Verb& store, int& exit_code) {

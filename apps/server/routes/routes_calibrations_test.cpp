@@ -179,8 +179,20 @@ TEST_F(CalibrationRoutes, are_listed_by_kind_words_and_date_and_withdrawn) {
   EXPECT_THAT(listed(), ElementsAre(2));
   EXPECT_THAT(listed({{"withdrawn", "1"}}), ElementsAre(2, 1));
   EXPECT_THAT(refusal(send("POST", "/1/withdraw"), 409), HasSubstr("withdrawn already"));
+  EXPECT_THAT(refusal(send("POST", "/1/versions", R"({"base_version": 2, "title": "x"})"), 409),
+              HasSubstr("found calibration 1 withdrawn, expected one that is not: reinstate it first"));
   value_of(send("POST", "/1/reinstate"));
   EXPECT_THAT(listed(), ElementsAre(2, 1));
+}
+
+TEST_F(CalibrationRoutes, say_when_the_same_files_are_kept_again) {
+  const auto same_as = [](const Value& kept) { return json::dump(*kept.find("same_files"), 0); };
+  EXPECT_EQ(same_as(value_of(keep_volume(), 201)), "[]");
+  EXPECT_EQ(same_as(value_of(keep_lines(), 201)), "[]") << "other files";
+  EXPECT_EQ(same_as(value_of(keep_volume(R"({"spans": 3})"), 201)), "[1]") << "with other options";
+  value_of(send("POST", "/1/withdraw"));
+  EXPECT_EQ(same_as(value_of(keep_volume(), 201)), "[1,3]") << "a withdrawn one too";
+  EXPECT_EQ(value_of(send("GET", "/3")).find("same_files"), nullptr);
 }
 
 TEST_F(CalibrationRoutes, are_reported_from_the_archive) {

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "axiometry/app/compensate/compensate.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
 #include "axiometry/volumetric/plan/calibration_plan.h"
@@ -227,6 +228,47 @@ TEST_F(VolumetricRoutes, show_a_result_file_in_the_readers_language_and_refuse_o
     EXPECT_THAT(finding.find("message")->text(), testing::Not(HasSubstr(" the ")));
   EXPECT_THAT(refusal(send("result", R"({"result": {"errors": {}}})")), HasSubstr("EXX"));
   EXPECT_THAT(refusal(send("result", R"({"result": 3})")), HasSubstr("errors"));
+}
+
+TEST_F(VolumetricRoutes, make_the_table_of_an_axis_and_what_remains) {
+  const Value found = result(7);
+  const auto asked = [&](const std::string& more, language::Language language = language::Language::english) {
+    return send("compensation", of_model(found, more), {}, "application/json", language);
+  };
+  const Value made = value_of(asked(R"(, "along": "X", "tool": "T1", "options": {"control": "linuxcnc"})"));
+  EXPECT_EQ(made.find("file_name")->text(), "X-linuxcnc.comp");
+  const Value& told = *made.find("result");
+  EXPECT_LT(told.find("line_range")->find("after")->number(), 0.5 * told.find("line_range")->find("before")->number());
+  EXPECT_EQ(told.find("errors")->text(), "EXX");
+  const auto read = (*nc::axis_table_named("linuxcnc"))->read(made.find("table")->text(), {});
+  ASSERT_TRUE(read) << read.error().to_string();
+  EXPECT_EQ(json::dump(app::nodes_to_json(*read)), json::dump(*told.find("table"))) << "the file is what is told of it";
+
+  const std::string cross = R"(, "along": "Y", "component": "X", "tool": "T1", "output_axis": "AX1",
+    "options": {"control": "siemens-cec", "axis": "AX2", "number": 4})";
+  const Value moved = value_of(asked(cross, language::Language::german));
+  EXPECT_EQ(moved.find("file_name")->text(), "AX1-by-AX2-siemens-cec.ini");
+  EXPECT_EQ(moved.find("result")->find("errors")->text(), "EXY, C0Y");
+  EXPECT_EQ(moved.find("result")->find("output_axis")->text(), "AX1");
+  EXPECT_THAT(moved.find("result")->find("sign")->text(), testing::Not(HasSubstr("positive number")));
+}
+
+TEST_F(VolumetricRoutes, refuse_tables_that_nobody_may_load) {
+  const Value found = result(7);
+  const auto refused = [&](const std::string& more) { return refusal(send("compensation", of_model(found, more))); };
+  const std::string linuxcnc = R"("options": {"control": "linuxcnc"})";
+  EXPECT_THAT(refused(R"(, "along": "Y", "component": "X", "tool": "T1", )" + linuxcnc), HasSubstr("takes no other"));
+  EXPECT_THAT(refused(R"(, "along": "A", "tool": "T1", )" + linuxcnc), HasSubstr("expected one of X, Y, Z"));
+  EXPECT_THAT(refused(R"(, "tool": "T1", )" + linuxcnc), HasSubstr("along"));
+  EXPECT_THAT(refused(R"(, "along": "X", "tool": "T1")"), HasSubstr("options"));
+  EXPECT_THAT(refused(R"(, "along": "X", )" + linuxcnc), HasSubstr("found no tool, expected one of T1, T2, T3"));
+  EXPECT_THAT(refused(R"(, "along": "X", "tool": "T1", "way": 1, )" + linuxcnc), HasSubstr("way"));
+  EXPECT_THAT(refused(R"(, "along": "X", "tool": "T1", "output_axis": "Y", )" + linuxcnc), HasSubstr("no use for it"));
+  EXPECT_THAT(refused(R"(, "along": "X", "tool": "T1", "options": {"control": "marlin", "inch": true})"),
+              HasSubstr("no use for it"));
+  EXPECT_THAT(refused(R"(, "along": "X", "tool": "T1", "options": {"control": "linuxcnc", "start": -50, "end": 400,
+                      "step": 10})"),
+              HasSubstr("found"));
 }
 
 }  // namespace

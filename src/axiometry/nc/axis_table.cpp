@@ -21,7 +21,8 @@ constexpr std::array named_options = {
     NamedTableOption{"steps_per_unit", &AxisTableUses::steps_per_unit,
                      [](const AxisTableOptions& o) { return o.steps_per_unit != 0.0; }},
     NamedTableOption{"output_axis", &AxisTableUses::output_axis,
-                     [](const AxisTableOptions& o) { return !o.output_axis.empty() && o.output_axis != o.axis; }}};
+                     [](const AxisTableOptions& o) { return !o.output_axis.empty() && o.output_axis != o.axis; }},
+    NamedTableOption{"inch", &AxisTableUses::inch, [](const AxisTableOptions& o) { return o.in_inch; }}};
 
 }  // namespace
 

@@ -56,6 +56,8 @@ struct AxisTableUses {
   bool largest = false;
   bool steps_per_unit = false;
   bool output_axis = false;
+  bool inch = true;        ///< it may count in inches; else in the one unit that its format has
+  bool told_step = false;  ///< of a table that is read: its spacing may be a parameter of the control alone
 };
 
 struct AxisTable {

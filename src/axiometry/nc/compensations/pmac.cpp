@@ -186,7 +186,7 @@ const AxisTable pmac_axis_table = {
     .extension = ".pmc",
     .curves = TableCurves::each_way,
     .limits = {.equidistant = true, .origin = TableOrigin::on_grid, .zero_upwards = true, .closes = true},
-    .uses = {.number = true, .resolution = true},
+    .uses = {.number = true, .resolution = true, .inch = false},
     .sign =
         "A positive number of COMP moves the axis in the positive direction; one of BLCOMP in the negative, and only "
         "while it moves in the negative direction.",
