@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "axiometry/app/workbench/workbench.h"
-#include "server/routes/described_test_support.h"
+#include "server/routes/route_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
 
@@ -26,44 +26,19 @@ std::string transcript_file(const std::string& name) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-class CalibrationRoutes : public testing::Test {
+class CalibrationRoutes : public RouteTest {
  protected:
-  CalibrationRoutes() {
+  CalibrationRoutes() : RouteTest("/api/calibrations") {
     auto& captures = *reinterpret_cast<app::CaptureService*>(&workbench);  // these have nothing to do with captures
     add_calibration_routes(router, {archive.store(), workbench, captures});
   }
 
-  Response send(std::string method, std::string path, std::string body = {}, Pairs query = {},
-                std::string type = "application/json") {
-    Request request;
-    request.method = std::move(method);
-    request.path = "/api/calibrations" + std::move(path);
-    request.query = std::move(query);
-    if (!body.empty()) request.headers = {{"content-type", std::move(type)}};
-    request.body = std::move(body);
-    request.actor = "A. Tester";
-    return router.answer(request);
+  Response send(std::string method, std::string_view path, std::string body = {}, Pairs query = {}) const {
+    return ask(std::move(method), path, std::move(body), std::move(query));
   }
 
-  static Value value_of(const Response& response, int status = 200) {
-    EXPECT_EQ(response.status, status) << response.body;
-    auto value = json::parse(response.body);
-    EXPECT_TRUE(value) << response.body;
-    return value ? *value : Value::object();
-  }
-  static std::string refusal(const Response& response, int status = 422) {
-    return value_of(response, status).find("error")->find("message")->text();
-  }
-
-  /// Files by what they are for, and texts.
-  Response keep(const Pairs& files, const Pairs& texts) {
-    std::string body;
-    for (const auto& [name, bytes] : files)
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{0}\"; filename=\"{0}.x\"\r\n\r\n{1}\r\n",
-                          name, bytes);
-    for (const auto& [name, text] : texts)
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{}\"\r\n\r\n{}\r\n", name, text);
-    return send("POST", "", body + "--b--\r\n", {}, "multipart/form-data; boundary=b");
+  Response keep(const Pairs& files, const Pairs& texts) const {
+    return ask("POST", "", form_of(files, texts), {}, form_type);
   }
 
   Response keep_lines(const std::string& about = "{}", const std::string& options = "{}") {
@@ -88,7 +63,6 @@ class CalibrationRoutes : public testing::Test {
 
   testing_support::Archive archive;
   app::Workbench workbench{archive.store()};
-  DescribedRouter router;
 };
 
 std::optional<double> figure_of(const Value& calibration, std::string_view parameter, std::string_view of) {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "axiometry/app/workbench/workbench.h"
-#include "server/routes/described_test_support.h"
+#include "server/routes/route_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
 
@@ -37,9 +37,9 @@ std::string test_of_axis(double share, int seed, std::string_view axis = "X") {
   return text;
 }
 
-class CompensationRoutes : public testing::Test {
+class CompensationRoutes : public RouteTest {
  protected:
-  CompensationRoutes() {
+  CompensationRoutes() : RouteTest("/api") {
     auto& captures = *reinterpret_cast<app::CaptureService*>(&workbench);  // these have nothing to do with captures
     add_compensation_routes(router, {archive.store(), workbench, captures});
   }
@@ -51,38 +51,14 @@ class CompensationRoutes : public testing::Test {
     return received ? received->tests.front().id : 0;
   }
 
-  Response send(std::string method, std::string path, std::string body = {}, Pairs query = {},
-                std::string type = "application/json") {
-    Request request;
-    request.method = std::move(method);
-    request.path = "/api" + std::move(path);
-    request.query = std::move(query);
-    if (!body.empty()) request.headers = {{"content-type", std::move(type)}};
-    request.body = std::move(body);
-    request.actor = "A. Tester";
-    request.language = language_;
-    return router.answer(request);
+  Response send(std::string method, std::string_view path, std::string body = {}, Pairs query = {}) const {
+    return ask(std::move(method), path, std::move(body), std::move(query), json_type, language_);
   }
 
-  Response send_form(std::string path, const Pairs& texts, const Pairs& files = {}, Pairs query = {}) {
-    std::string body;
-    for (const auto& [name, bytes] : files)
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{0}\"; filename=\"{0}.comp\"\r\n\r\n{1}\r\n",
-                          name, bytes);
-    for (const auto& [name, text] : texts)
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{}\"\r\n\r\n{}\r\n", name, text);
-    return send("POST", std::move(path), body + "--b--\r\n", std::move(query), "multipart/form-data; boundary=b");
+  Response send_form(std::string_view path, const Pairs& texts, const Pairs& files = {}) const {
+    return ask("POST", path, form_of(files, texts, ".comp"), {}, form_type, language_);
   }
 
-  static Value value_of(const Response& response, int status = 200) {
-    EXPECT_EQ(response.status, status) << response.body;
-    auto value = json::parse(response.body);
-    EXPECT_TRUE(value) << response.body;
-    return value ? *value : Value::object();
-  }
-  static std::string refusal(const Response& response, int status = 422) {
-    return value_of(response, status).find("error")->find("message")->text();
-  }
   static std::vector<std::string> findings_of(const Value& kept) {
     std::vector<std::string> ids;
     for (const Value& finding : kept.find("result")->find("findings")->items())
@@ -132,7 +108,6 @@ class CompensationRoutes : public testing::Test {
 
   testing_support::Archive archive;
   app::Workbench workbench{archive.store()};
-  DescribedRouter router;
   language::Language language_ = language::Language::english;
 };
 

@@ -11,7 +11,7 @@
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
 #include "axiometry/volumetric/plan/calibration_plan.h"
 #include "axiometry/volumetric/simulate/simulated_lengths.h"
-#include "server/routes/described_test_support.h"
+#include "server/routes/route_test_support.h"
 #include "server/routes/routes.h"
 
 namespace axiometry::server {
@@ -27,30 +27,13 @@ constexpr const char* machine_json = R"({"name": "Mill", "chain": "XFYZ",
   "stations_mm": {"S1": [-100, -50, -700], "S2": [900, -50, -800], "S3": [900, 600, -700], "S4": [-100, 600, -850]},
   "repeatability_um": 0.5})";
 
-class VolumetricRoutes : public testing::Test {
+class VolumetricRoutes : public RouteTest {
  protected:
-  VolumetricRoutes() { add_volumetric_routes(router); }
+  VolumetricRoutes() : RouteTest("/api/volumetric/") { add_volumetric_routes(router); }
 
-  Response send(std::string path, std::string body, Pairs query = {}, std::string type = "application/json",
+  Response send(std::string_view path, std::string body, Pairs query = {}, std::string type = json_type,
                 language::Language language = language::Language::english) const {
-    Request asked;
-    asked.method = "POST";
-    asked.path = "/api/volumetric/" + std::move(path);
-    asked.query = std::move(query);
-    asked.body = std::move(body);
-    asked.headers = {{"content-type", std::move(type)}};
-    asked.language = language;
-    return router.answer(asked);
-  }
-
-  static Value value_of(const Response& response, int status = 200) {
-    EXPECT_EQ(response.status, status) << response.body.substr(0, 500);
-    auto value = json::parse(response.body);
-    EXPECT_TRUE(value) << response.body.substr(0, 500);
-    return value ? *value : Value::object();
-  }
-  static std::string refusal(const Response& response) {
-    return value_of(response, 422).find("error")->find("message")->text();
+    return ask("POST", path, std::move(body), std::move(query), std::move(type), language);
   }
 
   static std::string wish(const std::string& machine, const std::string& more) {
@@ -69,14 +52,8 @@ class VolumetricRoutes : public testing::Test {
     return formats::write_volumetric_lengths(simulated->lengths);
   }
 
-  Response send_form(std::string path, const Pairs& files, const std::string& options = "") const {
-    std::string body;
-    for (const auto& [name, bytes] : files)
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{0}\"; filename=\"{0}.x\"\r\n\r\n{1}\r\n",
-                          name, bytes);
-    if (!options.empty())
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"options\"\r\n\r\n{}\r\n", options);
-    return send(std::move(path), body + "--b--\r\n", {}, "multipart/form-data; boundary=b");
+  Response send_form(std::string_view path, const Pairs& files, const std::string& options = "") const {
+    return send(path, form_of(files, options.empty() ? Pairs() : Pairs{{"options", options}}), {}, form_type);
   }
   Value result(std::uint64_t seed) const {
     return value_of(send_form("identification", {{"lengths", lengths_of(draft(), seed)}, {"machine", machine_json}}));
@@ -84,8 +61,6 @@ class VolumetricRoutes : public testing::Test {
   static std::string of_model(const Value& result, const std::string& more = "") {
     return fmt::format(R"({{"model": {}{}}})", json::dump(*result.find("model")), more);
   }
-
-  DescribedRouter router;
 };
 
 TEST_F(VolumetricRoutes, plan_what_is_asked_for_and_say_what_it_will_tell) {
