@@ -82,7 +82,7 @@ export const t = texts({
   hint_resolution: ['detection unit, encoder step', 'Erfassungseinheit, Geberschritt'],
   hint_steps: ['what the control drives now', 'was die Steuerung jetzt ausgibt'],
   auto: ['by itself', 'von selbst'],
-  within: ['within the targets', 'innerhalb der Ziele'],
+  within: ['as far as measured', 'soweit gemessen'],
   as_existing: ['as the existing table', 'wie die vorhandene Tabelle'],
   zero: ['0', '0'],
   one: ['1', '1'],

@@ -140,7 +140,7 @@ export const t = texts({
   moves: ['It moves', 'Sie bewegt'],
   moves_itself: ['{axis} itself', '{axis} selbst'],
   moves_other: ['{axis}, a cross table', '{axis}, eine Kreuztabelle'],
-  cross_only: ['{n} of {all} {all|control has|controls have} cross tables.', '{n} von {all} {all|Steuerung hat|Steuerungen haben} Kreuztabellen.'],
+  cross_only: ['{n} of {all} controls {n|has|have} cross tables.', '{n} von {all} Steuerungen {n|hat|haben} Kreuztabellen.'],
   output_axis: ['Axis that is moved, as the control names it', 'Bewegte Achse, wie die Steuerung sie nennt'],
   corrects: ['It corrects {errors}.', 'Sie korrigiert {errors}.'],
   line_range: ['Range on the line through the middle', 'Spanne auf der Linie durch die Mitte'],
