@@ -16,7 +16,6 @@
 #include "axiometry/app/workbench/compensations.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/store/store.h"
 #include "cli/failure.h"
@@ -25,6 +24,7 @@
 #include "cli/flags/store_flags.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/store_report.h"
 
 namespace axiometry::cli {
 namespace {
@@ -43,12 +43,6 @@ struct CompensationArguments {
 };
 
 using Shared = std::shared_ptr<CompensationArguments>;
-
-/// "pdf" of "proof.PDF".
-std::string extension_of(const std::string& file) {
-  const std::string extension = text::to_lower(std::filesystem::path(file).extension().string());
-  return extension.starts_with('.') ? extension.substr(1) : extension;
-}
 
 constexpr const char* verb_name = "axiometry store compensate";
 
@@ -98,9 +92,7 @@ void check_wishes(const CompensationArguments& a) {
   if (changes && a.has_version) throw UsageError("--version", "found an old version to change, expected the latest");
   if (!changes && !a.reason.empty()) throw UsageError("--reason", "found a reason, expected a change beside it");
   if (a.json && a.out == "-") throw UsageError("--out", "found - beside --json, expected one of them in the pipe");
-  if (!a.report.empty() && app::media_type_of(extension_of(a.report)) == app::octets)
-    throw UsageError("--report", fmt::format("found {}, expected a name that ends in .html, .pdf, .svg, .png or .csv",
-                                             text::quoted(a.report)));
+  check_report_name(a.report);
 }
 
 Result<int> keep(const CompensationArguments& a) {
@@ -188,12 +180,9 @@ Result<int> show(const CompensationArguments& a) {
   if (changes) AXIOMETRY_TRY_VOID(revise(workbench, a));
   const auto version = a.version > 0 ? std::optional(static_cast<int>(a.version)) : std::nullopt;
   AXIOMETRY_TRY(const auto kept, app::kept_compensation(*archive, a.id, version));
-  if (!a.report.empty()) {
-    app::ReportRequest request;
-    request.extension = extension_of(a.report);
-    AXIOMETRY_TRY(const app::Rendered report, app::compensation_report(workbench, a.id, version, request));
-    AXIOMETRY_TRY_VOID(app::write_file(a.report, report.bytes));
-  }
+  AXIOMETRY_TRY_VOID(write_report(a.report, [&](const app::ReportRequest& request) {
+    return app::compensation_report(workbench, a.id, version, request);
+  }));
   if (!a.out.empty()) AXIOMETRY_TRY_VOID(app::write_file(a.out, kept.table));
   if (a.json)
     fmt::print("{}\n", json::dump(kept.result));
