@@ -109,7 +109,28 @@ def seeds(program, folder):
     yield "machine planned", ["volumetric", "plan", "--machine", "@", "--points", "12", "--out", "-", "-q"], (volume / "machine.json").read_bytes()
     yield "kept", ["store", "add", "@", "--store", str(folder / "kept.db")], (ROOT / "examples" / "iso230-2-table2.csv").read_bytes()
     subprocess.run([program, "store", "add", table2, "--store", str(folder / "made.db")], capture_output=True, check=True)
+    (folder / "backlash.csv").write_text(BACKLASH)
+    axes = str(files / "store-compensations.files" / "x.csv"), str(folder / "backlash.csv")
+    for table in sorted((ROOT / "tests" / "fuzz" / "corpus" / "tables").iterdir()):
+        yield f"table for {table.name}", existing(axes, table.name), table.read_bytes()[1:]
+    calibrate = ["store", "calibrate", "--store", str(folder / "calibrated.db")]
+    of_lines, of_volume = [str(tracking / "lengths.csv"), "--plan", str(tracking / "seven.json")], [str(volume / "lengths.csv"), "--machine", str(volume / "machine.json")]
+    yield "calibrated lengths", calibrate + ["@"] + of_lines[1:], (tracking / "lengths.csv").read_bytes()
+    yield "calibrated plan", calibrate + of_lines[:2] + ["@"], (tracking / "seven.json").read_bytes()
+    yield "calibrated lines' options", calibrate + of_lines + ["--options", "@"], b'{"tolerances": ["E=20um", "x:A=30um"], "rule": "iso14253-1", "break_threshold_mm": 0.02}'
+    yield "calibrated volume's options", calibrate + of_volume + ["--options", "@"], b'{"curves": "b-spline", "spans": [4, 3, 3], "reversal": "none", "drift": "auto", "find_breaks": true}'
     yield "verified", ["store", "verify", "@"], (folder / "made.db").read_bytes()
+
+
+def existing(axes, control):
+    """A table that was active while an axis was tested; the second one for those that fit no other."""
+    steps = ["--steps-per-unit", "80"] if control in ("grblhal", "marlin", "smoothie") else ["--hold-ends"]
+    return ["compensate", axes[1 if steps[0] != "--hold-ends" or control == "haas" else 0], "--for", control, "--existing", "@", *steps, "-q"]
+
+
+BACKLASH = "# axis.name: X\ntarget_mm,run,direction,deviation_um\n" + "".join(
+    f"{-50.8 * k:.1f},{run},{way},{-1.016 * k + turn + 0.1 * ((7 * k + 3 * run) % 5 - 2):.2f}\n"
+    for k in range(9) for run in (1, 2, 3) for way, turn in (("up", 0), ("down", 5)))
 
 
 DRIFT = "time_s,deviation_um\n" + "".join(f"{10 * k},{(k * 37 % 11) / 10 - 0.5}\n" for k in range(60))

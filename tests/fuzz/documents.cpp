@@ -1,12 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Any bytes as what an archive gives back of a kept test: its options and changes, and as JSON of its own. What is read
-// is refused as damaged or understood, never trusted.
+// Any bytes as what an archive gives back of a kept test: its options and changes, and as JSON of its own; and as what
+// is asked of calibrations and tables of compensation, and kept with them. What is read is refused as damaged or
+// understood, never trusted.
+#include "axiometry/app/compensate/compensate_options.h"
+#include "axiometry/app/tracking/tracking_request.h"
+#include "axiometry/app/volumetric/identify_options.h"
+#include "axiometry/app/volumetric/volume_compensation_request.h"
+#include "axiometry/app/workbench/calibration_json.h"
+#include "axiometry/app/workbench/compensation_json.h"
 #include "axiometry/app/workbench/test_state.h"
 #include "axiometry/base/json.h"
 #include "described.h"
 
 using namespace axiometry;
+
+namespace {
+
+template <typename T>
+void check_asked(const Result<T>& asked) {
+  if (!asked) fuzzing::check_error(asked.error());
+}
+
+void check_requests(const json::Value& value) {
+  check_asked(app::evaluate_options_from(value));
+  check_asked(app::identify_options_from(value));
+  check_asked(app::new_calibration_from(value));
+  check_asked(app::calibration_revision_from(value));
+  check_asked(app::table_reading_from(value));
+  check_asked(app::compensation_revision_from(value));
+  check_asked(app::volume_compensation_request_from(value));
+  const auto wished = app::compensate_request_from(value);
+  check_asked(wished);
+  if (!wished) return;
+  const json::Value written = app::to_json(*wished);
+  const auto again = app::compensate_request_from(written);
+  AXIOMETRY_CONTRACT(again && json::dump(app::to_json(*again)) == json::dump(written));
+}
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(fuzzing::as_text(data, size));
@@ -14,6 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string written = json::dump(*value);
     const auto again = json::parse(written);
     AXIOMETRY_CONTRACT(again && json::dump(*again) == written);
+    check_requests(*value);
   } else {
     fuzzing::check_error(value.error());
   }

@@ -340,6 +340,8 @@ def volumetric(play):
     play.expect(200, "POST", "/api/volumetric/difference", {"before": model, "after": model, "nodes": 3})
     play.expect(200, "POST", "/api/volumetric/prediction", {"model": model, "axis": "Y", "at_mm": [400, 0, -250], "tool": "T1"})
     play.expect(200, "POST", "/api/volumetric/table", {"model": model, "table": "axis-csv", "tool": "T1"})
+    play.expect(200, "POST", "/api/volumetric/compensation",
+                {"model": model, "along": "X", "tool": "T1", "options": {"control": "linuxcnc"}})
 
 
 def captures(play):

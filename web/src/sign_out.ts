@@ -4,8 +4,8 @@ import { send } from './api/client';
 import { ask_health, signed_in } from './api/session';
 import { forget_drafts } from './pages/test/draft_store';
 import { remove_all } from './pages/tests/incoming';
-import { forget_page } from './pages/tracking/kept';
-import { forget_volume } from './pages/volume/kept';
+import { tracking_kept } from './pages/tracking/kept';
+import { volume_kept } from './pages/volume/kept';
 import { actor } from './settings';
 
 const other_tabs = new BroadcastChannel('axiometry.signed-out');
@@ -14,8 +14,8 @@ function forget(): void {
   signed_in.value = false;  // takes every page away, and what it holds with it
   remove_all();
   forget_drafts();
-  forget_page();
-  forget_volume();
+  tracking_kept.forget();
+  volume_kept.forget();
   actor.value = '';
 }
 

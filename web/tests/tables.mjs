@@ -225,9 +225,37 @@ export const tables = {
     await shows(chart.locator('.tip'), /2026-03-02[\s\S]*table 1 was made of it \(LinuxCNC\)/);
     await page.keyboard.press('End');
     await shows(chart.locator('[aria-live]'), /2026-03-09[\s\S]*re-test of table 1 \(LinuxCNC\)/);
+    const { machine } = await world.api('GET', `/api/tests/${test}`);
+    await page.goto(`/machines/${machine.id}`);
+    await shows(page.locator('.trend'), 'Lines from top to bottom: a table was made of the test before them.');
+    const of_machine = page.locator('.trend .chart');
+    await of_machine.focus();
+    await page.keyboard.press('End');
+    await shows(of_machine.locator('[aria-live]'), /2026-03-09[\s\S]*re-test of table 1 \(LinuxCNC\)/);
     await page.goto('/compensations');
     await shows(page.locator('.list-page'), /Table 1[\s\S]*Mill 9, X/);
     assert.equal(wrong > test, true);
+  },
+
+  async 'tables: a re-test that was withdrawn since is marked wherever the table stands, and nothing of it counts'(world) {
+    await milled(world, 'LinuxCNC');
+    const test = await measured(world, '2026-03-02');
+    const { result } = await kept_table(world, test, { control: 'linuxcnc' });
+    const retest = await measured(world, '2026-03-09', (x, way) => added_by(result.table, x, way));
+    await world.api('POST', '/api/compensations/1/versions', { base_version: 1, retest, reason: 're-test' });
+    const page = await world.page();
+    await page.goto('/compensations/1');
+    await shows(page.locator('.table-results'), /Before, predicted, measured again[\s\S]*The table does what it should/);
+    await world.api('POST', `/api/tests/${retest}/withdraw`, { reason: 'the mirror was loose' });
+    await page.reload();
+    await shows(page.locator('.compensation-chain'), /Measured again[\s\S]*withdrawn[\s\S]*What was found with it does not count\./);
+    await shows(page.locator('.table-results'), /The re-test, test 2, is withdrawn/);
+    assert.doesNotMatch(await page.locator('.table-results').innerText(), /does what it should|Re-test/);
+    assert.doesNotMatch(await page.locator('.legend').first().innerText(), /Re-test/);
+    await page.goto('/compensations');
+    await shows(page.locator('.list-page'), /E \d+\.\d → \d+\.\d µm predicted[\s\S]*1 serious finding[\s\S]*withdrawn/);
+    await page.goto(`/tests/${test}`);
+    await shows(page.locator('.tables-of-test'), /1 serious finding[\s\S]*Re-test: [\s\S]*withdrawn/);
   },
 
   async 'tables: the table that a re-test was measured with is part of the next one, unless someone says that it was not active'(world) {
@@ -333,6 +361,8 @@ export const tables = {
     await page.getByRole('button', { name: 'Withdraw' }).click();
     await with_reason(page, 'Withdraw', 'screw replaced');
     await shows(page.locator('main'), 'This table was withdrawn.');
+    for (const name of ['Notes…', 'Choose the re-test…'])
+      assert.equal(await page.getByRole('button', { name }).isDisabled(), true, name);
     await page.goto('/compensations');
     await shows(page.locator('main'), 'No table is kept yet.');
     await page.getByLabel('with withdrawn ones').check();

@@ -15,6 +15,8 @@ const words = {
     sheet: 'Sheet PDF', run: 'Run', control: 'Control', lengths: 'Choose lengths', found: 'All 21 errors found', table: 'All errors as numbers',
     report: 'Report PDF', result: 'Result JSON', residuals: 'Residuals CSV', slice: 'Slice across', before: 'Choose the earlier result', moved: /moved by up to \d+\.\d µm/,
     sure: 'a change, not chance', line: 'Line', systematic: 'Systematic deviation E', save: 'Download', which: 'Table', open: 'Open a result', name: 'Name',
+    search: 'Search a control', along: 'Table over the positions of', moves: 'It moves', one_axis: /It corrects EXX\.[\s\S]*Range on the line[\s\S]*\d+\.\d → \d+\.\d µm/,
+    cross: /1 of \d+ controls has cross tables/, both: 'It corrects EXY, C0Y.', refused: 'No table is made of this', first: 'First position / mm',
     at: /^Slice at/, slice_told: /Slice at Z −?\d+ mm/,
   },
   'de-DE': {
@@ -22,6 +24,8 @@ const words = {
     sheet: 'Blatt PDF', run: 'Lauf', control: 'Steuerung', lengths: 'Längen wählen', found: 'Alle 21 Abweichungen gefunden', table: 'Alle Abweichungen als Zahlen',
     report: 'Bericht PDF', result: 'Ergebnis JSON', residuals: 'Reste CSV', slice: 'Schnitt quer zu', before: 'Früheres Ergebnis wählen', moved: /um bis zu \d+,\d µm verschoben/,
     sure: 'eine Änderung, kein Zufall', line: 'Linie', systematic: 'Systematische Abweichung E', save: 'Herunterladen', which: 'Tabelle', open: 'Ergebnis öffnen', name: 'Name',
+    search: 'Steuerung suchen', along: 'Tabelle über den Positionen von', moves: 'Sie bewegt', one_axis: /Sie korrigiert EXX\.[\s\S]*Spanne auf der Linie[\s\S]*\d+,\d → \d+,\d µm/,
+    cross: /1 von \d+ Steuerungen hat Kreuztabellen/, both: 'Sie korrigiert EXY, C0Y.', refused: 'Daraus entsteht keine Tabelle', first: 'Erste Position / mm',
     at: /^Schnitt bei/, slice_told: /Schnitt bei Z −?\d+ mm/,
   },
 };
@@ -56,6 +60,33 @@ const measured = async (page, w, file) => {
   await page.getByLabel(w.lengths, { exact: true }).last().setInputFiles(file);
   await shows(of_panel(page, 'volume-found'), w.found);
 };
+
+/** The table that a control takes of one axis, refused, made, and of two axes. */
+async function table_of_one_axis(page, w) {
+  const panel = of_panel(page, 'volume-control-table');
+  const search = panel.getByRole('combobox', { name: w.search });
+  await search.fill('FILE_TYPE 0');
+  await search.press('Enter');
+  await shows(panel, w.one_axis);
+  const [before, after] = /([\d.,]+) → ([\d.,]+) µm/.exec(await panel.innerText()).slice(1).map((text) => Number(text.replace(',', '.')));
+  assert.ok(after < 0.5 * before, `${before} → ${after}`);
+  const file = await downloaded(page, () => page.locator('.table-file').getByRole('button', { name: w.save }).click());
+  assert.equal(file.name, 'X-linuxcnc.comp');
+  assert.equal(file.bytes.toString(), await page.locator('.table-file .listing pre').last().textContent());
+  await panel.getByLabel(w.first).fill('-900');
+  await shows(panel, w.refused);
+  assert.equal(await page.locator('.table-file').count(), 0, 'no file beside what is refused');
+  await panel.getByLabel(w.first).fill('');
+  await page.locator('.table-file').waitFor();
+  await panel.getByLabel(w.along).selectOption('Y');
+  await panel.getByLabel(w.moves).selectOption('X');
+  await shows(panel, w.cross);
+  assert.equal(await page.locator('.table-file').count(), 0, 'LinuxCNC has no cross table');
+  await search.fill('CEC');
+  await search.press('Enter');
+  await shows(panel, w.both);
+  await shows(page.locator('.table-file'), /\$AN_CEC/);
+}
 
 async function whole_way(world, locale) {
   const w = words[locale];
@@ -114,6 +145,7 @@ async function whole_way(world, locale) {
   }
   await tables.getByLabel(w.which, { exact: true }).selectOption('axis-csv');
   await shows(tables.locator('pre'), /with these tables, predicted/);
+  await table_of_one_axis(page, w);
   assert.equal((await world.api('GET', '/api/tests')).total, 0, 'nothing is kept');
   return { page, result };
 }

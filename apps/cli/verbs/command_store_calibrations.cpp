@@ -2,6 +2,7 @@
 #include "cli/verbs/command_store_calibrations.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
@@ -21,6 +22,7 @@
 #include "cli/flags/store_flags.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/store_report.h"
 
 namespace axiometry::cli {
 namespace {
@@ -98,6 +100,8 @@ Result<int> keep(const CalibrationArguments& a) {
   AXIOMETRY_TRY(const auto kept, app::keep_calibration(*archive, calibration, {"import", "axiometry store calibrate"}));
   const Calibration& c = kept.calibration.value;
   fmt::print("calibration {}: {}\n", kept.calibration.id, report::printable(c.title));
+  if (!kept.same_files->empty())
+    fmt::print("the same files are kept as calibration {} already\n", fmt::join(*kept.same_files, ", "));
   if (c.serious > 0) fmt::print("{}: the result should not be used as it is\n", counted(c.serious, "serious finding"));
   return c.serious > 0 || c.verdict == "does not conform" ? exit_exceeded : exit_done;
 }
@@ -150,16 +154,13 @@ Result<void> export_files(const store::Store& archive, const app::KeptCalibratio
 }
 
 Result<int> show(const CalibrationArguments& a) {
+  check_report_name(a.report);
   AXIOMETRY_TRY(const auto archive, archive_at(a.address, {.create = false}));
   const auto version = a.version > 0 ? std::optional(static_cast<int>(a.version)) : std::nullopt;
   AXIOMETRY_TRY(const auto kept, app::kept_calibration(*archive, a.id, version));
-  if (!a.report.empty()) {
-    app::ReportRequest request;
-    request.extension = std::filesystem::path(a.report).extension().string();
-    if (request.extension.starts_with('.')) request.extension.erase(0, 1);
-    AXIOMETRY_TRY(const app::Rendered report, app::calibration_report(*archive, a.id, version, request));
-    AXIOMETRY_TRY_VOID(app::write_file(a.report, report.bytes));
-  }
+  AXIOMETRY_TRY_VOID(write_report(a.report, [&](const app::ReportRequest& request) {
+    return app::calibration_report(*archive, a.id, version, request);
+  }));
   if (!a.folder.empty()) AXIOMETRY_TRY_VOID(export_files(*archive, kept, a.folder));
   if (a.json)
     fmt::print("{}\n", json::dump(kept.result));

@@ -13,10 +13,9 @@
 #include "axiometry/app/compensate/compensate_options.h"
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/workbench/compensations.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/store/store.h"
 #include "cli/failure.h"
@@ -25,6 +24,7 @@
 #include "cli/flags/store_flags.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/store_report.h"
 
 namespace axiometry::cli {
 namespace {
@@ -44,12 +44,6 @@ struct CompensationArguments {
 
 using SharedCompensation = std::shared_ptr<CompensationArguments>;
 
-/// "pdf" of "proof.PDF".
-std::string extension_of(const std::string& file) {
-  const std::string extension = text::to_lower(std::filesystem::path(file).extension().string());
-  return extension.starts_with('.') ? extension.substr(1) : extension;
-}
-
 constexpr int id_most = 2'147'483'647;
 constexpr const char* verb_name = "axiometry store compensate";
 
@@ -63,19 +57,25 @@ std::string_view unit_text(const Compensation& c) {
   return !c.figures.empty() && c.figures[0].unit == "arcsec" ? "″" : "µm";
 }
 
-/// "E 21.3 µm → 4.2 µm predicted → 5.1 µm in the re-test".
-std::string course(const Compensation& c) {
+/// "E 21.3 µm → 4.2 µm predicted → 5.1 µm in test 7", and of a re-test that no longer counts why.
+std::string course(const app::ListedCompensation& listed) {
+  const Compensation& c = listed.compensation.value;
   const std::string_view unit = unit_text(c);
   std::string text =
       fmt::format("E {} {} → {} {} predicted", figure_of(c, "E", "before"), unit, figure_of(c, "E", "predicted"), unit);
-  if (c.retest) text += fmt::format(" → {} {} in test {}", figure_of(c, "E", "retest"), unit, *c.retest);
+  if (listed.retest_counts()) text += fmt::format(" → {} {} in test {}", figure_of(c, "E", "retest"), unit, *c.retest);
+  if (listed.retest && !listed.retest_counts())
+    text += fmt::format(", re-test {} {} since", *c.retest, listed.retest->withdrawn ? "withdrawn" : "revised");
+  if (listed.test.withdrawn || listed.test.revised)
+    text += fmt::format(", test {} {}", c.test, listed.test.withdrawn ? "withdrawn since" : "has another version");
   return text;
 }
 
 /// A re-test that shows what should not be, or a table that should be looked at.
-int code_of(const Compensation& c, std::FILE* told) {
-  if (c.serious == 0) return exit_done;
-  fmt::print(told, "{} serious findings: look at the report before the table is used\n", c.serious);
+int code_of(const app::ListedCompensation& listed, std::FILE* told) {
+  if (listed.serious == 0) return exit_done;
+  fmt::print(told, "{}: look at the report before the table is used\n",
+             counted(static_cast<std::size_t>(listed.serious), "serious finding"));
   return exit_exceeded;
 }
 
@@ -93,9 +93,7 @@ void check_wishes(const CompensationArguments& a) {
   if (changes && a.has_version) throw UsageError("--version", "found an old version to change, expected the latest");
   if (!changes && !a.reason.empty()) throw UsageError("--reason", "found a reason, expected a change beside it");
   if (a.json && a.out == "-") throw UsageError("--out", "found - beside --json, expected one of them in the pipe");
-  if (!a.report.empty() && app::media_type_of(extension_of(a.report)) == app::octets)
-    throw UsageError("--report", fmt::format("found {}, expected a name that ends in .html, .pdf, .svg, .png or .csv",
-                                             text::quoted(a.report)));
+  check_report_name(a.report);
 }
 
 Result<int> keep(const CompensationArguments& a) {
@@ -113,10 +111,10 @@ Result<int> keep(const CompensationArguments& a) {
   const Compensation& c = kept.head.compensation.value;
   std::FILE* const told = a.out == "-" ? stderr : stdout;  // the table alone goes into a pipe
   fmt::print(told, "compensation {}: {}\n", kept.head.compensation.id, report::printable(c.files[0].name));
-  fmt::print(told, "{}\n", course(c));
+  fmt::print(told, "{}\n", course(kept.head));
   std::fflush(told);  // what is said is kept, even if the file cannot be written
   if (!a.out.empty()) AXIOMETRY_TRY_VOID(app::write_file(a.out, kept.table));
-  return code_of(c, told);
+  return code_of(kept.head, told);
 }
 
 Result<int> list_kept(const CompensationArguments& a) {
@@ -130,7 +128,7 @@ Result<int> list_kept(const CompensationArguments& a) {
   for (const app::ListedCompensation& line : listed) {
     const Compensation& c = line.compensation.value;
     fmt::print("{} {} {} test {} {}{}\n", left(fmt::format("{}", line.compensation.id), 7),
-               left(line.made_at.substr(0, 10), 11), left(c.control, 20), c.test, course(c),
+               left(line.made_at.substr(0, 10), 11), left(c.control, 20), c.test, course(line),
                c.withdrawn ? " (withdrawn)" : "");
   }
   return exit_done;
@@ -141,7 +139,9 @@ void print_kept(const app::KeptCompensation& kept) {
   const Compensation& c = head.compensation.value;
   fmt::print("{}\n", report::printable(c.files[0].name));
   const auto test_text = [](const app::TestOfCompensation& test) {
-    return fmt::format("{} in version {}, {} {}", test.id, test.version, test.measured_on, test.title);
+    return fmt::format("{} in version {}{}, {} {}{}", test.id, test.version,
+                       test.latest > test.version ? fmt::format(" of {}", test.latest) : "", test.measured_on,
+                       test.title, test.withdrawn ? " (withdrawn)" : "");
   };
   const std::pair<const char*, std::string> rows[] = {
       {"control", c.control},
@@ -153,14 +153,14 @@ void print_kept(const app::KeptCompensation& kept) {
       {"made by", c.program},
       {"options", c.options},
       {"withdrawn", c.withdrawn ? "yes" : ""},
-      {"serious findings", c.serious > 0 ? fmt::format("{}", c.serious) : ""},
+      {"serious findings", head.serious > 0 ? fmt::format("{}", head.serious) : ""},
       {"notes", c.notes}};
   for (const auto& [name, text] : rows)
     if (!text.empty()) fmt::print("  {}{}\n", left(name, 18), report::printable(text));
   for (const store::KeptFile& file : c.files)
     fmt::print("  {}{} {}\n", left(file.role, 18), file.content.substr(0, 12), report::printable(file.name));
-  fmt::print("  {}\n", course(c));
-  for (const app::KeptFinding& finding : app::kept_findings(kept.result))
+  fmt::print("  {}\n", course(head));
+  for (const app::KeptFinding& finding : kept.findings)
     fmt::print("  {}: {}\n", finding.severity, report::printable(finding.message));
 }
 
@@ -183,18 +183,15 @@ Result<int> show(const CompensationArguments& a) {
   if (changes) AXIOMETRY_TRY_VOID(revise(workbench, a));
   const auto version = a.version > 0 ? std::optional(static_cast<int>(a.version)) : std::nullopt;
   AXIOMETRY_TRY(const auto kept, app::kept_compensation(*archive, a.id, version));
-  if (!a.report.empty()) {
-    app::ReportRequest request;
-    request.extension = extension_of(a.report);
-    AXIOMETRY_TRY(const app::Rendered report, app::compensation_report(workbench, a.id, version, request));
-    AXIOMETRY_TRY_VOID(app::write_file(a.report, report.bytes));
-  }
+  AXIOMETRY_TRY_VOID(write_report(a.report, [&](const app::ReportRequest& request) {
+    return app::compensation_report(workbench, a.id, version, request);
+  }));
   if (!a.out.empty()) AXIOMETRY_TRY_VOID(app::write_file(a.out, kept.table));
   if (a.json)
     fmt::print("{}\n", json::dump(kept.result));
   else if (a.out.empty() && a.report.empty())
     print_kept(kept);
-  return changes ? code_of(kept.head.compensation.value, a.out == "-" ? stderr : stdout) : exit_done;
+  return changes ? code_of(kept.head, a.out == "-" ? stderr : stdout) : exit_done;
 }
 
 void add_keep(const Verb& store, int& exit_code) {

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "axiometry/app/workbench/workbench.h"
-#include "server/routes/described_test_support.h"
+#include "server/routes/route_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
 
@@ -26,44 +26,19 @@ std::string transcript_file(const std::string& name) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-class CalibrationRoutes : public testing::Test {
+class CalibrationRoutes : public RouteTest {
  protected:
-  CalibrationRoutes() {
+  CalibrationRoutes() : RouteTest("/api/calibrations") {
     auto& captures = *reinterpret_cast<app::CaptureService*>(&workbench);  // these have nothing to do with captures
     add_calibration_routes(router, {archive.store(), workbench, captures});
   }
 
-  Response send(std::string method, std::string path, std::string body = {}, Pairs query = {},
-                std::string type = "application/json") {
-    Request request;
-    request.method = std::move(method);
-    request.path = "/api/calibrations" + std::move(path);
-    request.query = std::move(query);
-    if (!body.empty()) request.headers = {{"content-type", std::move(type)}};
-    request.body = std::move(body);
-    request.actor = "A. Tester";
-    return router.answer(request);
+  Response send(std::string method, std::string_view path, std::string body = {}, Pairs query = {}) const {
+    return ask(std::move(method), path, std::move(body), std::move(query));
   }
 
-  static Value value_of(const Response& response, int status = 200) {
-    EXPECT_EQ(response.status, status) << response.body;
-    auto value = json::parse(response.body);
-    EXPECT_TRUE(value) << response.body;
-    return value ? *value : Value::object();
-  }
-  static std::string refusal(const Response& response, int status = 422) {
-    return value_of(response, status).find("error")->find("message")->text();
-  }
-
-  /// Files by what they are for, and texts.
-  Response keep(const Pairs& files, const Pairs& texts) {
-    std::string body;
-    for (const auto& [name, bytes] : files)
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{0}\"; filename=\"{0}.x\"\r\n\r\n{1}\r\n",
-                          name, bytes);
-    for (const auto& [name, text] : texts)
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{}\"\r\n\r\n{}\r\n", name, text);
-    return send("POST", "", body + "--b--\r\n", {}, "multipart/form-data; boundary=b");
+  Response keep(const Pairs& files, const Pairs& texts) const {
+    return ask("POST", "", form_of(files, texts), {}, form_type);
   }
 
   Response keep_lines(const std::string& about = "{}", const std::string& options = "{}") {
@@ -88,7 +63,6 @@ class CalibrationRoutes : public testing::Test {
 
   testing_support::Archive archive;
   app::Workbench workbench{archive.store()};
-  DescribedRouter router;
 };
 
 std::optional<double> figure_of(const Value& calibration, std::string_view parameter, std::string_view of) {
@@ -179,8 +153,20 @@ TEST_F(CalibrationRoutes, are_listed_by_kind_words_and_date_and_withdrawn) {
   EXPECT_THAT(listed(), ElementsAre(2));
   EXPECT_THAT(listed({{"withdrawn", "1"}}), ElementsAre(2, 1));
   EXPECT_THAT(refusal(send("POST", "/1/withdraw"), 409), HasSubstr("withdrawn already"));
+  EXPECT_THAT(refusal(send("POST", "/1/versions", R"({"base_version": 2, "title": "x"})"), 409),
+              HasSubstr("found calibration 1 withdrawn, expected one that is not: reinstate it first"));
   value_of(send("POST", "/1/reinstate"));
   EXPECT_THAT(listed(), ElementsAre(2, 1));
+}
+
+TEST_F(CalibrationRoutes, say_when_the_same_files_are_kept_again) {
+  const auto same_as = [](const Value& kept) { return json::dump(*kept.find("same_files"), 0); };
+  EXPECT_EQ(same_as(value_of(keep_volume(), 201)), "[]");
+  EXPECT_EQ(same_as(value_of(keep_lines(), 201)), "[]") << "other files";
+  EXPECT_EQ(same_as(value_of(keep_volume(R"({"spans": 3})"), 201)), "[1]") << "with other options";
+  value_of(send("POST", "/1/withdraw"));
+  EXPECT_EQ(same_as(value_of(keep_volume(), 201)), "[1,3]") << "a withdrawn one too";
+  EXPECT_EQ(value_of(send("GET", "/3")).find("same_files"), nullptr);
 }
 
 TEST_F(CalibrationRoutes, are_reported_from_the_archive) {

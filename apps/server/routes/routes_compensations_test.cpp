@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "axiometry/app/workbench/workbench.h"
-#include "server/routes/described_test_support.h"
+#include "server/routes/route_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
 
@@ -37,9 +37,9 @@ std::string test_of_axis(double share, int seed, std::string_view axis = "X") {
   return text;
 }
 
-class CompensationRoutes : public testing::Test {
+class CompensationRoutes : public RouteTest {
  protected:
-  CompensationRoutes() {
+  CompensationRoutes() : RouteTest("/api") {
     auto& captures = *reinterpret_cast<app::CaptureService*>(&workbench);  // these have nothing to do with captures
     add_compensation_routes(router, {archive.store(), workbench, captures});
   }
@@ -51,41 +51,24 @@ class CompensationRoutes : public testing::Test {
     return received ? received->tests.front().id : 0;
   }
 
-  Response send(std::string method, std::string path, std::string body = {}, Pairs query = {},
-                std::string type = "application/json") {
-    Request request;
-    request.method = std::move(method);
-    request.path = "/api" + std::move(path);
-    request.query = std::move(query);
-    if (!body.empty()) request.headers = {{"content-type", std::move(type)}};
-    request.body = std::move(body);
-    request.actor = "A. Tester";
-    return router.answer(request);
+  Response send(std::string method, std::string_view path, std::string body = {}, Pairs query = {}) const {
+    return ask(std::move(method), path, std::move(body), std::move(query), json_type, language_);
   }
 
-  Response send_form(std::string path, const Pairs& texts, const Pairs& files = {}, Pairs query = {}) {
-    std::string body;
-    for (const auto& [name, bytes] : files)
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{0}\"; filename=\"{0}.comp\"\r\n\r\n{1}\r\n",
-                          name, bytes);
-    for (const auto& [name, text] : texts)
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{}\"\r\n\r\n{}\r\n", name, text);
-    return send("POST", std::move(path), body + "--b--\r\n", std::move(query), "multipart/form-data; boundary=b");
+  Response send_form(std::string_view path, const Pairs& texts, const Pairs& files = {}) const {
+    return ask("POST", path, form_of(files, texts, ".comp"), {}, form_type, language_);
   }
 
-  static Value value_of(const Response& response, int status = 200) {
-    EXPECT_EQ(response.status, status) << response.body;
-    auto value = json::parse(response.body);
-    EXPECT_TRUE(value) << response.body;
-    return value ? *value : Value::object();
-  }
-  static std::string refusal(const Response& response, int status = 422) {
-    return value_of(response, status).find("error")->find("message")->text();
-  }
   static std::vector<std::string> findings_of(const Value& kept) {
     std::vector<std::string> ids;
     for (const Value& finding : kept.find("result")->find("findings")->items())
       ids.push_back(finding.find("id")->text());
+    return ids;
+  }
+  /// Those that are of record.
+  static std::vector<std::string> counting(const Value& kept) {
+    std::vector<std::string> ids;
+    for (const Value& finding : kept.find("findings")->items()) ids.push_back(finding.find("id")->text());
     return ids;
   }
   static std::optional<double> figure(const Value& kept, std::string_view parameter, std::string_view state) {
@@ -101,6 +84,21 @@ class CompensationRoutes : public testing::Test {
         201);
   }
 
+  Value link(store::Id retest, int base_version) {
+    return value_of(send("POST", "/compensations/1/versions",
+                         fmt::format(R"({{"base_version": {}, "retest": {}}})", base_version, retest)),
+                    201);
+  }
+
+  void revise_test(store::Id id, int base_version, std::string title, app::Changes changes) {
+    app::Revision revision;
+    revision.base_version = base_version;
+    revision.title = std::move(title);
+    revision.draft.changes = std::move(changes);
+    const auto revised = workbench.revise(id, revision, {"A. Tester", ""});
+    ASSERT_TRUE(revised) << revised.error().to_string();
+  }
+
   std::vector<double> listed(Pairs query = {}) {
     const Value list = value_of(send("GET", "/compensations", {}, std::move(query)));
     std::vector<double> ids;
@@ -110,7 +108,7 @@ class CompensationRoutes : public testing::Test {
 
   testing_support::Archive archive;
   app::Workbench workbench{archive.store()};
-  DescribedRouter router;
+  language::Language language_ = language::Language::english;
 };
 
 TEST_F(CompensationRoutes, list_controls_with_what_they_use) {
@@ -118,8 +116,13 @@ TEST_F(CompensationRoutes, list_controls_with_what_they_use) {
   const auto named = [&](std::string_view id) {
     return std::ranges::find_if(controls.items(), [&](const Value& c) { return c.find("id")->text() == id; });
   };
-  EXPECT_THAT(named("linuxcnc")->find("options")->items(), IsEmpty());
+  EXPECT_EQ(json::dump(*named("linuxcnc")->find("options"), 0), R"(["inch"])");
   EXPECT_EQ(named("fanuc")->find("options")->items().size(), 4u);
+  EXPECT_TRUE(named("fanuc")->find("read_step")->boolean());
+  EXPECT_FALSE(named("fanuc-bidirectional")->find("read_step")->boolean());
+  EXPECT_FALSE(named("linuxcnc")->find("read_step")->boolean());
+  EXPECT_TRUE(named("siemens-cec")->find("cross")->boolean());
+  EXPECT_FALSE(named("linuxcnc")->find("cross")->boolean());
   EXPECT_EQ(named("haas")->find("limits")->find("step")->number(), 12.7);
 }
 
@@ -277,6 +280,87 @@ TEST_F(CompensationRoutes, doubt_a_retest_that_is_older_than_the_table) {
       send("POST", "/compensations/1/versions", fmt::format(R"({{"base_version": 1, "retest": {}}})", early)), 201);
   EXPECT_THAT(findings_of(told), testing::Contains("retest-before-test"));
   EXPECT_GE(told.find("serious")->number(), 1);
+}
+
+TEST_F(CompensationRoutes, count_nothing_of_a_retest_that_was_withdrawn) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  const store::Id doubled = receive(test_of_axis(2.0, 2), "doubled.csv");
+  keep(1);
+  const Value told = link(doubled, 1);
+  EXPECT_THAT(counting(told), testing::Contains("retest-sign"));
+  EXPECT_TRUE(figure(told, "E", "retest"));
+  ASSERT_TRUE(archive.store().withdraw(doubled, true, {"A. Tester", "wrong machine"}));
+  const Value now = value_of(send("GET", "/compensations/1"));
+  EXPECT_THAT(counting(now), ElementsAre("retest-withdrawn"));
+  EXPECT_EQ(now.find("serious")->number(), 1) << "the sign mistake was concluded from what does not count";
+  EXPECT_FALSE(figure(now, "E", "retest"));
+  EXPECT_TRUE(now.find("retest")->find("withdrawn")->boolean());
+  EXPECT_THAT(findings_of(now), testing::Contains("retest-sign")) << "what was kept stays";
+  const Value list = value_of(send("GET", "/compensations"));
+  EXPECT_EQ(list.find("compensations")->items()[0].find("serious")->number(), 1);
+  const std::string report = send("GET", "/compensations/1/report.html").body;
+  EXPECT_THAT(report, HasSubstr("is withdrawn"));
+  EXPECT_THAT(report, testing::Not(HasSubstr("sign mistake")));
+  EXPECT_THAT(report, HasSubstr("A prediction, not a measurement"));
+  ASSERT_TRUE(archive.store().withdraw(doubled, false, {"A. Tester", "it was this one"}));
+  EXPECT_EQ(json::dump(value_of(send("GET", "/compensations/1"))), json::dump(told)) << "reinstated it counts again";
+}
+
+TEST_F(CompensationRoutes, count_nothing_of_a_retest_that_was_revised) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  const store::Id good = receive(test_of_axis(0.0, 2), "good.csv");
+  keep(1);
+  link(good, 1);
+  revise_test(good, 1, "another name", {});
+  const Value renamed = value_of(send("GET", "/compensations/1"));
+  EXPECT_THAT(counting(renamed), ElementsAre("retest-as-predicted")) << "a name changes no reading";
+  EXPECT_EQ(renamed.find("retest")->find("latest")->number(), 2);
+  EXPECT_FALSE(renamed.find("retest")->find("revised")->boolean());
+  revise_test(good, 2, "", {{"tolerance.A", "20"}});
+  const Value revised = value_of(send("GET", "/compensations/1"));
+  EXPECT_THAT(counting(revised), ElementsAre("retest-revised"));
+  EXPECT_FALSE(figure(revised, "E", "retest"));
+  EXPECT_THAT(counting(link(good, 2)), ElementsAre("retest-as-predicted")) << "linked again it counts";
+}
+
+TEST_F(CompensationRoutes, doubt_a_table_whose_test_was_withdrawn_or_revised) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  EXPECT_EQ(keep(1).find("serious")->number(), 0);
+  revise_test(1, 1, "", {{"tolerance.A", "20"}});
+  EXPECT_THAT(counting(value_of(send("GET", "/compensations/1"))), ElementsAre("test-revised"));
+  ASSERT_TRUE(archive.store().withdraw(1, true, {"A. Tester", ""}));
+  const Value now = value_of(send("GET", "/compensations/1"));
+  EXPECT_THAT(counting(now), ElementsAre("test-withdrawn", "test-revised"));
+  EXPECT_EQ(now.find("serious")->number(), 2);
+  language_ = language::Language::german;
+  const Value said = value_of(send("GET", "/compensations/1"));
+  for (const Value& finding : said.find("findings")->items())
+    EXPECT_THAT(finding.find("message")->text(), HasSubstr("Prüfung 1"));
+}
+
+TEST_F(CompensationRoutes, refuse_to_revise_what_is_withdrawn) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  const store::Id good = receive(test_of_axis(0.0, 2), "good.csv");
+  keep(1);
+  EXPECT_EQ(send("POST", "/compensations/1/withdraw", "{}").status, 200);
+  for (const std::string& change : {fmt::format(R"("retest": {})", good), std::string(R"("notes": "x")")})
+    EXPECT_THAT(
+        refusal(send("POST", "/compensations/1/versions", fmt::format(R"({{"base_version": 2, {}}})", change)), 409),
+        HasSubstr("reinstate it first"));
+  EXPECT_EQ(send("POST", "/compensations/1/reinstate", "{}").status, 200);
+  EXPECT_THAT(counting(link(good, 3)), ElementsAre("retest-as-predicted"));
+}
+
+TEST_F(CompensationRoutes, print_their_notes_as_they_were_written) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  keep(1);
+  const std::string notes = R"({"base_version": 1, "notes": "table & sign\n<second> line"})";
+  EXPECT_EQ(send("POST", "/compensations/1/versions", notes).status, 201);
+  const std::string report = send("GET", "/compensations/1/report.html").body;
+  EXPECT_THAT(report, HasSubstr("Notes</h2>"));
+  EXPECT_THAT(report, HasSubstr("table &amp; sign"));
+  EXPECT_THAT(report, HasSubstr("&lt;second&gt; line"));
+  EXPECT_THAT(send("GET", "/compensations/1/report.html", {}, {{"version", "1"}}).body, HasSubstr("new screw"));
 }
 
 TEST_F(CompensationRoutes, withdraw_and_reinstate) {

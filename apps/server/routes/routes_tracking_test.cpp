@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "axiometry/base/vector3.h"
-#include "server/routes/described_test_support.h"
+#include "server/routes/route_test_support.h"
 #include "server/routes/routes.h"
 
 namespace axiometry::server {
@@ -23,49 +23,25 @@ constexpr const char* request = R"({"setup": {"travel": {"lowest_mm": [0, 0, -50
   "tool_offset_mm": [0, 0, -120], "station": {"position_mm": [100, 80, -600]}}, "turn_reflector": true, "runs": 2,
   "seed": 7, "machine": "Mill", "date": "2026-11-25"})";
 
-class TrackingRoutes : public testing::Test {
+class TrackingRoutes : public RouteTest {
  protected:
-  TrackingRoutes() { add_tracking_routes(router); }
+  TrackingRoutes() : RouteTest("/api/tracking/") { add_tracking_routes(router); }
 
-  Response send(std::string path, std::string body, Pairs query = {}, std::string type = "application/json",
+  Response send(std::string_view path, std::string body, Pairs query = {}, std::string type = json_type,
                 language::Language language = language::Language::english) const {
-    Request asked;
-    asked.method = "POST";
-    asked.path = "/api/tracking/" + std::move(path);
-    asked.query = std::move(query);
-    asked.body = std::move(body);
-    asked.headers = {{"content-type", std::move(type)}};
-    asked.language = language;
-    return router.answer(asked);
-  }
-
-  static Value value_of(const Response& response, int status = 200) {
-    EXPECT_EQ(response.status, status) << response.body;
-    auto value = json::parse(response.body);
-    EXPECT_TRUE(value) << response.body;
-    return value ? *value : Value::object();
-  }
-  static std::string refusal(const Response& response) {
-    return value_of(response, 422).find("error")->find("message")->text();
+    return ask("POST", path, std::move(body), std::move(query), std::move(type), language);
   }
 
   Value draft(const std::string& of = request) const { return value_of(send("lines", "{\"request\": " + of + "}")); }
 
   /// A form with those files and options.
   static std::string form(const Pairs& files, const std::string& options = "") {
-    std::string body;
-    for (const auto& [name, bytes] : files)
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{0}\"; filename=\"{0}.x\"\r\n\r\n{1}\r\n",
-                          name, bytes);
-    if (!options.empty())
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"options\"\r\n\r\n{}\r\n", options);
-    return body + "--b--\r\n";
+    return form_of(files, options.empty() ? Pairs() : Pairs{{"options", options}});
   }
-  Response send_form(std::string path, const Pairs& files, const std::string& options = "", Pairs query = {}) const {
-    return send(std::move(path), form(files, options), std::move(query), "multipart/form-data; boundary=b");
+  Response send_form(std::string_view path, const Pairs& files, const std::string& options = "",
+                     Pairs query = {}) const {
+    return send(path, form(files, options), std::move(query), form_type);
   }
-
-  DescribedRouter router;
 };
 
 Vector3 vector_of(const Value& value) {

@@ -13,6 +13,7 @@
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/volumetric/field_difference.h"
 #include "axiometry/app/volumetric/identify_options.h"
+#include "axiometry/app/volumetric/volume_compensation_request.h"
 #include "axiometry/app/volumetric/volumetric_request.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/app/workbench/workbench_values.h"
@@ -169,6 +170,15 @@ Result<Response> table(const Request& request) {
   return made_text_response(std::move(text), to_keep, wish.table + ".csv");
 }
 
+Result<Response> volume_table(const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(const app::VolumeCompensationRequest wish, app::volume_compensation_request_from(body));
+  AXIOMETRY_TRY(const volumetric::ErrorModel model, app::given_model(body));
+  AXIOMETRY_TRY(const app::VolumeCompensation made, app::compensate_volume(model, wish));
+  return json_response(app::volume_compensation_value(made, reader));
+}
+
 }  // namespace
 
 void add_volumetric_routes(Router& router) {
@@ -187,6 +197,7 @@ void add_volumetric_routes(Router& router) {
   add("/api/volumetric/difference", difference, volume_models_bytes_max);
   add("/api/volumetric/prediction", prediction, volume_model_bytes_max);
   add("/api/volumetric/table", table, volume_model_bytes_max);
+  add("/api/volumetric/compensation", volume_table, volume_model_bytes_max);
 }
 
 }  // namespace axiometry::server

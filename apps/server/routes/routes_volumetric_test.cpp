@@ -6,11 +6,12 @@
 
 #include <string>
 
+#include "axiometry/app/compensate/compensate.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
 #include "axiometry/volumetric/plan/calibration_plan.h"
 #include "axiometry/volumetric/simulate/simulated_lengths.h"
-#include "server/routes/described_test_support.h"
+#include "server/routes/route_test_support.h"
 #include "server/routes/routes.h"
 
 namespace axiometry::server {
@@ -26,30 +27,13 @@ constexpr const char* machine_json = R"({"name": "Mill", "chain": "XFYZ",
   "stations_mm": {"S1": [-100, -50, -700], "S2": [900, -50, -800], "S3": [900, 600, -700], "S4": [-100, 600, -850]},
   "repeatability_um": 0.5})";
 
-class VolumetricRoutes : public testing::Test {
+class VolumetricRoutes : public RouteTest {
  protected:
-  VolumetricRoutes() { add_volumetric_routes(router); }
+  VolumetricRoutes() : RouteTest("/api/volumetric/") { add_volumetric_routes(router); }
 
-  Response send(std::string path, std::string body, Pairs query = {}, std::string type = "application/json",
+  Response send(std::string_view path, std::string body, Pairs query = {}, std::string type = json_type,
                 language::Language language = language::Language::english) const {
-    Request asked;
-    asked.method = "POST";
-    asked.path = "/api/volumetric/" + std::move(path);
-    asked.query = std::move(query);
-    asked.body = std::move(body);
-    asked.headers = {{"content-type", std::move(type)}};
-    asked.language = language;
-    return router.answer(asked);
-  }
-
-  static Value value_of(const Response& response, int status = 200) {
-    EXPECT_EQ(response.status, status) << response.body.substr(0, 500);
-    auto value = json::parse(response.body);
-    EXPECT_TRUE(value) << response.body.substr(0, 500);
-    return value ? *value : Value::object();
-  }
-  static std::string refusal(const Response& response) {
-    return value_of(response, 422).find("error")->find("message")->text();
+    return ask("POST", path, std::move(body), std::move(query), std::move(type), language);
   }
 
   static std::string wish(const std::string& machine, const std::string& more) {
@@ -68,14 +52,8 @@ class VolumetricRoutes : public testing::Test {
     return formats::write_volumetric_lengths(simulated->lengths);
   }
 
-  Response send_form(std::string path, const Pairs& files, const std::string& options = "") const {
-    std::string body;
-    for (const auto& [name, bytes] : files)
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"{0}\"; filename=\"{0}.x\"\r\n\r\n{1}\r\n",
-                          name, bytes);
-    if (!options.empty())
-      body += fmt::format("--b\r\nContent-Disposition: form-data; name=\"options\"\r\n\r\n{}\r\n", options);
-    return send(std::move(path), body + "--b--\r\n", {}, "multipart/form-data; boundary=b");
+  Response send_form(std::string_view path, const Pairs& files, const std::string& options = "") const {
+    return send(path, form_of(files, options.empty() ? Pairs() : Pairs{{"options", options}}), {}, form_type);
   }
   Value result(std::uint64_t seed) const {
     return value_of(send_form("identification", {{"lengths", lengths_of(draft(), seed)}, {"machine", machine_json}}));
@@ -83,8 +61,6 @@ class VolumetricRoutes : public testing::Test {
   static std::string of_model(const Value& result, const std::string& more = "") {
     return fmt::format(R"({{"model": {}{}}})", json::dump(*result.find("model")), more);
   }
-
-  DescribedRouter router;
 };
 
 TEST_F(VolumetricRoutes, plan_what_is_asked_for_and_say_what_it_will_tell) {
@@ -227,6 +203,47 @@ TEST_F(VolumetricRoutes, show_a_result_file_in_the_readers_language_and_refuse_o
     EXPECT_THAT(finding.find("message")->text(), testing::Not(HasSubstr(" the ")));
   EXPECT_THAT(refusal(send("result", R"({"result": {"errors": {}}})")), HasSubstr("EXX"));
   EXPECT_THAT(refusal(send("result", R"({"result": 3})")), HasSubstr("errors"));
+}
+
+TEST_F(VolumetricRoutes, make_the_table_of_an_axis_and_what_remains) {
+  const Value found = result(7);
+  const auto asked = [&](const std::string& more, language::Language language = language::Language::english) {
+    return send("compensation", of_model(found, more), {}, "application/json", language);
+  };
+  const Value made = value_of(asked(R"(, "along": "X", "tool": "T1", "options": {"control": "linuxcnc"})"));
+  EXPECT_EQ(made.find("file_name")->text(), "X-linuxcnc.comp");
+  const Value& told = *made.find("result");
+  EXPECT_LT(told.find("line_range")->find("after")->number(), 0.5 * told.find("line_range")->find("before")->number());
+  EXPECT_EQ(told.find("errors")->text(), "EXX");
+  const auto read = (*nc::axis_table_named("linuxcnc"))->read(made.find("table")->text(), {});
+  ASSERT_TRUE(read) << read.error().to_string();
+  EXPECT_EQ(json::dump(app::nodes_to_json(*read)), json::dump(*told.find("table"))) << "the file is what is told of it";
+
+  const std::string cross = R"(, "along": "Y", "component": "X", "tool": "T1", "output_axis": "AX1",
+    "options": {"control": "siemens-cec", "axis": "AX2", "number": 4})";
+  const Value moved = value_of(asked(cross, language::Language::german));
+  EXPECT_EQ(moved.find("file_name")->text(), "AX1-by-AX2-siemens-cec.ini");
+  EXPECT_EQ(moved.find("result")->find("errors")->text(), "EXY, C0Y");
+  EXPECT_EQ(moved.find("result")->find("output_axis")->text(), "AX1");
+  EXPECT_THAT(moved.find("result")->find("sign")->text(), testing::Not(HasSubstr("positive number")));
+}
+
+TEST_F(VolumetricRoutes, refuse_tables_that_nobody_may_load) {
+  const Value found = result(7);
+  const auto refused = [&](const std::string& more) { return refusal(send("compensation", of_model(found, more))); };
+  const std::string linuxcnc = R"("options": {"control": "linuxcnc"})";
+  EXPECT_THAT(refused(R"(, "along": "Y", "component": "X", "tool": "T1", )" + linuxcnc), HasSubstr("takes no other"));
+  EXPECT_THAT(refused(R"(, "along": "A", "tool": "T1", )" + linuxcnc), HasSubstr("expected one of X, Y, Z"));
+  EXPECT_THAT(refused(R"(, "tool": "T1", )" + linuxcnc), HasSubstr("along"));
+  EXPECT_THAT(refused(R"(, "along": "X", "tool": "T1")"), HasSubstr("options"));
+  EXPECT_THAT(refused(R"(, "along": "X", )" + linuxcnc), HasSubstr("found no tool, expected one of T1, T2, T3"));
+  EXPECT_THAT(refused(R"(, "along": "X", "tool": "T1", "way": 1, )" + linuxcnc), HasSubstr("way"));
+  EXPECT_THAT(refused(R"(, "along": "X", "tool": "T1", "output_axis": "Y", )" + linuxcnc), HasSubstr("no use for it"));
+  EXPECT_THAT(refused(R"(, "along": "X", "tool": "T1", "options": {"control": "marlin", "inch": true})"),
+              HasSubstr("no use for it"));
+  EXPECT_THAT(refused(R"(, "along": "X", "tool": "T1", "options": {"control": "linuxcnc", "start": -50, "end": 400,
+                      "step": 10})"),
+              HasSubstr("found"));
 }
 
 }  // namespace

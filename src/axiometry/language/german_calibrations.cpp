@@ -24,6 +24,8 @@ constexpr Phrase rows[] = {
     {"found calibration {0#} in the lists already, expected it not to be",
      "Kalibrierung {0} steht schon in den Listen"},
     {"found calibration {0#} withdrawn already, expected it not to be", "Kalibrierung {0} ist schon zurückgezogen"},
+    {"found calibration {0#} withdrawn, expected one that is not: reinstate it first",
+     "Kalibrierung {0} ist zurückgezogen; erwartet: eine, die es nicht ist; erst wieder aufnehmen"},
     {"found calibrations of the kinds {0=} and {1=}, expected two of the same",
      "Kalibrierungen der Arten {0} und {1}; erwartet: zwei derselben Art"},
     {"found measured_on = {0=}, expected a date such as 2026-01-31",

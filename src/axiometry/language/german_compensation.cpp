@@ -32,6 +32,7 @@ constexpr Phrase rows[] = {
      "control.",
      "Mittlere Abweichungen jedes Ziels und jeder Richtung, wie sie gemessen wurden, und wie sie mit der Tabelle in "
      "der Steuerung wären."},
+    {"Notes", "Bemerkungen"},
     {"Predicted / {0=}", "Vorhergesagt / {0}"},
     {"Predicted: the same readings with the table in the control, as it interpolates and rounds. The table was made "
      "from these readings; what scatter did to their means it corrects too, and a re-test will show that part again.",
@@ -133,6 +134,8 @@ constexpr Phrase rows[] = {
     {"found compensation {0#} in the lists already, expected it not to be",
      "Kompensation {0} steht schon in den Listen"},
     {"found compensation {0#} withdrawn already, expected it not to be", "Kompensation {0} ist schon zurückgezogen"},
+    {"found compensation {0#} withdrawn, expected one that is not: reinstate it first",
+     "Kompensation {0} ist zurückgezogen; erwartet: eine, die es nicht ist; erst wieder aufnehmen"},
     {"found deviations that grow by {0#} of the travel, expected less than {1#}: {2}",
      "Abweichungen, die um {0} des Verfahrwegs wachsen; erwartet: weniger als {1}: {2}"},
     {"found deviations {0#} that differ by {1#} a whole turn apart, where the axis stands at the same place: drift, "
@@ -259,6 +262,8 @@ constexpr Phrase rows[] = {
     {"smooth: {0}", "smooth: {0}"},
     {"table so far ↑", "bisherige Tabelle ↑"},
     {"table so far ↓", "bisherige Tabelle ↓"},
+    {"test {0#}, of which the table was made, is withdrawn: the table should not be used",
+     "Prüfung {0}, aus der die Tabelle entstand, ist zurückgezogen: Die Tabelle sollte nicht verwendet werden"},
     {"the displacements on the line differ by {0#}, and each is known to ±{1#} (k = 2): the table is mostly what the "
      "lengths "
      "do not tell",
@@ -311,6 +316,13 @@ constexpr Phrase rows[] = {
      "set-up or the table is not what it was taken for",
      "die Nachprüfung zeigt {0} von {1} {2}, wo 95 % der Nachprüfungen weniger als {3} {4} zeigen würden: Die Achse, "
      "der Aufbau oder die Tabelle ist nicht, wofür sie gehalten wurde"},
+    {"the re-test was linked in version {0#} of test {1#}, and its latest version {2#} differs in metadata, options or "
+     "axis: what was found with it does not count until it is linked again",
+     "die Nachprüfung ist in Version {0} der Prüfung {1} verknüpft, deren neueste Version {2} sich in Metadaten, "
+     "Optionen oder Achse unterscheidet: Was mit ihr gefunden wurde, zählt nicht, bis sie neu verknüpft ist"},
+    {"the re-test, test {0#}, is withdrawn: what was found with it does not count, and the table is not proved",
+     "die Nachprüfung, Prüfung {0}, ist zurückgezogen: Was mit ihr gefunden wurde, zählt nicht, und die Tabelle ist "
+     "nicht bewiesen"},
     {"the reversal is corrected twice, the re-test shows {0#} of it: is a backlash of the control active beside the "
      "table?",
      "die Umkehrspanne wird zweimal korrigiert, die Nachprüfung zeigt {0} davon: Wirkt ein Umkehrspiel der Steuerung "
@@ -344,6 +356,10 @@ constexpr Phrase rows[] = {
      "one corrected is given up",
      "die Tabelle, die wirkte, geht von {0} bis {1}, die neue von {2} bis {3}: Jenseits ihrer Enden ist aufgegeben, "
      "was die alte korrigierte"},
+    {"the table was made of version {0#} of test {1#}, and its latest version {2#} differs in metadata, options or "
+     "axis: make the table of that one",
+     "die Tabelle entstand aus Version {0} der Prüfung {1}, deren neueste Version {2} sich in Metadaten, Optionen oder "
+     "Achse unterscheidet: die Tabelle aus dieser erzeugen"},
     {"the table's two directions are exchanged: the re-test shows {0#} of its reversal",
      "die beiden Richtungen der Tabelle sind vertauscht: Die Nachprüfung zeigt {0} ihrer Umkehrspanne"},
     {"the targets are in inches and the readings in mm", "die Zielpositionen sind in Zoll und die Messwerte in mm"},

@@ -88,8 +88,6 @@ constexpr Phrase rows[] = {
     {"found inches, expected mm, the one unit of the file that is known",
      "Zoll; erwartet: mm, die einzige bekannte Einheit der Datei"},
     {"found inches, expected mm, the unit of 3624 that is known", "Zoll; erwartet: mm, die bekannte Einheit von 3624"},
-    {"found inches, expected mm: a factor has no unit, and the range stands in mm",
-     "Zoll; erwartet: mm, denn ein Faktor hat keine Einheit, und der Bereich steht in mm"},
     {"found kw.ssfk.{0=}, expected interval, kw_startpos, kw_nr_max, unit, bilateral, modulo or table",
      "kw.ssfk.{0}; erwartet: interval, kw_startpos, kw_nr_max, unit, bilateral, modulo oder table"},
     {"found more than a turn, expected parameter 3625 with a table that turns",

@@ -25,7 +25,8 @@ constexpr std::array named_options = {
     NamedTableOption{"output_axis", &AxisTableUses::output_axis,
                      [](const AxisTableOptions& o) { return !o.output_axis.empty() && o.output_axis != o.axis; }},
     NamedTableOption{"turned_sign", &AxisTableUses::turned_sign,
-                     [](const AxisTableOptions& o) { return o.turned_sign; }}};
+                     [](const AxisTableOptions& o) { return o.turned_sign; }},
+    NamedTableOption{"inch", &AxisTableUses::inch, [](const AxisTableOptions& o) { return o.in_inch; }}};
 
 /// The same with the other sign.
 Result<AxisCorrection> turned(const AxisCorrection& correction) {

@@ -59,6 +59,8 @@ struct AxisTableUses {
   bool steps_per_unit = false;
   bool output_axis = false;
   bool turned_sign = false;  ///< its sign was inferred and may be the other one
+  bool inch = true;        ///< it may count in inches; else in the one unit that its format has
+  bool told_step = false;  ///< of a table that is read: its spacing may be a parameter of the control alone
 };
 
 struct AxisTable {

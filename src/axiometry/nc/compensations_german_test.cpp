@@ -224,7 +224,8 @@ TEST(GermanControls, RefuseWhatTheyCannotHoldInGerman) {
         if (const auto text = table->write(correction, options); !text) refusals.expect_german(text.error());
       }
     for (const NamedTableOption& option : named_table_options()) {
-      const AxisTableOptions given{.number = 1, .resolution = 2, .magnification = 2, .largest = 2, .steps_per_unit = 2};
+      const AxisTableOptions given{
+          .in_inch = true, .number = 1, .resolution = 2, .magnification = 2, .largest = 2, .steps_per_unit = 2};
       if (table->uses.*option.used) continue;
       const auto used = check_used(*table, given);
       ASSERT_FALSE(used);

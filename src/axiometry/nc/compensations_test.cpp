@@ -145,9 +145,14 @@ TEST(Compensations, InchesAreThoseOfTheControl) {
     const auto text = table.write(correction, options);
     if (table.limits.points == 2 || table.id == "axeserr" || table.id.starts_with("fanuc")) {
       EXPECT_FALSE(text) << "counts in mm alone";
+    }
+    if (!table.uses.inch) {
+      EXPECT_FALSE(check_used(table, options));
+      EXPECT_TRUE(!text || *text == in_mm);
       return;
     }
     ASSERT_TRUE(text) << text.error().message;
+    EXPECT_NE(*text, in_mm);
     const auto found = table.read(*text, options);
     ASSERT_TRUE(found) << found.error().to_string() << '\n' << *text;
     expect_near(*found, correction, rounding_of(table, options), table.id == "fagor" ? 2e-4 : 1e-5);
@@ -424,6 +429,27 @@ TEST(AxisTables, DependOnTheOptionsThatTheySay) {
     EXPECT_EQ(made_with(table, correction, largest) != before, table.uses.largest);
     EXPECT_EQ(made_with(table, correction, steps) != before, table.uses.steps_per_unit);
     EXPECT_EQ(made_with(table, correction, output) != before, table.uses.output_axis);
+  });
+}
+
+TEST(AxisTables, TakeASpacingThatTheyAreToldOnlyWhereTheFileMayLackIt) {
+  for_all([](const AxisTable& table, AxisTableOptions options, const AxisCorrection& correction) {
+    std::string text = table_text_of(table, correction, options);
+    // The points of a Fanuc alone, without parameters; a turn cannot be known without them, nor two directions.
+    if (table.id.starts_with("fanuc")) text.erase(text.rfind("%") + 2);
+    const double spacing = correction.positions()[1] - correction.positions()[0];
+    EXPECT_EQ(static_cast<bool>(table.read(text, options)), !table.id.starts_with("fanuc"));
+    options.step = spacing;
+    const auto told = table.read(text, options);
+    if (table.id == "fanuc-bidirectional" || (table.id == "fanuc" && options.kind == AxisKind::rotary)) {
+      EXPECT_FALSE(told);
+      return;
+    }
+    ASSERT_TRUE(told) << told.error().to_string();
+    EXPECT_EQ(table.uses.told_step, table.id == "fanuc");
+    if (table.uses.told_step) {
+      EXPECT_DOUBLE_EQ(told->positions()[1] - told->positions()[0], spacing);
+    }
   });
 }
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 #include <span>
-#include <string>
+#include <string_view>
 
 #include "axiometry/model/axis_correction.h"
 #include "axiometry/model/named_finding.h"
@@ -32,6 +32,7 @@ struct CompensationSubject {
   const iso230_2::AxisParameters& scatter;   ///< what no table removes
   std::span<const NamedFinding> findings;
   double smoothing = 0.0;
+  std::string_view notes{};  ///< of who made it, in lines; may be none
 };
 
 /// Before, predicted and re-test as parameters and curves over each other, the table, what no table removes, how the

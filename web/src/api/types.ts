@@ -901,7 +901,11 @@ export interface components {
             extension: string;
             limits: components["schemas"]["CompensationLimits"];
             /** @description Those that the control has a use for; others are refused. */
-            options: ("number" | "resolution" | "magnification" | "largest" | "steps_per_unit" | "turned_sign")[];
+            options: ("number" | "resolution" | "magnification" | "largest" | "steps_per_unit" | "turned_sign" | "inch")[];
+            /** @description Whether the spacing of its tables may be a parameter of the control alone: `step` of a table that is read. */
+            read_step: boolean;
+            /** @description Whether it has tables by which the position of one axis moves another: `/api/volumetric/compensation`. */
+            cross: boolean;
             /** @description What a positive number in the file does. */
             sign: string;
             /** @description How the table gets into the control. */
@@ -1084,6 +1088,12 @@ export interface components {
             version: number;
             title: string;
             measured_on: string;
+            /** @description The latest version of the test. */
+            latest: number;
+            /** @description Now. */
+            withdrawn: boolean;
+            /** @description The latest version differs from the one that was used in metadata, options or axis. */
+            revised: boolean;
         };
         CompensationHead: {
             id: components["schemas"]["Id"];
@@ -1103,8 +1113,9 @@ export interface components {
             unit: components["schemas"]["Unit"];
             notes: string;
             withdrawn: boolean;
-            /** @description Findings after which the table should not be used as it is. */
+            /** @description Findings after which the table should not be used as it is: those that count, and what became of its tests since. */
             serious: number;
+            /** @description Without those of a re-test that was withdrawn or revised since: they no longer count. */
             figures: components["schemas"]["CompensationFigure"][];
         };
         /** @description The newest first, at most 1000. */
@@ -1129,14 +1140,17 @@ export interface components {
             unit: components["schemas"]["Unit"];
             notes: string;
             withdrawn: boolean;
-            /** @description Findings after which the table should not be used as it is. */
+            /** @description Findings after which the table should not be used as it is: those that count, and what became of its tests since. */
             serious: number;
+            /** @description Without those of a re-test that was withdrawn or revised since: they no longer count. */
             figures: components["schemas"]["CompensationFigure"][];
             change: components["schemas"]["Change"];
             /** @description Which made it. */
             program: string;
             options: components["schemas"]["CompensationOptions"];
             result: components["schemas"]["CompensationResult"];
+            /** @description What became of its tests since (test-withdrawn, test-revised, retest-withdrawn, retest-revised), then those of the result that still count: none of a re-test that no longer does. */
+            findings: components["schemas"]["VolumetricFinding"][];
             /** @description The file for the control. */
             table: string;
             /** @description The table that was active while the test was measured. */
@@ -1189,6 +1203,8 @@ export interface components {
             }[];
             /** @description Which evaluated it. */
             program: string;
+            /** @description Only in the answer that it was kept: the others of exactly these files, withdrawn ones too. */
+            same_files?: components["schemas"]["Id"][];
             /** @description As they were asked. */
             options: Record<string, never>;
             versions: {
@@ -3111,6 +3127,58 @@ export interface components {
             tool?: string;
             nodes?: number;
         };
+        VolumetricCompensationRequest: {
+            model: components["schemas"]["VolumetricModel"];
+            /**
+             * @description The axis at whose positions the table stands.
+             * @enum {unknown}
+             */
+            along: "X" | "Y" | "Z";
+            /**
+             * @description The direction in which the tool point is moved; left out: `along`.
+             * @enum {unknown}
+             */
+            component?: "X" | "Y" | "Z";
+            /** @description May be left out where the machine has one. */
+            tool?: string;
+            /** @description Of a cross table: the axis that is moved, as the control names it; left out: `component`. */
+            output_axis?: string;
+            options: components["schemas"]["CompensationOptions"];
+        };
+        /** @description Of the error of the tool point over the volume, µm. */
+        VolumetricTableSizes: {
+            largest: number;
+            percent_95: number;
+            mean: number;
+        };
+        VolumetricCompensation: {
+            file_name: string;
+            /** @description The file for the control. */
+            table: string;
+            result: {
+                control: string;
+                /** @description As the control names it. */
+                axis: string;
+                /** @description That is moved. */
+                output_axis: string;
+                /** @description `EXY, C0Y` */
+                errors: string;
+                unit: components["schemas"]["Unit"];
+                sign: string;
+                table: components["schemas"]["CompensationNode"][];
+                /** @description Range of the displacements on the line through the middle, µm; u: the largest standard uncertainty of one. */
+                line_range: {
+                    before: number;
+                    after: number;
+                    u: number;
+                };
+                volume: {
+                    before: components["schemas"]["VolumetricTableSizes"];
+                    after: components["schemas"]["VolumetricTableSizes"];
+                };
+                findings: components["schemas"]["VolumetricFinding"][];
+            };
+        };
     };
     responses: never;
     parameters: never;
@@ -3317,3 +3385,6 @@ export type VolumetricResultGiven = components['schemas']['VolumetricResultGiven
 export type VolumetricSquareness = components['schemas']['VolumetricSquareness'];
 export type VolumetricSubject = components['schemas']['VolumetricSubject'];
 export type VolumetricTableRequest = components['schemas']['VolumetricTableRequest'];
+export type VolumetricCompensationRequest = components['schemas']['VolumetricCompensationRequest'];
+export type VolumetricTableSizes = components['schemas']['VolumetricTableSizes'];
+export type VolumetricCompensation = components['schemas']['VolumetricCompensation'];

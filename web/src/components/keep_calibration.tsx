@@ -20,6 +20,7 @@ const t = texts({
   close: ['Close', 'Schließen'],
   do_keep: ['Keep', 'Behalten'],
   kept: ['Kept as calibration {id}', 'Behalten als Kalibrierung {id}'],
+  same: ['the same files as calibration {list}', 'dieselben Dateien wie Kalibrierung {list}'],
 });
 
 /** Files under what they are for: of lines lengths, plan and perhaps station; of the 21 errors lengths and machine. */
@@ -44,17 +45,20 @@ async function keep(sent: SentCalibration, words: CalibrationWords): Promise<Kep
 /** A button; once it is kept, the way to it. `sent` is what was evaluated, so that a change of it is another one. */
 export function KeepCalibration({ sent }: { sent: SentCalibration }) {
   const [open, set_open] = useState(false);
-  const [kept, set_kept] = useState<{ sent: SentCalibration; id: number } | null>(null);
-  if (kept?.sent === sent) return <a class="button" href={`/calibrations/${kept.id}`}>{t('kept', { id: kept.id })}</a>;
+  const [kept, set_kept] = useState<{ sent: SentCalibration; of: KeptCalibration } | null>(null);
+  if (kept?.sent === sent) {
+    const { id, same_files: same = [] } = kept.of;
+    return <><a class="button" href={`/calibrations/${id}`}>{t('kept', { id })}</a>{same.length > 0 && <span class="quiet small"> {t('same', { list: same.join(', ') })}</span>}</>;
+  }
   return (
     <>
       <button type="button" class="primary" disabled={why_read_only() !== null} onClick={() => set_open(true)}>{t('keep')}</button>
-      {open && <KeepDialog sent={sent} on_close={() => set_open(false)} on_kept={(id) => { set_kept({ sent, id }); set_open(false); }} />}
+      {open && <KeepDialog sent={sent} on_close={() => set_open(false)} on_kept={(of) => { set_kept({ sent, of }); set_open(false); }} />}
     </>
   );
 }
 
-function KeepDialog({ sent, on_close, on_kept }: { sent: SentCalibration; on_close: () => void; on_kept: (id: number) => void }) {
+function KeepDialog({ sent, on_close, on_kept }: { sent: SentCalibration; on_close: () => void; on_kept: (of: KeptCalibration) => void }) {
   const [words, set_words] = useState<CalibrationWords>(empty_words);
   const [busy, set_busy] = useState(false);
   const [error, set_error] = useState<ApiError | null>(null);
@@ -64,7 +68,7 @@ function KeepDialog({ sent, on_close, on_kept }: { sent: SentCalibration; on_clo
     set_busy(true);
     set_error(null);
     try {
-      on_kept((await keep(sent, words)).id);
+      on_kept(await keep(sent, words));
     } catch (thrown) {
       set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
       set_busy(false);

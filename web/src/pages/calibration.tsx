@@ -38,9 +38,9 @@ export function CalibrationPage({ parts }: { parts: Record<string, string> }) {
         </div>
         <div class="row no-print">
           {(['pdf', 'html', 'json'] as const).map((extension) => <ReportLink key={extension} calibration={found} extension={extension} />)}
-          <button type="button" disabled={fixed_version} onClick={() => set_doing('again')}>{t('evaluate_again')}</button>
+          <button type="button" disabled={fixed_version || found.withdrawn} onClick={() => set_doing('again')}>{t('evaluate_again')}</button>
           <button type="button" disabled={fixed_version} onClick={() => set_doing('withdraw')}>{t(found.withdrawn ? 'reinstate' : 'withdraw')}</button>
-          <button type="button" disabled={fixed_version} onClick={() => set_doing('edit')}>{t('edit')}</button>
+          <button type="button" disabled={fixed_version || found.withdrawn} onClick={() => set_doing('edit')}>{t('edit')}</button>
         </div>
       </div>
       {asked.error && <FailureNotice error={asked.error} retry={asked.reload} />}

@@ -18,6 +18,7 @@ import { MeansChart, TableChart } from './compensations/curves';
 import { EditNotes, WithdrawTable } from './compensations/dialogs';
 import { FigureTable } from './compensations/figures';
 import { RetestDialog } from './compensations/retest';
+import { counting_result } from './compensations/standing';
 import { t } from './compensations/texts';
 import { in_page_words } from './compensations/words';
 import './plan.css';
@@ -47,8 +48,9 @@ function Whole({ found, set }: { found: KeptCompensation; set: (found: KeptCompe
   const retest = use_get<Test>(found.retest ? test_path(found.retest.id, '', { version: found.retest.version }) : null);
   const controls = use_get<CompensatedControl[]>('/api/controls');
   const latest = Math.max(...found.versions.map(({ version }) => version));
-  const is_fixed = found.version !== latest || why_read_only() !== null;
-  const { result } = found;
+  const is_old = found.version !== latest || why_read_only() !== null;
+  const is_fixed = is_old || found.withdrawn;
+  const result = useMemo(() => counting_result(found), [found]);
   const again = found.retest !== null && retest.data?.id === found.retest.id ? retest.data : null;
   const means = useMemo(() => ({ before: result.before_means, predicted: result.predicted_means, ...(result.retest ? { retest: result.retest.means } : {}) }), [result]);
   const dialog = { found, on_done: set, on_close: () => set_doing(null) };
@@ -63,7 +65,7 @@ function Whole({ found, set }: { found: KeptCompensation; set: (found: KeptCompe
         </div>
         <div class="row no-print">
           {(['pdf', 'html', 'json'] as const).map((extension) => <ReportLink key={extension} found={found} extension={extension} />)}
-          <button type="button" disabled={is_fixed} onClick={() => set_doing('withdraw')}>{t(found.withdrawn ? 'reinstate' : 'withdraw')}</button>
+          <button type="button" disabled={is_old} onClick={() => set_doing('withdraw')}>{t(found.withdrawn ? 'reinstate' : 'withdraw')}</button>
           <button type="button" disabled={is_fixed} onClick={() => set_doing('notes')}>{t('edit_notes')}</button>
         </div>
       </div>
@@ -71,7 +73,7 @@ function Whole({ found, set }: { found: KeptCompensation; set: (found: KeptCompe
       {found.withdrawn && <p class="notice caution">{t('is_withdrawn')}</p>}
       <Chain found={found} result={result} shown={shown} is_fixed={is_fixed} choose={() => set_doing('retest')} unlink={() => set_doing('unlink')} />
       <section class="panel flush table-results" aria-labelledby="table-result">
-        <header><h2 id="table-result">{t(found.retest ? 'result_again' : 'result')}</h2></header>
+        <header><h2 id="table-result">{t(result.retest ? 'result_again' : 'result')}</h2></header>
         <div class="inset"><VolumeFindings findings={in_page_words(result.findings)} /></div>
         <FigureTable result={result} test={test.data} retest={again} />
         {found.notes !== '' && <p class="notes inset">{found.notes}</p>}

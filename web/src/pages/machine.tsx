@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import type { Axis, Machine } from '../api/types';
+import type { Axis, CompensationHead, CompensationList, Machine } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
 import { absent, shortest, unit_sign } from '../numbers';
@@ -41,13 +41,7 @@ export function MachinePage({ parts }: { parts: Record<string, string> }) {
       </section>
       <div class="axis-panels">
         {found.axes.map((axis) => (
-          <section key={axis.id} class="panel">
-            <header>
-              <h2><a href={`/axes/${axis.id}`}>{t('axis')} {axis.name}</a> <LimitsLine axis={axis} /></h2>
-              <button type="button" class="no-print" onClick={() => set_editing(axis)} aria-label={`${t('axis')} ${axis.name}: ${t('limits_edit')}`}>{t('limits_edit')}</button>
-            </header>
-            <AxisTrend axis={axis.id} version={axis.version} height={260} />
-          </section>
+          <AxisPanel key={axis.id} axis={axis} edit={() => set_editing(axis)} />
         ))}
       </div>
       <CalibrationsOfMachine machine={found.id} />
@@ -59,6 +53,23 @@ export function MachinePage({ parts }: { parts: Record<string, string> }) {
         <AxisDialog axis={editing === 'axis' ? null : editing} machine={found.id} on_saved={saved_axis} on_close={() => set_editing(null)} />
       )}
     </>
+  );
+}
+
+const no_tables: readonly CompensationHead[] = [];
+
+/** An axis with its history, and where tables were made of its tests. */
+function AxisPanel({ axis, edit }: { axis: Axis; edit: () => void }) {
+  const tables = use_get<CompensationList>(`/api/compensations?axis=${axis.id}`);
+  return (
+    <section class="panel">
+      <header>
+        <h2><a href={`/axes/${axis.id}`}>{t('axis')} {axis.name}</a> <LimitsLine axis={axis} /></h2>
+        <button type="button" class="no-print" onClick={edit} aria-label={`${t('axis')} ${axis.name}: ${t('limits_edit')}`}>{t('limits_edit')}</button>
+      </header>
+      {tables.error && <FailureNotice error={tables.error} retry={tables.reload} />}
+      <AxisTrend axis={axis.id} version={axis.version} height={260} tables={tables.data?.compensations ?? no_tables} />
+    </section>
   );
 }
 

@@ -13,7 +13,7 @@ import { ProgramPanel } from './plan/program';
 import './plan.css';
 import './tracking.css';
 import { new_form, request_of, type LocatedStation, type TrackingForm } from './tracking/form';
-import { keep_page, kept_page } from './tracking/kept';
+import { tracking_kept } from './tracking/kept';
 import { LengthsPanel } from './tracking/lengths';
 import { LinesPanel } from './tracking/lines';
 import { MachinePanel } from './tracking/machine';
@@ -21,14 +21,14 @@ import { look, StationPanel } from './tracking/station';
 import { t } from './tracking/texts';
 
 export function TrackingPage() {
-  const [{ form, located }, set_page] = useState(kept_page);
+  const [{ form, located }, set_page] = useState(tracking_kept.load);
   const [points, set_points] = useState<TrackingPoints | null>(null);
   const [error, set_error] = useState<ApiError | null>(null);
   const machines = use_get<MachineList>('/api/machines');
   const vocabulary = use_get<Vocabulary>('/api/vocabulary');
   const { request, faults } = request_of(form, located);
   const draft = use_posted<TrackingDraft>(`/api/tracking/lines${query({ decimal: decimal.value })}`, request && { request }, as_json);
-  useEffect(() => keep_page({ form, located }), [form, located]);
+  useEffect(() => tracking_kept.keep({ form, located }), [form, located]);
   const change = (part: Partial<TrackingForm>) => set_page((before) => ({ ...before, form: { ...before.form, ...part } }));
   const locate = (found: LocatedStation | null) => set_page((before) => ({ ...before, located: found }));
   const is_of_request = draft.error === null && draft.data !== null && JSON.stringify(draft.of) === JSON.stringify({ request });

@@ -13,7 +13,7 @@ import './plan.css';
 import { ProgramPanel } from './plan/program';
 import './tracking.css';
 import { new_form, read_form, type VolumeForm } from './volume/form';
-import { keep_volume, kept_volume } from './volume/kept';
+import { volume_kept } from './volume/kept';
 import { LengthsPanel } from './volume/lengths';
 import { MachinePanel } from './volume/machine';
 import { PlanPanel, RunChoice } from './volume/plan';
@@ -21,7 +21,7 @@ import { t } from './volume/texts';
 import './volume/volume.css';
 
 export function VolumePage() {
-  const [form, set_form] = useState(kept_volume);
+  const [form, set_form] = useState(volume_kept.load);
   const [asked, set_asked] = useState<VolumetricPlanRequest | null>(null);
   const [chosen_run, choose_run] = useState(0);
   const machines = use_get<MachineList>('/api/machines');
@@ -30,7 +30,7 @@ export function VolumePage() {
   const answer = use_posted<VolumetricDraft>(`/api/volumetric/plan${query({ decimal: decimal.value })}`, asked, as_json);
   const draft = asked === null ? null : answer.data;
   const planning = asked !== null && answer.error === null && !answer.is_current;
-  useEffect(() => keep_volume(form), [form]);
+  useEffect(() => volume_kept.keep(form), [form]);
   const change = (part: Partial<VolumeForm>) => set_form((before) => ({ ...before, ...part }));
   const run = Math.min(chosen_run, Math.max(0, (draft?.plan.runs.length ?? 1) - 1));
   const name = `${form.machine.trim()} ${t('title')}`.trim();

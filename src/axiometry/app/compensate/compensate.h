@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/app/evaluate/evaluate.h"
@@ -110,7 +111,7 @@ json::Value nodes_to_json(const AxisCorrection& correction);
 /// What a control takes, for lists.
 json::Value control_to_json(const nc::AxisTable& control);
 
-/// Report and JSON; keys: docs/results.md.
-Experiment present(const CompensatedAxis& done, const report::Options& options);
+/// Report, with notes where there are any, and JSON; keys: docs/results.md.
+Experiment present(const CompensatedAxis& done, const report::Options& options, std::string_view notes = {});
 
 }  // namespace axiometry::app

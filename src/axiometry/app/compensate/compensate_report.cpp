@@ -95,6 +95,8 @@ json::Value control_to_json(const nc::AxisTable& control) {
   value.add("extension", control.extension);
   value.add("limits", limits_to_json(control));
   value.add("options", options_to_json(control));
+  value.add("read_step", control.uses.told_step);
+  value.add("cross", control.uses.output_axis);
   value.add("sign", control.sign);
   value.add("turned_sign", control.turned_sign);
   value.add("backlash", control.backlash);
@@ -104,7 +106,7 @@ json::Value control_to_json(const nc::AxisTable& control) {
   return value;
 }
 
-Experiment present(const CompensatedAxis& done, const report::Options& options) {
+Experiment present(const CompensatedAxis& done, const report::Options& options, std::string_view notes) {
   const AxisKind kind = done.options.kind;
   Value root = Value::object();
   root.add("control", done.control->id);
@@ -155,7 +157,8 @@ Experiment present(const CompensatedAxis& done, const report::Options& options) 
                                             done.retest ? &done.retest->evaluation : nullptr,
                                             done.scatter,
                                             done.findings,
-                                            done.smoothing};
+                                            done.smoothing,
+                                            notes};
   return {report::compose(subject, options), std::move(root)};
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/results/named_findings_json.h"
 
-#include <string_view>
 #include <utility>
 
 namespace axiometry::app {
@@ -11,11 +10,13 @@ json::Value findings_value(std::span<const NamedFinding> findings) {
   for (const NamedFinding& f : findings) {
     json::Value& item = list.push(json::Value::object());
     item.add("id", f.id);
-    item.add("severity", f.serious ? "serious" : "note");
+    item.add("severity", severity_word(f));
     item.add("message", f.message);
   }
   return list;
 }
+
+std::string_view severity_word(const NamedFinding& finding) { return finding.serious ? "serious" : "note"; }
 
 std::vector<KeptFinding> kept_findings(const json::Value& result) {
   std::vector<KeptFinding> kept;
@@ -27,7 +28,7 @@ std::vector<KeptFinding> kept_findings(const json::Value& result) {
   };
   for (const json::Value& finding : findings->items())
     if (std::string message = text_of(finding, "message"); !message.empty())
-      kept.push_back({text_of(finding, "severity"), std::move(message)});
+      kept.push_back({text_of(finding, "id"), text_of(finding, "severity"), std::move(message)});
   return kept;
 }
 

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/base/json.h"
@@ -13,8 +14,12 @@ namespace axiometry::app {
 /// [{"id", "severity": "serious" or "note", "message"}], in order: docs/results.md, "findings".
 json::Value findings_value(std::span<const NamedFinding> findings);
 
+/// "serious" or "note".
+std::string_view severity_word(const NamedFinding& finding);
+
 /// A finding as a result that was kept tells it.
 struct KeptFinding {
+  std::string id;
   std::string severity;  ///< "serious" or "note"
   std::string message;
 };

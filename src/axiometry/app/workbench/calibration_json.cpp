@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "axiometry/app/files/given_members.h"
+#include "axiometry/app/workbench/kept_things.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/text.h"
@@ -119,6 +120,10 @@ Value to_json(const KeptCalibration& kept, const Reader& reader) {
   object.add("program", c.program);
   object.add("options", object_of_text(c.options));
   object.add("versions", versions_value(kept.versions));
+  if (kept.same_files) {
+    Value& same = object.add("same_files", Value::array());
+    for (const store::Id id : *kept.same_files) same.push(id_value(id));
+  }
   object.add("result", localised_result(kept.result, reader));
   return object;
 }
@@ -159,11 +164,9 @@ Result<NewCalibration> new_calibration_from(const Value& value) {
 Result<CalibrationRevision> calibration_revision_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "revision"));
   CalibrationRevision revision;
-  AXIOMETRY_TRY(const Value* base, members.required("base_version"));
-  AXIOMETRY_TRY(revision.base_version, given_version("base_version", *base));
-  std::optional<std::string> reason;
-  AXIOMETRY_TRY_VOID(take_given(members, "reason", reason, &given_line));
-  revision.reason = reason.value_or("");
+  AXIOMETRY_TRY(RevisionHead head, revision_head(members));
+  revision.base_version = head.base_version;
+  revision.reason = std::move(head.reason);
   AXIOMETRY_TRY_VOID(take_said(members, value, revision));
   if (const Value* options = members.optional("options")) revision.options = *options;
   AXIOMETRY_TRY_VOID(members.finish());

@@ -8,8 +8,8 @@
 
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/results/outputs.h"
+#include "axiometry/app/workbench/kept_things.h"
 #include "axiometry/base/text.h"
-#include "axiometry/digest/sha256.h"
 #include "axiometry/report/drawing/utf8.h"
 
 namespace axiometry::app {
@@ -20,12 +20,8 @@ using store::Calibration;
 using store::KeptFigure;
 using store::Versioned;
 
+constexpr std::string_view calibration_word = "calibration";
 constexpr std::string_view result_format = "calibration-result";
-
-store::Content content_of(std::string name, std::string format, std::string bytes) {
-  std::string hash = sha256(bytes);
-  return {std::move(hash), std::move(name), std::move(format), std::move(bytes)};
-}
 
 Result<void> take_instrument(const store::Store& archive, Calibration& calibration, std::optional<store::Id> id) {
   calibration.instrument = id;
@@ -47,8 +43,8 @@ Result<std::optional<store::Id>> known_machine(const store::Store& archive, cons
 
 /// The result of an evaluation among the contents.
 store::Content result_content(const Calibration& calibration, const EvaluatedCalibration& evaluated) {
-  return content_of(file_name_part(calibration.title) + ".json", std::string(result_format),
-                    json::dump(result_of(evaluated), 0));
+  return hashed_content(file_name_part(calibration.title) + ".json", std::string(result_format),
+                        json::dump(result_of(evaluated), 0));
 }
 
 /// The files of a version as they were kept, in memory.
@@ -88,9 +84,29 @@ Result<void> take_texts(const store::Store& archive, Calibration& calibration, c
   return take_instrument(archive, calibration, *revision.instrument);
 }
 
-std::string report_name(const Versioned<Calibration>& calibration, std::string_view extension) {
-  return fmt::format("{}{}.{}", file_name_part(calibration.value.title),
-                     calibration.version > 1 ? fmt::format("-v{}", calibration.version) : std::string(), extension);
+/// Whether both have the same bytes for the same ends, whatever the files are called.
+bool has_same_files(std::vector<store::KeptFile> a, std::vector<store::KeptFile> b) {
+  std::ranges::sort(a, {}, &store::KeptFile::role);
+  std::ranges::sort(b, {}, &store::KeptFile::role);
+  return std::ranges::equal(
+      a, b, [](const auto& one, const auto& other) { return one.role == other.role && one.content == other.content; });
+}
+
+/// Those that are kept of exactly these files, in the order in which they came.
+Result<std::vector<store::Id>> calibrations_of_files(const store::Store& archive,
+                                                     const std::vector<store::KeptFile>& files) {
+  std::vector<store::Id> ids;
+  store::CalibrationFilter filter;
+  filter.withdrawn = true;
+  filter.descending = false;
+  filter.limit = store::largest_page;
+  while (true) {
+    AXIOMETRY_TRY(const store::CalibrationPage page, archive.calibrations(filter));
+    for (const store::CalibrationRow& row : page.rows)
+      if (has_same_files(row.calibration.value.files, files)) ids.push_back(row.calibration.id);
+    filter.offset += static_cast<std::int64_t>(page.rows.size());
+    if (page.rows.empty() || filter.offset >= page.total) return ids;
+  }
 }
 
 }  // namespace
@@ -113,16 +129,15 @@ Result<KeptCalibration> keep_calibration(store::Store& archive, const NewCalibra
   calibration.result = result.sha256;
   std::vector<store::Content> contents;
   for (const CalibrationSource& file : sent.files) {
-    contents.push_back(content_of(file.name, "calibration-" + file.role, std::string(file.bytes)));
+    contents.push_back(hashed_content(file.name, "calibration-" + file.role, std::string(file.bytes)));
     calibration.files.push_back({file.role, file.name, contents.back().sha256});
   }
   contents.push_back(result);
-  const auto added = archive.write([&](store::Transaction& t) -> Result<Versioned<Calibration>> {
-    for (const store::Content& content : contents) AXIOMETRY_TRY_VOID(t.keep(content, by));
-    return t.add(calibration, by);
-  });
-  if (!added) return std::unexpected(added.error());
-  return kept_calibration(archive, added->id);
+  AXIOMETRY_TRY(std::vector<store::Id> same_files, calibrations_of_files(archive, calibration.files));
+  AXIOMETRY_TRY(const auto added, add_with(archive, calibration, contents, by));
+  AXIOMETRY_TRY(KeptCalibration kept, kept_calibration(archive, added.id));
+  kept.same_files = std::move(same_files);
+  return kept;
 }
 
 Result<KeptCalibration> kept_calibration(const store::Store& archive, store::Id id, std::optional<int> version) {
@@ -137,12 +152,7 @@ Result<KeptCalibration> kept_calibration(const store::Store& archive, store::Id 
     if (c.instrument) {
       AXIOMETRY_TRY(kept.instrument, t.get<store::Instrument>(*c.instrument, c.instrument_version));
     }
-    AXIOMETRY_TRY(const store::Content result, t.content(c.result));
-    auto value = json::parse(result.bytes);
-    if (!value)
-      return fail(ErrorKind::damaged,
-                  fmt::format("found a result of the archive that cannot be read: {}", value.error().message));
-    kept.result = *std::move(value);
+    AXIOMETRY_TRY(kept.result, result_of_record(t, c.result));
     return kept;
   });
 }
@@ -150,6 +160,7 @@ Result<KeptCalibration> kept_calibration(const store::Store& archive, store::Id 
 Result<KeptCalibration> revise_calibration(store::Store& archive, store::Id id, const CalibrationRevision& revision,
                                            const store::By& by) {
   AXIOMETRY_TRY(const auto base, archive.get<Calibration>(id, revision.base_version));
+  AXIOMETRY_TRY_VOID(check_not_withdrawn(base, calibration_word));
   Calibration calibration = base.value;
   AXIOMETRY_TRY_VOID(take_texts(archive, calibration, revision));
   std::optional<store::Content> result;
@@ -164,24 +175,12 @@ Result<KeptCalibration> revise_calibration(store::Store& archive, store::Id id, 
     result = result_content(calibration, evaluated);
     calibration.result = result->sha256;
   }
-  const auto changed = archive.write([&](store::Transaction& t) -> Result<Versioned<Calibration>> {
-    if (result) AXIOMETRY_TRY_VOID(t.keep(*result, by));
-    return t.change(id, revision.base_version, calibration, by);
-  });
-  if (!changed) return std::unexpected(changed.error());
+  AXIOMETRY_TRY_VOID(change_with(archive, base, calibration, result, by));
   return kept_calibration(archive, id);
 }
 
 Result<KeptCalibration> withdraw_calibration(store::Store& archive, store::Id id, bool withdrawn, const store::By& by) {
-  const auto changed = archive.write([&](store::Transaction& t) -> Result<Versioned<Calibration>> {
-    AXIOMETRY_TRY(auto latest, t.get<Calibration>(id));
-    if (latest.value.withdrawn == withdrawn)
-      return fail(ErrorKind::conflict, fmt::format("found calibration {} {}, expected it not to be", id,
-                                                   withdrawn ? "withdrawn already" : "in the lists already"));
-    latest.value.withdrawn = withdrawn;
-    return t.change(id, latest.version, latest.value, by);
-  });
-  if (!changed) return std::unexpected(changed.error());
+  AXIOMETRY_TRY_VOID(set_withdrawn<Calibration>(archive, id, withdrawn, by, calibration_word));
   return kept_calibration(archive, id);
 }
 
@@ -189,15 +188,11 @@ Result<Rendered> calibration_report(const store::Store& archive, store::Id id, s
                                     const ReportRequest& request) {
   AXIOMETRY_TRY(const auto kept, archive.get<Calibration>(id, version));
   const std::string extension = text::to_lower(request.extension);
-  Rendered rendered{{}, std::string(media_type_of(extension)), report_name(kept, extension)};
-  if (extension == "json") {
-    AXIOMETRY_TRY(store::Content result, archive.content(kept.value.result));
-    rendered.bytes = std::move(result.bytes);
-    return rendered;
-  }
-  auto options = json::parse(kept.value.options);
-  if (!options) return fail(ErrorKind::damaged, "found options of the archive that cannot be read");
-  AXIOMETRY_TRY(const auto evaluated, evaluated_again(archive, kept.value, *options));
+  AXIOMETRY_TRY(Rendered rendered,
+                begun_report(archive, file_name_part(kept.value.title), kept.version, extension, kept.value.result));
+  if (extension == "json") return rendered;
+  AXIOMETRY_TRY(const Value options, options_of_record(kept.value.options));
+  AXIOMETRY_TRY(const auto evaluated, evaluated_again(archive, kept.value, options));
   if (!std::ranges::equal(figures_of(evaluated), kept.value.figures, is_same))
     return fail(ErrorKind::conflict,
                 fmt::format("found other figures for calibration {} in version {} than {} kept with it, expected the "
@@ -209,12 +204,7 @@ Result<Rendered> calibration_report(const store::Store& archive, store::Id id, s
 
 Result<Rendered> calibration_file(const store::Store& archive, store::Id id, const std::string& role) {
   AXIOMETRY_TRY(const auto kept, archive.get<Calibration>(id));
-  for (const store::KeptFile& file : kept.value.files) {
-    if (file.role != role) continue;
-    AXIOMETRY_TRY(store::Content content, archive.content(file.content));
-    return Rendered{std::move(content.bytes), std::string(octets), file.name};
-  }
-  return fail(ErrorKind::not_found, fmt::format("found no file {} of calibration {}", text::quoted(role), id));
+  return kept_file(archive, kept.value.files, role, fmt::format("{} {}", calibration_word, id));
 }
 
 }  // namespace axiometry::app

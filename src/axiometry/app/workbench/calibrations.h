@@ -47,9 +47,12 @@ struct KeptCalibration {
   std::optional<store::Versioned<store::Machine>> machine;        ///< as it is called now
   std::optional<store::Versioned<store::Instrument>> instrument;  ///< as it was known then
   json::Value result;                                             ///< exactly what was kept
+  /// Of one that has just been kept: the others of exactly these files, the oldest first, withdrawn ones too.
+  std::optional<std::vector<store::Id>> same_files{};
 };
 
-/// Files and result are kept together, or nothing. Fails as evaluate_calibration() and the archive do.
+/// Files and result are kept together, or nothing; also a second time, since other options or another program make
+/// another calibration of the same files, but told in `same_files`. Fails as evaluate_calibration() and the archive do.
 Result<KeptCalibration> keep_calibration(store::Store& archive, const NewCalibration& calibration, const store::By& by);
 
 /// Without version: the latest.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "axiometry/app/files/given_members.h"
+#include "axiometry/app/workbench/kept_things.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/language/language.h"
 
@@ -25,11 +26,14 @@ Value test_value(const TestOfCompensation& test) {
   object.add("version", test.version);
   object.add("title", test.title);
   object.add("measured_on", test.measured_on);
+  object.add("latest", test.latest);
+  object.add("withdrawn", test.withdrawn);
+  object.add("revised", test.revised);
   return object;
 }
 
-/// One row for each parameter, in the order in which they were kept, with what is known of it.
-Value course_value(const std::vector<store::KeptFigure>& figures) {
+/// One row for each parameter, in the order in which they were kept, with what is known of it and still counts.
+Value course_value(const std::vector<store::KeptFigure>& figures, bool retest_counts) {
   Value rows = Value::array();
   std::vector<std::string_view> parameters;
   for (const store::KeptFigure& figure : figures)
@@ -40,7 +44,8 @@ Value course_value(const std::vector<store::KeptFigure>& figures) {
     for (const char* state : states) {
       const auto found = std::ranges::find_if(
           figures, [&](const store::KeptFigure& f) { return f.parameter == parameter && f.of == state; });
-      row.add(state, found == figures.end() ? Value() : Value(found->value));
+      const bool counts = found != figures.end() && (found->of != "retest" || retest_counts);
+      row.add(state, counts ? Value(found->value) : Value());
     }
   }
   return rows;
@@ -48,11 +53,6 @@ Value course_value(const std::vector<store::KeptFigure>& figures) {
 
 std::string_view unit_of(const Compensation& c) {
   return c.figures.empty() ? "um" : std::string_view(c.figures[0].unit);
-}
-
-const store::KeptFile* file_in(const Compensation& c, std::string_view role) {
-  const auto found = std::ranges::find(c.files, role, &store::KeptFile::role);
-  return found == c.files.end() ? nullptr : &*found;
 }
 
 /// A control that this program does not know any more is called by its id.
@@ -67,7 +67,7 @@ Value control_value(const std::string& id, const Reader& reader) {
 /// What stands in lists and on the page alike.
 Value head_value(const ListedCompensation& listed, const Reader& reader) {
   const Compensation& c = listed.compensation.value;
-  const store::KeptFile* table = file_in(c, "table");
+  const store::KeptFile* table = file_of(c.files, "table");
   Value object = Value::object();
   object.add("id", id_value(listed.compensation.id));
   object.add("version", listed.compensation.version);
@@ -81,8 +81,8 @@ Value head_value(const ListedCompensation& listed, const Reader& reader) {
   object.add("unit", unit_of(c));
   object.add("notes", c.notes);
   object.add("withdrawn", c.withdrawn);
-  object.add("serious", c.serious);
-  object.add("figures", course_value(c.figures));
+  object.add("serious", listed.serious);
+  object.add("figures", course_value(c.figures, listed.retest_counts()));
   return object;
 }
 
@@ -98,8 +98,19 @@ Value table_versions_value(const std::vector<Versioned<Compensation>>& versions)
   return list;
 }
 
+Value counting_value(const std::vector<KeptFinding>& findings, const Reader& reader) {
+  Value list = Value::array();
+  for (const KeptFinding& finding : findings) {
+    Value& item = list.push(Value::object());
+    item.add("id", finding.id);
+    item.add("severity", finding.severity);
+    item.add("message", finding.message);
+  }
+  return localised_result(list, reader);
+}
+
 Value existing_value(const Compensation& c) {
-  const store::KeptFile* existing = file_in(c, "existing");
+  const store::KeptFile* existing = file_of(c.files, "existing");
   if (existing == nullptr) return {};
   Value object = Value::object();
   object.add("name", existing->name);
@@ -134,11 +145,12 @@ Value to_json(const MadeCompensation& made, const Reader& reader) {
 Value to_json(const KeptCompensation& kept, const Reader& reader) {
   const Versioned<Compensation>& compensation = kept.head.compensation;
   const Compensation& c = compensation.value;
-  const store::KeptFile* table = file_in(c, "table");
+  const store::KeptFile* table = file_of(c.files, "table");
   Value object = head_value(kept.head, reader);
   object.add("change", to_json(compensation.change));
   object.add("program", c.program);
   object.add("options", object_of_text(c.options));
+  object.add("findings", counting_value(kept.findings, reader));
   object.add("result", localised_result(kept.result, reader));
   object.add("table", kept.table);
   object.add("table_sha256", table == nullptr ? std::string() : table->content);
@@ -161,11 +173,9 @@ Result<Value> read_table_to_json(const nc::AxisTable& control, const nc::AxisTab
 Result<CompensationRevision> compensation_revision_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "revision"));
   CompensationRevision revision;
-  AXIOMETRY_TRY(const Value* base, members.required("base_version"));
-  AXIOMETRY_TRY(revision.base_version, given_version("base_version", *base));
-  std::optional<std::string> reason;
-  AXIOMETRY_TRY_VOID(take_given(members, "reason", reason, &given_line));
-  revision.reason = reason.value_or("");
+  AXIOMETRY_TRY(RevisionHead head, revision_head(members));
+  revision.base_version = head.base_version;
+  revision.reason = std::move(head.reason);
   AXIOMETRY_TRY_VOID(take_id(members, value, "retest", revision.retest));
   AXIOMETRY_TRY_VOID(take_given(members, "notes", revision.notes, &given_text));
   AXIOMETRY_TRY_VOID(members.finish());

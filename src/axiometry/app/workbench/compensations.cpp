@@ -4,15 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <iterator>
 #include <utility>
 
 #include "axiometry/app/compensate/compensate_options.h"
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/results/outputs.h"
+#include "axiometry/app/workbench/compensation_standing.h"
+#include "axiometry/app/workbench/kept_things.h"
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
-#include "axiometry/digest/sha256.h"
 
 namespace axiometry::app {
 namespace {
@@ -21,14 +22,10 @@ using json::Value;
 using store::Compensation;
 using store::Versioned;
 
+constexpr std::string_view compensation_word = "compensation";
 constexpr std::string_view compensation_result_format = "compensation-result";
 constexpr std::string_view table_role = "table";
 constexpr std::string_view existing_role = "existing";
-
-store::Content content_made(std::string name, std::string format, std::string bytes) {
-  std::string hash = sha256(bytes);
-  return {std::move(hash), std::move(name), std::move(format), std::move(bytes)};
-}
 
 /// A version of a test that tables may be made of.
 Result<PreparedTest> usable_test(const Workbench& workbench, store::Id id, std::optional<int> version) {
@@ -82,7 +79,7 @@ std::vector<store::KeptFigure> figures_of(const CompensatedAxis& made) {
 /// What the archive keeps of what was found: program, figures, serious findings, and the result among the contents.
 store::Content take_found(Compensation& compensation, const CompensatedAxis& made, const std::string& name) {
   store::Content result =
-      content_made(name + ".json", std::string(compensation_result_format), json::dump(present(made, {}).json, 0));
+      hashed_content(name + ".json", std::string(compensation_result_format), json::dump(present(made, {}).json, 0));
   compensation.program = fmt::format("axiometry {}", version);
   compensation.serious = static_cast<int>(std::ranges::count_if(made.findings, &NamedFinding::serious));
   compensation.figures = figures_of(made);
@@ -90,13 +87,8 @@ store::Content take_found(Compensation& compensation, const CompensatedAxis& mad
   return result;
 }
 
-const store::KeptFile* file_of(const Compensation& compensation, std::string_view role) {
-  const auto found = std::ranges::find(compensation.files, role, &store::KeptFile::role);
-  return found == compensation.files.end() ? nullptr : &*found;
-}
-
 Result<store::Content> kept_table(const store::Store& archive, const Compensation& compensation) {
-  const store::KeptFile* table = file_of(compensation, table_role);
+  const store::KeptFile* table = file_of(compensation.files, table_role);
   if (table == nullptr) return fail(ErrorKind::damaged, "found a compensation of the archive without its table");
   return archive.content(table->content);
 }
@@ -104,12 +96,11 @@ Result<store::Content> kept_table(const store::Store& archive, const Compensatio
 /// The table made again from what was kept, with the re-test that the version has.
 Result<CompensatedAxis> made_again(const Workbench& workbench, store::Id id, const Compensation& kept) {
   const store::Store& archive = workbench.archive();
-  const auto options = json::parse(kept.options);
-  if (!options) return fail(ErrorKind::damaged, "found options of the archive that cannot be read");
-  AXIOMETRY_TRY(const CompensateRequest request, compensate_request_from(*options));
+  AXIOMETRY_TRY(const Value options, options_of_record(kept.options));
+  AXIOMETRY_TRY(const CompensateRequest request, compensate_request_from(options));
   AXIOMETRY_TRY(const PreparedTest test, workbench.prepared(kept.test, kept.test_version));
   MeasuredAxis measured{named_test(test)};
-  if (const store::KeptFile* existing = file_of(kept, existing_role)) {
+  if (const store::KeptFile* existing = file_of(kept.files, existing_role)) {
     AXIOMETRY_TRY(store::Content content, archive.content(existing->content));
     measured.existing = NamedTable{existing->name, std::move(content.bytes)};
   }
@@ -143,19 +134,25 @@ Result<void> take_retest(const Workbench& workbench, Compensation& compensation,
   return {};
 }
 
-Result<TestOfCompensation> test_of(const store::Transaction& archive, store::Id id, int version) {
-  AXIOMETRY_TRY(const store::TestRecord record, archive.test(id, version));
-  return TestOfCompensation{id, version, record.state.title, record.state.measured_on};
+/// Of those that count; the result is read only where the number that was kept with it does not tell.
+Result<int> serious_of(const store::Transaction& archive, const ListedCompensation& line, const Compensation& c) {
+  const auto since = findings_since(line.test, line.retest);
+  const auto of_tests = static_cast<int>(std::ranges::count_if(since, &NamedFinding::serious));
+  if (!line.retest || line.retest_counts()) return c.serious + of_tests;
+  AXIOMETRY_TRY(const Value result, result_of_record(archive, c.result));
+  const auto counting = counting_findings(result, false);
+  return of_tests + static_cast<int>(std::ranges::count(counting, "serious", &KeptFinding::severity));
 }
 
 Result<ListedCompensation> listed(const store::Transaction& archive, Versioned<Compensation> compensation,
                                   std::string made_at) {
   const Compensation& c = compensation.value;
   ListedCompensation line;
-  AXIOMETRY_TRY(line.test, test_of(archive, c.test, c.test_version));
+  AXIOMETRY_TRY(line.test, test_of_compensation(archive, c.test, c.test_version));
   if (c.retest) {
-    AXIOMETRY_TRY(line.retest, test_of(archive, *c.retest, *c.retest_version));
+    AXIOMETRY_TRY(line.retest, test_of_compensation(archive, *c.retest, *c.retest_version));
   }
+  AXIOMETRY_TRY(line.serious, serious_of(archive, line, c));
   if (c.axis) {
     AXIOMETRY_TRY(line.axis, archive.get<store::Axis>(*c.axis));
     AXIOMETRY_TRY(line.machine, archive.get<store::Machine>(line.axis->value.machine));
@@ -176,7 +173,7 @@ Result<KeptCompensation> keep_compensation(const Workbench& workbench, const New
                                            const store::By& by) {
   AXIOMETRY_TRY(const Made made, made_of(workbench, wanted));
   const std::string name = table_name(made.test, made.axis);
-  store::Content table = content_made(name, "compensation-table", made.axis.text);
+  store::Content table = hashed_content(name, "compensation-table", made.axis.text);
   Compensation compensation;
   compensation.test = made.test.record.id;
   compensation.test_version = made.test.record.version;
@@ -188,15 +185,12 @@ Result<KeptCompensation> keep_compensation(const Workbench& workbench, const New
   std::vector<store::Content> contents = {take_found(compensation, made.axis, name)};
   if (wanted.existing) {
     contents.push_back(
-        content_made(wanted.existing->name, "compensation-" + std::string(existing_role), wanted.existing->text));
+        hashed_content(wanted.existing->name, "compensation-" + std::string(existing_role), wanted.existing->text));
     compensation.files.push_back({std::string(existing_role), wanted.existing->name, contents.back().sha256});
   }
   contents.push_back(std::move(table));
   store::Store& archive = workbench.archive();
-  AXIOMETRY_TRY(const auto added, archive.write([&](store::Transaction& t) -> Result<Versioned<Compensation>> {
-    for (const store::Content& content : contents) AXIOMETRY_TRY_VOID(t.keep(content, by));
-    return t.add(compensation, by);
-  }));
+  AXIOMETRY_TRY(const auto added, add_with(archive, compensation, contents, by));
   return kept_compensation(archive, added.id);
 }
 
@@ -219,17 +213,16 @@ Result<KeptCompensation> kept_compensation(const store::Store& archive, store::I
     AXIOMETRY_TRY(auto compensation, t.get<Compensation>(id, version));
     AXIOMETRY_TRY(kept.versions, t.versions<Compensation>(id));
     const Compensation& c = compensation.value;
-    AXIOMETRY_TRY(const store::Content result, t.content(c.result));
-    auto value = json::parse(result.bytes);
-    if (!value)
-      return fail(ErrorKind::damaged,
-                  fmt::format("found a result of the archive that cannot be read: {}", value.error().message));
-    kept.result = *std::move(value);
-    const store::KeptFile* table = file_of(c, table_role);
+    AXIOMETRY_TRY(kept.result, result_of_record(t, c.result));
+    const store::KeptFile* table = file_of(c.files, table_role);
     if (table == nullptr) return fail(ErrorKind::damaged, "found a compensation of the archive without its table");
     AXIOMETRY_TRY(store::Content bytes, t.content(table->content));
     kept.table = std::move(bytes.bytes);
     AXIOMETRY_TRY(kept.head, listed(t, std::move(compensation), kept.versions.front().change.at));
+    for (NamedFinding& finding : findings_since(kept.head.test, kept.head.retest))
+      kept.findings.push_back({std::move(finding.id), std::string(severity_word(finding)), std::move(finding.message)});
+    std::ranges::move(counting_findings(kept.result, !kept.head.retest || kept.head.retest_counts()),
+                      std::back_inserter(kept.findings));
     return kept;
   });
 }
@@ -240,33 +233,22 @@ Result<KeptCompensation> revise_compensation(const Workbench& workbench, store::
     return fail("found a revision that changes nothing, expected a re-test or notes");
   store::Store& archive = workbench.archive();
   AXIOMETRY_TRY(const auto base, archive.get<Compensation>(id, revision.base_version));
+  AXIOMETRY_TRY_VOID(check_not_withdrawn(base, compensation_word));
   Compensation compensation = base.value;
   if (revision.notes) compensation.notes = *revision.notes;
   std::optional<store::Content> result;
   if (revision.retest) {
     AXIOMETRY_TRY_VOID(take_retest(workbench, compensation, *revision.retest));
     AXIOMETRY_TRY(const CompensatedAxis made, made_again(workbench, id, compensation));
-    result = take_found(compensation, made, file_of(compensation, table_role)->name);
+    result = take_found(compensation, made, file_of(compensation.files, table_role)->name);
   }
-  const auto changed = archive.write([&](store::Transaction& t) -> Result<Versioned<Compensation>> {
-    if (result) AXIOMETRY_TRY_VOID(t.keep(*result, by));
-    return t.change(id, revision.base_version, compensation, by);
-  });
-  if (!changed) return std::unexpected(changed.error());
+  AXIOMETRY_TRY_VOID(change_with(archive, base, compensation, result, by));
   return kept_compensation(archive, id);
 }
 
 Result<KeptCompensation> withdraw_compensation(store::Store& archive, store::Id id, bool withdrawn,
                                                const store::By& by) {
-  const auto changed = archive.write([&](store::Transaction& t) -> Result<Versioned<Compensation>> {
-    AXIOMETRY_TRY(auto latest, t.get<Compensation>(id));
-    if (latest.value.withdrawn == withdrawn)
-      return fail(ErrorKind::conflict, fmt::format("found compensation {} {}, expected it not to be", id,
-                                                   withdrawn ? "withdrawn already" : "in the lists already"));
-    latest.value.withdrawn = withdrawn;
-    return t.change(id, latest.version, latest.value, by);
-  });
-  if (!changed) return std::unexpected(changed.error());
+  AXIOMETRY_TRY_VOID(set_withdrawn<Compensation>(archive, id, withdrawn, by, compensation_word));
   return kept_compensation(archive, id);
 }
 
@@ -274,30 +256,26 @@ Result<Rendered> compensation_report(const Workbench& workbench, store::Id id, s
                                      const ReportRequest& request) {
   const store::Store& archive = workbench.archive();
   AXIOMETRY_TRY(const auto kept, archive.get<Compensation>(id, version));
-  const store::KeptFile* table = file_of(kept.value, table_role);
+  const store::KeptFile* table = file_of(kept.value.files, table_role);
   if (table == nullptr) return fail(ErrorKind::damaged, "found a compensation of the archive without its table");
   const std::string extension = text::to_lower(request.extension);
   const std::string stem = table->name.substr(0, table->name.rfind('.'));
-  Rendered rendered{{},
-                    std::string(media_type_of(extension)),
-                    fmt::format("{}{}.{}", stem, kept.version > 1 ? fmt::format("-v{}", kept.version) : "", extension)};
-  if (extension == "json") {
-    AXIOMETRY_TRY(store::Content result, archive.content(kept.value.result));
-    rendered.bytes = std::move(result.bytes);
-    return rendered;
-  }
-  AXIOMETRY_TRY(const CompensatedAxis made, made_again(workbench, id, kept.value));
-  AXIOMETRY_TRY(rendered.bytes, document_bytes(present(made, request.options).document, extension, request.options));
+  AXIOMETRY_TRY(Rendered rendered, begun_report(archive, stem, kept.version, extension, kept.value.result));
+  if (extension == "json") return rendered;
+  AXIOMETRY_TRY(const ListedCompensation now,
+                archive.read([&](const store::Transaction& t) { return listed(t, kept, std::string()); }));
+  Compensation counting = kept.value;
+  if (!now.retest_counts()) counting.retest.reset();
+  AXIOMETRY_TRY(CompensatedAxis made, made_again(workbench, id, counting));
+  std::ranges::move(findings_since(now.test, now.retest), std::inserter(made.findings, made.findings.begin()));
+  AXIOMETRY_TRY(rendered.bytes,
+                document_bytes(present(made, request.options, kept.value.notes).document, extension, request.options));
   return rendered;
 }
 
 Result<Rendered> compensation_file(const store::Store& archive, store::Id id, const std::string& role) {
   AXIOMETRY_TRY(const auto kept, archive.get<Compensation>(id));
-  const store::KeptFile* file = file_of(kept.value, role);
-  if (file == nullptr)
-    return fail(ErrorKind::not_found, fmt::format("found no file {} of compensation {}", text::quoted(role), id));
-  AXIOMETRY_TRY(store::Content content, archive.content(file->content));
-  return Rendered{std::move(content.bytes), std::string(octets), file->name};
+  return kept_file(archive, kept.value.files, role, fmt::format("{} {}", compensation_word, id));
 }
 
 }  // namespace axiometry::app

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "axiometry/app/compensate/compensate.h"
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/json.h"
 #include "axiometry/store/store.h"
@@ -40,11 +41,14 @@ struct CompensationRevision {
   std::optional<std::string> notes{};
 };
 
-/// A test as a compensation speaks of it.
+/// A test as a compensation speaks of it, and what became of it since.
 struct TestOfCompensation {
   store::Id id = 0;
-  int version = 0;  ///< that was used
-  std::string title;
+  int version = 0;         ///< that was used
+  int latest = 0;          ///< that there is
+  bool withdrawn = false;  ///< now
+  bool revised = false;    ///< the latest version differs from the one that was used in metadata, options or axis
+  std::string title;       ///< of the version that was used, as the rest
   std::string measured_on;
 };
 
@@ -56,6 +60,10 @@ struct ListedCompensation {
   std::optional<TestOfCompensation> retest;
   std::optional<store::Versioned<store::Axis>> axis;        ///< as they are called now
   std::optional<store::Versioned<store::Machine>> machine;  ///< of the axis
+  int serious = 0;  ///< findings after which the table should not be used as it is: those that count, and those since
+
+  /// Whether what was found with a re-test is of record: there is one, neither withdrawn nor revised since.
+  bool retest_counts() const { return retest && !retest->withdrawn && !retest->revised; }
 };
 
 struct KeptCompensation {
@@ -63,6 +71,8 @@ struct KeptCompensation {
   std::vector<store::Versioned<store::Compensation>> versions;  ///< the first is version 1
   json::Value result;                                           ///< exactly what was kept
   std::string table;
+  std::vector<KeptFinding>
+      findings;  ///< that are of record: those of the tests since, and those of the result that count
 };
 
 /// Nothing is kept. Fails as compensate() does, and on a test that is withdrawn.
@@ -78,8 +88,8 @@ Result<std::vector<ListedCompensation>> listed_compensations(const store::Store&
 /// Without version: the latest.
 Result<KeptCompensation> kept_compensation(const store::Store& archive, store::Id id, std::optional<int> version = {});
 
-/// A new version. Fails with `conflict` when base_version is no longer the latest, and where the table would be another
-/// one now; on a re-test that is withdrawn, of another axis, or the test itself.
+/// A new version. Fails with `conflict` when base_version is no longer the latest, when the compensation is withdrawn,
+/// and where the table would be another one now; on a re-test that is withdrawn, of another axis, or the test itself.
 Result<KeptCompensation> revise_compensation(const Workbench& workbench, store::Id id,
                                              const CompensationRevision& revision, const store::By& by);
 
@@ -87,7 +97,8 @@ Result<KeptCompensation> revise_compensation(const Workbench& workbench, store::
 Result<KeptCompensation> withdraw_compensation(store::Store& archive, store::Id id, bool withdrawn,
                                                const store::By& by);
 
-/// Fails on an extension that no writer has; "json" is the result that was kept.
+/// With its notes, and without a re-test that no longer counts. Fails on an extension that no writer has; "json" is the
+/// result that was kept.
 Result<Rendered> compensation_report(const Workbench& workbench, store::Id id, std::optional<int> version,
                                      const ReportRequest& request);
 

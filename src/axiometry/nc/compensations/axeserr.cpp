@@ -68,6 +68,7 @@ const AxisTable axeserr_axis_table = {
     .extension = ".dat",
     .curves = TableCurves::each_way,
     .limits = {.rotary = false},
+    .uses = {.inch = false},
     .sign = "A positive number moves the axis in the negative direction: it is the error, what is too far.",
     .loading =
         "Put the section of the axis in axeserr.dat in the control's folder, beside those of the other axes, switch "

@@ -10,7 +10,8 @@ const AxisTable fanuc_axis_table = {
     .extension = ".txt",
     .curves = TableCurves::both_ways,
     .limits = {.points = 1024, .equidistant = true, .origin = TableOrigin::on_grid, .closes = true},
-    .uses = {.number = true, .resolution = true, .magnification = true, .largest = true},
+    .uses =
+        {.number = true, .resolution = true, .magnification = true, .largest = true, .inch = false, .told_step = true},
     .sign = fanuc::sign,
     .loading = fanuc::loading,
     .verified = fanuc::verified,

@@ -11,7 +11,7 @@ const AxisTable fanuc_bidirectional_axis_table = {
     .curves = TableCurves::each_way,
     .limits =
         {.points = 1024, .equidistant = true, .origin = TableOrigin::on_grid, .zero_upwards = true, .closes = true},
-    .uses = {.number = true, .resolution = true, .magnification = true, .largest = true},
+    .uses = {.number = true, .resolution = true, .magnification = true, .largest = true, .inch = false},
     .sign = fanuc::sign,
     .loading = fanuc::loading,
     .verified = fanuc::verified,

@@ -24,7 +24,7 @@ const AxisTable grblhal_axis_table = {
     .extension = ".txt",
     .curves = TableCurves::with_backlash,
     .limits = {.points = 2},
-    .uses = {.steps_per_unit = true},
+    .uses = {.steps_per_unit = true, .inch = false},
     .sign = steps::sign,
     .loading =
         "Send the lines to the control, or enter them in the sender's settings; home the axis. Backlash is there only "

@@ -76,7 +76,7 @@ const AxisTable haas_axis_table = {
                .step_native = haas::spacing_mm,
                .origin = TableOrigin::last,
                .rotary = false},
-    .uses = {.resolution = true, .turned_sign = true},
+    .uses = {.resolution = true, .turned_sign = true, .inch = false},
     .sign = "A positive number moves the axis in the positive direction: it is added (inferred).",
     .loading =
         "Enter the numbers on the page of the axis' leadscrew compensation, which the maker's settings unlock, and "

@@ -24,7 +24,7 @@ const AxisTable marlin_axis_table = {
     .extension = ".gcode",
     .curves = TableCurves::with_backlash,
     .limits = {.points = 2},
-    .uses = {.steps_per_unit = true},
+    .uses = {.steps_per_unit = true, .inch = false},
     .sign = steps::sign,
     .loading =
         "Send the lines in mm (G21); M500 keeps them. M425 is there only when the firmware is built with "

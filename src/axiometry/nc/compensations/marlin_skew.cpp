@@ -46,7 +46,6 @@ Result<char> letter_of(const AxisTableOptions& options) {
 Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options) {
   AXIOMETRY_TRY_VOID(check_limits(correction, marlin_skew_axis_table));
   AXIOMETRY_TRY(const char letter, letter_of(options));
-  if (options.in_inch) return fail("found inches, expected mm: a factor has no unit, and the range stands in mm");
   if (options.reference != 0.0)
     return fail(fmt::format("found the reference point at {}, expected 0, from where M852 counts",
                             fixed_number(options.reference, 3)));
@@ -111,7 +110,7 @@ const AxisTable marlin_skew_axis_table = {
     .extension = ".gcode",
     .curves = TableCurves::both_ways,
     .limits = {.points = 2, .rotary = false, .cross_only = true},
-    .uses = {.output_axis = true},
+    .uses = {.output_axis = true, .inch = false},
     .sign =
         "A positive factor moves the first axis in the negative direction where the second stands above 0, by the "
         "factor "

@@ -225,7 +225,7 @@ const AxisTable pmac_axis_table = {
     .extension = ".pmc",
     .curves = TableCurves::each_way,
     .limits = {.equidistant = true, .origin = TableOrigin::on_grid, .zero_upwards = true, .closes = true},
-    .uses = {.number = true, .resolution = true, .output_axis = true},
+    .uses = {.number = true, .resolution = true, .output_axis = true, .inch = false},
     .sign =
         "A positive number of COMP moves the axis in the positive direction; one of BLCOMP in the negative, and only "
         "while it moves in the negative direction.",

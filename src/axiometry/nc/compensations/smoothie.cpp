@@ -28,7 +28,7 @@ const AxisTable smoothie_axis_table = {
     .extension = ".txt",
     .curves = TableCurves::with_backlash,
     .limits = {.points = 2, .rotary = false},
-    .uses = {.steps_per_unit = true},
+    .uses = {.steps_per_unit = true, .inch = false},
     .sign = steps::sign,
     .loading =
         "Put the lines in the file config in place of those that are there, and reset the control. Backlash is there "

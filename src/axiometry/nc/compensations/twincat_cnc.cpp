@@ -154,7 +154,7 @@ const AxisTable twincat_cnc_axis_table = {
     .extension = ".lis",
     .curves = TableCurves::each_way,
     .limits = {.points = 1500, .closes = true},
-    .uses = {.number = true},
+    .uses = {.number = true, .inch = false},
     .sign = "A positive number moves the axis in the negative direction: it is actual less set position.",
     .loading =
         "Name the list as the axis compensation of this axis among the start-up lists, switch the spindle error "

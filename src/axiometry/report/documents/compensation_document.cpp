@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "axiometry/report/compensation.h"
 #include "axiometry/report/figures/compensation_curves.h"
 #include "axiometry/report/sections/fact.h"
@@ -133,6 +134,13 @@ Section named_findings_section(std::span<const NamedFinding> findings) {
   return section;
 }
 
+Section compensation_notes(std::string_view notes) {
+  Section section{"notes", "Notes", false, {}};
+  for (const std::string_view line : text::split(notes, '\n'))
+    if (!text::trim(line).empty()) section.blocks.emplace_back(Paragraph{verbatim(text::trim(line)), Tone::normal});
+  return section;
+}
+
 }  // namespace
 
 Document compose(const CompensationSubject& subject, const Options& options) {
@@ -147,6 +155,7 @@ Document compose(const CompensationSubject& subject, const Options& options) {
   document.status = {compensation_outcome(subject, options)};
   document.sections = {compensation_parameters(subject, options), table_section(subject, options)};
   if (!subject.findings.empty()) document.sections.push_back(named_findings_section(subject.findings));
+  if (!text::trim(subject.notes).empty()) document.sections.push_back(compensation_notes(subject.notes));
   document.sections.push_back(control_section(subject.control));
   document.sections.push_back(identification_section(whole, options));
   document.sections.push_back(provenance_section(whole, options));

@@ -5,6 +5,7 @@ import { ParameterSymbol } from '../../components/symbol';
 import { fixed, unit_sign, when } from '../../numbers';
 import { decimals_in } from './figures';
 import { shown_parameters } from './result';
+import { StandingTags } from './standing';
 import { t } from './texts';
 
 interface Props { found: KeptCompensation; result: CompensationResult; shown: readonly Shown[]; is_fixed: boolean; choose: () => void; unlink: () => void }
@@ -45,7 +46,7 @@ export function Chain({ found, result, shown, is_fixed, choose, unlink }: Props)
         {found.retest ? (
           <>
             <TestLine test={found.retest} />
-            {result.retest && values(result.retest.parameters)}
+            {result.retest ? values(result.retest.parameters) : <p class="quiet">{t('counts_not')}</p>}
             {typeof result.retest?.share === 'number' && typeof result.retest.u === 'number' && (
               <p class="small quiet">{t('share', { share: fixed(100 * result.retest.share, 0), u: fixed(200 * result.retest.u, 0) })}</p>
             )}
@@ -61,5 +62,5 @@ export function Chain({ found, result, shown, is_fixed, choose, unlink }: Props)
 }
 
 function TestLine({ test }: { test: CompensationTest }) {
-  return <p><a href={`/tests/${test.id}?version=${test.version}`}>{test.title}</a> <span class="quiet number">{test.measured_on || t('undated')}</span></p>;
+  return <p><a href={`/tests/${test.id}?version=${test.version}`}>{test.title}</a> <span class="quiet number">{test.measured_on || t('undated')}</span><StandingTags test={test} /></p>;
 }

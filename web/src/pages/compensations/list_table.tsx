@@ -3,6 +3,7 @@ import type { CompensationHead, CompensationTest } from '../../api/types';
 import { DataTable, type Column } from '../../components/table';
 import { absent, when } from '../../numbers';
 import { effect_line } from './lines';
+import { StandingTags } from './standing';
 import { t } from './texts';
 
 /** Rows of tables that were kept: in the list of all, and of an axis. */
@@ -34,5 +35,5 @@ function Place({ row: { machine, axis } }: { row: CompensationHead }) {
 }
 
 export function TestLink({ test }: { test: CompensationTest }) {
-  return <><a href={`/tests/${test.id}`}>{test.title}</a> <span class="quiet small number">{test.measured_on || t('undated')}</span></>;
+  return <><a href={`/tests/${test.id}`}>{test.title}</a> <span class="quiet small number">{test.measured_on || t('undated')}</span><StandingTags test={test} /></>;
 }

@@ -4,6 +4,7 @@ import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
 import { when } from '../../numbers';
 import { effect_line } from './lines';
+import { StandingTags } from './standing';
 import { t } from './texts';
 
 /** The tables that were made of a test, and those that it proves; nothing where there are none. */
@@ -36,7 +37,7 @@ function List({ title, rows, other, word }: { title: string; rows: readonly Comp
               {row.serious > 0 && <> <span class="tag bad">{t('serious', { n: row.serious })}</span></>}
               <span class="small quiet number-text"> {when(row.made_at)}</span>
               <br /><span class="small number-text">{effect_line(row)}</span>
-              {test && <span class="small quiet"> · {word}: <a href={`/tests/${test.id}`}>{test.title}</a> {test.measured_on}</span>}
+              {test && <span class="small quiet"> · {word}: <a href={`/tests/${test.id}`}>{test.title}</a> {test.measured_on}<StandingTags test={test} /></span>}
             </li>
           );
         })}

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useMemo } from 'preact/hooks';
 import type { CompensatedControl, CompensationMean, CompensationOptions, MadeCompensation, Test } from '../../api/types';
-import { FailureNotice } from '../../components/failure';
 import { position_unit, shortest } from '../../numbers';
 import { VolumeFindings } from '../volume/findings';
 import { AboutFormat, TableText, described_by } from './about';
@@ -11,8 +10,9 @@ import { MeansChart, TableChart } from './curves';
 import type { Existing } from './existing';
 import { FigureTable } from './figures';
 import { KeepTable } from './keep';
+import { Refused } from './refused';
 import { t } from './texts';
-import { in_page_words, page_words } from './words';
+import { in_page_words } from './words';
 
 interface Props {
   test: Test; control: CompensatedControl | null; options: CompensationOptions | null; made: Answered<MadeCompensation>;
@@ -38,7 +38,7 @@ export function Outcome({ test, control, options, made, existing, file, read, wr
       <p class="visually-hidden" role="status">{made.busy ? t('making') : made.is_current ? t('made') : ''}</p>
       {control === null && <p class="panel quiet">{t('choose_control')}</p>}
       {wrong > 0 && <p class="notice bad" role="alert">{t('fields_wrong')}</p>}
-      {made.error && <Refused made={made} />}
+      {made.error && <Refused error={made.error} again={made.again} />}
       {fits && result && shown && (
         <section class="panel flush table-results" aria-labelledby="table-result">
           <header>
@@ -61,18 +61,6 @@ export function Outcome({ test, control, options, made, existing, file, read, wr
           <AboutFormat {...described_by(control)} />
         </section>
       )}
-    </div>
-  );
-}
-
-function Refused({ made }: { made: Answered<MadeCompensation> }) {
-  const { error } = made;
-  if (error === null) return null;
-  if (error.kind !== 'bad_input') return <FailureNotice error={error} retry={made.again} />;
-  return (
-    <div class="notice bad" role="alert">
-      <p class="heading">{t('no_table_made')}</p>
-      <p>{page_words(error.message)}</p>
     </div>
   );
 }

@@ -3,18 +3,9 @@
 import type { CompensatedControl } from '../../api/types';
 
 /** Beside the reference point, the method and what its curves allow, of which every control has a use. */
-export type Use = CompensatedControl['options'][number] | 'inch' | 'read_step';
+export type Use = CompensatedControl['options'][number] | 'read_step';
 
-/** Those whose unit of length is one alone. */
-const of_one_unit: readonly string[] = ['axeserr', 'fanuc', 'fanuc-bidirectional', 'grblhal', 'haas', 'marlin', 'pmac', 'smoothie', 'twincat-cnc'];
-/** Those whose file may leave the spacing to a parameter of the control. */
-const of_told_step: readonly string[] = ['fanuc', 'fanuc-bidirectional'];
-
-export function has_use(control: CompensatedControl, use: Use): boolean {
-  if (use === 'inch') return !of_one_unit.includes(control.id);
-  if (use === 'read_step') return of_told_step.includes(control.id);
-  return control.options.includes(use);
-}
+export const has_use = (control: CompensatedControl, use: Use): boolean => (use === 'read_step' ? control.read_step : control.options.includes(use));
 
 /** Whether it has positions to choose: a backlash alone, with or without a scale factor, has none. */
 export const has_grid = ({ limits }: CompensatedControl): boolean => limits.points === null || limits.points > 2;

@@ -67,5 +67,6 @@ export const t = texts({
   click_hint: ['Bars: uncertainty. Dashed lines: limits. A click on a point opens its test.', 'Balken: Unsicherheit. Gestrichelt: Grenzwerte. Ein Klick auf einen Punkt öffnet die Prüfung.'],
   tables_hint: ['Lines from top to bottom: a table was made of the test before them.', 'Senkrechte Linien: Aus der Prüfung davor entstand eine Tabelle.'],
   table_made: ['table {id} was made of it ({control})', 'daraus entstand Tabelle {id} ({control})'],
+  table_unproved: ['re-test of table {id} ({control}), and revised since it was linked', 'Nachprüfung der Tabelle {id} ({control}), seit der Verknüpfung geändert'],
   table_proved: ['re-test of table {id} ({control})', 'Nachprüfung der Tabelle {id} ({control})'],
 });

@@ -100,7 +100,7 @@ function marks_of(tables: readonly CompensationHead[], points: readonly Point[],
 function table_words(tables: readonly CompensationHead[], test: number): string[] {
   return tables.flatMap((table) => [
     ...(table.test.id === test ? [t('table_made', { id: table.id, control: short_control(table.control.title) })] : []),
-    ...(table.retest?.id === test ? [t('table_proved', { id: table.id, control: short_control(table.control.title) })] : []),
+    ...(table.retest?.id === test ? [t(table.retest.revised ? 'table_unproved' : 'table_proved', { id: table.id, control: short_control(table.control.title) })] : []),
   ]);
 }
 

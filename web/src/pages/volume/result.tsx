@@ -5,6 +5,7 @@ import type { ComponentChildren } from 'preact';
 import type { VolumetricResult } from '../../api/types';
 import { DataTable } from '../../components/table';
 import { absent, count, fixed } from '../../numbers';
+import { ControlTablePanel } from './control_table';
 import { ErrorCurves, ErrorTable, SquarenessFigures, told_count } from './errors';
 import { FieldPanel } from './field';
 import { VolumeFindings } from './findings';
@@ -38,6 +39,7 @@ export function VolumeResult({ result, taken, more }: { result: VolumetricResult
       <FieldPanel result={result} />
       <LinePanel model={result.model} />
       <TablePanel model={result.model} />
+      <ControlTablePanel model={result.model} />
       <section class="panel" aria-labelledby="volume-stations">
         <header><h2 id="volume-stations">{t('stations')}</h2></header>
         <Stations result={result} />
