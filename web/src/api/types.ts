@@ -1959,6 +1959,10 @@ export interface components {
             /** @description Words that must stand wherever the results do. */
             label?: string;
             parameters: components["schemas"]["ParameterNumbers"];
+            /** @description Of each parameter that exists, the symbol that names the axis too (8.2.4), "E_XX,A↑"; absent where the axis has none. */
+            symbols?: {
+                [key: string]: string;
+            };
             uncertainty: components["schemas"]["Uncertainty"];
             /** @description Of all limits together. */
             verdict?: components["schemas"]["Judged"];
