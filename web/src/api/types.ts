@@ -2171,7 +2171,7 @@ export interface components {
             withdrawn: boolean;
             verdict: components["schemas"]["Verdict"] | null;
             label: string;
-            /** @description A, E, R and B, as far as there are. */
+            /** @description A, E, R and B, as far as there are; of a test of one direction A_up or A_down, and so on, in their place. */
             figures: components["schemas"]["FigureOfTest"][];
         };
         TestVersion: {
