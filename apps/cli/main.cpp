@@ -13,6 +13,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
 #include "cli/flags/verb.h"
+#include "cli/verbs/command_temperatures.h"
 #include "cli/verbs/commands.h"
 
 namespace {
@@ -72,6 +73,7 @@ int run(int argc, char** argv) {
   add_compensate(verbs, exit_code);
   add_simulate(verbs, exit_code);
   add_air(verbs, exit_code);
+  add_temperatures(verbs, exit_code);
   add_tracking(verbs, exit_code);
   add_volumetric(verbs, exit_code);
   add_formats(verbs, exit_code);
