@@ -55,7 +55,7 @@ COMMANDS = [
     ("", "compare-rules rotary-table.csv --report {out}"),
     ("label", "compare-rules step.csv --report {out}"),
     ("verdict", "compare-rules one-run.csv --report {out}"),
-    ("temperatures", "temperatures hall.csv --began 2026-03-02T09:00 --ended 2026-03-02T10:00 --highest 22 --rate 0.5 --report {out}"),
+    ("temperatures", "temperatures parts.csv --began 2026-03-02T08:30 --ended 2026-03-02T10:00 --highest 20.4 --rate 5 --sensor T1=air --report {out}"),
     ("temperatures", "temperatures parts.csv --lowest 19 --report {out}"),
     ("label", "compensate step.csv --for siemens-lec --report {out}"),
     ("", f"{PLAN} --station 100,80,-600 --obstacle vice=box:450,130,-700:550,230,-520 --obstacle "
