@@ -26,6 +26,8 @@ SOURCES = [
     "standards/rules/comparison.cpp", "standards/rules/comparison.h", "standards/rules/export_lists.cpp", "standards/rules/gb_t_38614_2020.cpp",
     "standards/rules/jis_b_0182_1993.cpp", "standards/rules/jis_b_6201.cpp", "standards/rules/rule.cpp", "standards/rules/rule_values.cpp",
     "standards/rules/rule_values.h", "standards/rules/two_sigma_figures.cpp", "standards/rules/vdi_dgq_3441.cpp", "report/documents/rules_document.cpp",
+    "report/temperatures/temperature_document.cpp", "report/temperatures/temperature_figure.cpp", "report/figures/mean_deviations.cpp",
+    "standards/environment/environment.cpp",
     "standards/iso230_2/plan/rules.cpp", "standards/iso230_2/programme.cpp",
     "standards/iso230_2/rules/conditions.cpp", "standards/iso230_2/rules/lines.cpp",
     "standards/iso230_2/rules/programme.cpp", "standards/iso230_2/rules/report.cpp",

@@ -58,6 +58,7 @@ def seeds(program, folder):
     yield "table read after a profile", ["evaluate", "-q", "@", "--profile", str(folder / "answered.json")], pathlib.Path(strange).read_bytes()
     yield "straightness", ["straightness", "@"], (files / "error-motions.files/z-of-x.csv").read_bytes()
     yield "periodic", ["periodic", "@", "--period", "10"], (files / "periodic.files/screw.csv").read_bytes()
+    yield "temperature log", ["temperatures", "-q", "@"], TEMPERATURES.encode()
     yield "rules compared", ["compare-rules", "@"], (files / "periodic.files/screw.csv").read_bytes()
     for case in sorted((ROOT / "tests" / "conformance").rglob("*.case"))[::6]:
         yield case.name, ["check", "@"], case.read_bytes()
@@ -133,6 +134,7 @@ BACKLASH = "# axis.name: X\ntarget_mm,run,direction,deviation_um\n" + "".join(
     for k in range(9) for run in (1, 2, 3) for way, turn in (("up", 0), ("down", 5)))
 
 
+TEMPERATURES = "time;Air [°C];Bed [°C]\n" + "".join(f"2026-03-02 {8 + k // 60:02}:{k % 60:02};{20 + k % 5 / 10};21\n" for k in range(60))
 DRIFT = "time_s,deviation_um\n" + "".join(f"{10 * k},{(k * 37 % 11) / 10 - 0.5}\n" for k in range(60))
 
 

@@ -14,6 +14,7 @@
 #include "axiometry/base/version.h"
 #include "cli/flags/verb.h"
 #include "cli/verbs/command_dynamic.h"
+#include "cli/verbs/command_temperatures.h"
 #include "cli/verbs/commands.h"
 
 namespace {
@@ -90,6 +91,7 @@ int run(int argc, char** argv) {
   add_compensate(verbs, exit_code);
   add_simulate(verbs, exit_code);
   add_air(verbs, exit_code);
+  add_temperatures(verbs, exit_code);
   add_tracking(verbs, exit_code);
   add_volumetric(verbs, exit_code);
   add_formats(verbs, exit_code);

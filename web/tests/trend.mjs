@@ -3,7 +3,45 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { example, shows } from './world.mjs';
 
+/** A test of one direction of approach, whose A is an A↑ or A↓. */
+const one_way = (direction, slope) => [
+  '# machine.name: Lathe 9', '# axis.name: X', `# test.date: 2026-02-0${slope}`, 'target_mm,direction,run,deviation_um',
+  ...[1, 2, 3, 4, 5].flatMap((run) => [0, 100, 200, 300, 400].map((x) => `${x},${direction},${run},${(slope * x) / 100 + run / 10}`)),
+].join('\n');
+
 export const trend = {
+  async 'tests of one direction have their figures in the list, the trend and the overview of machines'(world) {
+    await world.kept();
+    const ids = [];
+    for (const [direction, slope] of [['up', 1], ['up', 2], ['down', 3]]) {
+      const kept = await world.api('POST', '/api/tests', one_way(direction, slope), { 'X-File-Name': `${direction}_${slope}.csv` });
+      ids.push(kept.id ?? kept.tests[0].id);
+    }
+    const figure = async (id, key) => {
+      const { result } = await world.api('GET', `/api/tests/${id}`);
+      return result.parameters[key];
+    };
+    const up = await figure(ids[1], 'A_up');
+    assert.ok(up > 8 && await figure(ids[1], 'A') === null, 'the test must be of one direction');
+    const page = await world.page();
+    await page.goto('/');
+    const row = (name) => page.locator('.test-list tbody tr', { hasText: name });
+    await shows(row('up_2').locator('td.number').nth(0), new RegExp(`^A↑\\s*${up.toFixed(1).replace('.', '\\.')}`));
+    await shows(row('up_2').locator('td.number').nth(2), /^R↑\s*\d/);
+    await shows(row('down_3').locator('td.number').nth(1), /^E↓\s*\d/);
+    assert.equal((await row('up_2').locator('td.number').nth(3).innerText()).trim(), '–', 'one direction has no reversal');
+    const { axis } = await world.api('GET', `/api/tests/${ids[1]}`);
+    await page.goto(`/axes/${axis.id}`);
+    const heads = page.locator('.trend table thead');
+    await shows(heads, /A↑/);
+    await shows(heads, /R↓/);
+    await shows(page.locator('.trend tbody tr', { hasText: 'up_2' }), new RegExp(up.toFixed(1)));
+    await page.goto('/machines');
+    const last = await figure(ids[2], 'A_down');
+    await shows(page.locator(`a.axis-spark[href="/axes/${axis.id}"] .value`), new RegExp(`A↓\\s*${last.toFixed(1)}`));
+    assert.match(await page.locator(`a.axis-spark[href="/axes/${axis.id}"]`).getAttribute('title'), /^X: A↓ \d.*, 1 test/);
+  },
+
   async 'a test without a date stands in the trend where it was received, and says so'(world) {
     await world.kept();
     const undated = JSON.parse(await readFile(example, 'utf8'));

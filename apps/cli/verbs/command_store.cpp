@@ -84,11 +84,15 @@ Result<int> info(const StoreArguments& arguments) {
   return exit_done;
 }
 
-std::string figure_text(const store::TestRow& row, std::string_view parameter) {
-  for (const store::Figure& figure : row.figures)
-    if (figure.parameter == parameter)
-      return fmt::format("{} {}", format_fixed(figure.value, 1), row.unit == "arcsec" ? "″" : "µm");
-  return "–";
+/// "A 9.6 µm"; of a test of one direction "A↑ 5.2 µm"; "A –" where it has none.
+std::string figure_text(const store::TestRow& row, std::string_view letter) {
+  constexpr std::pair<std::string_view, std::string_view> senses[] = {{"", ""}, {"_up", "↑"}, {"_down", "↓"}};
+  for (const auto& [suffix, arrow] : senses)
+    for (const store::Figure& figure : row.figures)
+      if (figure.parameter == fmt::format("{}{}", letter, suffix))
+        return fmt::format("{}{} {} {}", letter, arrow, format_fixed(figure.value, 1),
+                           row.unit == "arcsec" ? "″" : "µm");
+  return fmt::format("{} –", letter);
 }
 
 Result<int> list(const StoreArguments& arguments) {
@@ -100,7 +104,7 @@ Result<int> list(const StoreArguments& arguments) {
   for (const store::TestRow& row : page.rows)
     fmt::print("{} {} {} {} {} {} {}\n", left(fmt::format("{}", row.id), 7),
                left(report::printable(row.measured_on), 11), left(report::printable(row.machine_name), 24),
-               left(report::printable(row.axis_name), 5), left("A " + figure_text(row, "A"), 13), left(row.verdict, 17),
+               left(report::printable(row.axis_name), 5), left(figure_text(row, "A"), 13), left(row.verdict, 17),
                report::printable(row.title));
   fmt::print("{} of {}\n", page.rows.size(), page.total);
   return exit_done;

@@ -77,6 +77,8 @@ constexpr Phrase rows[] = {
     {"{0#} target, {1#} runs, {2#} readings.", "{0} Zielposition, {1} Durchläufe, {2} Messwerte."},
     {"{0#} targets, {1#} run, {2#} readings.", "{0} Zielpositionen, {1} Durchlauf, {2} Messwerte."},
     {"{0#} targets, {1#} runs, {2#} readings.", "{0} Zielpositionen, {1} Durchläufe, {2} Messwerte."},
+    {"{0#} targets; the expanded uncertainty is from {1#} to {2#} {3}.",
+     "{0} Zielpositionen; die erweiterte Unsicherheit reicht von {1} bis {2} {3}."},
 };
 
 }  // namespace

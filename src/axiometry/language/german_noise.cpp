@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the noise of the environment was, and which of its kinds an interval holds for.
+// What the noise of the environment was, and which of its kinds an interval holds for; temperatures about a test.
 #include "axiometry/language/german.h"
 
 namespace axiometry::language {
 namespace {
 
 constexpr Phrase rows[] = {
+    {"Agreed", "Vereinbart"},
+    {"An agreed limit is exceeded", "Ein vereinbarter Grenzwert ist überschritten"},
+    {"Change per hour, during the test", "Änderung je Stunde, während der Prüfung"},
+    {"Change per hour, in the twelve hours before", "Änderung je Stunde, in den zwölf Stunden davor"},
+    {"Change per hour: the greatest within any hour; where less than an hour was recorded in one piece, the range of "
+     "that piece divided by its length. Readings more than half an hour apart tell nothing of the time between them.",
+     "Änderung je Stunde: die größte innerhalb irgendeiner Stunde; wo weniger als eine Stunde am Stück aufgezeichnet "
+     "wurde, die Spanne dieses Stücks geteilt durch seine Länge. Messwerte, die mehr als eine halbe Stunde "
+     "auseinanderliegen, sagen nichts über die Zeit dazwischen."},
     {"E_VE = {0#} as noise from reading to reading would scatter them by {1#} within runs, where they scatter by {2#} "
      "(p = {3#}): it cannot be the white noise that it is stated to be, and counts as a slow drift or a random walk",
      "E_VE = {0} als Rauschen von Messwert zu Messwert würde sie innerhalb der Durchläufe um {1} streuen lassen, wo "
@@ -33,12 +42,22 @@ constexpr Phrase rows[] = {
      "zählt"},
     {"E_VE may be white noise, a slow drift or a random walk: the largest u counts",
      "E_VE kann weißes Rauschen, eine langsame Drift oder eine Irrfahrt sein: das größte u zählt"},
+    {"Gradient over the machine", "Temperaturunterschied über die Maschine"},
+    {"Highest temperature of the air", "Höchste Lufttemperatur"},
+    {"Highest, °C", "Höchster, °C"},
+    {"How the log was read", "Wie die Aufzeichnung gelesen wurde"},
+    {"ISO 230-2:2014, 4.1 and 7", "ISO 230-2:2014, 4.1 und 7"},
+    {"Log begins", "Beginn der Aufzeichnung"},
+    {"Lowest temperature of the air", "Niedrigste Lufttemperatur"},
+    {"Lowest, °C", "Niedrigster, °C"},
+    {"Measured", "Gemessen"},
     {"No environmental variation was stated, and none counts",
      "Keine Umgebungsschwankung wurde angegeben, und keine zählt"},
     {"No environmental variation was stated, and none counts.",
      "Keine Umgebungsschwankung wurde angegeben, und keine zählt."},
     {"No interval is stated, since no normal scatter explains a reading: {0}",
      "Kein Intervall wird angegeben, da keine normale Streuung einen Messwert erklärt: {0}"},
+    {"No limits were agreed", "Es wurden keine Grenzwerte vereinbart"},
     {"Noise makes the parameters, which are extremes, larger on average: none was stated, and the interval knows "
      "nothing of it.",
      "Rauschen macht die Kennwerte, die Extremwerte sind, im Mittel größer: Es wurde keines angegeben, und das "
@@ -52,10 +71,19 @@ constexpr Phrase rows[] = {
      "Rauschen des Messgeräts und der Umgebung ist Teil der Streuung."},
     {"Noise refuted by the readings (p = {0#}): {1}; {2}",
      "Von den Messwerten widerlegtes Rauschen (p = {0}): {1}; {2}"},
+    {"Not known whether every agreed limit was kept",
+     "Nicht bekannt, ob jeder vereinbarte Grenzwert eingehalten wurde"},
+    {"Of", "Von"},
     {"Recording at standstill (A.2.5): over time, and the sinusoids that it is made of",
      "Aufzeichnung bei Stillstand (A.2.5): über der Zeit, und die Sinusschwingungen, aus denen sie besteht"},
     {"Recording at standstill: {0=} (SHA-256 {1=}), {2#} values {3#} s apart",
      "Aufzeichnung bei Stillstand: {0} (SHA-256 {1}), {2} Werte im Abstand von {3} s"},
+    {"Standing", "Stand"},
+    {"Temperature", "Temperatur"},
+    {"Temperatures about a test", "Temperaturen zu einer Prüfung"},
+    {"Temperatures before and during the test", "Temperaturen vor und während der Prüfung"},
+    {"Test began", "Beginn der Prüfung"},
+    {"Test ended", "Ende der Prüfung"},
     {"That noise makes the parameters, which are extremes, larger on average is neither corrected nor part of {0#}.",
      "Dass Rauschen die Kennwerte, die Extremwerte sind, im Mittel größer macht, ist weder korrigiert noch Teil von "
      "{0}."},
@@ -63,6 +91,7 @@ constexpr Phrase rows[] = {
      "the Monte Carlo method tells of it.",
      "Dass Rauschen die Kennwerte, die Extremwerte sind, im Mittel größer macht, ist weder korrigiert noch Teil von "
      "{0}; die Monte-Carlo-Methode sagt mehr dazu."},
+    {"The agreed limits were kept", "Die vereinbarten Grenzwerte wurden eingehalten"},
     {"The environmental variation counts as a random walk", "Die Umgebungsschwankung zählt als Irrfahrt"},
     {"The environmental variation counts as a slow drift", "Die Umgebungsschwankung zählt als langsame Drift"},
     {"The environmental variation counts as independent from reading to reading",
@@ -156,23 +185,45 @@ constexpr Phrase rows[] = {
      "Ergebnisses und nicht seiner Unsicherheit. Was laut Feststellungen nicht korrigiert ist, ist nicht darin: Ohne "
      "eine Korrektur gilt sie nicht."},
     {"Time", "Zeit"},
+    {"Time from the beginning of the log", "Zeit seit Beginn der Aufzeichnung"},
+    {"Time from the beginning of the test", "Zeit seit Beginn der Prüfung"},
     {"What the findings tell as not corrected is not in it: without a correction it does not hold.",
      "Was laut Feststellungen nicht korrigiert ist, ist nicht darin: Ohne eine Korrektur gilt sie nicht."},
+    {"What was measured and what was agreed", "Was gemessen und was vereinbart wurde"},
     {"a bootstrap one, of runs drawn again from those that were measured",
      "ein Bootstrap-Intervall aus Durchläufen, die aus den gemessenen neu gezogen wurden"},
     {"a trend that shifts of the runs hide", "ein Trend, den Verschiebungen der Durchläufe verbergen"},
+    {"agreed limit", "vereinbarter Grenzwert"},
     {"as the recording at standstill", "wie die Aufzeichnung im Stillstand"},
+    {"at least {0#} {1}", "mindestens {0} {1}"},
+    {"at most {0#} {1}", "höchstens {0} {1}"},
+    {"column {0=} of the temperature log is no temperature and is passed over",
+     "Spalte {0} der Temperaturaufzeichnung ist keine Temperatur und wird übergangen"},
     {"errors of single readings", "Fehler einzelner Messwerte"},
+    {"exceeded", "überschritten"},
+    {"found a column {0=} of sensors' names, expected a column for each sensor",
+     "Spalte {0} mit Namen von Sensoren; erwartet: eine Spalte für jeden Sensor"},
+    {"found a temperature log that begins {0=} and lasts {1#} h, expected one of the test or of the twelve hours "
+     "before it",
+     "Temperaturaufzeichnung, die {0} beginnt und {1} h dauert; erwartet: eine der Prüfung oder der zwölf Stunden "
+     "davor"},
     {"how its values go together over the length of the test, and white noise of u = {0#} {1#} beside it; the readings "
      "show about {2#} of what is stated",
      "wie ihre Werte über die Dauer der Prüfung zusammenhängen, und weißes Rauschen von u = {0} {1} daneben; die "
      "Messwerte zeigen etwa das {2}-fache der angegebenen Größe"},
     {"its size is taken from the readings; the readings show about {0#} of what is stated",
      "ihre Größe folgt aus den Messwerten; die Messwerte zeigen etwa das {0}-fache der angegebenen"},
+    {"known in part only", "nur teilweise bekannt"},
     {"no environmental variation is stated", "es ist keine Umgebungsschwankung angegeben"},
     {"no interval is stated: {0}", "es wird kein Intervall angegeben: {0}"},
+    {"no limit agreed", "kein Grenzwert vereinbart"},
     {"no noise in the readings", "kein Rauschen in den Messwerten"},
+    {"nobody said when the test was: all of the log counts as the test, and nothing is known of the twelve hours "
+     "before it",
+     "niemand hat gesagt, wann die Prüfung war: die ganze Aufzeichnung zählt als Prüfung, und von den zwölf Stunden "
+     "davor ist nichts bekannt"},
     {"noise as it is stated", "Rauschen wie angegeben"},
+    {"not measured", "nicht gemessen"},
     {"of about the size that is stated, as far as the means of the runs leave room",
      "von etwa der Größe, die angegeben ist, soweit die Mittelwerte der Durchläufe Raum lassen"},
     {"of up to five times of what is stated, as far as the means of the runs leave room",
@@ -188,6 +239,13 @@ constexpr Phrase rows[] = {
     {"recording at standstill, file", "Aufzeichnung bei Stillstand, Datei"},
     {"recording at standstill, flag", "Aufzeichnung bei Stillstand, Aufruf"},
     {"slow drift", "langsame Drift"},
+    {"temperature sensor {0=} does not say what it is of and is taken for one of the air",
+     "Temperatursensor {0} sagt nicht, wovon er ist, und gilt als einer der Luft"},
+    {"temperature sensor {0=} has no reading at all", "Temperatursensor {0} hat gar keinen Messwert"},
+    {"temperature sensor {0=}: {1#} of {2#} readings have no value and are left out",
+     "Temperatursensor {0}: {1} von {2} Messwerten sind leer und bleiben weg"},
+    {"temperature sensor {0=}: {1#} of {2#} readings lie outside −60 … 100 °C and are left out",
+     "Temperatursensor {0}: {1} von {2} Messwerten liegen außerhalb von −60 … 100 °C und bleiben weg"},
     {"the method of record, {0}, states no uncertainty of {1#}",
      "das maßgebliche Verfahren, {0}, gibt keine Unsicherheit von {1} an"},
     {"the parameter that the axis has in the long run", "der Kennwert, den die Achse auf lange Sicht hat,"},
@@ -199,7 +257,21 @@ constexpr Phrase rows[] = {
      "was laut Feststellungen nicht korrigiert ist,"},
     {"the recording at standstill tells it", "die Aufzeichnung bei Stillstand sagt es"},
     {"the scatter within runs leaves room for it", "die Streuung innerhalb der Durchläufe lässt Raum dafür"},
+    {"the temperature log begins with the newest reading and was turned round",
+     "die Temperaturaufzeichnung beginnt mit dem neuesten Messwert und wurde umgedreht"},
+    {"the temperature log tells no unit of its temperatures, which are taken to be in °C",
+     "die Temperaturaufzeichnung nennt keine Einheit ihrer Temperaturen; sie gelten als °C"},
+    {"the temperature of the air was recorded in {0#} h of the twelve hours before the test, of which clause 4.1 asks "
+     "for all",
+     "die Lufttemperatur ist in {0} h der zwölf Stunden vor der Prüfung aufgezeichnet, die Abschnitt 4.1 alle "
+     "verlangt"},
+    {"the temperature of the air was recorded in {0#} h of the {1#} h of the test; what it was in the rest is not "
+     "known",
+     "die Lufttemperatur ist in {0} h der {1} h der Prüfung aufgezeichnet; wie sie im Rest war, ist nicht bekannt"},
     {"time of a test", "Dauer einer Prüfung"},
+    {"time of the test", "Zeit der Prüfung"},
+    {"times of the temperature log are taken to count from 1970-01-01 UTC",
+     "Zeiten der Temperaturaufzeichnung gelten als seit 1970-01-01 UTC gezählt"},
     {"uncertainty.measurand = this-machine does not reach Annex A, whose U is that of the value of this test; GUM and "
      "Monte Carlo know it",
      "uncertainty.measurand = this-machine erreicht Anhang A nicht, dessen U für den Wert dieser Prüfung gilt; GUM und "
@@ -226,6 +298,8 @@ constexpr Phrase rows[] = {
      "{1} may be from the measured value.",
      "{0} gilt für rund 95 %, nach dem Fortpflanzungsgesetz, soweit dieses linear ist und seine systematische "
      "Abweichung nicht zählt: wie weit {1} vom Messwert entfernt sein kann."},
+    {"{0#} more sensor is not named here", "{0} weiterer Sensor ist hier nicht genannt"},
+    {"{0#} more sensors are not named here", "{0} weitere Sensoren sind hier nicht genannt"},
     {"{0#} of run {1#} at {2#} {3#} departs by {4#} {5#} from the other approaches, {6#} times the standard deviation "
      "of such a departure",
      "{0} von Durchlauf {1} bei {2} {3} weicht um {4} {5} von den anderen Anfahrten ab, das {6}-fache der "
@@ -234,6 +308,8 @@ constexpr Phrase rows[] = {
      "of such a departure; such readings: {7#}",
      "{0} von Durchlauf {1} bei {2} {3} weicht um {4} {5} von den anderen Anfahrten ab, das {6}-fache der "
      "Standardabweichung einer solchen Abweichung; solche Messwerte: {7}"},
+    {"{0#} readings of temperature sensors, from {1#} to {2#} °C.",
+     "{0} Messwerte von Temperatursensoren, von {1} bis {2} °C."},
     {"{0#} values over {1#} s; over {2#} s, as long as is looked at for a test, they range over {3#} {4#} at most.",
      "{0} Werte über {1} s; über {2} s, so lange, wie für eine Prüfung betrachtet wird, liegen sie höchstens {3} {4} "
      "auseinander."},

@@ -2049,6 +2049,10 @@ export interface components {
             /** @description Words that must stand wherever the results do. */
             label?: string;
             parameters: components["schemas"]["ParameterNumbers"];
+            /** @description Of each parameter that exists, the symbol that names the axis too (8.2.4), "E_XX,A↑"; absent where the axis has none. */
+            symbols?: {
+                [key: string]: string;
+            };
             uncertainty: components["schemas"]["Uncertainty"];
             /** @description Of all limits together. */
             verdict?: components["schemas"]["Judged"];
@@ -2257,7 +2261,7 @@ export interface components {
             withdrawn: boolean;
             verdict: components["schemas"]["Verdict"] | null;
             label: string;
-            /** @description A, E, R and B, as far as there are. */
+            /** @description A, E, R and B, as far as there are; of a test of one direction A_up or A_down, and so on, in their place. */
             figures: components["schemas"]["FigureOfTest"][];
         };
         TestVersion: {

@@ -29,6 +29,13 @@ export function shown_of(figures: readonly FigureOfTest[], parameter: Parameter)
   return { value: fixed(value, decimals), U: U === null ? '' : fixed(U, decimals), interval, method, verdict };
 }
 
+/** What a test of one direction has in the place of a parameter of both: A↑ for A. Itself where it exists, or where both or neither do. */
+export function at_hand(figures: readonly FigureOfTest[], parameter: Parameter): Parameter {
+  const has = (key: string): boolean => figures.some((figure) => figure.parameter === key);
+  if (has(parameter) || has(`${parameter}_up`) === has(`${parameter}_down`)) return parameter;
+  return (has(`${parameter}_up`) ? `${parameter}_up` : `${parameter}_down`) as Parameter;
+}
+
 /** "± 4.3", or the interval; '' where nothing is known. */
 export const uncertainty_text = ({ U, interval }: ShownFigure): string => (U !== '' ? `±\u2009${U}` : interval);
 
@@ -39,7 +46,7 @@ export function ParameterHead({ parameter, unit, with_U = true }: { parameter: P
 
 /** Of a column of such figures. */
 export const column_decimals = (rows: readonly (readonly FigureOfTest[])[], parameter: Parameter): number =>
-  most_decimals(rows.map((figures) => shown_of(figures, parameter)?.value));
+  most_decimals(rows.map((figures) => shown_of(figures, at_hand(figures, parameter))?.value));
 
 /** Whether any of them has a U, which the head of their column then names. */
 export const some_U = (rows: readonly (readonly FigureOfTest[])[]): boolean => rows.some((figures) => figures.some(({ U }) => U !== null));
@@ -47,11 +54,12 @@ export const some_U = (rows: readonly (readonly FigureOfTest[])[]): boolean => r
 /** Whether any of them states an interval alone. */
 export const some_interval = (rows: readonly (readonly FigureOfTest[])[]): boolean => rows.some((figures) => figures.some(({ U, low }) => U === null && low !== null));
 
-/** A parameter's value with its uncertainty, quieter, where there is one; `decimals` of the column that it stands in. */
-export function FigureCell({ shown, decimals = 0 }: { shown: ShownFigure | null; decimals?: number }) {
+/** A parameter's value with its uncertainty, quieter, where there is one; `decimals` of the column that it stands in; `named` where it is not the column's. */
+export function FigureCell({ shown, decimals = 0, named }: { shown: ShownFigure | null; decimals?: number; named?: Parameter | undefined }) {
   if (!shown) return <span class="quiet">{absent}</span>;
   return (
     <span class={shown.verdict === 'does not conform' ? 'over' : undefined}>
+      {named && <span class="quiet one-direction"><ParameterSymbol parameter={named} /> </span>}
       <Aligned text={shown.value} decimals={decimals} />
       <span class="plus-minus" title={shown.method === null ? undefined : method_title(shown.method)}>{uncertainty_text(shown)}</span>
     </span>

@@ -32,12 +32,27 @@ TEST(LabelOnTheWire, IsAMemberOfTheJson) {
   EXPECT_EQ(value.find("label")->text(), label);
 }
 
-TEST(LabelOnTheWire, IsTheLastColumnOfTheCombinedTable) {
-  EXPECT_THAT(combined_csv_header(), EndsWith(",label,uncertainty_method,computed,tested,reported\r\n"));
+TEST(LabelOnTheWire, IsAColumnOfTheCombinedTable) {
+  EXPECT_THAT(combined_csv_header(), EndsWith(",label,uncertainty_method,computed,tested,reported,symbol\r\n"));
   EXPECT_THAT(combined_csv_row(step_cycle()), HasSubstr(",\"" + label + "\",annex-a,no,no,"));
   const UncertaintyOptions all{.gum = true, .monte_carlo = true, .trials = {}};
   const auto columns = [](const std::string& row) { return std::count(row.begin(), row.end(), ','); };
   EXPECT_EQ(columns(combined_csv_header(all)), columns(combined_csv_error_row("f", {"x", "", {}}, all)));
+}
+
+TEST(SymbolsOnTheWire, NameAxisAndParameterTogether) {  // 8.2.4
+  Evaluated evaluated = step_cycle();
+  evaluated.test.metadata.axis.name = "X";
+  const auto value = to_json(evaluated);
+  ASSERT_NE(value.find("symbols"), nullptr);
+  EXPECT_EQ(value.find("symbols")->find("A_up")->text(), "E_XX,A↑");
+  EXPECT_EQ(value.find("symbols")->find("B_mean")->text(), "E_XX,B̄");
+  EXPECT_THAT(combined_csv_row(evaluated), EndsWith(",E_XX\r\n"));
+  evaluated.assessment.evaluation.parameters.R.reset();
+  EXPECT_EQ(to_json(evaluated).find("symbols")->find("R"), nullptr) << "what does not exist has no symbol";
+  evaluated.test.metadata.axis.name = "long axis";
+  EXPECT_EQ(to_json(evaluated).find("symbols"), nullptr);
+  EXPECT_THAT(combined_csv_row(evaluated), EndsWith(",\r\n"));
 }
 
 TEST(LabelOnTheWire, IsAMemberOfThePeriodicErrorsJson) {

@@ -12,6 +12,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
 #include "axiometry/formats/test/metadata_json.h"
+#include "axiometry/standards/iso230_2/error_symbol.h"
 #include "axiometry/standards/iso230_2/information.h"
 #include "axiometry/standards/iso230_2/rules/claims.h"
 #include "axiometry/standards/test_standard.h"
@@ -101,6 +102,15 @@ void add_information(Value& object, const Test& test, const iso230_2::AxisParame
   row.add("value", smaller->value.in_native());
   row.add("of", smaller->parameter->key);
   row.add("remark", iso230_2::smaller_repeatability_remark);
+}
+
+/// With the axis (8.2.4), of the parameters that exist; nothing where the axis has no symbol.
+void add_symbols(Value& object, const Evaluated& evaluated) {
+  const Axis& axis = evaluated.test.metadata.axis;
+  if (iso230_2::error_symbol(axis).empty()) return;
+  Value& symbols = object.add("symbols", Value::object());
+  for (const auto& p : iso230_2::parameters)
+    if (evaluated.assessment.evaluation.parameters.*p.member) symbols.add(p.key, iso230_2::error_symbol(axis, p));
 }
 
 std::string csv_text(std::string_view s) { return text::csv_cell(text::no_formula(s)); }
@@ -196,6 +206,7 @@ json::Value to_json(const Evaluated& evaluated) {
   object.add("claims", claims_to_json(iso230_2::claims_of(evaluated.test, evaluated.assessment)));
   if (!evaluated.assessment.label.empty()) object.add("label", evaluated.assessment.label);
   object.add("parameters", parameters_to_json(evaluated.assessment.evaluation.parameters));
+  add_symbols(object, evaluated);
   object.add("uncertainty", uncertainty_to_json(evaluated.assessment));
   add_conformity(object, evaluated);
   add_information(object, evaluated.test, evaluated.assessment.evaluation.parameters);
@@ -230,7 +241,7 @@ std::string combined_csv_header(const UncertaintyOptions& asked) {
   for (const auto& p : iso230_2::parameters) header += fmt::format(",{}", p.key);
   for (const auto& p : iso230_2::parameters) header += fmt::format(",U_{}", p.key);
   return header + ",error,verdict,does_not_conform,undecided" + method_csv_header(asked) +
-         ",label,uncertainty_method,computed,tested,reported\r\n";
+         ",label,uncertainty_method,computed,tested,reported,symbol\r\n";
 }
 
 std::string combined_csv_row(const Evaluated& evaluated, const UncertaintyOptions& asked) {
@@ -242,14 +253,15 @@ std::string combined_csv_row(const Evaluated& evaluated, const UncertaintyOption
   append_uncertainties(row, evaluated.assessment);
   return row + "," + verdict_cells(evaluated.judgements) + method_csv_cells(asked, &evaluated) + "," +
          csv_text(evaluated.assessment.label) + "," + std::string(word_of_record(evaluated.assessment)) +
-         claim_cells(iso230_2::claims_of(evaluated.test, evaluated.assessment)) + "\r\n";
+         claim_cells(iso230_2::claims_of(evaluated.test, evaluated.assessment)) + "," + iso230_2::error_symbol(axis) +
+         "\r\n";
 }
 
 std::string combined_csv_error_row(const std::string& file, const Error& error, const UncertaintyOptions& asked) {
   std::string row = csv_text(file) + ",,,,,";
   append_parameters(row, nullptr);
   append_parameters(row, nullptr);
-  return row + "," + csv_text(error.to_string()) + verdict_cells({}) + method_csv_cells(asked, nullptr) + ",,,,,\r\n";
+  return row + "," + csv_text(error.to_string()) + verdict_cells({}) + method_csv_cells(asked, nullptr) + ",,,,,,\r\n";
 }
 
 }  // namespace axiometry::app

@@ -19,6 +19,7 @@
 #include "axiometry/report/figures/distribution.h"
 #include "axiometry/report/figures/drift_recording.h"
 #include "axiometry/report/figures/figures.h"
+#include "axiometry/report/figures/mean_deviations.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/report/writer.h"
 
@@ -110,9 +111,9 @@ Result<Rendered> render(Workbench::State& state, const store::TestRecord& record
 std::vector<report::Figure> drawn_figures(const Evaluated& evaluated, const report::Options& options) {
   const report::Subject subject{evaluated.test, evaluated.assessment, evaluated.judgements};
   std::vector<report::Figure> figures = report::figures(subject, options);
-  for (auto& further :
-       {report::conformity_figure(subject, options), report::contribution_figure(subject, options),
-        report::distribution_figure(subject, options), report::drift_recording_figure(subject, options)})
+  for (auto& further : {report::conformity_figure(subject, options), report::mean_deviation_figure(subject, options),
+                        report::contribution_figure(subject, options), report::distribution_figure(subject, options),
+                        report::drift_recording_figure(subject, options)})
     if (further) figures.push_back(*further);
   for (report::Figure& figure : figures) figure = report::with_words_translated(std::move(figure), options);
   return figures;

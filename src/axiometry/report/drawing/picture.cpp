@@ -12,6 +12,7 @@
 #include "axiometry/report/figures/distribution.h"
 #include "axiometry/report/figures/drift_recording.h"
 #include "axiometry/report/figures/figures.h"
+#include "axiometry/report/figures/mean_deviations.h"
 #include "axiometry/report/figures/parts/plate.h"
 #include "axiometry/report/figures/parts/symbols.h"
 #include "axiometry/report/translated.h"
@@ -89,6 +90,7 @@ Figure picture(const Subject& subject, const Options& options) {
   std::vector<Figure> parts = figures(subject, options);
   if (auto conformity = conformity_figure(subject, options)) parts.push_back(*std::move(conformity));
   if (auto distributions = distribution_figure(subject, options)) parts.push_back(*std::move(distributions));
+  if (auto means = mean_deviation_figure(subject, options)) parts.push_back(*std::move(means));
   if (auto contributions = contribution_figure(subject, options)) parts.push_back(*std::move(contributions));
   if (auto recording = drift_recording_figure(subject, options)) parts.push_back(*std::move(recording));
   for (Figure& part : parts) part = with_words_translated(std::move(part), options);

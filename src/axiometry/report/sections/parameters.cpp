@@ -8,6 +8,7 @@
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/standards/iso230_2/error_symbol.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
@@ -15,12 +16,6 @@ namespace axiometry::report {
 namespace {
 
 using iso230_2::Judgement;
-
-/// Names as controls give them, "X", "C1"; anything longer would make no symbol.
-bool fits_a_symbol(std::string_view axis_name) {
-  return !axis_name.empty() && axis_name.size() <= 2 && axis_name.front() >= 'A' && axis_name.front() <= 'Z' &&
-         (axis_name.size() == 1 || (axis_name[1] >= '0' && axis_name[1] <= '9'));
-}
 
 /// E_XX,A↑: ISO 230-1 names the error of the axis, ISO 230-2 (8.2.4) the parameter of it.
 RichText iso230_1_symbol(std::string_view axis_name, std::string_view parameter_symbol) {
@@ -136,7 +131,7 @@ std::vector<TableCell> row(const iso230_2::ParameterInfo& parameter, const Subje
 
 Section parameter_section(const Subject& subject, const Options& options) {
   const Axis& axis = subject.test.metadata.axis;
-  const bool with_iso230_1 = fits_a_symbol(axis.name) && !is_diagonal(axis);
+  const bool with_iso230_1 = !iso230_2::error_symbol(axis).empty();
   Table table;
   table.columns = columns(with_iso230_1, !subject.judgements.empty(), uncertainty_head(subject.assessment, options));
   for (const auto& parameter : iso230_2::parameters)

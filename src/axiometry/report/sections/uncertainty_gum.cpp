@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "axiometry/report/figures/mean_deviations.h"
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
@@ -207,6 +208,7 @@ Section gum_section(const Subject& subject, const Options& options) {
   section.blocks.emplace_back(std::move(budget));
   if (Table factors = factor_table(gum, options); !factors.rows.empty())
     section.blocks.emplace_back(std::move(factors));
+  if (auto means = mean_deviation_figure(subject, options)) section.blocks.emplace_back(*std::move(means));
   section.blocks.emplace_back(PositionTable(gum, subject, options)());
   return section;
 }

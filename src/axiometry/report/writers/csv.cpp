@@ -2,7 +2,8 @@
 // Parameters and positions as one tidy table for spreadsheets and scripts: RFC 4180, UTF-8, CRLF, one value per line.
 //
 //   axis         name of the axis, as given
-//   record       "parameter", "position", and where they were run "gum" and "monte_carlo": parameters by that method;
+//   record       "parameter", "position", and where they were run "gum" and "monte_carlo": parameters by that method,
+//                of "gum" also the means of each target with their U;
 //                "claim"; of an issued report "trail": where the audit trail of the archive ended before its issue
 //   target       of a position: its coordinate; empty for parameters
 //   target_unit  "mm" or "deg"
@@ -17,16 +18,22 @@
 //                after ISO 230-6, the label, which corrections of the readings it contains; else empty
 //   limit        of a parameter with a tolerance, in `unit`; else empty
 //   verdict      "conforms", "does not conform", "undecided" or "not applicable"; empty without a limit
+//   low, high    ends of the interval of record, in `unit`; empty where none was estimated
+//   method       "annex_a", "gum" or "monte_carlo": whose U and interval these are
+//   symbol       of a parameter, with the axis (8.2.4): "E_XX,A↑"; empty where the axis has none
 //
 // Numbers in full double precision. Parameters are in the display unit, positions in µm or ″. With a
 // decimal comma the columns are separated by semicolons.
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "axiometry/base/text.h"
 #include "axiometry/report/claim_text.h"
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/writer.h"
+#include "axiometry/standards/iso230_2/error_symbol.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
@@ -46,6 +53,7 @@ struct Line {
   std::string low{};
   std::string high{};
   std::string_view method{};
+  std::string symbol{};
 };
 
 std::string_view ascii_unit(std::string_view unit) {
@@ -71,7 +79,7 @@ class Csv {
       remark_ += (remark_.empty() ? "" : "; ") + corrected;
     remark_ = text::no_formula(remark_);
     append_cells({"axis", "record", "target", "target_unit", "name", "value", "U", "unit", "clause", "remark", "limit",
-                  "verdict", "low", "high", "method"});
+                  "verdict", "low", "high", "method", "symbol"});
   }
 
   std::string number(double x) const {
@@ -88,7 +96,7 @@ class Csv {
   void append(const Line& line) {
     const std::string_view target_unit = line.target.empty() ? "" : ascii_unit(position_unit(kind_));
     append_cells({axis_, line.record, line.target, target_unit, line.name, line.value, line.U, line.unit, line.clause,
-                  remark_, line.limit, line.verdict, line.low, line.high, line.method});
+                  remark_, line.limit, line.verdict, line.low, line.high, line.method, line.symbol});
   }
 
   std::string take() { return std::move(text_); }
@@ -123,6 +131,7 @@ void append_parameters(Csv& csv, const Subject& subject, const Options& options)
               "",
               ascii_unit(scale.unit),
               parameter.clause};
+    line.symbol = iso230_2::error_symbol(subject.test.metadata.axis, parameter);
     if (const auto known = iso230_2::uncertainty_of_record(assessment, parameter)) {
       line.U = csv.number(known->U, scale.per_native);  // none of the Monte Carlo method, which states the interval
       line.low = csv.number(known->interval.lower * scale.per_native);
@@ -146,6 +155,22 @@ void append_positions(Csv& csv, const Subject& subject) {
     csv.append({"position", target, "n_down", fmt::format("{}", position.count_down), "", "", "3.5"});
     for (const auto& quantity : iso230_2::position_quantities)
       csv.append({"position", target, quantity.key, csv.number(position.*quantity.member), "", unit, quantity.clause});
+  }
+}
+
+/// Means of a target with U, after Lira & Cargill (2004), eqs 8 and 10.
+void append_gum_positions(Csv& csv, const iso230_2::Assessment& assessment, std::string_view unit) {
+  const auto& results = assessment.evaluation.positions;
+  const auto& known = assessment.gum->positions;
+  for (std::size_t i = 0; i < std::min(results.size(), known.size()); ++i) {
+    const std::string target = csv.number(results[i].target.in_native());
+    const auto add = [&](std::string_view name, const std::optional<Deviation>& mean, Deviation U,
+                         std::string_view clause) {
+      csv.append({"gum", target, name, csv.number(mean), csv.number(U), unit, clause});
+    };
+    if (known[i].up) add("mean_up", results[i].mean_up, known[i].up->total.U, "3.13");
+    if (known[i].down) add("mean_down", results[i].mean_down, known[i].down->total.U, "3.13");
+    if (known[i].mean) add("mean", results[i].mean, known[i].mean->U, "3.14");
   }
 }
 
@@ -179,7 +204,10 @@ Result<std::string> write(const Subject& subject, const Options& options) {
   Csv csv(subject, options);
   append_parameters(csv, subject, options);
   const ParameterScale scale = parameter_scale(subject.test.metadata.axis.kind, options.unit);
-  if (subject.assessment.gum) append_gum(csv, *subject.assessment.gum, scale);
+  if (subject.assessment.gum) {
+    append_gum(csv, *subject.assessment.gum, scale);
+    append_gum_positions(csv, subject.assessment, ascii_unit(deviation_unit(subject.test.metadata.axis.kind)));
+  }
   if (subject.assessment.monte_carlo) append_monte_carlo(csv, *subject.assessment.monte_carlo, scale);
   append_positions(csv, subject);
   for (const iso230_2::Claim& claim : iso230_2::claims_of(subject.test, subject.assessment))

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "axiometry/base/number_text.h"
 #include "tests/support/report_subject.h"
 
 namespace axiometry::report {
@@ -21,7 +22,8 @@ TEST(CsvWriter, HasOneLinePerParameterAndPerQuantityOfATarget) {
   EXPECT_EQ(std::ranges::count(csv, '\r'), std::ranges::count(csv, '\n'));
   EXPECT_THAT(
       csv,
-      StartsWith("axis,record,target,target_unit,name,value,U,unit,clause,remark,limit,verdict,low,high,method\r\n"));
+      StartsWith(
+          "axis,record,target,target_unit,name,value,U,unit,clause,remark,limit,verdict,low,high,method,symbol\r\n"));
 }
 
 TEST(CsvWriter, GivesFullPrecision) {
@@ -63,7 +65,7 @@ TEST(CsvWriter, SaysOfAnIssuedReportWhereTheTrailEndedBefore) {
   const Subject issued{table2.test, table2.assessment, table2.judgements, {}, "17:3f2a9c0b1d2e4f56"};
   const std::string csv = find_writer("csv")->write(issued, {}).value();
   EXPECT_TRUE(csv.starts_with(table2.written("csv"))) << "all else stays as it was";
-  EXPECT_TRUE(csv.ends_with("X,trail,,,head,17:3f2a9c0b1d2e4f56,,,,,,,,,\r\n")) << csv.substr(csv.size() - 80);
+  EXPECT_TRUE(csv.ends_with("X,trail,,,head,17:3f2a9c0b1d2e4f56,,,,,,,,,,\r\n")) << csv.substr(csv.size() - 80);
 }
 
 TEST(CsvWriter, StatesLimitAndVerdictInTheUnitOfTheParameter) {
@@ -71,9 +73,38 @@ TEST(CsvWriter, StatesLimitAndVerdictInTheUnitOfTheParameter) {
   table2.options.unit = DisplayUnit::mm;
   table2.judge({testing_support::tolerance("A", 10), testing_support::tolerance("B", 4)});
   const std::string csv = table2.written("csv");
-  EXPECT_THAT(csv, HasSubstr(",mm,3.27,,0.01,conforms,0.005315831278904754,0.013856963829442135,annex_a\r\n"));
+  EXPECT_THAT(csv,
+              HasSubstr(",mm,3.27,,0.01,conforms,0.005315831278904754,0.013856963829442135,annex_a,\"E_XX,A\"\r\n"));
   EXPECT_THAT(csv, HasSubstr(",mm,3.16,,0.004,does not conform,"));
   EXPECT_THAT(csv, HasSubstr(",mm,3.24,,,,"));
+}
+
+TEST(CsvWriter, StatesTheUncertaintyOfEveryMeanWhereTheGumWasRun) {
+  Reported table2 = reported_table2();
+  table2.assessment.gum = iso230_2::gum(table2.test, table2.assessment.evaluation).value();
+  const std::string csv = table2.written("csv");
+  const auto lines = [&](const std::string& name) {
+    std::size_t count = 0;
+    for (std::size_t at = csv.find("X,gum,"); at != csv.npos; at = csv.find("X,gum,", at + 1))
+      if (csv.substr(at, csv.find('\r', at) - at).find(",mm," + name + ",") != std::string::npos) ++count;
+    return count;
+  };
+  EXPECT_EQ(lines("mean_up"), 11u);
+  EXPECT_EQ(lines("mean_down"), 11u);
+  EXPECT_EQ(lines("mean"), 11u);
+  const auto& at = table2.assessment.gum->positions[3];
+  EXPECT_THAT(csv, HasSubstr("X,gum,525.668,mm,mean," +
+                             format_exact(table2.assessment.evaluation.positions[3].mean->in_native()) + "," +
+                             format_exact(at.mean->U.in_native()) + ",um,3.14,"));
+}
+
+TEST(CsvWriter, NamesTheAxisTogetherWithTheParameter) {  // 8.2.4
+  Reported table2 = reported_table2();
+  EXPECT_THAT(table2.written("csv"), HasSubstr(",annex_a,\"E_XX,A↑\"\r\n"));
+  table2.test.metadata.axis.name = "C";
+  EXPECT_THAT(table2.written("csv"), HasSubstr(",annex_a,\"E_CC,B\"\r\n"));
+  table2.test.metadata.axis.name = "slide";
+  EXPECT_THAT(table2.written("csv"), ::testing::Not(HasSubstr(",\"E_")));
 }
 
 TEST(CsvWriter, QuotesAndDefusesWhatASpreadsheetWouldMistake) {

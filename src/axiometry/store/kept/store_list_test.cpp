@@ -144,6 +144,25 @@ TEST_P(StoreListTest, GivesEveryPageOfEveryFilterInEveryOrder) {
       }
 }
 
+TEST_P(StoreListTest, HaveOfATestOfOneDirectionWhatItHasInPlaceOfBoth) {
+  std::vector<NewTest> tests = {new_test("both"), new_test("one")};
+  const auto with = [](NewTest& test, std::initializer_list<const char*> parameters) {
+    test.state.evaluation.figures.clear();
+    for (const char* parameter : parameters) test.state.evaluation.figures.push_back({parameter, 1.0, {}, {}, ""});
+  };
+  with(tests[0], {"A", "A_up", "A_down", "E", "E_up", "E_down", "M", "R", "R_up", "R_down", "B", "B_mean"});
+  with(tests[1], {"A_down", "E_down", "R_down"});
+  const auto store = must(Store::open(new_address()));
+  must(store->receive(content_of("abc"), tests, by_anna));
+  const TestPage page = must(store->tests({}));
+  ASSERT_EQ(page.rows.size(), 2u);
+  for (const TestRow& row : page.rows) {
+    std::string found;
+    for (const Figure& figure : row.figures) found += figure.parameter + " ";
+    EXPECT_EQ(found, row.title == "both" ? "A E R B " : "A_down E_down R_down ");
+  }
+}
+
 TEST(FoldedText, MakesCapitalsSmall) {
   EXPECT_EQ(folded("AZ az 09 ÄÖÜß ÉŁŽ ΑΩ ЖЁ ×÷ ÿŸ"), "az az 09 äöüß éłž αω жё ×÷ ÿÿ");
   EXPECT_EQ(folded("ab€", 4), "ab") << "never half a letter";

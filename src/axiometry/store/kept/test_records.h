@@ -106,7 +106,7 @@ struct TestRow {
   bool withdrawn = false;
   std::string verdict;
   std::string label;
-  std::vector<Figure> figures;  ///< A, E, R and B, as far as there are
+  std::vector<Figure> figures;  ///< A, E, R and B, as far as there are; of one direction A_up or A_down, …
 };
 
 struct TestFilter {

@@ -240,6 +240,19 @@ Result<std::map<Id, std::vector<Figure>>> figures_of(Connection& connection, std
   return figures;
 }
 
+/// Of a test of both directions without those of one; of a test of one direction what it has in their place.
+std::vector<Figure> of_a_list(std::vector<Figure> figures) {
+  const auto has = [&](std::string_view parameter) {
+    return std::ranges::find(figures, parameter, &Figure::parameter) != figures.end();
+  };
+  std::vector<Figure> kept;
+  for (const Figure& figure : figures)
+    if (const std::size_t sense = figure.parameter.find('_');
+        sense == std::string::npos || !has(std::string_view(figure.parameter).substr(0, sense)))
+      kept.push_back(figure);
+  return kept;
+}
+
 TestRow row_of(const Row& row) {
   TestRow listed;
   listed.id = row.integer(0);
@@ -272,7 +285,8 @@ Result<Rows> list_rows(Connection& connection, std::span<const Id> ids) {
 }  // namespace
 
 Result<TestPage> find_tests(Connection& connection, const TestFilter& filter) {
-  static const std::vector<std::string> shown = {"A", "E", "R", "B"};
+  static const std::vector<std::string> shown = {"A",      "A_up", "A_down", "E",      "E_up",
+                                                 "E_down", "R",    "R_up",   "R_down", "B"};
   const Search search(filter);
   AXIOMETRY_TRY(const Matches found, matches(connection, search));
   AXIOMETRY_TRY(const std::vector<Id> ids, page_of(connection, search, found));
@@ -283,7 +297,7 @@ Result<TestPage> find_tests(Connection& connection, const TestFilter& filter) {
   TestPage page{.rows = {}, .total = found.total};
   for (const Id id : ids) {
     TestRow& row = page.rows.emplace_back(std::move(by_id.at(id)));
-    row.figures = std::move(figures[id]);
+    row.figures = of_a_list(std::move(figures[id]));
   }
   return page;
 }

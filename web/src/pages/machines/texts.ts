@@ -22,7 +22,7 @@ export const t = texts({
   tests: ['Tests', 'Prüfungen'],
   undated: ['undated', 'ohne Datum'],
   all_tests: ['{n} {n|test|tests}', '{n} {n|Prüfung|Prüfungen}'],
-  spark: ['{axis}: A {value} {unit}, {n} {n|test|tests}', '{axis}: A {value} {unit}, {n} {n|Prüfung|Prüfungen}'],
+  spark: ['{axis}: {parameter} {value} {unit}, {n} {n|test|tests}', '{axis}: {parameter} {value} {unit}, {n} {n|Prüfung|Prüfungen}'],
   spark_limit: [', limit {limit}', ', Grenzwert {limit}'],
 
   name: ['Name', 'Name'],

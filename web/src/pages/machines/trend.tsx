@@ -10,7 +10,7 @@ import { DataTable } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
 import { absent, shortest, unit_sign } from '../../numbers';
 import { go } from '../../router';
-import { column_decimals, FigureCell, ParameterHead, shown_of, some_interval, some_U, uncertainty_text } from '../../components/figure_cell';
+import { at_hand, column_decimals, FigureCell, ParameterHead, shown_of, some_interval, some_U, uncertainty_text } from '../../components/figure_cell';
 import { differ, method_of, named_method, record_note } from '../../components/uncertainty';
 import { short_control } from '../compensations/lines';
 import { look, parameters, plain_symbol, verdict_of } from './parameters';
@@ -45,14 +45,15 @@ function ends_of({ value, U, low, high }: Point['figures'][number]): Ends | null
 
 /** The history of an axis: chosen parameters over time with their uncertainty as bars and limits as lines, and the same as numbers. */
 export function AxisTrend({ axis, version, height, tables = no_tables }: { axis: number; version: number; height: number; tables?: readonly CompensationHead[] }) {
-  const [wanted, set_wanted] = useState<readonly Parameter[]>(['A', 'E', 'R', 'B']);
+  const [chosen, set_chosen] = useState<readonly Parameter[] | null>(null);
   const trend = use_get<Trend>(`/api/axes/${axis}/trend?parameters=${parameters.join(',')}&limit=500`);
   const drawn = useRef(version);
   useEffect(() => { if (drawn.current !== version) { drawn.current = version; trend.reload(); } }, [version]);  // its limits were edited
   if (trend.error && !trend.data) return <FailureNotice error={trend.error} retry={trend.reload} />;
   if (!trend.data) return <div style={{ height: `${height}px` }} />;
   if (trend.data.points.length === 0) return <p class="quiet">{t('no_tests')}</p>;
-  const toggle = (key: string) => set_wanted(parameters.filter((one) => (one === key ? !wanted.includes(one) : wanted.includes(one))));
+  const wanted = chosen ?? first_wanted(trend.data.points);
+  const toggle = (key: string) => set_chosen(parameters.filter((one) => (one === key ? !wanted.includes(one) : wanted.includes(one))));
   const given = parameters.filter((key) => trend.data?.points.some((point) => point.figures.some((figure) => figure.parameter === key)));
   return (
     <div class="stack trend">
@@ -65,6 +66,12 @@ export function AxisTrend({ axis, version, height, tables = no_tables }: { axis:
       <TrendTable trend={trend.data} wanted={given.filter((key) => wanted.includes(key))} />
     </div>
   );
+}
+
+/** Of every test A, E, R and B, or what one of a single direction has in their place. */
+function first_wanted(points: readonly Point[]): Parameter[] {
+  const keys = points.flatMap(({ figures }) => (['A', 'E', 'R', 'B'] as const).map((key) => at_hand(figures, key)));
+  return parameters.filter((key) => keys.includes(key));
 }
 
 /** The limits of the axis; where it has none for a parameter, that of the last test. */

@@ -10,7 +10,7 @@ import { DataTable, type Column, type Order } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
 import { absent, count, unit_sign } from '../../numbers';
 import { place, set_query } from '../../router';
-import { column_decimals, FigureCell, ParameterHead, shown_of, some_interval, some_U } from '../../components/figure_cell';
+import { at_hand, column_decimals, FigureCell, ParameterHead, shown_of, some_interval, some_U } from '../../components/figure_cell';
 import { differ, method_of, named_method, record_note } from '../../components/uncertainty';
 import { filter_keys, Filters } from './filters';
 import { incoming, kept_count } from './incoming';
@@ -63,7 +63,10 @@ function columns(rows: readonly TestRow[]): Column<TestRow>[] {
   const named = differ(figures);
   const figure = (parameter: Parameter, decimals = column_decimals(figures, parameter)): Column<TestRow> => ({
     key: parameter, head: <ParameterHead parameter={parameter} with_U={some_U(figures)} />, number: true, order: parameter, falling: true,
-    cell: (row) => <FigureCell shown={shown_of(row.figures, parameter)} decimals={decimals} />,
+    cell: (row) => {
+      const own = at_hand(row.figures, parameter);
+      return <FigureCell shown={shown_of(row.figures, own)} decimals={decimals} named={own === parameter ? undefined : own} />;
+    },
   });
   return [
     { key: 'choose', head: <span class="visually-hidden">{t('compare')}</span>, class: 'tick', cell: (row) => {

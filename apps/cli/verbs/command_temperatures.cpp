@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/command_temperatures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/temperatures/temperatures.h"
+#include "axiometry/base/text.h"
+#include "axiometry/report/drawing/utf8.h"
+#include "axiometry/report/temperatures/temperatures.h"
+#include "axiometry/report/translated.h"
+#include "cli/failure.h"
+#include "cli/flags/option_text.h"
+#include "cli/text/terminal.h"
+#include "cli/verbs/commands.h"
+
+namespace axiometry::cli {
+namespace {
+
+using iso230_2::EnvironmentItem;
+using iso230_2::EnvironmentStanding;
+
+struct TemperatureArguments {
+  std::string file;
+  app::TemperatureRequest request;
+  app::OutputNames outputs;
+  report::Options report;
+  bool quiet = false;
+};
+
+std::string temperature_sentence(std::string_view english, const report::Options& options) {
+  std::string said = report::translated(english, options);
+  if (!said.empty() && said.front() >= 'a' && said.front() <= 'z') said.front() = static_cast<char>(said.front() - 32);
+  return said + ".";
+}
+
+std::string standing_in_colour(const EnvironmentItem& item, const Terminal& terminal, const report::Options& options) {
+  const std::string text = report::translated(iso230_2::standing_text(item.standing), options);
+  switch (item.standing) {
+    case EnvironmentStanding::kept: return terminal.green(text);
+    case EnvironmentStanding::exceeded: return terminal.red(text);
+    case EnvironmentStanding::known_in_part: return terminal.yellow(text);
+    case EnvironmentStanding::not_measured:
+    case EnvironmentStanding::not_agreed: return terminal.faint(text);
+  }
+  return text;
+}
+
+void print_temperatures(const app::EvaluatedTemperatures& found, const report::Options& options) {
+  const Terminal terminal(ColourChoice::automatic);
+  const auto said = [&](std::string_view english) { return report::translated(english, options); };
+  struct Row {
+    std::string title, measured, agreed, standing;
+  };
+  std::vector<Row> rows;
+  std::size_t title_width = 0, measured_width = 0, agreed_width = 0;
+  for (const EnvironmentItem& item : found.environment.items) {
+    const std::string agreed = report::agreed_text(item, options);
+    Row row{said(item.title), item.measured ? report::measured_text(item, options) : "–",
+            agreed.empty() ? "" : said(agreed), standing_in_colour(item, terminal, options)};
+    title_width = std::max(title_width, display_width(row.title));
+    measured_width = std::max(measured_width, display_width(row.measured));
+    agreed_width = std::max(agreed_width, display_width(row.agreed));
+    rows.push_back(std::move(row));
+  }
+  fmt::print("{}\n", terminal.bold(said("Temperatures before and during the test")));
+  fmt::print("{}\n\n", terminal.faint(found.file == "-" ? said("standard input") : report::printable(found.file)));
+  for (const Row& row : rows)
+    fmt::print("{}  {}  {}  {}\n", left(row.title, title_width), right(row.measured, measured_width),
+               left(row.agreed, agreed_width), row.standing);
+  std::vector<std::string> sentences = report::gaps_of(found.environment, found.test.has_value(), options);
+  sentences.insert(sentences.end(), found.log.remarks.begin(), found.log.remarks.end());
+  if (!sentences.empty()) fmt::print("\n");
+  for (const std::string& text : sentences)
+    fmt::print("{}\n", wrapped(report::printable(temperature_sentence(text, options)), terminal.width(), 0));
+}
+
+int run_temperatures(TemperatureArguments& arguments) {
+  const app::InputFile input{arguments.file, false};
+  arguments.outputs.inputs = app::InputFiles(std::span(&input, 1));
+  const auto complain = [](const Error& error) {
+    fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string()));
+  };
+  if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) {
+    complain(spared.error());
+    return exit_usage;
+  }
+  const auto found = app::evaluate_temperatures(arguments.file, arguments.request);
+  if (!found) {
+    complain(found.error());
+    return exit_bad_input;
+  }
+  if (!arguments.quiet && arguments.outputs.json != "-") print_temperatures(*found, arguments.report);
+  if (auto written = app::write_outputs(*found, arguments.outputs, arguments.report); !written) {
+    complain(written.error());
+    return exit_bad_input;
+  }
+  if (found->environment.exceeded()) return exit_exceeded;
+  return found->environment.open() ? exit_undecided : exit_done;
+}
+
+void add_time_flags(const Verb& verb, TemperatureArguments& a) {
+  constexpr const char* group = "The test";
+  verb.add_option("--began", a.request.began, "Moment of the first reading of the test, as 2026-03-02T09:00")
+      ->type_name("MOMENT")
+      ->group(group);
+  verb.add_option("--ended", a.request.ended,
+                  "Moment of its last reading; without it the test lasts to the end of the log")
+      ->type_name("MOMENT")
+      ->group(group);
+  verb.add_option_function<std::vector<std::string>>(
+          "--sensor",
+          [&a](const std::vector<std::string>& pairs) {
+            for (const std::string& pair : pairs) {
+              const std::size_t equals = pair.rfind('=');
+              if (equals == std::string::npos)
+                throw UsageError("--sensor", fmt::format("found {}, expected NAME=ROLE", text::quoted(pair)));
+              a.request.roles.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
+            }
+          },
+          "What a sensor is of where its name does not say so: machine, equipment or air; may be repeated")
+      ->type_name("NAME=ROLE")
+      ->one_at_a_time()
+      ->group(group);
+}
+
+/// A temperature, a rate or a difference that nobody means below absolute zero or above what burns.
+double within_reason(const std::string& flag, double x, double least) {
+  constexpr double most = 100.0;
+  if (!(x >= least && x <= most))
+    throw UsageError(flag, fmt::format("found {}, expected a number from {} to {}", format_exact(x),
+                                       format_exact(least), format_exact(most)));
+  return x;
+}
+
+void add_agreed_flags(const Verb& verb, TemperatureArguments& a) {
+  constexpr double coldest = -60.0;
+  auto& agreed = a.request.agreed;
+  add_number(verb, {"--lowest", "C", "Lowest temperature of the air that the parties agreed on, °C (7)"},
+             [&agreed](double x) { agreed.lowest = Temperature::celsius(within_reason("--lowest", x, coldest)); });
+  add_number(verb, {"--highest", "C", "Highest temperature of the air that the parties agreed on, °C (7)"},
+             [&agreed](double x) { agreed.highest = Temperature::celsius(within_reason("--highest", x, coldest)); });
+  add_number(verb,
+             {"--rate", "C_PER_H",
+              "Change of the air's temperature that the parties agreed on, °C per hour, in the twelve hours before the "
+              "test and during it (4.1, 7)"},
+             [&agreed](double x) { agreed.rate = within_reason("--rate", x, 0.0); });
+  add_number(verb, {"--gradient", "C", "Difference between places on the machine that the parties agreed on, °C (4.1)"},
+             [&agreed](double x) {
+               agreed.machine_gradient = TemperatureDifference::kelvin(within_reason("--gradient", x, 0.0));
+             });
+}
+
+void add_temperature_outputs(const Verb& verb, TemperatureArguments& a) {
+  verb.add_option("--json", a.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
+      ->check(fault_of_name)
+      ->type_name("FILE")
+      ->group("Outputs");
+  verb.add_option("--report", a.outputs.reports,
+                  "Report to FILE, by its extension html, pdf, svg, png or csv; may be repeated")
+      ->type_name("FILE")
+      ->one_at_a_time()
+      ->group("Outputs");
+  Flag decimal = add_decimal(verb, a.report.numbers.decimal_mark)->group("Outputs");
+  add_language(verb, a.report, decimal)->group("Outputs");
+  verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group("Outputs");
+}
+
+}  // namespace
+
+void add_temperatures(const Verb& program, int& exit_code) {
+  Verb verb = program.add_subcommand(
+      "temperatures", "Hold a log of temperatures against what was agreed on the surroundings of a test");
+  auto arguments = std::make_shared<TemperatureArguments>();
+  verb->add_option("FILE", arguments->file,
+                   "Temperature log: time and one or more sensors in columns, or - for the standard input")
+      ->required();
+  add_time_flags(*verb, *arguments);
+  add_agreed_flags(*verb, *arguments);
+  add_temperature_outputs(*verb, *arguments);
+  verb->callback([arguments, &exit_code] {
+    if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
+      throw UsageError("--report", outputs.error().message);
+    exit_code = run_temperatures(*arguments);
+  });
+  verb->footer(R"(Lowest and highest temperature of the air, its change per hour during the test and in the twelve hours
+before it, and the largest difference between sensors on the machine. What was not measured is never called kept.
+Exit codes: 3 when an agreed limit is exceeded, 4 when nobody can say whether one was kept.
+
+Examples:
+  axiometry temperatures hall.csv
+  axiometry temperatures hall.csv --began 2026-03-02T09:00 --ended 2026-03-02T10:10 --rate 0.5
+  axiometry temperatures hall.csv --began 2026-03-02T09:00 --lowest 19 --highest 22 --report hall.pdf
+  axiometry temperatures log.csv --sensor T1=air --sensor T2=machine --json -)");
+}
+
+}  // namespace axiometry::cli

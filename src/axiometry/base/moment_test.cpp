@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/base/moment.h"
+
+#include <gtest/gtest.h>
+
+namespace axiometry {
+namespace {
+
+TEST(Moments, AreReadWithAndWithoutSecondsAndZone) {
+  const auto plain = moment_of("2026-03-02T09:00");
+  ASSERT_TRUE(plain);
+  EXPECT_FALSE(plain->zoned);
+  for (const char* same : {"2026-03-02 09:00:00", "02.03.2026 09:00", "2.3.2026 9:00:00,0", " 2026-03-02T09:00 "}) {
+    const auto other = moment_of(same);
+    ASSERT_TRUE(other) << same;
+    EXPECT_EQ(other->ns, plain->ns) << same;
+    EXPECT_FALSE(other->zoned) << same;
+  }
+  const auto zoned = moment_of("2026-03-02T09:00:00+02:00");
+  ASSERT_TRUE(zoned);
+  EXPECT_TRUE(zoned->zoned);
+  EXPECT_EQ(zoned->seconds_since(*plain), -7200.0);
+  EXPECT_TRUE(moment_of("2026-03-02T09:00:00Z")->zoned);
+}
+
+TEST(Moments, AreNoOtherText) {
+  for (const char* text : {"", "2026-03-02", "09:00", "30.02.2026 09:00", "2026-03-02T24:00", "02/03/2026 09:00",
+                           "2026-03-02T09:60", "tomorrow", "2026-03-02T09"})
+    EXPECT_FALSE(moment_of(text)) << text;
+}
+
+TEST(Moments, AreWrittenAsTheyAreRead) {
+  for (const char* text : {"2026-03-02T09:00:00", "2026-12-31T23:59:59Z", "1999-01-01T00:00:00"}) {
+    EXPECT_EQ(moment_text(*moment_of(text)), text);
+    EXPECT_EQ(moment_of(moment_text(*moment_of(text)))->ns, moment_of(text)->ns);
+  }
+  EXPECT_EQ(moment_text(*moment_of("2026-12-31T23:59:59.7")), "2027-01-01T00:00:00");
+}
+
+TEST(TimesOfDay, AreSecondsSinceMidnight) {
+  EXPECT_EQ(time_of_day_s("9:05"), 32700.0);
+  EXPECT_EQ(time_of_day_s("09:05:10.5"), 32710.5);
+  EXPECT_EQ(time_of_day_s("23:59:59,25"), 86399.25);
+  for (const char* text : {"", "9", "9:5", "24:00", "12:60", "12:00:61.5", "a:00", "12:00:00:00", "-1:00"})
+    EXPECT_FALSE(time_of_day_s(text)) << text;
+}
+
+TEST(Days, CountFrom1970) {
+  EXPECT_EQ(day_of("1970-01-01"), 0);
+  EXPECT_EQ(day_of("02.03.2026"), day_of("2026-03-02"));
+  for (const char* text : {"", "2026-13-01", "31.04.2026", "26-03-02", "03/02/2026", "2026-03"})
+    EXPECT_FALSE(day_of(text)) << text;
+}
+
+}  // namespace
+}  // namespace axiometry

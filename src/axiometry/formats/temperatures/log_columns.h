@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/base/moment.h"
+#include "axiometry/base/result.h"
+
+/// Which columns of a temperature log are the time and which are temperatures. Private to temperatures/.
+namespace axiometry::formats {
+
+enum class LogTime {
+  moment,        ///< date and time of day in one column
+  date_and_day,  ///< in two
+  time_of_day,   ///< alone: no date is known
+  number,        ///< seconds or another unit
+};
+
+struct LogColumn {
+  std::size_t place = 0;
+  std::string name;     ///< without its unit; "column 2" where there is no header
+  double factor = 1.0;  ///< °C = factor · value + shift
+  double shift = 0.0;
+};
+
+struct LogColumns {
+  char delimiter = ' ';
+  LogTime kind = LogTime::number;
+  std::size_t time = 0;
+  std::size_t time_of_day = 0;    ///< of date_and_day
+  double seconds_per_unit = 1.0;  ///< of a number
+  std::vector<LogColumn> temperatures;
+  std::vector<std::string> passed_over;  ///< heads of columns that are neither
+  bool units_assumed = false;            ///< no head tells a unit: °C
+};
+
+/// The line that a delimiter parts: a moment that blanks part is one cell.
+std::vector<std::string_view> log_cells(std::string_view line, char delimiter);
+
+/// A number with a point, or with a comma where that parts no cells.
+std::optional<double> log_number(std::string_view cell, char delimiter);
+
+/// Whether a cell says that its sensor had no value: "", "-", "NaN", "err", …
+bool has_no_value(std::string_view cell);
+
+/// The columns by a line of readings and, where there is one, the header above it. Nothing where the line holds no
+/// readings. Fails where it does and they cannot be told: a date with slashes, a column of sensors' names, no
+/// temperature among the columns.
+Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string_view header);
+
+}  // namespace axiometry::formats

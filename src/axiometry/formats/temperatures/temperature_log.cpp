@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/temperatures/temperature_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/base/read_budget.h"
+#include "axiometry/base/text.h"
+#include "axiometry/formats/temperatures/log_columns.h"
+#include "axiometry/formats/text/decoded_text.h"
+#include "axiometry/formats/text/text_lines.h"
+
+namespace axiometry::formats {
+namespace {
+
+constexpr std::size_t sensors_max = 64;
+constexpr std::size_t line_bytes_max = std::size_t{16} << 10;  // of 64 sensors 2 KiB
+constexpr std::size_t preamble_max = 200;                      // lines above the readings
+constexpr double coldest = -60.0, hottest = 100.0;
+constexpr double day_s = 86400.0;
+constexpr double unix_from = 1e8, unix_ms_from = 1e11;  // 1973 in seconds; numbers of that size count from 1970
+constexpr std::string_view role_words[] = {"machine", "equipment", "air"};
+
+struct RoleWord {
+  std::string_view word;
+  std::string_view role;
+};
+/// Parts of names, in this order: "air above the bed" is of the air.
+constexpr RoleWord words_of_roles[] = {
+    {"air", "air"},          {"luft", "air"},
+    {"ambient", "air"},      {"room", "air"},
+    {"raum", "air"},         {"hall", "air"},
+    {"umgebung", "air"},     {"laser", "equipment"},
+    {"optic", "equipment"},  {"interferom", "equipment"},
+    {"material", "machine"}, {"machine", "machine"},
+    {"maschine", "machine"}, {"bed", "machine"},
+    {"bett", "machine"},     {"table", "machine"},
+    {"tisch", "machine"},    {"column", "machine"},
+    {"ständer", "machine"},  {"spindle", "machine"},
+    {"spindel", "machine"},  {"scale", "machine"},
+    {"maßstab", "machine"},  {"screw", "machine"},
+};
+
+std::optional<std::string_view> role_by_name(std::string_view name) {
+  if (name.starts_with("column ")) return std::nullopt;  // of a log without a header
+  const std::string lower = text::to_lower(name);
+  for (const RoleWord& row : words_of_roles)
+    if (lower.find(row.word) != lower.npos) return row.role;
+  return std::nullopt;
+}
+
+class LogReader {
+ public:
+  Result<TemperatureLog> read(std::string_view text, const SensorRoles& roles) {
+    AXIOMETRY_TRY_VOID(read_lines(text));
+    AXIOMETRY_TRY_VOID(order_times());
+    return log_of(roles);
+  }
+
+ private:
+  Result<void> read_lines(std::string_view text) {
+    std::string_view above;
+    std::size_t preamble = 0;
+    for (const TextLine& line : content_lines(text)) {
+      if (line.text.front() == '#' || line.text.front() == '%') continue;
+      if (line.text.size() > line_bytes_max)
+        return fail(fmt::format("found a line of {} bytes in a temperature log, expected at most {}", line.text.size(),
+                                line_bytes_max),
+                    {line.number, line.column});
+      if (!columns_) {
+        auto found = log_columns(line.text, above);
+        if (!found) return fail(found.error().message, {line.number, line.column});
+        columns_ = *std::move(found);
+        above = line.text;
+        if (!columns_ && ++preamble > preamble_max) break;
+        if (!columns_) continue;
+        if (columns_->temperatures.size() > sensors_max)
+          return fail(fmt::format("found {} sensors in a temperature log, expected at most {}",
+                                  columns_->temperatures.size(), sensors_max),
+                      {line.number, line.column});
+        values_.resize(columns_->temperatures.size());
+        missing_.resize(values_.size());
+        beyond_.resize(values_.size());
+      }
+      AXIOMETRY_TRY_VOID(take(line));
+    }
+    if (times_.empty())
+      return fail(
+          "found no line of a time and a temperature, expected a temperature log such as 'time;air [°C]' with "
+          "lines below it");
+    return {};
+  }
+
+  Result<void> take(const TextLine& line) {
+    const auto cells = log_cells(line.text, columns_->delimiter);
+    const auto time = time_of(cells);
+    if (!time)
+      return fail(
+          fmt::format("found {}, expected a time and temperatures as in the lines before", text::quoted(line.text)),
+          {line.number, line.column});
+    times_.push_back(*time);
+    lines_.push_back(line.number);
+    for (std::size_t k = 0; k < columns_->temperatures.size(); ++k) {
+      const LogColumn& column = columns_->temperatures[k];
+      const std::string_view cell = column.place < cells.size() ? cells[column.place] : std::string_view{};
+      const auto number = log_number(cell, columns_->delimiter);
+      if (!number && !has_no_value(cell))
+        return fail(fmt::format("found {}, expected a temperature", text::quoted(cell)), line.at(cell));
+      double celsius = number ? *number * column.factor + column.shift : std::nan("");
+      if (!number) ++missing_[k];
+      if (number && !(celsius >= coldest && celsius <= hottest)) {
+        ++beyond_[k];
+        celsius = std::nan("");
+      }
+      values_[k].push_back(celsius);
+    }
+    return {};
+  }
+
+  /// Seconds from the beginning of the log.
+  std::optional<double> time_of(const std::vector<std::string_view>& cells) {
+    if (columns_->time >= cells.size()) return std::nullopt;
+    const std::string_view cell = cells[columns_->time];
+    switch (columns_->kind) {
+      case LogTime::moment: {
+        const auto moment = moment_of(cell);
+        return moment ? since_begin(*moment) : std::nullopt;
+      }
+      case LogTime::date_and_day: {
+        if (columns_->time_of_day >= cells.size()) return std::nullopt;
+        const auto day = day_of(cell);
+        const auto seconds = time_of_day_s(cells[columns_->time_of_day]);
+        if (!day || !seconds) return std::nullopt;
+        return since_begin({static_cast<std::int64_t>(*day) * 86'400'000'000'000 +
+                                static_cast<std::int64_t>(std::llround(*seconds * 1e9)),
+                            false});
+      }
+      case LogTime::time_of_day: {
+        const auto seconds = time_of_day_s(cell);
+        if (!seconds) return std::nullopt;
+        if (!times_.empty() && *seconds + midnights_ * day_s < times_.back() - day_s / 2.0) midnights_ += 1.0;
+        return *seconds + midnights_ * day_s;
+      }
+      case LogTime::number: {
+        const auto number = log_number(cell, columns_->delimiter);
+        if (!number) return std::nullopt;
+        const double seconds = *number * columns_->seconds_per_unit;
+        if (times_.empty() && seconds >= unix_from) since_1970_ = seconds >= unix_ms_from ? 1e-3 : 1.0;
+        if (!since_1970_) return seconds;
+        if (std::abs(seconds) > 1e15) return std::nullopt;
+        return since_begin({static_cast<std::int64_t>(std::llround(seconds * *since_1970_ * 1e3)) * 1'000'000, true});
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<double> since_begin(const Moment& moment) {
+    if (!begin_) begin_ = moment;
+    if (begin_->zoned != moment.zoned) return std::nullopt;
+    return moment.seconds_since(*begin_);
+  }
+
+  Result<void> order_times() {
+    if (times_.size() > 1 && times_.front() > times_.back() && std::ranges::is_sorted(times_, std::greater{})) {
+      std::ranges::reverse(times_);
+      for (auto& values : values_) std::ranges::reverse(values);
+      remarks_.emplace_back("the temperature log begins with the newest reading and was turned round");
+    } else if (const auto at = std::ranges::is_sorted_until(times_); at != times_.end()) {
+      return fail("found a time before that of the line before, expected the order of time",
+                  {lines_[static_cast<std::size_t>(at - times_.begin())], 1});
+    }
+    const double first = times_.front();
+    for (double& time : times_) time -= first;
+    if (begin_) begin_->ns += static_cast<std::int64_t>(std::llround(first * 1e9));
+    return {};
+  }
+
+  Result<TemperatureLog> log_of(const SensorRoles& roles) {
+    TemperatureLog log{begin_, {}, {}};
+    for (const auto& [name, role] : roles) {
+      if (!text::is_one_of(role, role_words))
+        return fail(
+            fmt::format("found {} as what a sensor is of, expected machine, equipment or air", text::quoted(role)));
+      if (std::ranges::find(columns_->temperatures, name, &LogColumn::name) == columns_->temperatures.end())
+        return fail(
+            fmt::format("found no sensor {} in the temperature log, expected one of {}", text::quoted(name), names()));
+    }
+    for (std::size_t k = 0; k < values_.size(); ++k) add_sensor(log, k, roles);
+    if (log.sensors.empty()) return fail("found no temperature in the temperature log, expected some");
+    tell_of_columns();
+    log.remarks = std::move(remarks_);
+    return log;
+  }
+
+  std::string names() const {
+    std::string all;
+    for (const LogColumn& column : columns_->temperatures)
+      all += fmt::format("{}{}", all.empty() ? "" : ", ", text::quoted(column.name));
+    return all;
+  }
+
+  void add_sensor(TemperatureLog& log, std::size_t k, const SensorRoles& roles) {
+    const std::string& name = columns_->temperatures[k].name;
+    TemperatureCourse course{{}, name, {}, {}};
+    for (std::size_t j = 0; j < times_.size(); ++j) {
+      if (std::isnan(values_[k][j])) continue;
+      course.times_s.push_back(times_[j]);
+      course.celsius.push_back(values_[k][j]);
+    }
+    if (missing_[k] > 0)
+      remarks_.push_back(fmt::format("temperature sensor {}: {} of {} readings have no value and are left out",
+                                     text::quoted(name), missing_[k], times_.size()));
+    if (beyond_[k] > 0)
+      remarks_.push_back(
+          fmt::format("temperature sensor {}: {} of {} readings lie outside −60 … 100 °C and are left "
+                      "out",
+                      text::quoted(name), beyond_[k], times_.size()));
+    if (course.times_s.empty()) {
+      remarks_.push_back(fmt::format("temperature sensor {} has no reading at all", text::quoted(name)));
+      return;
+    }
+    const auto stated = std::ranges::find(roles, name, &SensorRoles::value_type::first);
+    if (stated != roles.end()) {
+      course.role = text::to_lower(stated->second);
+    } else if (const auto role = role_by_name(name)) {
+      course.role = *role;
+    } else {
+      course.role = "air";
+      remarks_.push_back(fmt::format("temperature sensor {} does not say what it is of and is taken for one of the air",
+                                     text::quoted(name)));
+    }
+    log.sensors.push_back(std::move(course));
+  }
+
+  void tell_of_columns() {
+    if (columns_->units_assumed)
+      remarks_.emplace_back("the temperature log tells no unit of its temperatures, which are taken to be in °C");
+    if (since_1970_) remarks_.emplace_back("times of the temperature log are taken to count from 1970-01-01 UTC");
+    for (const std::string& name : columns_->passed_over)
+      remarks_.push_back(
+          fmt::format("column {} of the temperature log is no temperature and is passed over", text::quoted(name)));
+  }
+
+  std::optional<LogColumns> columns_;
+  std::optional<Moment> begin_;
+  std::optional<double> since_1970_;  // seconds per unit
+  double midnights_ = 0.0;
+  std::vector<double> times_;
+  std::vector<std::size_t> lines_;
+  std::vector<std::vector<double>> values_;  // NaN: none
+  std::vector<std::size_t> missing_;
+  std::vector<std::size_t> beyond_;
+  std::vector<std::string> remarks_;
+};
+
+}  // namespace
+
+Result<TemperatureLog> read_temperature_log(std::string_view bytes, const SensorRoles& roles) {
+  if (bytes.size() > read_budget::file_bytes)
+    return fail(fmt::format("found {} MiB of temperatures, expected at most {}", bytes.size() >> 20,
+                            read_budget::file_bytes >> 20));
+  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
+  return LogReader().read(decoded.text, roles);
+}
+
+}  // namespace axiometry::formats

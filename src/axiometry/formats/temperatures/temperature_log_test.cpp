@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/temperatures/temperature_log.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+namespace axiometry::formats {
+namespace {
+
+using ::testing::Contains;
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+TemperatureLog log_of(std::string_view text, const SensorRoles& roles = {}) {
+  auto log = read_temperature_log(text, roles);
+  EXPECT_TRUE(log) << (log ? "" : log.error().to_string());
+  return log ? *std::move(log) : TemperatureLog{};
+}
+
+std::string refusal(std::string_view text, const SensorRoles& roles = {}) {
+  const auto log = read_temperature_log(text, roles);
+  return log ? "read" : log.error().to_string();
+}
+
+TEST(TemperatureLogs, HaveATimeAndSensorsWithRolesByTheirNames) {
+  const auto log = log_of(
+      "time,Air [°C],Bed [°C],Laser head [°C]\n"
+      "2026-03-02T08:00:00,20.1,20.5,21\n"
+      "2026-03-02T08:10:00,20.2,20.4,22.5\n");
+  ASSERT_EQ(log.sensors.size(), 3u);
+  EXPECT_EQ(log.sensors[0].location, "Air");
+  EXPECT_EQ(log.sensors[0].role, "air");
+  EXPECT_EQ(log.sensors[1].role, "machine");
+  EXPECT_EQ(log.sensors[2].role, "equipment");
+  EXPECT_THAT(log.sensors[0].times_s, ElementsAre(0.0, 600.0));
+  EXPECT_THAT(log.sensors[2].celsius, ElementsAre(21.0, 22.5));
+  EXPECT_EQ(moment_text(*log.begin), "2026-03-02T08:00:00");
+  EXPECT_THAT(log.remarks, IsEmpty()) << "all of it was told";
+}
+
+TEST(TemperatureLogs, MayHaveDecimalCommasSemicolonsGermanDatesAndAPreamble) {
+  const auto log = log_of(
+      "Datenlogger 4711\r\nIntervall: 10 min\r\n"
+      "Datum;Uhrzeit;Hallenluft [°C];Feuchte [%]\r\n"
+      "01.03.2026;23:50:00;19,5;41\r\n02.03.2026;00:00:00;19,75;42\r\n");
+  ASSERT_EQ(log.sensors.size(), 1u);
+  EXPECT_THAT(log.sensors[0].times_s, ElementsAre(0.0, 600.0));
+  EXPECT_THAT(log.sensors[0].celsius, ElementsAre(19.5, 19.75));
+  EXPECT_EQ(moment_text(*log.begin), "2026-03-01T23:50:00");
+  EXPECT_THAT(log.remarks, ElementsAre("column \"Feuchte [%]\" of the temperature log is no temperature and is passed "
+                                       "over"));
+}
+
+TEST(TemperatureLogs, TakeKelvinAndFahrenheitToCelsius) {
+  const auto log = log_of("time_s,room_K,bed_degF\n0,293.15,68\n60,295.15,77\n");
+  EXPECT_THAT(log.sensors[0].celsius, ElementsAre(DoubleNear(20.0, 1e-9), DoubleNear(22.0, 1e-9)));
+  EXPECT_THAT(log.sensors[1].celsius, ElementsAre(DoubleNear(20.0, 1e-9), DoubleNear(25.0, 1e-9)));
+  EXPECT_FALSE(log.begin) << "seconds tell no date";
+}
+
+TEST(TemperatureLogs, TellWhatTheyAssumeAndLeaveOut) {
+  const auto log =
+      log_of("time,T1,humidity\n2026-03-02 08:00,20.1,40\n2026-03-02 08:10,-127,41\n2026-03-02 08:20,,42\n");
+  EXPECT_THAT(log.sensors[0].celsius, ElementsAre(20.1));
+  EXPECT_THAT(log.remarks, Contains(HasSubstr("\"T1\": 1 of 3 readings have no value")));
+  EXPECT_THAT(log.remarks, Contains(HasSubstr("\"T1\": 1 of 3 readings lie outside −60 … 100 °C")));
+  EXPECT_THAT(log.remarks, Contains(HasSubstr("\"T1\" does not say what it is of and is taken for one of the air")));
+  EXPECT_THAT(log.remarks, Contains(HasSubstr("tells no unit of its temperatures")));
+  EXPECT_THAT(log.remarks, Contains(HasSubstr("column \"humidity\" of the temperature log is no temperature")));
+}
+
+TEST(TemperatureLogs, TakeTheRolesThatAreStated) {
+  const std::string text = "time_s,T1_C,T2_C\n0,20,21\n60,20,21\n";
+  const auto log = log_of(text, {{"T1", "Machine"}, {"T2", "air"}});
+  EXPECT_EQ(log.sensors[0].role, "machine");
+  EXPECT_THAT(log.remarks, IsEmpty());
+  EXPECT_THAT(refusal(text, {{"T3", "air"}}), HasSubstr("found no sensor \"T3\""));
+  EXPECT_THAT(refusal(text, {{"T1", "floor"}}), HasSubstr("expected machine, equipment or air"));
+}
+
+TEST(TemperatureLogs, MayBeginWithTheNewestReadingOrHaveNoDate) {
+  const auto turned = log_of("time;air [°C]\n2026-03-02 08:20;22\n2026-03-02 08:10;21\n2026-03-02 08:00;20\n");
+  EXPECT_THAT(turned.sensors[0].celsius, ElementsAre(20, 21, 22));
+  EXPECT_THAT(turned.sensors[0].times_s, ElementsAre(0, 600, 1200));
+  EXPECT_EQ(moment_text(*turned.begin), "2026-03-02T08:00:00");
+  EXPECT_THAT(turned.remarks, Contains(HasSubstr("newest reading")));
+  const auto night = log_of("time;air [°C]\n23:50;20\n00:10;21\n00:30;22\n");
+  EXPECT_THAT(night.sensors[0].times_s, ElementsAre(0, 1200, 2400));
+  EXPECT_FALSE(night.begin);
+  const auto blanks = log_of("2026-03-02 08:00:00 20.5\n2026-03-02 08:01:00 20.6\n");
+  EXPECT_THAT(blanks.sensors[0].celsius, ElementsAre(20.5, 20.6));
+  const auto german = log_of("02.03.2026 08:00 20.5\n02.03.2026 08:01 20.6\n");
+  EXPECT_THAT(german.sensors[0].times_s, ElementsAre(0, 60));
+  const auto unix_times = log_of("epoch time,air_C\n1772438400,20\n1772438460,21\n");
+  EXPECT_EQ(moment_text(*unix_times.begin), "2026-03-02T08:00:00Z");
+  EXPECT_THAT(unix_times.remarks, Contains(HasSubstr("1970")));
+}
+
+TEST(TemperatureLogs, RefuseWhatNobodyCanKnow) {
+  EXPECT_THAT(refusal(""), Not(HasSubstr("read")));
+  EXPECT_THAT(refusal("hello\nworld\n"), HasSubstr("expected a temperature log"));
+  EXPECT_THAT(refusal("time,air_C\n3/2/2026 08:00,20\n"), HasSubstr("of slashes nobody knows which is the month"));
+  EXPECT_THAT(refusal("time,sensor,value\n2026-03-02 08:00,T1,20\n"), HasSubstr("expected a column for each sensor"));
+  EXPECT_THAT(refusal("time_s,air_C\n0,20\n120,21\n60,22\n"), HasSubstr("4:1: found a time before that of the line"));
+  EXPECT_THAT(refusal("time_s,air_C\n0,20\n60,warm\n"), HasSubstr("3:4: found \"warm\", expected a temperature"));
+  EXPECT_THAT(refusal("time_s,air_C\n0,20\nend of log\n"), HasSubstr("3:1: found \"end of log\""));
+  EXPECT_THAT(refusal("time_s,air_C\n0,err\n60,20\n120,\n"), "read");
+  EXPECT_THAT(refusal("time,air_C\n2026-03-02T08:00Z,20\n2026-03-02T08:10,20\n"), HasSubstr("3:1: found"));
+}
+
+TEST(TemperatureLogs, CostInProportionToTheirLength) {
+  const auto text = [](std::size_t lines) {
+    std::string all = "time_s,air_C\n";
+    for (std::size_t k = 0; k < lines; ++k) all += fmt::format("{},{}\n", k, 20 + k % 7);
+    return all;
+  };
+  for (const std::size_t lines : {100u, 1000u, 100000u})
+    EXPECT_EQ(log_of(text(lines)).sensors[0].celsius.size(), lines);
+  EXPECT_THAT(refusal("time_s,air_C\n0,20\n" + std::string(20000, '7') + "\n"),
+              HasSubstr("3:1: found a line of 20000"));
+  std::string preamble;
+  for (int k = 0; k < 100000; ++k) preamble += "about this logger\n";
+  EXPECT_THAT(refusal(preamble + text(3)), HasSubstr("expected a temperature log")) << "a preamble ends somewhere";
+}
+
+}  // namespace
+}  // namespace axiometry::formats

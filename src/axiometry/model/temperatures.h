@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/moment.h"
+
+/// Temperatures as sensors recorded them about a test.
+namespace axiometry {
+
+/// What one sensor recorded, in order of time; °C lie within −60 … 100.
+struct TemperatureCourse {
+  std::string role;      ///< "machine", "equipment" or "air"
+  std::string location;  ///< the sensor's name
+  std::vector<double> times_s;
+  std::vector<double> celsius;  ///< one for each time
+};
+
+struct TemperatureLog {
+  std::optional<Moment> begin;             ///< of time 0; absent where the log tells no date
+  std::vector<TemperatureCourse> sensors;  ///< never empty; each has readings
+  std::vector<std::string> remarks;        ///< what was assumed, left out or passed over; sentences without full stop
+};
+
+}  // namespace axiometry

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/base/version.h"
+#include "axiometry/report/sections/sections.h"
+#include "axiometry/report/temperatures/temperatures.h"
+#include "axiometry/report/translated.h"
+
+namespace axiometry::report {
+namespace {
+
+using iso230_2::EnvironmentItem;
+using iso230_2::EnvironmentStanding;
+
+std::string shown_celsius(double x, int decimals, const Options& options) {
+  return format_fixed(x, decimals, options.numbers);
+}
+
+Tone tone_of(EnvironmentStanding standing) {
+  switch (standing) {
+    case EnvironmentStanding::kept: return Tone::good;
+    case EnvironmentStanding::exceeded: return Tone::bad;
+    case EnvironmentStanding::known_in_part: return Tone::caution;
+    case EnvironmentStanding::not_measured:
+    case EnvironmentStanding::not_agreed: return Tone::quiet;
+  }
+  return Tone::normal;
+}
+
+Table quantity_table(const TemperatureSubject& subject, const Options& options) {
+  Table table;
+  table.columns = {{plain("Quantity"), Align::start, true, true},
+                   {plain("Measured")},
+                   {plain("Agreed")},
+                   {plain("Standing")},
+                   {plain("Clause")}};
+  for (const EnvironmentItem& item : subject.environment.items) {
+    const std::string agreed = agreed_text(item, options);
+    table.rows.push_back({text_cell(item.title),
+                          item.measured ? text_cell(measured_text(item, options)) : quiet_cell("not measured"),
+                          agreed.empty() ? quiet_cell("–") : text_cell(agreed),
+                          {plain(iso230_2::standing_text(item.standing)), tone_of(item.standing)},
+                          text_cell(item.clause)});
+  }
+  table.notes = {
+      plain("Change per hour: the greatest within any hour; where less than an hour was recorded in one "
+            "piece, the range of that piece divided by its length. Readings more than half an hour apart "
+            "tell nothing of the time between them.")};
+  return table;
+}
+
+Table sensor_table(const TemperatureLog& log, const Options& options) {
+  Table table;
+  table.columns = {{plain("Sensor"), Align::start, true, true},
+                   {plain("Of")},
+                   {plain("Readings"), Align::decimal},
+                   {plain("Lowest, °C"), Align::decimal},
+                   {plain("Highest, °C"), Align::decimal}};
+  for (const TemperatureCourse& course : log.sensors) {
+    const auto [low, high] = std::ranges::minmax(course.celsius);
+    table.rows.push_back({verbatim_cell(course.location), text_cell(course.role),
+                          text_cell(fmt::format("{}", course.celsius.size())),
+                          text_cell(shown_celsius(low, 2, options)), text_cell(shown_celsius(high, 2, options))});
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string measured_text(const EnvironmentItem& item, const Options& options) {
+  constexpr int usual = 2, fine = 4;
+  constexpr double shown_by_usual = 0.01;
+  const bool close = item.agreed && std::abs(*item.measured - *item.agreed) < shown_by_usual;
+  return fmt::format("{}\u00a0{}", shown_celsius(*item.measured, close ? fine : usual, options), item.unit);
+}
+
+std::string agreed_text(const EnvironmentItem& item, const Options& options) {
+  if (!item.agreed) return "";
+  std::string value = format_exact(*item.agreed);
+  std::ranges::replace(value, '.', options.numbers.decimal_mark);
+  return fmt::format("at {} {} {}", item.lower_limit ? "least" : "most", value, item.unit);
+}
+
+std::vector<std::string> gaps_of(const iso230_2::TestEnvironment& environment, bool placed, const Options& options) {
+  if (!placed)
+    return {
+        "nobody said when the test was: all of the log counts as the test, and nothing is known of the twelve hours "
+        "before it"};
+  std::vector<std::string> gaps;
+  const auto hours = [&](double h) { return shown_celsius(h, 2, options); };
+  if (environment.during && !environment.during->complete())
+    gaps.push_back(
+        fmt::format("the temperature of the air was recorded in {} h of the {} h of the test; what it was in "
+                    "the rest is not known",
+                    hours(environment.during->recorded_h), hours(environment.during->whole_h)));
+  if (environment.before && !environment.before->complete())
+    gaps.push_back(
+        fmt::format("the temperature of the air was recorded in {} h of the twelve hours before the test, of "
+                    "which clause 4.1 asks for all",
+                    hours(environment.before->recorded_h)));
+  return gaps;
+}
+
+Document compose(const TemperatureSubject& subject, const Options& options) {
+  Document document;
+  document.kind = "Temperatures about a test";
+  document.title = "Temperatures before and during the test";
+  document.edition = "ISO 230-2:2014, 4.1 and 7";
+  document.running_head = translated(document.title, options);
+  document.generator = fmt::format("Axiometry {}", version);
+  document.date = subject.began;
+  const bool exceeded = subject.environment.exceeded(), open = subject.environment.open();
+  const bool any_agreed = std::ranges::any_of(subject.environment.items,
+                                              [](const EnvironmentItem& item) { return item.agreed.has_value(); });
+  const std::string_view status = exceeded     ? "An agreed limit is exceeded"
+                                  : open       ? "Not known whether every agreed limit was kept"
+                                  : any_agreed ? "The agreed limits were kept"
+                                               : "No limits were agreed";
+  document.running_status = std::string(status);
+  Notice notice{exceeded     ? Tone::bad
+                : open       ? Tone::caution
+                : any_agreed ? Tone::good
+                             : Tone::normal,
+                plain(status),
+                {}};
+  for (const std::string& gap : gaps_of(subject.environment, subject.test.has_value(), options))
+    notice.lines.push_back(sentence(gap));
+  document.status.push_back(std::move(notice));
+  const auto as_said = [](const std::string& text) {
+    return text.empty() ? quiet_cell("not stated") : verbatim_cell(text);
+  };
+  document.identity = {
+      {plain("Test began"), as_said(subject.began)},
+      {plain("Test ended"), as_said(subject.ended)},
+      {plain("Log begins"), subject.log.begin ? text_cell(moment_text(*subject.log.begin)) : quiet_cell("not stated")}};
+  document.sections.push_back(
+      {"quantities", "What was measured and what was agreed", true, {quantity_table(subject, options)}});
+  document.sections.push_back({"course", "Course", true, {temperature_figure(subject, options)}});
+  document.sections.push_back({"sensors", "Temperature sensors", false, {sensor_table(subject.log, options)}});
+  Facts facts;
+  facts.facts = {{plain("File"), verbatim_cell(subject.file)}, {plain("SHA-256"), verbatim_cell(subject.sha256)}};
+  Section provenance{"provenance", "Provenance", false, {std::move(facts)}};
+  if (!subject.log.remarks.empty()) {
+    Notice read{Tone::normal, plain("How the log was read"), {}};
+    for (const std::string& remark : subject.log.remarks) read.lines.push_back(sentence(remark));
+    provenance.blocks.emplace_back(std::move(read));
+  }
+  document.sections.push_back(std::move(provenance));
+  return document;
+}
+
+}  // namespace axiometry::report

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/base/moment.h"
+#include "axiometry/base/quantity.h"
+#include "axiometry/model/temperatures.h"
+
+/// What recorded temperatures tell of the surroundings of a test (clauses 4.1 and 7).
+///
+/// Between two readings at most half an hour apart a temperature is taken to go straight; what lies farther apart is
+/// not recorded. The rate in °C/h is the greatest change between any two moments at most an hour apart. Where nothing
+/// of an hour was recorded in one piece, it is the range of a piece of ten minutes or more, divided by its length; of
+/// shorter ones there is none. Of several sensors of the air the extremes and the largest rate count, and the longest
+/// recording.
+namespace axiometry {
+
+/// Absent means not measured.
+struct AmbientTemperatures {
+  std::optional<Temperature> lowest;  ///< of the air, during the test
+  std::optional<Temperature> highest;
+  std::optional<double> rate;                             ///< °C/h, during the test
+  std::optional<double> rate_before;                      ///< °C/h, in the twelve hours before it
+  std::optional<double> hours_before;                     ///< of how many of these twelve hours that is known
+  std::optional<TemperatureDifference> machine_gradient;  ///< largest, between places on the machine at one moment
+};
+
+/// In seconds from the beginning of a log.
+struct TimeStretch {
+  double begin_s = 0.0;
+  double end_s = 0.0;
+
+  double length_s() const { return end_s - begin_s; }
+};
+
+inline constexpr double hours_before_test = 12.0;       ///< that clause 4.1 asks for
+inline constexpr double longest_unrecorded_s = 1800.0;  ///< between two readings that are taken to go straight
+inline constexpr double shortest_for_a_rate_s = 600.0;
+
+/// Of the sensors of role "air" within the test; machine_gradient of those of role "machine", of which it takes two.
+/// Without a test all that was recorded counts as it, and nothing is known of before. A test shorter than an hour is
+/// looked at together with the time before it, to an hour, for its rate.
+AmbientTemperatures ambient_of(std::span<const TemperatureCourse> sensors, const std::optional<TimeStretch>& test);
+
+/// How much of a stretch the sensor of that role recorded that recorded most, s; or the one that recorded the second
+/// most, since differences take two.
+double recorded_s(std::span<const TemperatureCourse> sensors, std::string_view role, const TimeStretch& stretch,
+                  bool second = false);
+
+/// From the first to the last reading of any sensor.
+TimeStretch stretch_of(std::span<const TemperatureCourse> sensors);
+
+/// A test that began and ended at these moments, in a log that begins at `zero`; without an end to the end of the log.
+/// Nothing where the beginning of either is not told, where only one of two moments tells its zone, and where the end
+/// lies before the beginning.
+std::optional<TimeStretch> test_in_log(const std::optional<Moment>& began, const std::optional<Moment>& ended,
+                                       const TemperatureLog& log);
+
+}  // namespace axiometry

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/standards/environment/ambient_course.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "axiometry/standards/environment/environment.h"
+
+namespace axiometry {
+namespace {
+
+using iso230_2::EnvironmentStanding;
+
+constexpr double hour = 3600.0;
+
+TemperatureCourse course(std::string role, double from_s, double to_s, double step_s,
+                         const std::function<double(double)>& celsius) {
+  TemperatureCourse made{std::move(role), "T", {}, {}};
+  for (double t = from_s; t <= to_s + 1e-9; t += step_s) {
+    made.times_s.push_back(t);
+    made.celsius.push_back(celsius(t));
+  }
+  return made;
+}
+
+AmbientTemperatures found(std::vector<TemperatureCourse> sensors, std::optional<TimeStretch> test) {
+  return ambient_of(sensors, test);
+}
+
+TEST(AmbientCourse, OfASteadyRiseHasItsRateBeforeAndDuring) {
+  const auto rise = [](double t) { return 20.0 + 0.4 * t / hour; };
+  const auto all = found({course("air", 0, 14 * hour, 600, rise)}, TimeStretch{12 * hour, 14 * hour});
+  EXPECT_NEAR(*all.rate, 0.4, 1e-9);
+  EXPECT_NEAR(*all.rate_before, 0.4, 1e-9);
+  EXPECT_NEAR(*all.hours_before, 12.0, 1e-9);
+  EXPECT_NEAR(all.lowest->in_celsius(), 24.8, 1e-9);
+  EXPECT_NEAR(all.highest->in_celsius(), 25.6, 1e-9);
+  EXPECT_FALSE(all.machine_gradient) << "no sensor on the machine";
+}
+
+TEST(AmbientCourse, FindsTheWorstHourBetweenReadings) {
+  // Every 50 minutes: within an hour lies a whole step of 1 °C and 10 minutes of the next one, 0.2 °C.
+  const auto all = found({course("air", 0, 10 * hour, 3000.0 / 2, [](double t) { return t / 3000.0; })}, std::nullopt);
+  EXPECT_NEAR(*all.rate, 1.2, 1e-9);
+}
+
+TEST(AmbientCourse, SeesAPeakWhereverItStands) {
+  for (const double at : {0.0, 7000.0, 14000.0}) {
+    const auto all = found(
+        {course("air", 0, 4 * hour, 10, [&](double t) { return std::abs(t - at) < 15 ? 23.0 : 20.0; })}, std::nullopt);
+    EXPECT_NEAR(*all.rate, 3.0, 1e-9) << at;
+    EXPECT_EQ(all.highest->in_celsius(), 23.0);
+  }
+}
+
+TEST(AmbientCourse, OfASineIsItsRangeWithinAnHour) {
+  const double amplitude = 0.7, period = 5 * hour;
+  const auto sine = [&](double t) { return 20.0 + amplitude * std::sin(2 * std::numbers::pi * t / period); };
+  const auto all = found({course("air", 0, 10 * hour, 30, sine)}, std::nullopt);
+  EXPECT_NEAR(*all.rate, 2 * amplitude * std::sin(std::numbers::pi * hour / period), 1e-5);
+}
+
+TEST(AmbientCourse, AShortTestIsLookedAtWithTheTimeBeforeItToAnHour) {
+  const auto rise = [](double t) { return t < 12 * hour ? 20.0 : 20.0 + (t - 12 * hour) / hour; };
+  const auto all = found({course("air", 0, 13 * hour, 60, rise)}, TimeStretch{12 * hour, 12.5 * hour});
+  EXPECT_NEAR(*all.rate, 0.5, 1e-9) << "half an hour of quiet and half an hour of 1 °C/h";
+  EXPECT_EQ(*all.rate_before, 0.0);
+}
+
+TEST(AmbientCourse, ExtrapolatesLessThanAnHourToTheSafeSideAndSaysNothingOfMinutes) {
+  const auto rise = [](double t) { return 20.0 + t / hour; };
+  EXPECT_NEAR(*found({course("air", 0, 0.5 * hour, 60, rise)}, std::nullopt).rate, 1.0, 1e-9);
+  EXPECT_FALSE(found({course("air", 0, 540, 60, rise)}, std::nullopt).rate);
+}
+
+TEST(AmbientCourse, KnowsNothingOfGaps) {
+  auto broken = course("air", 0, 5 * hour, 600, [](double) { return 20.0; });
+  const auto later = course("air", 8 * hour, 13 * hour, 600, [](double) { return 26.0; });
+  broken.times_s.insert(broken.times_s.end(), later.times_s.begin(), later.times_s.end());
+  broken.celsius.insert(broken.celsius.end(), later.celsius.begin(), later.celsius.end());
+  const auto all = found({broken}, TimeStretch{12 * hour, 13 * hour});
+  EXPECT_NEAR(*all.hours_before, 9.0, 1e-9);
+  EXPECT_EQ(*all.rate_before, 0.0) << "what happened in the gap is not known";
+  const auto in_gap = found({broken}, TimeStretch{5.5 * hour, 7.5 * hour});
+  EXPECT_FALSE(in_gap.lowest);
+  EXPECT_FALSE(in_gap.rate);
+}
+
+TEST(AmbientCourse, TakesTheWorstOfSeveralSensorsOfTheAirAndNoneOfOthers) {
+  const auto level = [](double celsius) { return [=](double t) { return celsius + (t > 2 * hour ? 0.1 : 0.0); }; };
+  const auto all = found({course("air", 0, 4 * hour, 60, level(19.5)), course("air", 0, 4 * hour, 60, level(21.0)),
+                          course("equipment", 0, 4 * hour, 60, level(30.0))},
+                         std::nullopt);
+  EXPECT_EQ(all.lowest->in_celsius(), 19.5);
+  EXPECT_EQ(all.highest->in_celsius(), 21.1);
+  EXPECT_FALSE(found({course("machine", 0, 4 * hour, 60, level(20))}, std::nullopt).lowest);
+}
+
+TEST(AmbientCourse, TheGradientIsTheLargestDifferenceAtOneMoment) {
+  const auto warm = [](double t) { return 20.0 + t / hour; };
+  const auto late = [](double t) { return 19.0 + std::max(0.0, t / hour - 1.0); };
+  const auto all =
+      found({course("machine", 0, 3 * hour, 600, warm), course("machine", 300, 3 * hour, 700, late)}, std::nullopt);
+  EXPECT_NEAR(all.machine_gradient->in_kelvin(), 2.0, 0.03) << "not the range of both over time, 4";
+  EXPECT_FALSE(
+      found({course("machine", 0, hour, 600, warm), course("machine", 2 * hour, 3 * hour, 600, late)}, std::nullopt)
+          .machine_gradient)
+      << "never known at one moment";
+}
+
+TemperatureLog log_of(std::vector<TemperatureCourse> sensors) { return {moment_of("2026-03-02T00:00"), sensors, {}}; }
+
+TEST(TestInLog, IsPlacedByItsMoments) {
+  const auto log = log_of({course("air", 0, 14 * hour, 600, [](double) { return 20.0; })});
+  const auto at = [&](const char* began, const char* ended) {
+    return test_in_log(moment_of(began), moment_of(ended), log);
+  };
+  EXPECT_EQ(at("2026-03-02T12:00", "2026-03-02T13:00")->begin_s, 12 * hour);
+  EXPECT_EQ(at("2026-03-02T12:00", "2026-03-02T13:00")->end_s, 13 * hour);
+  EXPECT_EQ(at("2026-03-02T12:00", "")->end_s, 14 * hour) << "to the end of the log";
+  EXPECT_FALSE(at("", "2026-03-02T13:00"));
+  EXPECT_FALSE(at("2026-03-02T13:00", "2026-03-02T12:00"));
+  EXPECT_FALSE(at("2026-03-02T12:00Z", "2026-03-02T13:00Z")) << "a zone against none";
+}
+
+EnvironmentStanding standing(const iso230_2::TestEnvironment& environment, std::string_view key) {
+  for (const auto& item : environment.items)
+    if (item.key == key) return item.standing;
+  ADD_FAILURE() << key;
+  return EnvironmentStanding::kept;
+}
+
+TEST(EnvironmentOfATest, NeverCallsKeptWhatWasNotMeasured) {  // 4.1, 7
+  iso230_2::AgreedEnvironment agreed;
+  agreed.lowest = Temperature::celsius(19);
+  agreed.highest = Temperature::celsius(22);
+  agreed.rate = 0.5;
+  agreed.machine_gradient = TemperatureDifference::kelvin(1);
+  const auto level = [](double) { return 20.0; };
+  const TimeStretch test{12 * hour, 13 * hour};
+  const auto whole = iso230_2::test_environment(log_of({course("air", 0, 13 * hour, 600, level)}), test, agreed);
+  EXPECT_EQ(standing(whole, "lowest_C"), EnvironmentStanding::kept);
+  EXPECT_EQ(standing(whole, "rate_before_C_per_h"), EnvironmentStanding::kept);
+  EXPECT_EQ(standing(whole, "machine_gradient_C"), EnvironmentStanding::not_measured);
+  EXPECT_TRUE(whole.open()) << "a limit was agreed on what nobody measured";
+  EXPECT_FALSE(whole.exceeded());
+  const auto late =
+      iso230_2::test_environment(log_of({course("air", 4 * hour, 12.5 * hour, 600, level)}), test, agreed);
+  EXPECT_EQ(standing(late, "highest_C"), EnvironmentStanding::known_in_part);
+  EXPECT_EQ(standing(late, "rate_before_C_per_h"), EnvironmentStanding::known_in_part);
+  const auto unplaced =
+      iso230_2::test_environment(log_of({course("air", 0, 13 * hour, 600, level)}), std::nullopt, agreed);
+  EXPECT_EQ(standing(unplaced, "highest_C"), EnvironmentStanding::known_in_part);
+  EXPECT_EQ(standing(unplaced, "rate_before_C_per_h"), EnvironmentStanding::not_measured);
+  const auto none = iso230_2::test_environment(log_of({course("machine", 0, 13 * hour, 600, level)}), test, agreed);
+  EXPECT_EQ(standing(none, "lowest_C"), EnvironmentStanding::not_measured);
+}
+
+TEST(EnvironmentOfATest, ExceedsALimitFromTheFirstThousandthOn) {
+  iso230_2::AgreedEnvironment agreed;
+  agreed.highest = Temperature::celsius(22);
+  agreed.lowest = Temperature::celsius(19);
+  const auto standing_at = [&](double celsius, std::string_view key) {
+    return standing(
+        iso230_2::test_environment(log_of({course("air", 0, 13 * hour, 600, [&](double) { return celsius; })}),
+                                   TimeStretch{12 * hour, 13 * hour}, agreed),
+        key);
+  };
+  EXPECT_EQ(standing_at(22.0, "highest_C"), EnvironmentStanding::kept) << "at the limit";
+  EXPECT_EQ(standing_at(22.001, "highest_C"), EnvironmentStanding::exceeded);
+  EXPECT_EQ(standing_at(19.0, "lowest_C"), EnvironmentStanding::kept);
+  EXPECT_EQ(standing_at(18.999, "lowest_C"), EnvironmentStanding::exceeded);
+  EXPECT_EQ(standing_at(22.0, "rate_C_per_h"), EnvironmentStanding::not_agreed);
+}
+
+TEST(EnvironmentOfATest, ExceedsALimitAlsoWhereOnlyAPartWasRecorded) {
+  iso230_2::AgreedEnvironment agreed;
+  agreed.highest = Temperature::celsius(22);
+  const auto part =
+      iso230_2::test_environment(log_of({course("air", 12 * hour, 12.2 * hour, 60, [](double) { return 23.0; })}),
+                                 TimeStretch{12 * hour, 14 * hour}, agreed);
+  EXPECT_EQ(standing(part, "highest_C"), EnvironmentStanding::exceeded);
+  EXPECT_TRUE(part.exceeded());
+}
+
+}  // namespace
+}  // namespace axiometry

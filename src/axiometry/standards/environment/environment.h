@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "axiometry/base/quantity.h"
+#include "axiometry/model/temperatures.h"
+#include "axiometry/standards/environment/ambient_course.h"
+
+/// The temperature of the surroundings (4.1) against what the parties agreed on it (7).
+namespace axiometry::iso230_2 {
+
+/// What manufacturer or supplier and user agreed on (7).
+struct AgreedEnvironment {
+  std::optional<Temperature> lowest;
+  std::optional<Temperature> highest;
+  std::optional<double> rate;  ///< °C/h, twelve hours before the test and during it
+  std::optional<TemperatureDifference> machine_gradient;
+};
+
+/// How a quantity stands. What was not measured is never kept.
+enum class EnvironmentStanding {
+  kept,
+  exceeded,
+  not_measured,   ///< whether a limit was agreed or not
+  not_agreed,     ///< measured, and no limit to hold it against
+  known_in_part,  ///< within the limit as far as it was recorded, and a part of the time was not
+};
+
+std::string_view standing_key(EnvironmentStanding standing);   ///< "not-measured"
+std::string_view standing_text(EnvironmentStanding standing);  ///< "not measured"
+
+struct EnvironmentItem {
+  std::string_view key;    ///< of what was measured, "highest_C"
+  std::string_view title;  ///< "Highest ambient temperature"
+  std::string_view unit;   ///< "°C" or "°C/h"
+  std::string_view clause;
+  bool lower_limit = false;  ///< whether it must not lie below the limit, else not above
+  std::optional<double> measured;
+  std::optional<double> agreed;
+  EnvironmentStanding standing = EnvironmentStanding::not_measured;
+};
+
+/// How much of a stretch of time was recorded, h.
+struct RecordedShare {
+  double recorded_h = 0.0;
+  double whole_h = 0.0;
+
+  /// But for a minute, or a hundredth.
+  bool complete() const;
+};
+
+struct TestEnvironment {
+  /// Lowest, highest, °C/h during the test and in the twelve hours before, gradient over the machine: always all five.
+  std::vector<EnvironmentItem> items;
+  std::optional<RecordedShare> during;  ///< of the test, where a log tells when it was
+  std::optional<RecordedShare> before;  ///< of the twelve hours before it, where that is known
+
+  /// Whether any limit is exceeded.
+  bool exceeded() const;
+  /// Whether a limit was agreed and nobody can say that it was kept.
+  bool open() const;
+};
+
+/// By the log, of the test within it; without one all of the log counts as the test, and nothing is known of before it.
+TestEnvironment test_environment(const TemperatureLog& log, const std::optional<TimeStretch>& test,
+                                 const AgreedEnvironment& agreed);
+
+}  // namespace axiometry::iso230_2
