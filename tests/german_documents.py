@@ -75,6 +75,12 @@ COMMANDS = [
     ("tracking-multilaterate", "tracking multilaterate ranges.csv --points nominal.csv --report {out}"),
     ("tracking-multilaterate", "tracking multilaterate broken.csv --points nominal.csv --scale common "
                                "--scale-prior 1e-6 --repeatability 1um --report {out}"),
+    ("tracking-polar", "tracking polar tracker.csv tracer.csv --instrument leica-at901 "
+                       "--instrument TR=etalon-lasertracer --points nominal.csv --report {out}"),
+    ("tracking-polar", "tracking polar misread.csv --instrument leica-at901 --report {out}"),
+    ("", "tracking instruments --report {out}"),
+    ("", "tracking compare-methods --travel X=0:800,Y=0:600,Z=0:500 --station -600,-500,100 --trials 100 "
+         "--report {out}"),
     ("", "tracking length-difference --station-error 0.7978,0.2715,0.1965 --distances 100:1100:100 --direction 1,1,1 "
          "--report {out}"),
     ("", "tracking length-difference --distances 200:900:100 --station-uncertainty 0.003,0.003,0.01 --report {out}"),
@@ -83,6 +89,7 @@ COMMANDS = [
 WORD = re.compile(r"[A-Za-zÄÖÜäöüß][A-Za-zÄÖÜäöüß’'-]{2,}")
 # The same in both languages: words, names of persons, formats and standards, what stands for a value.
 SAME = set("""
+    Absolute Interferometer Leica Polar adm ifm
     Amplitude Axiometry Carlo Ciddor DIN Drift Ellipsoid Format GUM ISO Information JCGM JSON Lee Linear Median nde Monte
     Multilateration NDE Name Octant Phase Plan Position SHA- Segment Sensor Sensors Simulation Standard Station Student
     Ende Lauf Soll Test UTF- VDI Windows- bar csv- csv-long csv-wide deg eff json kPa linear min normal negative
@@ -97,7 +104,7 @@ SHORT = set("as at be by if is no of on or to up we".split())
 # What the examples and their files call things, and names of files and of metadata.
 NAMES = re.compile(r"\w+[\w-]*\.(?:csv|json|txt)|[a-z]+\.[a-z_]+|--[a-z-]+|axiometry [a-z]+|this-machine|"
                    r"Table 2 of ISO 230-2 \(worked example\)|Tilting rotary table \(made up\)|Virtual machine|Fräse 7|"
-                   r"Machining centre|\b(?:P_?s,|U_?)(?:mean|max)\b|E[A-CX-Z][X-Z]\b|NN[NP]-PP[NP]|NP[NP]-PN[NP]|\bvice\b")
+                   r"Machining centre|(?:leica|api|faro|etalon)-\w+|\b(?:P_?s,|U_?)(?:mean|max)\b|E[A-CX-Z][X-Z]\b|NN[NP]-PP[NP]|NP[NP]-PN[NP]|\bvice\b")
 
 
 def segments(page):
