@@ -79,6 +79,8 @@ COMMANDS = [
                        "--instrument TR=etalon-lasertracer --points nominal.csv --report {out}"),
     ("tracking-polar", "tracking polar misread.csv --instrument leica-at901 --report {out}"),
     ("", "tracking instruments --report {out}"),
+    ("volumetric-assemble", "volumetric assemble EXX=exx.csv EYX=eyx.csv ECX=ecx.csv EXY=exy.csv C0Y=-12.5,1.2 --machine "
+                            "machine.json --at X=0,300,-200@short --at Y=500,0,-200@short --report {out}"),
     ("", "tracking compare-methods --travel X=0:800,Y=0:600,Z=0:500 --station -600,-500,100 --trials 100 "
          "--report {out}"),
     ("", "tracking length-difference --station-error 0.7978,0.2715,0.1965 --distances 100:1100:100 --direction 1,1,1 "
