@@ -131,8 +131,26 @@ class PolarAdjustment {
     }
     return fail(
         fmt::format("the solution does not settle within {} iterations (points still move by {:.3g} mm), "
-                    "expected readings and nominal places that belong together",
-                    options_.iterations_most, move_mm));
+                    "expected readings that belong together; {}",
+                    options_.iterations_most, move_mm, farthest_reading()));
+  }
+
+  /// Of a solution that is none: where to look first.
+  std::string farthest_reading() const {
+    std::array<PolarRow, 3> rows;
+    std::size_t farthest = 0;
+    double most = -1.0;
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const std::size_t count = polar_rows(readings_[k], state_, layout_.has_angles[readings_[k].station], rows);
+      for (std::size_t r = 0; r < count; ++r) {
+        if (!(std::abs(rows[r].residual) > most)) continue;
+        most = std::abs(rows[r].residual);
+        farthest = k;
+      }
+    }
+    return fmt::format("reading {} (station {}, point {}) is farthest from the others", farthest + 1,
+                       polar_station_name(options_, readings_[farthest].station),
+                       polar_point_name(options_, readings_[farthest].point));
   }
 
   std::optional<std::size_t> datum_station() const {

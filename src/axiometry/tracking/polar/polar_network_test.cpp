@@ -147,6 +147,21 @@ TEST(PolarNetwork, TellsAReadingThatDoesNotFit) {
   EXPECT_TRUE(adjust_polar(places.size(), 2, readings, {})->findings.size() <= 1);  // that they fit better than stated
 }
 
+TEST(PolarNetwork, NamesTheReadingThatKeepsItFromSettling) {
+  std::vector<PolarReading> readings;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    readings.push_back(polar_read(i, 0, places[i], {-900, -800, 100}, 0.0));
+    readings.push_back(polar_read(i, 1, places[i], {1700, -500, 300}, 1.0));
+  }
+  readings[9].direction->elevation_rad -= 0.2;
+  PolarOptions options;
+  options.iterations_most = 1;  // nothing settles at once that is not exact
+  const auto fit = adjust_polar(places.size(), 2, readings, options);
+  ASSERT_FALSE(fit);
+  EXPECT_NE(fit.error().message.find("is farthest from the others"), std::string::npos) << fit.error().message;
+  EXPECT_NE(fit.error().message.find("point 5"), std::string::npos) << fit.error().message;
+}
+
 TEST(TrackerKinds, TakeBoundsAsRectangularAndWhatIsExpandedAsItIs) {
   const auto tracer = find_tracker("Etalon-LaserTRACER", LengthMode::changes);
   ASSERT_TRUE(tracer && *tracer);
