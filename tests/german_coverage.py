@@ -44,6 +44,7 @@ SOURCES = [
     "nc/compensations/increments.cpp", "nc/compensations/linuxcnc_lines.cpp", "nc/compensations/siemens_lines.cpp",
     "report/documents/compensation_document.cpp", "report/figures/compensation_curves.cpp",
     "app/dynamics/dynamic_reports.cpp",
+    "app/tracking/polar_report.cpp", "app/tracking/tracker_list.cpp",
     "app/error_motions/motion_tables.cpp", "app/error_motions/motion_reports.cpp", "report/figures/axis_motion.cpp",
 ]
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)+\'', re.S)

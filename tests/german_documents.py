@@ -81,6 +81,14 @@ COMMANDS = [
     ("tracking-multilaterate", "tracking multilaterate ranges.csv --points nominal.csv --report {out}"),
     ("tracking-multilaterate", "tracking multilaterate broken.csv --points nominal.csv --scale common "
                                "--scale-prior 1e-6 --repeatability 1um --report {out}"),
+    ("tracking-polar", "tracking polar tracker.csv tracer.csv --instrument leica-at901 "
+                       "--instrument TR=etalon-lasertracer --points nominal.csv --report {out}"),
+    ("tracking-polar", "tracking polar misread.csv --instrument leica-at901 --report {out}"),
+    ("", "tracking instruments --report {out}"),
+    ("volumetric-assemble", "volumetric assemble EXX=exx.csv EYX=eyx.csv ECX=ecx.csv EXY=exy.csv C0Y=-12.5,1.2 --machine "
+                            "machine.json --at X=0,300,-200@short --at Y=500,0,-200@short --report {out}"),
+    ("", "tracking compare-methods --travel X=0:800,Y=0:600,Z=0:500 --station -600,-500,100 --trials 100 "
+         "--report {out}"),
     ("", "tracking length-difference --station-error 0.7978,0.2715,0.1965 --distances 100:1100:100 --direction 1,1,1 "
          "--report {out}"),
     ("", "tracking length-difference --distances 200:900:100 --station-uncertainty 0.003,0.003,0.01 --report {out}"),
@@ -89,6 +97,7 @@ COMMANDS = [
 WORD = re.compile(r"[A-Za-zÄÖÜäöüß][A-Za-zÄÖÜäöüß’'-]{2,}")
 # The same in both languages: words, names of persons, formats and standards, what stands for a value.
 SAME = set("""
+    Absolute Leica Polar adm ifm
     Amplitude Axiometry Carlo Ciddor DIN Drift Ellipsoid Format GUM ISO Information Interferometer JCGM JSON Lee Linear Median nde Monte
     Multilateration NDE Name Octant Phase Plan Position SHA- Segment Sensor Sensors Simulation Standard Station Student
     Ende Lauf Soll Test UTF- VDI Windows- bar csv- csv-long csv-wide deg eff json kPa linear min normal negative
@@ -103,7 +112,7 @@ SHORT = set("as at be by if is no of on or to up we".split())
 # What the examples and their files call things, and names of files and of metadata.
 NAMES = re.compile(r"\w+[\w-]*\.(?:csv|json|txt|rtx)|[a-z]+\.[a-z_]+|--[a-z-]+|axiometry [a-z]+|this-machine|"
                    r"Table 2 of ISO 230-2 \(worked example\)|Tilting rotary table \(made up\)|Virtual machine|Fräse 7|"
-                   r"Machining centre|\b(?:P_?s,|U_?)(?:mean|max)\b|E[A-CX-Z][X-Z]\b|[NP0]{3}-[NP0]{3}|\bvice\b")
+                   r"Machining centre|(?:leica|api|faro|etalon)-\w+|\b(?:P_?s,|U_?)(?:mean|max)\b|E[A-CX-Z][X-Z]\b|[NP0]{3}-[NP0]{3}|\bvice\b")
 
 
 def segments(page):

@@ -90,6 +90,8 @@ def seeds(program, folder):
     several = files / "tracking-multilaterate.files"
     yield "ranges", ["tracking", "multilaterate", "@", "--points", str(several / "nominal.csv")], (several / "ranges.csv").read_bytes()
     yield "nominal points", ["tracking", "multilaterate", str(several / "ranges.csv"), "--points", "@"], (several / "nominal.csv").read_bytes()
+    polar = files / "tracking-polar.files"
+    yield "polar readings", ["tracking", "polar", "@", "--instrument", "leica-at901"], (polar / "tracker.csv").read_bytes()
     volume = files / "volumetric.files"
     identify = ["volumetric", "identify", "-q", "--json", "-"]
     yield "volumetric lengths", identify + ["@", "--machine", str(volume / "machine.json")], (volume / "lengths.csv").read_bytes()

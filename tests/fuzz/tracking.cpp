@@ -6,6 +6,7 @@
 
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/tracking/location_points_csv.h"
+#include "axiometry/formats/tracking/polar_csv.h"
 #include "axiometry/formats/tracking/ranges_csv.h"
 #include "axiometry/formats/tracking/station_json.h"
 #include "axiometry/formats/tracking/tracking_lengths_csv.h"
@@ -43,6 +44,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     AXIOMETRY_CONTRACT(ranges->readings.size() == ranges->reading_lines.size());
   if (const auto points = formats::read_named_points(bytes); sound(points))
     AXIOMETRY_CONTRACT(points->names.size() == points->at_mm.size());
+  if (const auto polar = formats::read_polar(bytes); sound(polar))
+    for (const auto& row : polar->rows)
+      AXIOMETRY_CONTRACT(row.point < polar->points.size() && row.segment < polar->segments[row.station].size());
   sound(formats::read_location_points(bytes));
   sound(formats::read_station(bytes));
   if (const auto lengths = formats::read_tracking_lengths(bytes, seven_lines()); sound(lengths))

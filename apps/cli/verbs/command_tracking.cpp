@@ -17,6 +17,9 @@ void add_tracking(const Verb& program, int& exit_code) {
   add_tracking_plan(*verb, exit_code);
   add_tracking_simulate(*verb, exit_code);
   add_tracking_multilaterate(*verb, exit_code);
+  add_tracking_polar(*verb, exit_code);
+  add_tracking_compare_methods(*verb, exit_code);
+  add_tracking_instruments(*verb, exit_code);
 }
 
 }  // namespace axiometry::cli

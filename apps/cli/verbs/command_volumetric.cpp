@@ -11,6 +11,7 @@ void add_volumetric(const Verb& program, int& exit_code) {
                                      "All 21 errors of a machine from the lengths of one tracking interferometer");
   verb->require_subcommand(1, 1);
   add_volumetric_identify(*verb, exit_code);
+  add_volumetric_assemble(*verb, exit_code);
   add_volumetric_field(*verb, exit_code);
   add_volumetric_simulate(*verb, exit_code);
   add_volumetric_plan(*verb, exit_code);

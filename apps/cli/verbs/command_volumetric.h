@@ -7,6 +7,7 @@ class Verb;
 
 /// The verbs of `axiometry volumetric`, a file for each.
 void add_volumetric_identify(const Verb& volumetric, int& exit_code);
+void add_volumetric_assemble(const Verb& volumetric, int& exit_code);
 void add_volumetric_field(const Verb& volumetric, int& exit_code);
 void add_volumetric_simulate(const Verb& volumetric, int& exit_code);
 void add_volumetric_plan(const Verb& volumetric, int& exit_code);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports of stations, multilateration and length differences.
+// Reports of stations, multilateration, polar measurements and length differences; kinds of instruments.
 #include "axiometry/language/german.h"
 
 namespace axiometry::language {
@@ -13,11 +13,18 @@ constexpr Phrase rows[] = {
      "folgen, wenn die angegebene Unsicherheit stimmt."},
     {"A parallel projection of the stations and the points, with three views along the axes.",
      "Parallelprojektion der Stationen und Punkte mit drei Ansichten entlang der Achsen."},
+    {"Absolute lengths (adm)", "Absolute Längen (adm)"},
     {"All points", "Alle Punkte"},
     {"Angle and length difference", "Winkel und Längendifferenz"},
     {"Angle between the beam and the line (as Fig. 11 of the paper)",
      "Winkel zwischen Strahl und Linie (wie Bild 11 der Veröffentlichung)"},
     {"Angle α", "Winkel α"},
+    {"As the catalogues of 2016 stated them, in the print of that table; a certificate is better. Of angles: at right "
+     "angles to the beam, over the distance. U has k = 2; ± is taken as bounds with u = half width/√3 (GUM 4.3.7), "
+     "since the table states no k.",
+     "Wie die Kataloge von 2016 sie angaben, im Abdruck dieser Tabelle; ein Kalibrierschein ist besser. Winkel: quer "
+     "zum Strahl, über dem Abstand. U hat k = 2; ± gilt als Grenzen mit u = halbe Weite/√3 (GUM 4.3.7), da die Tabelle "
+     "kein k nennt."},
     {"Axes / mm", "Achsen / mm"},
     {"Bounds", "Grenzen"},
     {"Changes of the distance between the station and the reflector at known points (Lee et al., Sensors 16 (2016) "
@@ -29,6 +36,7 @@ constexpr Phrase rows[] = {
     {"Condition, eq. 14", "Kondition, Gl. 14"},
     {"Condition, refined", "Kondition, verfeinert"},
     {"Coordinate", "Koordinate"},
+    {"Coordinates", "Koordinaten"},
     {"Covariance of the refined station in µm²", "Kovarianz der verfeinerten Station in µm²"},
     {"Critical surface", "Kritische Fläche"},
     {"Dead paths", "Totstrecken"},
@@ -51,15 +59,24 @@ constexpr Phrase rows[] = {
      "Um wie viel länger die Längen auf der Linie {0} erscheinen, über dem Abstand von der Station."},
     {"How much longer lengths seem on {0=} lines, over the distance from the station.",
      "Um wie viel länger die Längen auf den Linien {0} erscheinen, über dem Abstand von der Station."},
+    {"Instrument with angles", "Messgerät mit Winkeln"},
+    {"Interferometer (ifm)", "Interferometer (ifm)"},
     {"Iterations", "Iterationen"},
     {"Its covariance belongs to the lengths and points given; see Findings for what else they tell.",
      "Ihre Kovarianz gehört zu den gegebenen Längen und Punkten; was sie sonst aussagen, steht unter Feststellungen."},
+    {"Its lengths alone", "Dessen Längen allein"},
+    {"Kinds", "Arten"},
+    {"Kinds of tracking instruments", "Arten nachgeführter Messgeräte"},
     {"Largest", "Größter Wert"},
     {"Layout", "Lageplan"},
     {"Least number of points for so many stations", "Kleinste Punktzahl für so viele Stationen"},
     {"Lee et al. 2016, eqs 11 to 15", "Lee et al. 2016, Gl. 11 bis 15"},
     {"Lee et al., Sensors 16 (2016) 482, 4.1, eqs 16 to 23 with corrected signs",
      "Lee et al., Sensors 16 (2016) 482, 4.1, Gl. 16 bis 23 mit berichtigten Vorzeichen"},
+    {"Lee et al., Sensors 16 (2016) 482, Table 1", "Lee et al., Sensors 16 (2016) 482, Tabelle 1"},
+    {"Lee et al., Sensors 16 (2016) 482, Table 1, eqs 1 and 2",
+     "Lee et al., Sensors 16 (2016) 482, Tabelle 1, Gl. 1 und 2"},
+    {"Lee et al., Sensors 16 (2016) 482, eq. 1", "Lee et al., Sensors 16 (2016) 482, Gl. 1"},
     {"Lee et al., Sensors 16 (2016) 482, eq. 2", "Lee et al., Sensors 16 (2016) 482, Gl. 2"},
     {"Length difference", "Längendifferenz"},
     {"Length difference along the direction given", "Längendifferenz entlang der gegebenen Richtung"},
@@ -68,13 +85,16 @@ constexpr Phrase rows[] = {
     {"Length difference on the y and z lines (as Fig. 13 of the paper, corrected signs)",
      "Längendifferenz auf der y- und der z-Linie (wie Bild 13 der Veröffentlichung, Vorzeichen berichtigt)"},
     {"Length difference Δd", "Längendifferenz Δd"},
+    {"Lengths alone", "Längen allein"},
     {"Lengths tell neither position nor orientation: the result was moved onto the nominal points by least squares, "
      "and covariances are those of the same inner constraints, multiplied by χ²/ν where that is above 1.",
      "Längen sagen weder Lage noch Orientierung aus: Das Ergebnis wurde nach kleinsten Quadraten auf die Sollpunkte "
      "gelegt; die Kovarianzen gelten für dieselbe freie Lagerung, multipliziert mit χ²/ν, wo dieses über 1 liegt."},
     {"Linear, eq. 14 / mm", "Linear, Gl. 14 / mm"},
     {"Linear: eq. 14 in centred and scaled coordinates.", "Linear: Gl. 14 in zentrierten und skalierten Koordinaten."},
+    {"List", "Liste"},
     {"Magnitude |Δd|", "Betrag |Δd|"},
+    {"Measured readings", "Messwerte"},
     {"Median", "Median"},
     {"Method", "Verfahren"},
     {"Misclosure of ψ", "Widerspruch von ψ"},
@@ -94,14 +114,21 @@ constexpr Phrase rows[] = {
     {"Point", "Punkt"},
     {"Points", "Punkte"},
     {"Points and residuals", "Punkte und Residuen"},
+    {"Points and stations", "Punkte und Stationen"},
     {"Points and stations from lengths", "Punkte und Stationen aus Längen"},
     {"Points for the station location", "Punkte für die Stationsbestimmung"},
+    {"Points from lengths and angles", "Punkte aus Längen und Winkeln"},
     {"Points of the station location and the way between them", "Punkte der Stationsbestimmung und der Weg dazwischen"},
     {"Points, stations and dead paths are those that minimise the weighted squares of the residuals of all lengths "
      "(Gauss–Newton, points eliminated).",
      "Punkte, Stationen und Totstrecken sind die mit der kleinsten gewichteten Quadratsumme der Residuen aller Längen "
      "(Gauß-Newton-Verfahren, Punkte eliminiert)."},
+    {"Polar measurement", "Polarmessung"},
+    {"Polar measurement and multilateration", "Polarmessung und Multilateration"},
+    {"Polar, from all stations joined", "Polar, von allen Stationen gemeinsam"},
+    {"Polar, from station {0#}", "Polar, von Station {0}"},
     {"Quality", "Güte"},
+    {"Range / m", "Reichweite / m"},
     {"Rank and condition of eq. 14", "Rang und Kondition von Gl. 14"},
     {"Read the findings before the result is used.", "Vor Gebrauch des Ergebnisses die Feststellungen lesen."},
     {"Redundant residual of eq. 14", "Überzähliges Residuum von Gl. 14"},
@@ -128,6 +155,14 @@ constexpr Phrase rows[] = {
      "squares.",
      "Standardunsicherheiten (k = 1) gegenüber der Gesamtheit der Punkte, die nach kleinsten Quadraten auf den "
      "Sollpunkten liegen."},
+    {"Standard uncertainties (k = 1), root mean square over all points, relative to the points as a whole; of a point: "
+     "of its three coordinates together. Trials: the same from the scatter of simulated measurements.",
+     "Standardunsicherheiten (k = 1), quadratisches Mittel über alle Punkte, bezogen auf die Punkte als Ganzes; eines "
+     "Punkts: seiner drei Koordinaten zusammen. Versuche: dasselbe aus der Streuung simulierter Messungen."},
+    {"Standard uncertainties (k = 1). A reading counts by one over the square of its own: the angles by what they are "
+     "worth across the beam, where the point is.",
+     "Standardunsicherheiten (k = 1). Ein Messwert zählt mit eins durch das Quadrat der seinen: die Winkel mit dem, "
+     "was sie quer zum Strahl am Ort des Punkts wert sind."},
     {"Standard uncertainty per axis", "Standardunsicherheit je Achse"},
     {"Station found", "Station bestimmt"},
     {"Station in X", "Station in X"},
@@ -143,6 +178,8 @@ constexpr Phrase rows[] = {
     {"The angle falls with one over the distance.", "Der Winkel fällt mit dem Kehrwert des Abstands."},
     {"The box is where the reflector can be; the sphere about the station stays free.",
      "Der Quader ist der Bereich, in dem der Reflektor sein kann; die Kugel um die Station bleibt frei."},
+    {"The first {0#} of {1#} points; all are in the JSON and in the table of points.",
+     "Die ersten {0} von {1} Punkten; alle stehen im JSON und in der Punktetabelle."},
     {"The points of the reflector in space, the station and the beams to them, in a parallel projection and three "
      "views.",
      "Die Punkte des Reflektors im Raum, die Station und die Strahlen zu ihnen, in Parallelprojektion und drei "
@@ -152,11 +189,19 @@ constexpr Phrase rows[] = {
      "Die Station sollte so nicht verwendet werden; siehe Feststellungen"},
     {"The station was found", "Die Station ist bestimmt"},
     {"The {0#} points farthest from nominal", "Die {0} Punkte mit dem größten Abstand vom Sollpunkt"},
+    {"Trials", "Versuche"},
+    {"Uncertainty of the points", "Unsicherheit der Punkte"},
+    {"Unknowns that the angles tell", "Unbekannte, die die Winkel bestimmen"},
+    {"Unknowns that the lengths tell", "Unbekannte, die die Längen bestimmen"},
     {"Weights follow {0#} and a repeatability of the machine of {1#}.",
      "Die Gewichte folgen aus {0} und einer Wiederholpräzision der Maschine von {1}."},
     {"Weights follow {0#}.", "Die Gewichte folgen aus {0}."},
     {"What they will tell", "Was sie aussagen werden"},
+    {"a trial failed: {0}", "ein Versuch misslang: {0}"},
+    {"across", "quer"},
+    {"all", "alle"},
     {"as stated", "wie angegeben"},
+    {"as the nominal points, by least squares", "wie die Sollpunkte, nach kleinsten Quadraten"},
     {"cone", "Kegel"},
     {"direction", "Richtung"},
     {"ellipsoid", "Ellipsoid"},
@@ -168,9 +213,14 @@ constexpr Phrase rows[] = {
     {"hyperboloid", "Hyperboloid"},
     {"infinite", "unendlich"},
     {"known", "bekannt"},
+    {"lengths", "Längen"},
+    {"lengths alone need four stations or more", "Längen allein brauchen mindestens vier Stationen"},
     {"no redundancy", "keine Redundanz"},
     {"none: no redundant length", "keines: keine überzählige Länge"},
+    {"of the first station with angles", "der ersten Station mit Winkeln"},
     {"paraboloid", "Paraboloid"},
+    {"passed over the column {0=}", "die Spalte {0} übergangen"},
+    {"passed over the columns {0=}", "die Spalten {0} übergangen"},
     {"plane", "Ebene"},
     {"refined / µm", "verfeinert / µm"},
     {"refined / σ", "verfeinert / σ"},
@@ -179,18 +229,47 @@ constexpr Phrase rows[] = {
     {"sphere", "Kugel"},
     {"standard uncertainty", "Standardunsicherheit"},
     {"standard uncertainty {0#}; {1#} for each µm of a length", "Standardunsicherheit {0}; {1} je µm einer Länge"},
+    {"the azimuth of reading {0#} (station {1=}, point {2=}) does not fit the others: {3#} times its standard "
+     "uncertainty",
+     "der Azimut von Messwert {0} (Station {1}, Punkt {2}) passt nicht zu den anderen: das {3}-Fache seiner "
+     "Standardunsicherheit"},
+    {"the elevation of reading {0#} (station {1=}, point {2=}) does not fit the others: {3#} times its standard "
+     "uncertainty",
+     "der Höhenwinkel von Messwert {0} (Station {1}, Punkt {2}) passt nicht zu den anderen: das {3}-Fache seiner "
+     "Standardunsicherheit"},
+    {"the length of reading {0#} (station {1=}, point {2=}) does not fit the others: {3#} times its standard "
+     "uncertainty",
+     "die Länge von Messwert {0} (Station {1}, Punkt {2}) passt nicht zu den anderen: das {3}-Fache ihrer "
+     "Standardunsicherheit"},
+    {"the points of station {0=} lie on a plane, and no length tells on which side of it the station stands: it was "
+     "taken on the upper side",
+     "die Punkte der Station {0} liegen auf einer Ebene, und keine Länge sagt, auf welcher Seite die Station steht: "
+     "Sie wurde auf der oberen Seite angenommen"},
+    {"told by angles / %", "von Winkeln bestimmt / %"},
+    {"trials", "Versuche"},
+    {"u (k = 1) in the station's frame.", "u (k = 1) im System der Station."},
+    {"u (k = 1) relative to the points as a whole.", "u (k = 1) bezogen auf die Punkte als Ganzes."},
+    {"u of a coordinate / µm", "u einer Koordinate / µm"},
+    {"u of a point / µm", "u eines Punkts / µm"},
+    {"u of readings / µm", "u der Messwerte / µm"},
     {"undetermined", "unbestimmt"},
     {"unknown", "unbekannt"},
+    {"worst", "schlechtester"},
+    {"{0#} for {1#} unknowns", "{0} für {1} Unbekannte"},
     {"{0#} for {1#} unknowns beside {2#} of the gauge", "{0} für {1} Unbekannte neben {2} der Lagerung"},
+    {"{0#} further do not fit the others either", "{0} weitere passen ebenfalls nicht zu den anderen"},
     {"{0#} in mm", "{0} in mm"},
     {"{0#} in °", "{0} in °"},
     {"{0#} in µm", "{0} in µm"},
     {"{0#} of 5, infinite", "{0} von 5, unendlich"},
     {"{0#} points and {1#} stations from {2#} lengths", "{0} Punkte und {1} Stationen aus {2} Längen"},
+    {"{0#} points, {1#} station", "{0} Punkte, {1} Station"},
+    {"{0#} points, {1#} stations", "{0} Punkte, {1} Stationen"},
     {"{0#} with {1#}", "{0} bei {1}"},
     {"{0#} with {1#} degree of freedom", "{0} bei {1} Freiheitsgrad"},
     {"{0#} with {1#} degrees of freedom", "{0} bei {1} Freiheitsgraden"},
     {"{0#}, on {1=}", "{0}, auf {1}"},
+    {"{0#}, seed {1#}", "{0}, Startwert {1}"},
     {"{0#}, standard uncertainty {1#}", "{0}, Standardunsicherheit {1}"},
     {"{0#}, up to {1#} aside", "{0}, bis {1} seitlich"},
     {"{0#}: standard uncertainty.", "{0}: Standardunsicherheit."},
@@ -200,8 +279,13 @@ constexpr Phrase rows[] = {
     {"{0}: below a third of the instrument's U from {1#} on, which adds at most 5 % to it.",
      "{0}: ab {1} unter einem Drittel der Unsicherheit U des Messgeräts, die sich dadurch um höchstens 5\u00a0% "
      "erhöht."},
+    {"{0}: lengths alone need four stations or more", "{0}: Längen allein brauchen mindestens vier Stationen"},
     {"{0}: never below a third of the instrument's U.",
      "{0}: nirgends unter einem Drittel der Unsicherheit U des Messgeräts."},
+    {"{0}: the trials scatter by {1#} times what is propagated: points bend by more than lengths are known, and no "
+     "covariance can be trusted",
+     "{0}: Die Versuche streuen um das {1}-Fache des Fortgepflanzten: Punkte biegen sich um mehr, als Längen bekannt "
+     "sind, und keiner Kovarianz ist zu trauen"},
     {"σ follows from {0#} of the instrument and {1#} of the machine's points.",
      "σ folgt aus {0} des Messgeräts und {1} der Punkte der Maschine."},
     {"σ follows from {0#} of the instrument; no uncertainty of the machine's points was stated.",

@@ -231,8 +231,8 @@ constexpr Phrase rows[] = {
      "die Residuen (quadratisches Mittel {0}) sind das {1}-Fache dessen, was die angegebenen Unsicherheiten erklären "
      "(χ² {2} bei {3} Freiheitsgraden): Abweichungen der Maschinenpunkte von je {4} würden sie erklären; um so viel "
      "größer ist die Kovarianz"},
-    {"the residuals are {0#} times as large as stated ({1#}): the uncertainty of lengths is stated too large",
-     "die Residuen sind {0}-mal so groß wie angegeben ({1}): Die Unsicherheit der Längen ist zu groß angegeben"},
+    {"the residuals are {0#} times as large as stated ({1#}): the uncertainty of the readings is stated too large",
+     "die Residuen sind {0}-mal so groß wie angegeben ({1}): Die Unsicherheit der Messwerte ist zu groß angegeben"},
     {"the residuals are {0#} times as large as stated ({1#}); all covariances were multiplied by {2#}",
      "die Residuen sind {0}-mal so groß wie angegeben ({1}); alle Kovarianzen wurden mit {2} multipliziert"},
     {"the sign of all lengths was reversed, as asked for", "das Vorzeichen aller Längen wurde wie verlangt umgekehrt"},

@@ -39,9 +39,9 @@ constexpr Phrase rows[] = {
      "Formular ohne Maschine; erwartet: die Dateien lengths und machine"},
     {"found a form without lengths, expected the files lengths and machine",
      "Formular ohne Längen; erwartet: die Dateien lengths und machine"},
-    {"found a line of which the lengths do not tell all errors, expected one that they tell: see the "
+    {"found a line of which the readings do not tell all errors, expected one that they tell: see the "
      "findings of the result",
-     "eine Linie, von der die Längen nicht alle Abweichungen bestimmen; erwartet: eine, die sie "
+     "eine Linie, von der die Messwerte nicht alle Abweichungen bestimmen; erwartet: eine, die sie "
      "bestimmen: siehe die Feststellungen des Ergebnisses"},
     {"found no form, expected one with the files lengths and machine",
      "kein Formular; erwartet: eines mit den Dateien lengths und machine"},
@@ -56,13 +56,13 @@ constexpr Phrase rows[] = {
     {"found no {0=}, expected that of a result", "kein Eintrag {0}; erwartet: der eines Ergebnisses"},
     {"found no {0=}, expected the result of a volumetric calibration",
      "kein Eintrag {0}; erwartet: das Ergebnis einer volumetrischen Kalibrierung"},
-    {"found that the lengths do not tell the error of the tool point with this tool, expected all of it: "
+    {"found that the readings do not tell the error of the tool point with this tool, expected all of it: "
      "a control would take a number that nobody measured",
-     "die Längen bestimmen die Abweichung des Werkzeugpunkts mit diesem Werkzeug nicht; erwartet: ganz "
+     "die Messwerte bestimmen die Abweichung des Werkzeugpunkts mit diesem Werkzeug nicht; erwartet: ganz "
      "bestimmt: Eine Steuerung nähme eine Zahl, die niemand gemessen hat"},
-    {"found that the lengths do not tell {0=}, expected all 21 errors: a control would take a number that "
+    {"found that the readings do not tell {0=}, expected all 21 errors: a control would take a number that "
      "nobody measured",
-     "die Längen bestimmen {0} nicht; erwartet: alle 21 Abweichungen: Eine Steuerung nähme eine Zahl, "
+     "die Messwerte bestimmen {0} nicht; erwartet: alle 21 Abweichungen: Eine Steuerung nähme eine Zahl, "
      "die niemand gemessen hat"},
     {"found the part {0=} in the form, expected the files lengths and machine, and options",
      "Teil {0} im Formular; erwartet: die Dateien lengths und machine sowie options"},

@@ -37,23 +37,31 @@ constexpr Phrase rows[] = {
     {"Errors", "Abweichungen"},
     {"Errors can cancel along a diagonal: a small E of one proves little alone.",
      "Abweichungen können sich entlang einer Diagonale aufheben: Ein kleines E einer einzigen beweist allein wenig."},
+    {"Errors of a machine measured singly", "Einzeln gemessene Abweichungen einer Maschine"},
     {"From X; Y; Z / mm", "Von X; Y; Z / mm"},
     {"From the 21 errors of a machine", "Aus den 21 Abweichungen einer Maschine"},
+    {"ISO 230-1, names of errors", "ISO 230-1, Namen der Abweichungen"},
     {"ISO 230-1:2012, names of errors", "ISO 230-1:2012, Namen der Abweichungen"},
+    {"In the axes of the machine, without constants and without the slope of straightness, rotations taken out of "
+     "displacements by their levers. Uncertainties (k = 1): scatter of the means and the instrument, independent from "
+     "one position to the next.",
+     "In den Achsen der Maschine, ohne Konstanten und ohne die Steigung der Geradheit, Drehungen über ihre Hebel aus "
+     "den Verschiebungen herausgerechnet. Unsicherheiten (k = 1): Streuung der Mittelwerte und Messgerät, von Position "
+     "zu Position unabhängig."},
     {"Kinematic chain", "Kinematische Kette"},
     {"Lengths", "Längen"},
     {"Less the mean of all: the zero of a deviation curve is a convention. u: standard uncertainty (k = 1).",
-     "Abzüglich des Mittels aller: Die Null einer Abweichungskurve ist eine Übereinkunft. u: Standardunsicherheit "
-     "(k = 1)."},
+     "Abzüglich des Mittels aller: Die Null einer Abweichungskurve ist eine Übereinkunft. u: Standardunsicherheit (k = "
+     "1)."},
     {"Mean / µm", "Mittel / µm"},
     {"Measured / µm", "Gemessen / µm"},
     {"Measured test", "Gemessene Prüfung"},
     {"Measured ↑ / µm", "Gemessen ↑ / µm"},
     {"Measured ↓ / µm", "Gemessen ↓ / µm"},
+    {"Measurement", "Messung"},
     {"Over a grid of the travel that was observed. Without rigid motion: less the displacement and rotation of the "
-     "whole "
-     "machine that fit best, which the place of a workpiece takes away. 95 % of the grid have no more than the last "
-     "column.",
+     "whole machine that fit best, which the place of a workpiece takes away. 95 % of the grid have no more than the "
+     "last column.",
      "Auf einem Gitter über dem beobachteten Verfahrweg. Ohne Starrkörperbewegung: abzüglich der bestpassenden "
      "Verlagerung und Verdrehung der ganzen Maschine, die die Lage eines Werkstücks aufnimmt. 95 % des Gitters haben "
      "höchstens den Wert der letzten Spalte."},
@@ -68,6 +76,7 @@ constexpr Phrase rows[] = {
      "Aus den 21 Abweichungen vorhergesagt, nicht gemessen: Erst eine weitere Kalibrierung beweist es."},
     {"Prediction", "Vorhersage"},
     {"Probability of as much by chance", "Wahrscheinlichkeit, dass es Zufall ist"},
+    {"Range or value", "Spannweite oder Wert"},
     {"Reading, in the order of measurement", "Messwert in der Reihenfolge der Messung"},
     {"Readings set aside", "Ausgesonderte Messwerte"},
     {"Residuals", "Residuen"},
@@ -85,8 +94,7 @@ constexpr Phrase rows[] = {
     {"Straightness is that of the tool point for the chain {0=}, with each axis' functional point as stated in the "
      "result; for another chain it would be other numbers.",
      "Die Geradheit ist die des Werkzeugpunkts für die Kette {0} mit dem im Ergebnis genannten Bezugspunkt jeder "
-     "Achse; "
-     "für eine andere Kette wären es andere Zahlen."},
+     "Achse; für eine andere Kette wären es andere Zahlen."},
     {"Table", "Tabelle"},
     {"Test predicted from the 21 errors", "Aus den 21 Abweichungen vorhergesagte Prüfung"},
     {"The 21 errors of the machine", "Die 21 Abweichungen der Maschine"},
@@ -102,8 +110,7 @@ constexpr Phrase rows[] = {
     {"Three planes of the volume: colours show how large the error of the tool point is, arrows where it points within "
      "the plane.",
      "Drei Ebenen des Arbeitsraums: Farben zeigen, wie groß die Abweichung des Werkzeugpunkts ist, Pfeile, wohin sie "
-     "in "
-     "der Ebene zeigt."},
+     "in der Ebene zeigt."},
     {"To X; Y; Z / mm", "Nach X; Y; Z / mm"},
     {"Tool", "Werkzeug"},
     {"Unknowns", "Unbekannte"},
@@ -127,9 +134,12 @@ constexpr Phrase rows[] = {
     {"as found", "wie gefunden"},
     {"cubic B-splines, spans: {0=}", "kubische B-Splines, Abschnitte: {0}"},
     {"error", "Abweichung"},
+    {"largest u", "größtes u"},
     {"mean of both directions", "Mittel beider Richtungen"},
     {"moving down", "Bewegung abwärts"},
     {"moving up", "Bewegung aufwärts"},
+    {"not measured: {0=}; what depends on them has no number",
+     "nicht gemessen: {0}; was davon abhängt, hat keinen Wert"},
     {"not told", "nicht bestimmt"},
     {"not told: the errors have no directions", "nicht bestimmt: die Abweichungen kennen keine Richtung"},
     {"pitch", "Nicken"},
@@ -144,27 +154,31 @@ constexpr Phrase rows[] = {
     {"the comparison holds the uncertainty of the errors and the scatter of the test, but not what all readings of the "
      "test have in common, as its temperature or wavelength: that would appear as a slope",
      "der Vergleich enthält die Unsicherheit der Abweichungen und die Streuung der Prüfung, aber nicht, was alle "
-     "Messwerte "
-     "der Prüfung gemeinsam haben, wie Temperatur oder Wellenlänge: Das würde als Steigung erscheinen"},
+     "Messwerte der Prüfung gemeinsam haben, wie Temperatur oder Wellenlänge: Das würde als Steigung erscheinen"},
     {"the measured test agrees with the prediction: χ² = {0#} with ν = {1#}; the largest difference is {2#} µm at {3#} "
      "mm, {4#} of its standard uncertainties",
      "die gemessene Prüfung stimmt mit der Vorhersage überein: χ² = {0} mit ν = {1}; die größte Differenz ist {2} µm "
-     "bei "
-     "{3} mm, das {4}-fache ihrer Standardunsicherheit"},
+     "bei {3} mm, das {4}-fache ihrer Standardunsicherheit"},
     {"the measured test departs from the prediction by more than chance: χ² = {0#} with ν = {1#}; the largest "
-     "difference "
-     "is {2#} µm at {3#} mm, {4#} of its standard uncertainties",
+     "difference is {2#} µm at {3#} mm, {4#} of its standard uncertainties",
      "die gemessene Prüfung weicht stärker als zufällig von der Vorhersage ab: χ² = {0} mit ν = {1}; die größte "
-     "Differenz "
-     "ist {2} µm bei {3} mm, das {4}-fache ihrer Standardunsicherheit"},
-    {"with {0#} of {1#} tools the lengths do not tell the error of the tool point, and no number is given for it",
-     "bei {0} von {1} Werkzeugen bestimmen die Längen die Abweichung des Werkzeugpunkts nicht, und dafür wird keine "
-     "Zahl "
-     "angegeben"},
+     "Differenz ist {2} µm bei {3} mm, das {4}-fache ihrer Standardunsicherheit"},
+    {"with {0#} of {1#} tools the readings do not tell the error of the tool point, and no number is given for it",
+     "bei {0} von {1} Werkzeugen bestimmen die Messwerte die Abweichung des Werkzeugpunkts nicht, und dafür wird keine "
+     "Zahl angegeben"},
     {"without rigid motion", "ohne Starrkörperbewegung"},
     {"yaw", "Gieren"},
     {"{0#} of 21 errors found from {1#} lengths", "{0} von 21 Abweichungen aus {1} Längen gefunden"},
     {"{0#}, of which {1#} are of errors", "{0}, davon {1} der Abweichungen"},
+    {"{0=} (lever {1#} mm)", "{0} (Hebel {1} mm)"},
+    {"{0=} has no number: at its line it holds {1}, not measured",
+     "{0} hat keinen Wert: Auf seiner Linie enthält es {1}, nicht gemessen"},
+    {"{0=} has no number: its lines hold {1}, not measured",
+     "{0} hat keinen Wert: Seine Linien enthalten {1}, nicht gemessen"},
+    {"{0=}: only from {1#} to {2#} mm, where all its errors were read",
+     "{0}: nur von {1} bis {2} mm, wo alle Abweichungen abgelesen sind"},
+    {"{0=}: readings between the {1#} nodes lie up to {2#} from the straight lines",
+     "{0}: Messwerte zwischen den {1} Stützpunkten liegen bis zu {2} neben den Geraden"},
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "axiometry/app/files/unexpected_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/tracking/instruments/tracker_kinds.h"
 
 namespace axiometry::app {
 namespace {
@@ -153,12 +154,17 @@ Result<Obstacle> parse_obstacle(std::string_view text) {
 }
 
 Result<RangingUncertainty> parse_ranging(std::string_view text) {
+  AXIOMETRY_TRY(const auto kind, tracking::find_tracker(text, tracking::LengthMode::changes));
+  if (kind && !kind->length)
+    return fail(fmt::format("found {}, of which Table 1 has no accuracy of lengths", text::quoted(text)));
+  if (kind) return kind->length->expanded_uncertainty();
   RangingUncertainty ranging;
   const auto parts = text::split(text, '+');
   const auto constant = parse_deviation(parts[0], AxisKind::linear);
   const auto slope = parts.size() == 2 ? parse_slope(parts[1], AxisKind::linear) : RelativeLength{};
   if (parts.size() > 2 || !constant || !slope || constant->in_native() < 0.0 || slope->in_um_per_m() < 0.0)
-    return unexpected_text(text, "the expanded uncertainty of lengths such as 0.2um+0.3um/m");
+    return unexpected_text(
+        text, "the expanded uncertainty of lengths such as 0.2um+0.3um/m, or an instrument such as leica-at901");
   ranging.constant = Length::um(constant->in_native());
   ranging.per_length = *slope;
   return ranging;

@@ -34,7 +34,8 @@ Result<LowHigh> parse_elevation(std::string_view text);
 /// "[NAME=]cylinder:X,Y,Z:RADIUS:HEIGHT" (middle of its lower end; upright), mm.
 Result<Obstacle> parse_obstacle(std::string_view text);
 
-/// "0.2um+0.3um/m": U = a + b·L, k = 2. The second part may be left out.
+/// "0.2um+0.3um/m": U = a + b·L, k = 2. The second part may be left out. Or a kind of tracking::tracker_kinds() by its
+/// name, "leica-at901": what it states of changes of length, ":adm" behind it of absolute ones.
 Result<RangingUncertainty> parse_ranging(std::string_view text);
 
 }  // namespace axiometry::app

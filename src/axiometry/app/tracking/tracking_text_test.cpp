@@ -44,6 +44,8 @@ TEST(TrackingText, ReadsObstaclesWithOrWithoutAName) {
 TEST(TrackingText, ReadsTheUncertaintyOfLengths) {
   EXPECT_DOUBLE_EQ(parse_ranging("0.3um+0.5um/m")->constant.in_um(), 0.3);
   EXPECT_DOUBLE_EQ(parse_ranging("0.3um+0.5um/m")->per_length.in_um_per_m(), 0.5);
+  EXPECT_DOUBLE_EQ(parse_ranging("etalon-lasertracer")->constant.in_um(), 0.2);
+  EXPECT_NEAR(parse_ranging("faro-ion:adm")->per_length.in_um_per_m(), 0.8 * 2.0 / std::sqrt(3.0), 1e-12);
   EXPECT_DOUBLE_EQ(parse_ranging("0.3um")->per_length.in_um_per_m(), 0.0);
   for (std::string_view bad : {"", "0.3", "-1um", "1um+1um+1um", "1um+-1um/m", "1um+2"})
     EXPECT_FALSE(parse_ranging(bad)) << bad;

@@ -69,7 +69,7 @@ Result<Value> field_at_points(const FieldRequest& request) {
   std::vector<volumetric::VolumetricFinding> findings;
   if (incomplete > 0)
     findings.push_back({"volumetric-unseen-errors", true,
-                        fmt::format("at {} of {} points the lengths do not tell all components, which are left empty",
+                        fmt::format("at {} of {} points the readings do not tell all components, which are left empty",
                                     incomplete, file.points.size())});
   for (const std::string& remark : file.remarks) findings.push_back({"volumetric-passed-over", false, remark});
   root.add("findings", findings_value(findings));

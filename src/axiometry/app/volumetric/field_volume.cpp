@@ -105,7 +105,7 @@ Value json_of(const FieldVolume& volume) {
   std::vector<volumetric::VolumetricFinding> findings;
   if (const std::size_t count = untold(volume); count > 0)
     findings.push_back({"volumetric-unseen-errors", true,
-                        fmt::format("with {} of {} tools the lengths do not tell the error of the tool point, and no "
+                        fmt::format("with {} of {} tools the readings do not tell the error of the tool point, and no "
                                     "number is given for it",
                                     count, volume.fields.size())});
   root.add("findings", findings_value(findings));

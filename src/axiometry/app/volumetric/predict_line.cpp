@@ -208,7 +208,7 @@ Result<PredictedTest> predict_test(ErrorModel model, const PredictRequest& reque
   auto predicted = volumetric::predict_line(model, std::move(line));
   if (!predicted)
     return fail(
-        "found a line of which the lengths do not tell all errors, expected one that they tell: see the "
+        "found a line of which the readings do not tell all errors, expected one that they tell: see the "
         "findings of the result");
   PredictedTest test{request, std::move(model), tool, *std::move(predicted), {}, {}};
   if (targets && targets->means) {

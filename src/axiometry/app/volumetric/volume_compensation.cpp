@@ -45,7 +45,7 @@ Result<LineOfVolume> line_through_middle(const ErrorModel& model, const VolumeCo
       const auto& value = field.error_um[request.component];
       if (!value)
         return fail(
-            "found that the lengths do not tell the error of the tool point with this tool, expected all of it: a "
+            "found that the readings do not tell the error of the tool point with this tool, expected all of it: a "
             "control would take a number that nobody measured");
       values->push_back(*value);
       line.largest_u_um =
@@ -119,7 +119,7 @@ std::vector<NamedFinding> findings_of(const VolumeCompensation& made) {
     findings.push_back(
         {"volume-table-of-uncertainty", true,
          fmt::format("the displacements on the line differ by {:.2f} µm, and each is known to ±{:.2f} µm (k = 2): the "
-                     "table is mostly what the lengths do not tell",
+                     "table is mostly what the readings do not tell",
                      made.line_before_um, 2.0 * made.line.largest_u_um)});
   if (made.effect.after.percent_95 > made.effect.before.percent_95)
     findings.push_back(
@@ -182,7 +182,7 @@ Result<VolumeCompensation> compensate_volume(const ErrorModel& model, const Volu
       });
   if (!effect)
     return fail(
-        "found that the lengths do not tell the error of the tool point with this tool, expected all of it: a "
+        "found that the readings do not tell the error of the tool point with this tool, expected all of it: a "
         "control would take a number that nobody measured");
   VolumeCompensation made{control,
                           options,

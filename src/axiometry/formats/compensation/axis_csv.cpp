@@ -27,7 +27,7 @@ Result<std::string> write_axis(const CompensationRequest& request) {
   const auto tables = volumetric::axis_tables(model, tool.offset_mm, request.nodes);
   if (!tables)
     return fail(
-        "found that the lengths do not tell the error of the tool point with this tool, expected all of it: a "
+        "found that the readings do not tell the error of the tool point with this tool, expected all of it: a "
         "control would take a number that nobody measured");
   const bool has_directions = model.coefficients().reversal() != volumetric::Reversal::none;
   std::string text = "# Deviations of positioning, for controls that compensate each axis alone, um\n" +

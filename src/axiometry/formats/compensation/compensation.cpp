@@ -34,7 +34,7 @@ Result<void> check_all_told(const volumetric::ErrorModel& model) {
   const auto unseen = model.unseen_errors();
   if (unseen.empty()) return {};
   return fail(
-      fmt::format("found that the lengths do not tell {}, expected all 21 errors: a control would take a number "
+      fmt::format("found that the readings do not tell {}, expected all 21 errors: a control would take a number "
                   "that nobody measured",
                   volumetric::error_list(unseen)));
 }

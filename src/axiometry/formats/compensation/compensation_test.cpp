@@ -128,7 +128,7 @@ TEST(Compensation, RefusesErrorsThatTheLengthsDoNotTell) {
   machine.tools.resize(2);
   const auto found = known_identification(machine);
   for (const char* id : {"general-csv", "twincat-cnc"})
-    EXPECT_THAT(written(id, found.model), HasSubstr("the lengths do not tell ECY and ECZ, expected all 21 errors"));
+    EXPECT_THAT(written(id, found.model), HasSubstr("the readings do not tell ECY and ECZ, expected all 21 errors"));
   EXPECT_THAT(written("axis-csv", found.model), HasSubstr("axis,position_mm,deviation_um,u_um"))
       << "both errors do not move a tool on their line";
 }

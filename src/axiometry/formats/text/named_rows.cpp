@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
@@ -33,7 +34,9 @@ Result<NamedColumns> named_columns(std::string_view text, std::size_t line, cons
                   {line, heads[k].column});
     columns.at[word->role] = k;
     columns.needed = k + 1;
-    if (word->role >= words.texts) {
+    if (word->role >= words.angles) {
+      AXIOMETRY_TRY(columns.unit[word->role], angle_unit(heads[k], named, words.canonical[word->role], line));
+    } else if (word->role >= words.texts) {
       AXIOMETRY_TRY(columns.unit[word->role], length_unit(heads[k], named, words.canonical[word->role], line));
     }
   }
@@ -100,17 +103,24 @@ Result<std::string_view> NamedCells::name(const NamedRow& row, std::size_t role)
   return fail(fmt::format("found no {}, expected its name or number", words_.canonical[role]), row.at(role));
 }
 
-Result<double> NamedCells::length(const NamedRow& row, std::size_t role) {
+Result<double> NamedCells::number(const NamedRow& row, std::size_t role) {
   const std::string_view cell = row.cell(role);
-  double value = 0.0;
   if (!numbers_) numbers_.emplace(columns_.delimiter);  // the header has been read by now
   const auto plain = numbers_->mark() == '.' ? parse_number(cell) : std::nullopt;
-  if (plain) {
-    value = *plain;
-  } else {
-    AXIOMETRY_TRY(value, numbers_->read(cell, row.at(role)));
-  }
-  return length_in_mm(*columns_.unit[role], value, cell, row.at(role));
+  if (plain) return *plain;
+  return numbers_->read(cell, row.at(role));
+}
+
+Result<double> NamedCells::length(const NamedRow& row, std::size_t role) {
+  AXIOMETRY_TRY(const double value, number(row, role));
+  return length_in_mm(*columns_.unit[role], value, row.cell(role), row.at(role));
+}
+
+Result<double> NamedCells::angle(const NamedRow& row, std::size_t role) {
+  AXIOMETRY_TRY(const double value, number(row, role));
+  const double degrees = position_in(*columns_.unit[role], value).in_native();
+  if (std::abs(degrees) <= table_length_most_mm) return degrees;
+  return fail(fmt::format("found {}, expected an angle up to 1e9°", text::quoted(row.cell(role))), row.at(role));
 }
 
 Result<Vector3> NamedCells::place(const NamedRow& row, std::size_t first_role) {

@@ -15,9 +15,9 @@
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/units.h"
 
-/// Tables whose columns have names, in any order, with units in the heads of lengths: what lengths of several stations
-/// are written in. A role is the number of a column's meaning. Without quotes the cells of a row are parts of its line,
-/// and nothing is copied.
+/// Tables whose columns have names, in any order, with units in the heads of lengths and angles: what lengths of
+/// several stations are written in. A role is the number of a column's meaning. Without quotes the cells of a row are
+/// parts of its line, and nothing is copied.
 namespace axiometry::formats {
 
 struct ColumnWord {
@@ -28,7 +28,8 @@ struct ColumnWord {
 struct TableWords {
   std::span<const std::string_view> canonical;  ///< per role: "x_mm"
   std::span<const ColumnWord> words;
-  std::size_t texts = 0;  ///< roles before this are names, the others lengths
+  std::size_t texts = 0;                              ///< roles before this are names, the others lengths
+  std::size_t angles = static_cast<std::size_t>(-1);  ///< but from this on angles
 };
 
 struct NamedColumns {
@@ -43,7 +44,7 @@ struct NamedColumns {
   bool has(std::size_t role) const { return at[role].has_value(); }
 };
 
-/// Fails where a role of `required` has no column, one has two, or a length has no unit of length.
+/// Fails where a role of `required` has no column, one has two, or a length or an angle has no unit of its kind.
 Result<NamedColumns> named_columns(std::string_view text, std::size_t line, const TableWords& words,
                                    std::span<const std::size_t> required);
 
@@ -99,10 +100,14 @@ class NamedCells {
   Result<std::string_view> name(const NamedRow& row, std::size_t role) const;
   /// In mm. Fails on anything but a finite number up to table_length_most_mm.
   Result<double> length(const NamedRow& row, std::size_t role);
+  /// In °. Likewise, up to 1e9°.
+  Result<double> angle(const NamedRow& row, std::size_t role);
   /// Three lengths of neighbouring roles.
   Result<Vector3> place(const NamedRow& row, std::size_t first_role);
 
  private:
+  Result<double> number(const NamedRow& row, std::size_t role);
+
   const NamedColumns& columns_;
   const TableWords& words_;
   std::optional<NumberReader> numbers_;

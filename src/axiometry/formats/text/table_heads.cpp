@@ -15,6 +15,25 @@ constexpr std::string_view length_difference_words[] = {
     "length difference", "length change", "delta length", "delta l", "deltal", "dl", "d l",
     "\u0394l",           "\u0394L",       "\u2206l",      "\u2206L"};
 
+struct UnitKind {
+  AxisKind kind;
+  std::string_view expected;
+};
+
+Result<const Unit*> unit_of_kind(const CsvCell& head, const TableHead& named, UnitKind kind, std::string_view canonical,
+                                 std::size_t line) {
+  if (named.unit.empty())
+    return fail(
+        fmt::format("found the column {} without a unit, expected one as in {}", text::quoted(head.text), canonical),
+        {line, head.column});
+  const Unit* unit = find_unit(named.unit);
+  if (unit == nullptr || unit->kind != kind.kind)
+    return fail(fmt::format("found the unit {} of the column {}, expected {}", text::quoted(named.unit),
+                            text::quoted(head.text), kind.expected),
+                {line, head.column});
+  return unit;
+}
+
 }  // namespace
 
 TableHead table_head(std::string_view head) {
@@ -35,16 +54,13 @@ bool is_length_difference(std::string_view name) {
 
 Result<const Unit*> length_unit(const CsvCell& head, const TableHead& named, std::string_view canonical,
                                 std::size_t line) {
-  if (named.unit.empty())
-    return fail(
-        fmt::format("found the column {} without a unit, expected one as in {}", text::quoted(head.text), canonical),
-        {line, head.column});
-  const Unit* unit = find_unit(named.unit);
-  if (unit == nullptr || unit->kind != AxisKind::linear)
-    return fail(fmt::format("found the unit {} of the column {}, expected a unit of length: um, mm, nm, m or in",
-                            text::quoted(named.unit), text::quoted(head.text)),
-                {line, head.column});
-  return unit;
+  return unit_of_kind(head, named, {AxisKind::linear, "a unit of length: um, mm, nm, m or in"}, canonical, line);
+}
+
+Result<const Unit*> angle_unit(const CsvCell& head, const TableHead& named, std::string_view canonical,
+                               std::size_t line) {
+  return unit_of_kind(head, named, {AxisKind::rotary, "a unit of angle: deg, arcsec, mdeg, rad, mrad or urad"},
+                      canonical, line);
 }
 
 Result<double> length_in_mm(const Unit& unit, double value, std::string_view cell, TextPosition at) {

@@ -36,6 +36,10 @@ bool is_length_difference(std::string_view name);
 Result<const Unit*> length_unit(const CsvCell& head, const TableHead& named, std::string_view canonical,
                                 std::size_t line);
 
+/// The unit of angle of a column, likewise.
+Result<const Unit*> angle_unit(const CsvCell& head, const TableHead& named, std::string_view canonical,
+                               std::size_t line);
+
 /// In mm. Fails beyond table_length_most_mm; `cell` is what stands there.
 Result<double> length_in_mm(const Unit& unit, double value, std::string_view cell, TextPosition at);
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/tracking/station/residual_findings.h"
 
 namespace axiometry::tracking::detail {
 namespace {
@@ -23,19 +23,9 @@ void tell_breaks(const FindingInput& in, std::vector<Finding>& findings) {
                             point_name(in.options, in.readings[b.reading].point))});
 }
 
-/// Two-sided limit that one of n normal values exceeds with 5 %, as seen against the scatter of all of them.
 void tell_outliers(const FindingInput& in, std::vector<Finding>& findings) {
   const auto& values = in.fit.normalised_residuals;
-  if (values.empty()) return;
-  std::vector<double> sizes;
-  for (double x : values)
-    if (x != 0.0) sizes.push_back(std::abs(x));
-  if (sizes.size() < 3) return;
-  const auto n = static_cast<double>(sizes.size());
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  const double scale = std::max(1.0, *middle / 0.6745);  // the median of |x| of a normal x is 0.6745 σ
-  const double limit = -numeric::normal_quantile(0.025 / n) * scale;
+  const double limit = outlier_limit(values);
   std::vector<std::size_t> far;
   for (std::size_t k = 0; k < values.size(); ++k)
     if (std::abs(values[k]) > limit) far.push_back(k);
@@ -53,24 +43,13 @@ void tell_outliers(const FindingInput& in, std::vector<Finding>& findings) {
                          far.size() > most_listed ? "; …" : "")});
 }
 
-/// Bounds of χ²/ν that hold 99.8 % (Wilson and Hilferty).
 void tell_chi_squared(const FindingInput& in, std::vector<Finding>& findings) {
-  const auto nu = static_cast<double>(in.fit.degrees_of_freedom);
   if (in.fit.degrees_of_freedom == 0) {
     findings.push_back({true, "there are no more readings than unknowns: nothing checks the result"});
     return;
   }
-  const double ratio = in.fit.chi_squared / nu;
-  const double part = 2.0 / (9.0 * nu);
-  const auto bound = [&](double z) { return std::pow(std::max(1.0 - part + z * std::sqrt(part), 0.0), 3.0); };
-  if (ratio > bound(3.09))
-    findings.push_back({ratio > 25.0, fmt::format("the residuals are {:.2f} times as large as stated (χ²/ν = {:.2f}, "
-                                                  "ν = {}); all covariances were multiplied by {:.2f}",
-                                                  std::sqrt(ratio), ratio, in.fit.degrees_of_freedom, ratio)});
-  else if (ratio < bound(-3.09) && nu >= 3.0)
-    findings.push_back({false, fmt::format("the residuals are {:.2g} times as large as stated (χ²/ν = {:.2g}, ν = {}): "
-                                           "the uncertainty of lengths is stated too large",
-                                           std::sqrt(ratio), ratio, in.fit.degrees_of_freedom)});
+  if (auto finding = chi_squared_finding(in.fit.chi_squared, in.fit.degrees_of_freedom))
+    findings.push_back(*std::move(finding));
 }
 
 void tell_geometry(const FindingInput& in, std::vector<Finding>& findings) {

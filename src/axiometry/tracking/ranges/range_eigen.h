@@ -5,7 +5,7 @@
 
 #include "axiometry/base/vector3.h"
 
-/// Vectors for linear algebra and back. Internal to multilaterate().
+/// Vectors for linear algebra and back. Internal to tracking.
 namespace axiometry::tracking::detail {
 
 inline Eigen::Vector3d eigen(Vector3 v) { return {v.x, v.y, v.z}; }

@@ -10,7 +10,7 @@
 #include "axiometry/tracking/ranges/multilateration.h"
 
 /// Where each station about stands, found from the nominal points alone; and breaks of the beam that its readings do
-/// not state. Internal to multilaterate().
+/// not state. Internal to multilaterate() and adjust_polar().
 namespace axiometry::tracking::detail {
 
 /// The readings of one station in the order of measurement.

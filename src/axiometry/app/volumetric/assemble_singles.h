@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/app/results/experiment.h"
+#include "axiometry/standards/error_motions/motion_estimate.h"
+#include "axiometry/volumetric/singles/single_errors.h"
+
+/// The use case "from single measurements of a machine's errors to the model of its volume".
+namespace axiometry::app {
+
+struct SingleItem {
+  std::string name;                                                  ///< "EYX", "C0Y"
+  std::string file;                                                  ///< of an error motion
+  std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< of its readings, in µm or µrad
+  double urad = 0.0;                                                 ///< of squareness
+  double U_urad = 0.0;                                               ///< k = 2
+};
+
+/// Where the axes stood while one of them was measured, and with which of the machine's tools.
+struct SingleStand {
+  Vector3 axes_mm;
+  std::string tool;  ///< empty: the only one
+};
+
+struct AssembleRequest {
+  std::string machine;  ///< file
+  std::vector<SingleItem> items;
+  std::array<std::optional<SingleStand>, 3> stands{};  ///< of X, Y, Z
+};
+
+struct AssembledItem {
+  std::string name;
+  std::string file;        ///< empty of squareness
+  std::string sha256;      ///< likewise
+  std::size_t runs = 0;    ///< likewise 0
+  double u_largest = 0.0;  ///< of its readings, µm or µrad, k = 1
+};
+
+struct Assembled {
+  AssembleRequest request;
+  std::string machine_sha256;
+  std::vector<AssembledItem> items;
+  std::vector<std::string> remarks;  ///< of reading
+  volumetric::SingleModel made;
+};
+
+/// "EYX=FILE" or "C0Y=VALUE,U" in µrad with U for k = 2. Fails on anything else.
+Result<SingleItem> parse_single(std::string_view text);
+
+/// Positioning (EXX, EYY, EZZ) from a test of the axis in any format, the others as read_motion_csv() has them. Fails,
+/// with the file's name, as reading does, on an error named twice, on a file that names another error or axis, on a
+/// test of a rotary axis, on readings whose uncertainty nothing tells (one run and no instrument), and as
+/// model_of_singles().
+Result<Assembled> assemble_singles(const AssembleRequest& request);
+
+/// The 21 errors, and as JSON everything, with the member "model" that `volumetric field` and the others read.
+Experiment present(const Assembled& assembled, const report::Options& options);
+
+}  // namespace axiometry::app

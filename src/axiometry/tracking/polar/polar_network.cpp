@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/tracking/polar/polar_network.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "axiometry/base/contract.h"
+#include "axiometry/tracking/polar/polar_reduction.h"
+#include "axiometry/tracking/ranges/range_eigen.h"
+#include "axiometry/tracking/station/residual_findings.h"
+
+namespace axiometry::tracking {
+namespace detail {
+namespace {
+
+constexpr std::size_t polar_unknowns_most = 300;  // of stations: their system is solved with dense matrices
+
+/// One call of adjust_polar().
+class PolarAdjustment {
+ public:
+  PolarAdjustment(std::size_t points, std::size_t stations, std::span<const PolarReading> readings,
+                  const PolarOptions& options)
+      : readings_(readings), options_(options), layout_(lay_out_polar(points, stations, readings)) {}
+
+  Result<PolarFit> carry_out() {
+    if (layout_.column.size() > polar_stations_most || layout_.columns > polar_unknowns_most)
+      return fail(fmt::format("found {} stations with {} unknowns, expected no more than {} with {}",
+                              layout_.column.size(), layout_.columns, polar_stations_most, polar_unknowns_most));
+    AXIOMETRY_TRY(state_, start_polar(layout_, readings_, options_, fit_.findings));
+    shift_to_origin();
+    system_ = reduce_polar(layout_, readings_, state_);
+    AXIOMETRY_TRY_VOID(check_points());
+    AXIOMETRY_TRY_VOID(solve());
+    AXIOMETRY_TRY_VOID(check_points());
+    to_datum();
+    fill();
+    return std::move(fit_);
+  }
+
+ private:
+  void shift_to_origin() {
+    for (const auto& p : state_.points) centre_ += p / static_cast<double>(state_.points.size());
+    move(Eigen::Matrix3d::Identity(), -centre_);
+  }
+
+  /// p ↦ turn · p + shift, of everything.
+  void move(const Eigen::Matrix3d& turn, const Eigen::Vector3d& shift) {
+    for (auto& p : state_.points) p = turn * p + shift;
+    for (PolarPose& pose : state_.poses) {
+      pose.at = turn * pose.at + shift;
+      pose.turn = turn * pose.turn;
+    }
+  }
+
+  Eigen::Vector3d middle() const {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const auto& p : state_.points) mean += p / static_cast<double>(state_.points.size());
+    return mean;
+  }
+
+  Result<void> check_points() const {
+    for (std::size_t i = 0; i < system_.blocks.size(); ++i)
+      if (!(system_.blocks[i].narrowest > 1e-13))
+        return fail(
+            fmt::format("found readings of point {} that leave it undetermined, expected angles, or lengths "
+                        "from three stations off one line with it",
+                        polar_point_name(options_, i)));
+    return {};
+  }
+
+  PolarState stepped(const Eigen::VectorXd& step, double part) const {
+    PolarState next = state_;
+    for (std::size_t i = 0; i < next.points.size(); ++i) {
+      const PolarBlock& block = system_.blocks[i];
+      Eigen::Vector3d way = block.step;
+      for (std::size_t k = 0; k < block.columns.size(); ++k)
+        way += step[static_cast<Eigen::Index>(block.columns[k])] * block.shares.col(static_cast<Eigen::Index>(k));
+      next.points[i] -= part * way;
+    }
+    for (std::size_t j = 0; j < next.poses.size(); ++j) {
+      const auto at = static_cast<Eigen::Index>(layout_.column[j]);
+      PolarPose& pose = next.poses[j];
+      pose.at += part * step.segment(at, 3);
+      if (layout_.has_angles[j]) {
+        const Eigen::Vector3d turn = part * step.segment(at + 3, 3);
+        if (turn.norm() > 0.0) pose.turn = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose.turn;
+      } else {
+        for (std::size_t k = 0; k < pose.dead.size(); ++k)
+          pose.dead[k] += part * step[at + 3 + static_cast<Eigen::Index>(k)];
+      }
+    }
+    return next;
+  }
+
+  double largest_move(const PolarState& next) const {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < next.points.size(); ++i)
+      largest = std::max(largest, (next.points[i] - state_.points[i]).norm());
+    for (std::size_t j = 0; j < next.poses.size(); ++j)
+      largest = std::max(largest, (next.poses[j].at - state_.poses[j].at).norm());
+    return largest;
+  }
+
+  /// Gauss and Newton; a step that makes χ² larger is halved.
+  Result<void> solve() {
+    double move_mm = 0.0;
+    for (fit_.iterations = 1; fit_.iterations <= options_.iterations_most; ++fit_.iterations) {
+      inverse_ = invert_polar(system_, station_gauge(layout_, state_, middle()));
+      if (inverse_.null_directions > 0)
+        return fail(
+            fmt::format("found readings that leave {} direction{} of the stations undetermined beyond position "
+                        "and orientation, expected more points that several stations see, off one line",
+                        inverse_.null_directions, inverse_.null_directions == 1 ? "" : "s"));
+      const Eigen::VectorXd step = -inverse_.covariance * system_.gradient;
+      PolarState next = stepped(step, 1.0);
+      double squares = polar_chi_squared(layout_, readings_, next);
+      // Rounding alone may raise a χ² of 0: below 1e-9 of one reading's share it is left alone.
+      const double allowed = system_.chi_squared * (1.0 + 1e-9) + 1e-9;
+      for (double part = 0.5; !(squares <= allowed) && part > 1e-3; part *= 0.5) {
+        next = stepped(step, part);
+        squares = polar_chi_squared(layout_, readings_, next);
+      }
+      if (!std::isfinite(squares)) break;
+      move_mm = largest_move(next);
+      state_ = std::move(next);
+      system_ = reduce_polar(layout_, readings_, state_);
+      if (move_mm <= 1e-7) return {};
+    }
+    return fail(
+        fmt::format("the solution does not settle within {} iterations (points still move by {:.3g} mm), "
+                    "expected readings that belong together; {}",
+                    options_.iterations_most, move_mm, farthest_reading()));
+  }
+
+  /// Of a solution that is none: where to look first.
+  std::string farthest_reading() const {
+    std::array<PolarRow, 3> rows;
+    std::size_t farthest = 0;
+    double most = -1.0;
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const std::size_t count = polar_rows(readings_[k], state_, layout_.has_angles[readings_[k].station], rows);
+      for (std::size_t r = 0; r < count; ++r) {
+        if (!(std::abs(rows[r].residual) > most)) continue;
+        most = std::abs(rows[r].residual);
+        farthest = k;
+      }
+    }
+    return fmt::format("reading {} (station {}, point {}) is farthest from the others", farthest + 1,
+                       polar_station_name(options_, readings_[farthest].station),
+                       polar_point_name(options_, readings_[farthest].point));
+  }
+
+  std::optional<std::size_t> datum_station() const {
+    if (options_.datum == PolarDatum::nominal) return std::nullopt;
+    const auto first = std::ranges::find(layout_.has_angles, true);
+    return static_cast<std::size_t>(first - layout_.has_angles.begin());
+  }
+
+  void to_datum() {
+    if (const auto station = datum_station()) {
+      const PolarPose pose = state_.poses[*station];
+      move(pose.turn.transpose(), -(pose.turn.transpose() * pose.at));
+    } else {
+      std::vector<Eigen::Vector3d> nominal;
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      for (const Vector3& p : options_.nominal_mm) {
+        nominal.push_back(eigen(p) - centre_);
+        mean += nominal.back() / static_cast<double>(options_.nominal_mm.size());
+      }
+      const Eigen::Matrix3d turn = best_turn(state_.points, nominal);
+      move(turn, mean - turn * middle());
+    }
+    system_ = reduce_polar(layout_, readings_, state_);
+    inverse_ = invert_polar(system_, station_gauge(layout_, state_, middle()));
+  }
+
+  void fill() {
+    fit_.chi_squared = system_.chi_squared;
+    fit_.equations = layout_.equations;
+    fit_.unknowns = 3 * state_.points.size() + layout_.columns - 6;
+    const PolarCovariances c = polar_covariances(layout_, state_, system_, inverse_.covariance, datum_station());
+    const double factor = fit_.variance_factor();
+    const auto grown = [factor](Matrix3 m) {
+      for (auto& row : m)
+        for (double& x : row) x *= factor;
+      return m;
+    };
+    const Eigen::Vector3d back = datum_station() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : centre_;
+    for (std::size_t i = 0; i < state_.points.size(); ++i) {
+      fit_.points_mm.push_back(vector(state_.points[i] + back));
+      fit_.covariances_mm2.push_back(grown(c.points[i]));
+    }
+    for (std::size_t j = 0; j < state_.poses.size(); ++j) {
+      const PolarPose& pose = state_.poses[j];
+      PolarStation station{
+          vector(pose.at + back), {}, grown(c.stations[j]), static_cast<bool>(layout_.has_angles[j]), pose.dead};
+      for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t b = 0; b < 3; ++b)
+          station.turn[a][b] = pose.turn(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+      fit_.stations.push_back(std::move(station));
+    }
+    if (options_.checks) check_readings();
+  }
+
+  /// 1 less the redundancy number of a row: the share of its variance that the fit takes up.
+  double leverage(const PolarReading& reading, const PolarRow& row) const {
+    const PolarBlock& block = system_.blocks[reading.point];
+    const auto q = static_cast<Eigen::Index>(block.columns.size());
+    Eigen::VectorXd local = -(block.shares.transpose() * row.point);
+    const std::size_t begin = layout_.column[reading.station];
+    const std::size_t pose = layout_.has_angles[reading.station] ? 6 : 3;
+    for (Eigen::Index k = 0; k < q; ++k) {
+      const std::size_t column = block.columns[static_cast<std::size_t>(k)];
+      if (column >= begin && column < begin + pose) local[k] += row.pose[static_cast<Eigen::Index>(column - begin)];
+      if (pose == 3 && column == begin + 3 + reading.segment) local[k] += row.dead;
+    }
+    double sum = row.point.dot(block.covariance * row.point);
+    for (Eigen::Index a = 0; a < q; ++a)
+      for (Eigen::Index b = 0; b < q; ++b)
+        sum += local[a] * local[b] *
+               inverse_.covariance(static_cast<Eigen::Index>(block.columns[static_cast<std::size_t>(a)]),
+                                   static_cast<Eigen::Index>(block.columns[static_cast<std::size_t>(b)]));
+    return std::clamp(sum, 0.0, 1.0);
+  }
+
+  void check_readings() {
+    std::vector<double> all;
+    std::array<PolarRow, 3> rows;
+    for (const PolarReading& reading : readings_) {
+      const std::size_t count = polar_rows(reading, state_, layout_.has_angles[reading.station], rows);
+      const double d = (state_.points[reading.point] - state_.poses[reading.station].at).norm();
+      double size[3] = {}, normalised[3] = {};
+      for (std::size_t k = 0; k < count; ++k) {
+        const double taken = leverage(reading, rows[k]);
+        (k == 0 ? fit_.told_by_lengths : fit_.told_by_angles) += taken;
+        size[k] = -rows[k].residual * rows[k].sigma * (k == 0 ? 1.0 : d);
+        normalised[k] = 1.0 - taken > 1e-9 ? -rows[k].residual / std::sqrt(1.0 - taken) : 0.0;
+        all.push_back(normalised[k]);
+      }
+      fit_.residuals.push_back({size[0], size[1], size[2], normalised[0], normalised[1], normalised[2]});
+    }
+    tell_outliers(outlier_limit(all));
+    if (auto finding = chi_squared_finding(fit_.chi_squared, fit_.degrees_of_freedom()))
+      fit_.findings.push_back(*std::move(finding));
+    if (fit_.degrees_of_freedom() == 0)
+      fit_.findings.push_back({false, "there are no more readings than unknowns: nothing checks the result"});
+    std::ranges::stable_partition(fit_.findings, &Finding::serious);
+  }
+
+  void tell_outliers(double limit) {
+    constexpr std::size_t most_listed = 5;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const PolarResidual& r = fit_.residuals[k];
+      const std::pair<std::string_view, double> parts[] = {
+          {"length", r.length_normalised}, {"azimuth", r.sideways_normalised}, {"elevation", r.upwards_normalised}};
+      for (const auto& [name, size] : parts) {
+        if (!(std::abs(size) > limit) || ++count > most_listed) continue;
+        fit_.findings.push_back(
+            {true, fmt::format("the {} of reading {} (station {}, point {}) does not fit the others: {:.1f} times its "
+                               "standard uncertainty",
+                               name, k + 1, polar_station_name(options_, readings_[k].station),
+                               polar_point_name(options_, readings_[k].point), std::abs(size))});
+      }
+    }
+    if (count > most_listed)
+      fit_.findings.push_back({true, fmt::format("{} further do not fit the others either", count - most_listed)});
+  }
+
+  std::span<const PolarReading> readings_;
+  const PolarOptions& options_;
+  PolarLayout layout_;
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+  PolarState state_;
+  PolarSystem system_;
+  PolarInverse inverse_;
+  PolarFit fit_;
+};
+
+}  // namespace
+}  // namespace detail
+
+Result<PolarFit> adjust_polar(std::size_t points, std::size_t stations, std::span<const PolarReading> readings,
+                              const PolarOptions& options) {
+  AXIOMETRY_CONTRACT(!readings.empty() && std::ranges::all_of(readings, [&](const PolarReading& r) {
+    return r.point < points && r.station < stations && r.length_sigma_mm > 0.0;
+  }));
+  AXIOMETRY_CONTRACT(options.nominal_mm.empty() || options.nominal_mm.size() == points);
+  AXIOMETRY_CONTRACT(options.datum == PolarDatum::station
+                         ? std::ranges::any_of(readings, [](const PolarReading& r) { return r.direction.has_value(); })
+                         : !options.nominal_mm.empty());
+  return detail::PolarAdjustment(points, stations, readings, options).carry_out();
+}
+
+}  // namespace axiometry::tracking

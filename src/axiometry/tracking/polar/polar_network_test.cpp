@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/tracking/polar/polar_network.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "axiometry/tracking/instruments/tracker_kinds.h"
+#include "axiometry/tracking/ranges/multilateration.h"
+
+namespace axiometry::tracking {
+namespace {
+
+constexpr double arcsec = std::numbers::pi / 648000.0;
+
+/// What an instrument at `station`, turned by `azimuth` about z, reads of a point.
+PolarReading polar_read(std::size_t point, std::size_t station, Vector3 at, Vector3 from, double azimuth) {
+  const Vector3 way = at - from;
+  const double d = norm(way);
+  return {point, station,
+          0,     d,
+          0.01,  direction_of(std::atan2(way.y, way.x) - azimuth, std::asin(way.z / d), 4 * arcsec, 4 * arcsec)};
+}
+
+const std::vector<Vector3> places = {{0, 0, 0},      {800, 0, 50},   {0, 600, 100},   {800, 600, 0},   {0, 0, 400},
+                                     {800, 50, 450}, {10, 600, 500}, {800, 600, 420}, {400, 300, 200}, {420, 100, 300}};
+
+TEST(PolarPoint, IsEquation1WithItsDerivatives) {
+  // By hand: d = 2000 mm, α = 30°, β = 0: the beam in the plane, u(d) 0.02 mm, angles 1e-5 rad: 0.02 mm across.
+  const PolarPoint p = polar_point(2000.0, 0.02, direction_of(std::numbers::pi / 6, 0.0, 1e-5, 2e-5));
+  EXPECT_NEAR(p.at_mm.x, 1732.0508075688772, 1e-9);
+  EXPECT_NEAR(p.at_mm.y, 1000.0, 1e-9);
+  EXPECT_NEAR(p.at_mm.z, 0.0, 1e-12);
+  EXPECT_NEAR(p.covariance_mm2[0][0], 4e-4, 1e-12);  // along and sideways alike: the same in every direction
+  EXPECT_NEAR(p.covariance_mm2[0][1], 0.0, 1e-12);
+  EXPECT_NEAR(p.covariance_mm2[2][2], 16e-4, 1e-12);
+}
+
+TEST(PolarPoint, OfTheZenithIsAsGoodSidewaysAsTheElevationIs) {
+  const PolarPoint p = polar_point(1000.0, 0.001, direction_of(1.0, std::numbers::pi / 2, 0.5, 1e-5));
+  EXPECT_NEAR(p.at_mm.z, 1000.0, 1e-9);
+  EXPECT_LT(p.covariance_mm2[0][0] + p.covariance_mm2[1][1], 2e-4);
+}
+
+TEST(PolarNetwork, OfOneStationIsEquation1) {
+  std::vector<PolarReading> readings;
+  for (std::size_t i = 0; i < 4; ++i) readings.push_back(polar_read(i, 0, places[i + 1], {-900, -800, 100}, 0.0));
+  const auto fit = adjust_polar(4, 1, readings, {});
+  ASSERT_TRUE(fit) << fit.error().message;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const PolarPoint p = polar_point(readings[i].length_mm, readings[i].length_sigma_mm, *readings[i].direction);
+    EXPECT_LT(distance(fit->points_mm[i], p.at_mm), 1e-9);
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = 0; b < 3; ++b)
+        EXPECT_NEAR(fit->covariances_mm2[i][a][b], p.covariance_mm2[a][b], 1e-12) << i << a << b;
+  }
+  EXPECT_EQ(fit->degrees_of_freedom(), 0u);
+  EXPECT_NEAR(fit->told_by_angles, 8.0, 1e-9);
+}
+
+TEST(PolarNetwork, FindsStationsThatAreTurnedAndAnInterferometerBesideThem) {
+  std::vector<PolarReading> readings;
+  const Vector3 second{1700, -500, 300}, third{300, 1500, -200};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    readings.push_back(polar_read(i, 0, places[i], {}, 0.0));
+    if (i == 0) readings.back() = polar_read(0, 1, places[0], second, 2.5);  // not seen from the first
+    if (i > 2) readings.push_back(polar_read(i, 1, places[i], second, 2.5));
+    readings.push_back({i, 2, i > 6 ? 1u : 0u, distance(places[i], third) - (i > 6 ? 700.0 : 1234.5), 0.0005, {}});
+  }
+  const auto fit = adjust_polar(places.size(), 3, readings, {});
+  ASSERT_TRUE(fit) << fit.error().message;
+  for (std::size_t i = 0; i < places.size(); ++i) EXPECT_LT(distance(fit->points_mm[i], places[i]), 1e-6) << i;
+  EXPECT_LT(distance(fit->stations[1].position_mm, second), 1e-6);
+  EXPECT_NEAR(fit->stations[1].turn[0][0], std::cos(2.5), 1e-9);
+  EXPECT_NEAR(fit->stations[1].turn[1][0], std::sin(2.5), 1e-9);
+  EXPECT_NEAR(fit->stations[2].dead_paths_mm[0], 1234.5, 1e-6);
+  EXPECT_NEAR(fit->stations[2].dead_paths_mm[1], 700.0, 1e-6);
+  EXPECT_NEAR(fit->told_by_lengths + fit->told_by_angles, static_cast<double>(fit->unknowns), 1e-6);
+  EXPECT_EQ(norm(fit->stations[0].position_mm), 0.0);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(fit->stations[0].covariance_mm2[k][k], 0.0, 1e-12);
+}
+
+TEST(PolarNetwork, OfLengthsAloneIsMultilateration) {
+  const std::vector<Vector3> stations = {
+      {-700, -600, 100}, {1500, -500, 300}, {300, 1500, -200}, {1400, 1200, 900}, {-500, 1000, 800}};
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0.0, 0.001);
+  std::vector<PolarReading> readings;
+  std::vector<RangeReading> ranges;
+  for (std::size_t j = 0; j < stations.size(); ++j)
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double l = distance(places[i], stations[j]) - 500.0 + noise(random);
+      readings.push_back({i, j, 0, l, 0.001, {}});
+      ranges.push_back({.point = i, .station = j, .length_mm = l, .segment = 0});
+    }
+  PolarOptions options;
+  options.datum = PolarDatum::nominal;
+  options.nominal_mm = places;
+  const auto fit = adjust_polar(places.size(), stations.size(), readings, options);
+  ASSERT_TRUE(fit) << fit.error().message;
+  MultilaterationOptions other;
+  other.ranging = {Length::um(2.0), RelativeLength::um_per_m(0.0)};
+  const auto expected = multilaterate(places, stations.size(), ranges, other);
+  ASSERT_TRUE(expected) << expected.error().message;
+  EXPECT_NEAR(fit->chi_squared, expected->chi_squared, 1e-6);
+  EXPECT_EQ(fit->degrees_of_freedom(), expected->degrees_of_freedom);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_LT(distance(fit->points_mm[i], expected->points_mm[i]), 1e-6);
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = 0; b < 3; ++b)
+        EXPECT_NEAR(fit->covariances_mm2[i][a][b], expected->point_covariances_mm2[i][a][b], 1e-10);
+  }
+  for (std::size_t j = 0; j < stations.size(); ++j)
+    EXPECT_NEAR(fit->stations[j].covariance_mm2[2][2], expected->station_covariances_mm2[j][2][2], 1e-9);
+}
+
+TEST(PolarNetwork, RefusesAStationThatSharesTwoPointsAndAPointOfOneLength) {
+  std::vector<PolarReading> readings;
+  for (std::size_t i = 0; i < 5; ++i) readings.push_back(polar_read(i, 0, places[i], {-900, -800, 100}, 0.0));
+  for (std::size_t i = 3; i < 5; ++i) readings.push_back(polar_read(i, 1, places[i], {1700, -500, 300}, 1.0));
+  const auto two = adjust_polar(5, 2, readings, {});
+  ASSERT_FALSE(two);
+  EXPECT_NE(two.error().message.find("fewer than three points"), std::string::npos) << two.error().message;
+  readings.resize(5);
+  readings.push_back({5, 0, 0, 1000.0, 0.01, {}});
+  const auto open = adjust_polar(6, 1, readings, {});
+  ASSERT_FALSE(open);
+  EXPECT_NE(open.error().message.find("without angles"), std::string::npos) << open.error().message;
+}
+
+TEST(PolarNetwork, TellsAReadingThatDoesNotFit) {
+  std::vector<PolarReading> readings;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    readings.push_back(polar_read(i, 0, places[i], {-900, -800, 100}, 0.0));
+    readings.push_back(polar_read(i, 1, places[i], {1700, -500, 300}, 1.0));
+  }
+  readings[6].direction->azimuth_rad += 100 * arcsec;
+  const auto fit = adjust_polar(places.size(), 2, readings, {});
+  ASSERT_TRUE(fit);
+  EXPECT_TRUE(std::ranges::any_of(fit->findings, [](const Finding& f) {
+    return f.serious && f.message.starts_with("the azimuth of reading 7 (station 1, point 4) does not fit the others");
+  }));
+  readings[6].direction->azimuth_rad -= 100 * arcsec;
+  EXPECT_TRUE(adjust_polar(places.size(), 2, readings, {})->findings.size() <= 1);  // that they fit better than stated
+}
+
+TEST(PolarNetwork, NamesTheReadingThatKeepsItFromSettling) {
+  std::vector<PolarReading> readings;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    readings.push_back(polar_read(i, 0, places[i], {-900, -800, 100}, 0.0));
+    readings.push_back(polar_read(i, 1, places[i], {1700, -500, 300}, 1.0));
+  }
+  readings[9].direction->elevation_rad -= 0.2;
+  PolarOptions options;
+  options.iterations_most = 1;  // nothing settles at once that is not exact
+  const auto fit = adjust_polar(places.size(), 2, readings, options);
+  ASSERT_FALSE(fit);
+  EXPECT_NE(fit.error().message.find("is farthest from the others"), std::string::npos) << fit.error().message;
+  EXPECT_NE(fit.error().message.find("point 5"), std::string::npos) << fit.error().message;
+}
+
+TEST(TrackerKinds, TakeBoundsAsRectangularAndWhatIsExpandedAsItIs) {
+  const auto tracer = find_tracker("Etalon-LaserTRACER", LengthMode::changes);
+  ASSERT_TRUE(tracer && *tracer);
+  EXPECT_DOUBLE_EQ((*tracer)->length->expanded_uncertainty().standard_mm(1000.0), 0.25e-3);
+  const auto leica = find_tracker("leica-at901", LengthMode::absolute);
+  EXPECT_NEAR((*leica)->length->expanded_uncertainty().standard_mm(1000.0), 0.010 / std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR((*leica)->kind->across->expanded_uncertainty().standard_mm(2000.0), 0.027 / std::sqrt(3.0), 1e-15);
+  EXPECT_EQ((*find_tracker("leica-at901", LengthMode::changes))->length->constant_um, 0.4);
+  EXPECT_EQ((*find_tracker("leica-at901:adm", LengthMode::changes))->length->constant_um, 10.0);
+  EXPECT_FALSE(find_tracker("leica-at402:ifm", LengthMode::changes));
+  EXPECT_FALSE(*find_tracker("leica", LengthMode::changes));
+  EXPECT_FALSE((*find_tracker("leica-at930", LengthMode::changes))->length);
+}
+
+}  // namespace
+}  // namespace axiometry::tracking

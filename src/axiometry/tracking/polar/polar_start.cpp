@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+
+#include "axiometry/tracking/polar/polar_equations.h"
+#include "axiometry/tracking/ranges/range_eigen.h"
+#include "axiometry/tracking/ranges/range_start.h"
+
+namespace axiometry::tracking::detail {
+namespace {
+
+/// Places the stations one after the other on points that are known already.
+class PolarStart {
+ public:
+  PolarStart(const PolarLayout& layout, std::span<const PolarReading> readings, const PolarOptions& options)
+      : layout_(layout), readings_(readings), options_(options), of_station_(layout.column.size()) {
+    for (std::size_t k = 0; k < readings.size(); ++k) of_station_[readings[k].station].push_back(k);
+    state_.points.resize(layout.first.size() - 1);
+    state_.poses.resize(layout.column.size());
+    known_.assign(state_.points.size(), !options.nominal_mm.empty());
+    for (std::size_t i = 0; i < options.nominal_mm.size(); ++i) state_.points[i] = eigen(options.nominal_mm[i]);
+    placed_.assign(layout.column.size(), false);
+  }
+
+  Result<PolarState> carry_out(std::vector<Finding>& findings) {
+    if (options_.nominal_mm.empty()) place_first();
+    while (place_more()) {
+    }
+    for (std::size_t j = 0; j < placed_.size(); ++j)
+      if (layout_.has_angles[j] && !placed_[j])
+        return fail(
+            fmt::format("found fewer than three points off one line that station {} shares with those placed "
+                        "before, expected three or more",
+                        polar_station_name(options_, j)));
+    for (std::size_t i = 0; i < known_.size(); ++i)
+      if (!known_[i])
+        return fail(fmt::format("found point {} without angles and without a nominal place, expected one of them",
+                                polar_point_name(options_, i)));
+    for (std::size_t j = 0; j < placed_.size(); ++j)
+      if (!layout_.has_angles[j]) AXIOMETRY_TRY_VOID(place_by_lengths(j, findings));
+    return std::move(state_);
+  }
+
+ private:
+  static Eigen::Vector3d shown(const PolarReading& r) { return r.length_mm * eigen(polar_frame(*r.direction).along); }
+
+  void place_first() {
+    for (std::size_t j = 0; j < placed_.size(); ++j) {
+      if (!layout_.has_angles[j]) continue;
+      placed_[j] = true;
+      take_points(j);
+      return;
+    }
+  }
+
+  void take_points(std::size_t j) {
+    const PolarPose& pose = state_.poses[j];
+    for (const std::size_t k : of_station_[j]) {
+      const PolarReading& r = readings_[k];
+      if (!r.direction || known_[r.point]) continue;
+      state_.points[r.point] = pose.at + pose.turn * shown(r);
+      known_[r.point] = true;
+    }
+  }
+
+  /// One round over the stations; whether any was placed.
+  bool place_more() {
+    bool any = false;
+    for (std::size_t j = 0; j < placed_.size(); ++j) {
+      if (placed_[j] || !layout_.has_angles[j] || !place_by_angles(j)) continue;
+      placed_[j] = any = true;
+      take_points(j);
+    }
+    return any;
+  }
+
+  bool place_by_angles(std::size_t j) {
+    std::vector<Eigen::Vector3d> from, to;
+    Eigen::Vector3d from_mean = Eigen::Vector3d::Zero(), to_mean = from_mean;
+    for (const std::size_t k : of_station_[j]) {
+      const PolarReading& r = readings_[k];
+      if (!r.direction || !known_[r.point]) continue;
+      from.push_back(shown(r));
+      to.push_back(state_.points[r.point]);
+      from_mean += from.back();
+      to_mean += to.back();
+    }
+    if (from.size() < 3) return false;
+    from_mean /= static_cast<double>(from.size());
+    to_mean /= static_cast<double>(from.size());
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (const auto& p : to) moments += (p - to_mean) * (p - to_mean).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(moments, Eigen::EigenvaluesOnly);
+    if (!(spread.eigenvalues()[1] > 1e-8 * spread.eigenvalues()[2])) return false;  // on one line within 1e-4 of it
+    PolarPose& pose = state_.poses[j];
+    pose.turn = best_turn(from, to);
+    pose.at = to_mean - pose.turn * from_mean;
+    return true;
+  }
+
+  Result<void> place_by_lengths(std::size_t j, std::vector<Finding>& findings) {
+    StationReadings readings;
+    readings.segments = layout_.segments[j];
+    for (const std::size_t k : of_station_[j]) {
+      const PolarReading& r = readings_[k];
+      readings.nominal_mm.push_back(vector(state_.points[r.point]));
+      readings.length_mm.push_back(r.length_mm);
+      readings.segment.push_back(r.segment);
+      readings.reading.push_back(k);
+      readings.point.push_back(r.point);
+    }
+    AXIOMETRY_TRY(const StationStart start, start_station(readings, polar_station_name(options_, j)));
+    state_.poses[j].at = eigen(start.station_mm);
+    state_.poses[j].dead = start.dead_mm;
+    if (start.mirror_mm)
+      findings.push_back(
+          {true, fmt::format("the points of station {} lie on a plane, and no length tells on which side "
+                             "of it the station stands: it was taken on the upper side",
+                             polar_station_name(options_, j))});
+    return {};
+  }
+
+  const PolarLayout& layout_;
+  std::span<const PolarReading> readings_;
+  const PolarOptions& options_;
+  std::vector<std::vector<std::size_t>> of_station_;
+  PolarState state_;
+  std::vector<bool> known_, placed_;
+};
+
+}  // namespace
+
+Result<PolarState> start_polar(const PolarLayout& layout, std::span<const PolarReading> readings,
+                               const PolarOptions& options, std::vector<Finding>& findings) {
+  return PolarStart(layout, readings, options).carry_out(findings);
+}
+
+}  // namespace axiometry::tracking::detail

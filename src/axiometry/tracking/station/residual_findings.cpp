@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/tracking/station/residual_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "axiometry/numeric/special_functions.h"
+
+namespace axiometry::tracking {
+
+std::optional<Finding> chi_squared_finding(double chi_squared, std::size_t degrees_of_freedom) {
+  if (degrees_of_freedom == 0) return std::nullopt;
+  const auto nu = static_cast<double>(degrees_of_freedom);
+  const double ratio = chi_squared / nu;
+  const double part = 2.0 / (9.0 * nu);
+  const auto bound = [&](double z) { return std::pow(std::max(1.0 - part + z * std::sqrt(part), 0.0), 3.0); };
+  if (ratio > bound(3.09))
+    return Finding{ratio > 25.0, fmt::format("the residuals are {:.2f} times as large as stated (χ²/ν = {:.2f}, "
+                                             "ν = {}); all covariances were multiplied by {:.2f}",
+                                             std::sqrt(ratio), ratio, degrees_of_freedom, ratio)};
+  if (ratio < bound(-3.09) && nu >= 3.0)
+    return Finding{false, fmt::format("the residuals are {:.2g} times as large as stated (χ²/ν = {:.2g}, ν = {}): "
+                                      "the uncertainty of the readings is stated too large",
+                                      std::sqrt(ratio), ratio, degrees_of_freedom)};
+  return std::nullopt;
+}
+
+double outlier_limit(std::span<const double> normalised) {
+  std::vector<double> sizes;
+  for (const double x : normalised)
+    if (x != 0.0) sizes.push_back(std::abs(x));
+  if (sizes.size() < 3) return std::numeric_limits<double>::infinity();
+  const auto n = static_cast<double>(sizes.size());
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  const double scale = std::max(1.0, *middle / 0.6745);  // the median of |x| of a normal x is 0.6745 σ
+  return -numeric::normal_quantile(0.025 / n) * scale;
+}
+
+}  // namespace axiometry::tracking

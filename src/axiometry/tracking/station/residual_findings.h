@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "axiometry/tracking/station/station.h"
+
+/// What the residuals of an adjustment say about the uncertainty that was stated for its readings.
+namespace axiometry::tracking {
+
+/// Outside of the bounds of χ²/ν that hold 99.8 % (Wilson and Hilferty): that the residuals are larger or smaller than
+/// stated; serious beyond five times. Nothing within, and nothing for ν = 0.
+std::optional<Finding> chi_squared_finding(double chi_squared, std::size_t degrees_of_freedom);
+
+/// The |value| that one of n normalised residuals exceeds with 5 %, as seen against the scatter of all of them; values
+/// of 0 are those that nothing checks. Infinite with fewer than three.
+double outlier_limit(std::span<const double> normalised);
+
+}  // namespace axiometry::tracking

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/singles/single_errors.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace axiometry::volumetric {
+namespace {
+
+constexpr double travel_slack_mm = 0.02;
+constexpr double lever_least_mm = 1e-6;  // µrad at this lever move by 1e-9 µm
+constexpr std::array<char, 3> axis_letters = {'X', 'Y', 'Z'};
+
+/// Squareness = sign of the slopes of two straightness errors, seen as what adds to what is read of it: C0Y = rotation
+/// of Y about Z less that of X, −slope(EXY) − slope(EYX); B0Z = slope(EXZ) + slope(EZX); A0Z = −slope(EYZ) −
+/// slope(EZY).
+struct SquareLines {
+  ErrorMotion first, second;
+  double sign = 1.0;
+};
+constexpr std::array<SquareLines, 3> square_lines = {
+    SquareLines{{1, 0}, {0, 1}, -1.0}, SquareLines{{2, 0}, {0, 2}, 1.0}, SquareLines{{2, 1}, {1, 2}, -1.0}};
+
+/// Every coefficient as a sum of readings, and how it comes to its value.
+class SingleAssembly {
+ public:
+  SingleAssembly(MachineModel machine, const SingleErrors& errors) : machine_(std::move(machine)), errors_(errors) {
+    for (std::size_t k = 0; k < errors.motions.size(); ++k) of_error_[index(errors.motions[k].error)] = k;
+  }
+
+  Result<SingleModel> carry_out() {
+    if (errors_.motions.empty() && errors_.squareness.empty()) return fail("found no errors, expected one or more");
+    AXIOMETRY_TRY_VOID(choose_bases());
+    AXIOMETRY_TRY_VOID(check_places());
+    lay_out_inputs();
+    const Coefficients coefficients({bases_[0], bases_[1], bases_[2]}, Reversal::none);
+    rows_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(coefficients.raw()), static_cast<Eigen::Index>(inputs_));
+    told_.assign(21, false);
+    for (std::size_t m = first_rotation; m < motion_count; ++m)
+      for (std::size_t a = 0; a < axis_count; ++a) put_motion(coefficients, {a, m});
+    for (std::size_t m = 0; m < first_rotation; ++m)
+      for (std::size_t a = 0; a < axis_count; ++a) put_motion(coefficients, {a, m});
+    for (std::size_t k = 0; k < errors_.squareness.size(); ++k) put_squareness(coefficients, k);
+    return finish(coefficients);
+  }
+
+ private:
+  static std::size_t index(ErrorMotion e) { return e.axis * motion_count + e.motion; }
+
+  Result<void> choose_bases() {
+    for (std::size_t a = 0; a < axis_count; ++a) {
+      double lower = machine_.travel.lowest_mm[a], upper = machine_.travel.highest_mm[a];
+      std::size_t nodes = single_nodes_most;
+      bool any = false, cut = false;
+      for (const SingleMotion& m : errors_.motions) {
+        if (m.error.axis != a) continue;
+        const double first = m.positions_mm.front(), last = m.positions_mm.back();
+        if (first < machine_.travel.lowest_mm[a] - travel_slack_mm ||
+            last > machine_.travel.highest_mm[a] + travel_slack_mm)
+          return fail(
+              fmt::format("found readings of {} from {} to {} mm, expected them within the travel of {} from {} "
+                          "to {} mm",
+                          error_name(m.error), first, last, axis_letters[a], machine_.travel.lowest_mm[a],
+                          machine_.travel.highest_mm[a]));
+        cut = cut || (any && (std::abs(first - lower) > 1e-6 || std::abs(last - upper) > 1e-6));
+        lower = any ? std::max(lower, first) : first;
+        upper = any ? std::min(upper, last) : last;
+        nodes = std::min(nodes, m.positions_mm.size());
+        any = true;
+      }
+      if (!(lower < upper))
+        return fail(
+            fmt::format("found errors of {} that have no range in common, expected readings of all of them over "
+                        "one travel",
+                        axis_letters[a]));
+      if (cut)
+        findings_.push_back(
+            fmt::format("{}: only from {} to {} mm, where all its errors were read", axis_letters[a], lower, upper));
+      AXIOMETRY_TRY(const CurveBasis basis,
+                    CurveBasis::make(CurveKind::nodes, lower, upper, any ? std::max<std::size_t>(nodes, 2) - 1 : 1));
+      bases_.push_back(basis);
+      observed_.lowest_mm[a] = lower;
+      observed_.highest_mm[a] = upper;
+    }
+    return {};
+  }
+
+  /// Between which readings a node lies: (1 − share) of `above` − 1 and share of `above`.
+  struct NodeShare {
+    std::size_t above = 1;
+    double share = 0.0;
+  };
+  NodeShare share_of(const SingleMotion& m, std::size_t node) const {
+    const double at = node_mm(m.error.axis, node);
+    const auto found = std::ranges::lower_bound(m.positions_mm, at - 1e-9);
+    const auto k =
+        std::clamp<std::size_t>(static_cast<std::size_t>(found - m.positions_mm.begin()), 1, m.positions_mm.size() - 1);
+    const double low = m.positions_mm[k - 1], high = m.positions_mm[k];
+    return {k, std::clamp((at - low) / (high - low), 0.0, 1.0)};
+  }
+
+  /// Inputs are the readings beside nodes, however many there are, and squareness.
+  void lay_out_inputs() {
+    std::size_t next = 0;
+    for (const SingleMotion& m : errors_.motions) {
+      std::vector<std::size_t>& used = used_.emplace_back();
+      for (std::size_t n = 0; n < bases_[m.error.axis].functions(); ++n) {
+        const std::size_t above = share_of(m, n).above;
+        for (const std::size_t k : {above - 1, above})
+          if (used.empty() || used.back() < k) used.push_back(k);
+      }
+      first_input_.push_back(next);
+      next += used.size();
+    }
+    first_square_ = next;
+    inputs_ = next + errors_.squareness.size();
+  }
+
+  Eigen::Index input_of(std::size_t item, std::size_t reading) const {
+    const auto at = std::ranges::lower_bound(used_[item], reading) - used_[item].begin();
+    return static_cast<Eigen::Index>(first_input_[item]) + at;
+  }
+
+  Result<void> need_place(std::size_t axis, std::string_view what) const {
+    if (errors_.places[axis]) return {};
+    return fail(
+        fmt::format("found {} and not where the other axes stood and which point was measured while {} moved, "
+                    "expected that place: rotations act by its lever",
+                    what, axis_letters[axis]));
+  }
+
+  Result<void> check_places() const {
+    for (const SingleMotion& m : errors_.motions)
+      if (!m.error.is_rotation()) AXIOMETRY_TRY_VOID(need_place(m.error.axis, error_name(m.error)));
+    for (const SingleSquareness& s : errors_.squareness) {
+      const auto k = static_cast<std::size_t>(s.which);
+      for (const std::size_t axis : {square_lines[k].first.axis, square_lines[k].second.axis})
+        AXIOMETRY_TRY_VOID(need_place(axis, squareness_names[k]));
+    }
+    return {};
+  }
+
+  double node_mm(std::size_t axis, std::size_t node) const {
+    const CurveBasis& b = bases_[axis];
+    return b.lower_mm() + (b.upper_mm() - b.lower_mm()) * static_cast<double>(node) / static_cast<double>(b.size());
+  }
+
+  static Eigen::Index place(const Coefficients& c, ErrorMotion e, std::size_t node) {
+    return static_cast<Eigen::Index>(c.curve(e.axis) + node * motion_count + e.motion);
+  }
+
+  Vector3 lever_mm(std::size_t axis, std::size_t node) const {
+    const SinglePlace& at = *errors_.places[axis];
+    Vector3 axes = at.axes_mm;
+    axes[axis] = node_mm(axis, node);
+    return machine_.levers_mm(axes, at.tool_mm)[axis];
+  }
+
+  /// The two rotations that move along a direction, with the lever of each and its sign: [ω × r]_m = ω_{m+1} r_{m+2} −
+  /// ω_{m+2} r_{m+1}.
+  struct LeverTerm {
+    ErrorMotion rotation;
+    std::size_t lever;
+    double sign;
+  };
+  static std::array<LeverTerm, 2> lever_terms(ErrorMotion e) {
+    const std::size_t next = (e.motion + 1) % 3, last = (e.motion + 2) % 3;
+    return {LeverTerm{{e.axis, first_rotation + next}, last, 1.0},
+            LeverTerm{{e.axis, first_rotation + last}, next, -1.0}};
+  }
+
+  /// [ω × r]_m at each node as sums of readings; of a rotation that is not told its name in `lacks`.
+  Eigen::MatrixXd lever_effect(const Coefficients& c, ErrorMotion e, std::string& lacks) const {
+    const std::size_t nodes = bases_[e.axis].functions();
+    Eigen::MatrixXd effect = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(nodes), rows_.cols());
+    for (const LeverTerm& term : lever_terms(e)) {
+      double longest = 0.0;
+      for (std::size_t n = 0; n < nodes; ++n) {
+        const double lever = lever_mm(e.axis, n)[term.lever];
+        longest = std::max(longest, std::abs(lever));
+        // µrad × mm = 1e-3 µm
+        effect.row(static_cast<Eigen::Index>(n)) += 1e-3 * term.sign * lever * rows_.row(place(c, term.rotation, n));
+      }
+      if (longest > lever_least_mm && !told_[index(term.rotation)])
+        lacks += fmt::format("{}{} (lever {:.1f} mm)", lacks.empty() ? "" : ", ", error_name(term.rotation), longest);
+    }
+    return effect;
+  }
+
+  /// What the rotations of the other axes, where these stood, make of the slope of a line: those before it in the chain
+  /// turn its direction, Σ_b [ω_b(q_b) × ∂r_b/∂q_a]_m, µrad.
+  Eigen::RowVectorXd turned_by_others(const Coefficients& c, ErrorMotion line, std::string& lacks) const {
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(rows_.cols());
+    const SinglePlace& at = *errors_.places[line.axis];
+    Vector3 further = at.axes_mm;
+    further[line.axis] += 1.0;
+    const auto here = machine_.levers_mm(at.axes_mm, at.tool_mm), there = machine_.levers_mm(further, at.tool_mm);
+    for (std::size_t b = 0; b < axis_count; ++b) {
+      if (b == line.axis) continue;
+      for (const LeverTerm& term : lever_terms({b, line.motion})) {
+        const double per_mm = there[b][term.lever] - here[b][term.lever];
+        if (std::abs(per_mm) < 1e-9) continue;
+        if (!told_[index(term.rotation)]) {
+          lacks += fmt::format("{}{}", lacks.empty() ? "" : ", ", error_name(term.rotation));
+          continue;
+        }
+        const ActiveFunctions f = bases_[b].at(at.axes_mm[b]);
+        for (std::size_t k = 0; k < f.count; ++k)
+          sum += term.sign * per_mm * f.values[k] * rows_.row(place(c, term.rotation, f.first + k));
+      }
+    }
+    return sum;
+  }
+
+  /// Removes the mean and returns the slope over x from −1 to 1, as sums of readings; with `level` the slope goes too.
+  Eigen::RowVectorXd to_gauge(std::size_t axis, Eigen::MatrixXd& nodes, bool level) const {
+    const std::vector<double> means = bases_[axis].means(), slopes = bases_[axis].slopes();
+    Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(nodes.cols()), slope = mean;
+    for (Eigen::Index n = 0; n < nodes.rows(); ++n) {
+      mean += means[static_cast<std::size_t>(n)] * nodes.row(n);
+      slope += 3.0 * slopes[static_cast<std::size_t>(n)] * nodes.row(n);  // ∫ x² is 1/3
+    }
+    for (Eigen::Index n = 0; n < nodes.rows(); ++n) {
+      const double x = 2.0 * static_cast<double>(n) / static_cast<double>(nodes.rows() - 1) - 1.0;
+      nodes.row(n) -= mean;
+      if (level) nodes.row(n) -= x * slope;
+    }
+    return slope;
+  }
+
+  void put_motion(const Coefficients& c, ErrorMotion e) {
+    const auto item = of_error_[index(e)];
+    if (!item) return;
+    const SingleMotion& m = errors_.motions[*item];
+    const std::size_t nodes = bases_[e.axis].functions();
+    Eigen::MatrixXd curve = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(nodes), rows_.cols());
+    std::vector<double> values;
+    for (std::size_t n = 0; n < nodes; ++n) {
+      const auto [above, share] = share_of(m, n);
+      const auto row = static_cast<Eigen::Index>(n);
+      curve(row, input_of(*item, above - 1)) += 1.0 - share;
+      curve(row, input_of(*item, above)) += share;
+      values.push_back((1.0 - share) * m.values[above - 1] + share * m.values[above]);
+    }
+    tell_misfit(m, values);
+    if (!e.is_rotation()) {
+      std::string lacks;
+      curve -= lever_effect(c, e, lacks);
+      if (!lacks.empty()) {
+        findings_.push_back(
+            fmt::format("{} has no number: at its line it holds {}, not measured", error_name(e), lacks));
+        return;
+      }
+    }
+    to_gauge(e.axis, curve, e.is_straightness());
+    for (std::size_t n = 0; n < nodes; ++n) rows_.row(place(c, e, n)) = curve.row(static_cast<Eigen::Index>(n));
+    told_[index(e)] = true;
+  }
+
+  /// How far readings between the nodes lie from the straight lines.
+  void tell_misfit(const SingleMotion& m, const std::vector<double>& nodes) {
+    const CurveBasis& basis = bases_[m.error.axis];
+    double worst = 0.0;
+    for (std::size_t k = 0; k < m.values.size(); ++k) {
+      if (m.positions_mm[k] < basis.lower_mm() || m.positions_mm[k] > basis.upper_mm()) continue;
+      const ActiveFunctions f = basis.at(m.positions_mm[k]);
+      double shown = 0.0;
+      for (std::size_t i = 0; i < f.count; ++i) shown += f.values[i] * nodes[f.first + i];
+      worst = std::max(worst, std::abs(shown - m.values[k]));
+    }
+    if (worst > 0.005)
+      findings_.push_back(fmt::format("{}: readings between the {} nodes lie up to {:.2f} {} from the straight lines",
+                                      error_name(m.error), nodes.size(), worst, m.error.is_rotation() ? "µrad" : "µm"));
+  }
+
+  void put_squareness(const Coefficients& c, std::size_t item) {
+    const auto k = static_cast<std::size_t>(errors_.squareness[item].which);
+    const auto row = static_cast<Eigen::Index>(c.squareness() + k);
+    std::string lacks;
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(rows_.cols());
+    sum[static_cast<Eigen::Index>(first_square_ + item)] = 1.0;
+    for (const ErrorMotion line : {square_lines[k].first, square_lines[k].second}) {
+      Eigen::MatrixXd effect = lever_effect(c, line, lacks);
+      const CurveBasis& basis = bases_[line.axis];
+      const double urad_per_um = 1e3 / (0.5 * (basis.upper_mm() - basis.lower_mm()));
+      sum -=
+          square_lines[k].sign * (urad_per_um * to_gauge(line.axis, effect, false) + turned_by_others(c, line, lacks));
+    }
+    if (!lacks.empty()) {
+      findings_.push_back(fmt::format("{} has no number: its lines hold {}, not measured", squareness_names[k], lacks));
+      return;
+    }
+    rows_.row(row) = sum;
+    told_[18 + k] = true;
+  }
+
+  Result<SingleModel> finish(const Coefficients& c) {
+    Eigen::VectorXd values(rows_.cols()), variances(rows_.cols());
+    Eigen::Index at = 0;
+    for (std::size_t item = 0; item < used_.size(); ++item)
+      for (const std::size_t k : used_[item]) {
+        const SingleMotion& m = errors_.motions[item];
+        values[at] = m.values[k];
+        variances[at++] = m.u[k] * m.u[k];
+      }
+    for (const SingleSquareness& s : errors_.squareness) {
+      values[at] = s.urad;
+      variances[at++] = s.u_urad * s.u_urad;
+    }
+    const Eigen::VectorXd found = rows_ * values;
+    const Eigen::MatrixXd covariance = rows_ * variances.asDiagonal() * rows_.transpose();
+    ErrorModel::Parts parts{std::move(machine_), c, {}, {}, {}, observed_};
+    parts.values.assign(found.data(), found.data() + found.size());
+    parts.covariance.assign(covariance.data(), covariance.data() + covariance.size());  // symmetric
+    std::string missing;
+    const auto names = error_names();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const bool given =
+          k < 18 ? of_error_[k].has_value() : std::ranges::any_of(errors_.squareness, [&](const SingleSquareness& s) {
+            return static_cast<std::size_t>(s.which) == k - 18;
+          });
+      if (!given) missing += (missing.empty() ? "" : ", ") + names[k];
+    }
+    if (!missing.empty())
+      findings_.push_back(fmt::format("not measured: {}; what depends on them has no number", missing));
+    for (std::size_t raw = 0; raw < c.raw(); ++raw) {
+      if (told_[c.error_of(raw)]) continue;
+      parts.unseen.emplace_back(c.raw(), 0.0).at(raw) = 1.0;
+    }
+    return SingleModel{ErrorModel(std::move(parts)), std::move(findings_)};
+  }
+
+  MachineModel machine_;
+  const SingleErrors& errors_;
+  std::vector<std::vector<std::size_t>> used_;  ///< readings beside nodes, of each motion
+  std::vector<std::size_t> first_input_;        ///< of each motion
+  std::array<std::optional<std::size_t>, axis_count * motion_count> of_error_{};
+  std::size_t first_square_ = 0, inputs_ = 0;
+  std::vector<CurveBasis> bases_;
+  TravelBox observed_;
+  Eigen::MatrixXd rows_;
+  std::vector<bool> told_;  ///< in the order of error_names()
+  std::vector<std::string> findings_;
+};
+
+}  // namespace
+
+Result<SingleModel> model_of_singles(MachineModel machine, const SingleErrors& errors) {
+  return SingleAssembly(std::move(machine), errors).carry_out();
+}
+
+}  // namespace axiometry::volumetric

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/volumetric/field/error_model.h"
+
+/// The 21 errors of a machine out of measurements of each alone: straightness, rotations, positioning of one axis after
+/// the other, and squareness. Derivation: docs/theory/volumetric.md, "Measured singly".
+///
+/// A displacement is read where the axis moves the measured point, with the lever r_a of that place (chain.h): what is
+/// read is E_a + ω_a × r_a. The rotations of the same axis are therefore taken out of it, and of the squareness what
+/// they, and the rotations of the axes before it in the chain, make of the slope of both lines. Constants, and slopes
+/// of straightness, belong to no single measurement and are removed (gauge.h). The model has no reversal: it holds the
+/// mean of both directions.
+namespace axiometry::volumetric {
+
+/// Readings of one error motion, means over runs and directions; at least two.
+struct SingleMotion {
+  ErrorMotion error;
+  std::vector<double> positions_mm;  ///< of its axis, ascending
+  std::vector<double> values;        ///< µm, µrad
+  std::vector<double> u;             ///< standard uncertainties, independent from one position to the next
+};
+
+struct SingleSquareness {
+  Squareness which = Squareness::C0Y;
+  double urad = 0.0;
+  double u_urad = 0.0;
+};
+
+/// Where the axes stood, and which point was measured, while the errors of one axis were.
+struct SinglePlace {
+  Vector3 axes_mm;  ///< that of the axis itself is not used
+  Vector3 tool_mm;
+};
+
+struct SingleErrors {
+  std::vector<SingleMotion> motions;         ///< each error once
+  std::vector<SingleSquareness> squareness;  ///< likewise
+  std::array<std::optional<SinglePlace>, axis_count> places{};
+};
+
+struct SingleModel {
+  ErrorModel model;
+  std::vector<std::string> findings;  ///< sentences without full stop
+};
+
+inline constexpr std::size_t single_nodes_most = 61;
+
+/// Curves of each axis are straight lines between equidistant nodes over the range that all its errors have in common,
+/// as many nodes as the error with the fewest positions has, at most single_nodes_most. An error that was not measured,
+/// or from which a rotation that was not measured cannot be taken out, has no number in the model.
+///
+/// Fails on nothing to assemble, displacements or squareness of an axis without a place, an axis whose errors have no
+/// range in common, and readings beyond the travel.
+Result<SingleModel> model_of_singles(MachineModel machine, const SingleErrors& errors);
+
+}  // namespace axiometry::volumetric
