@@ -136,6 +136,9 @@ def main():
         run(program, "dynamic", folder / "x.rtx", "--even", 0, codes=(1,))
         run(program, "dynamic", folder / "x.rtx", "--series", folder / "x.rtx", codes=(1, 2))
         run(program, "dynamic", folder / "x.rtx", "--rate", 100, codes=(2,))
+        run(program, "dynamic", folder / "x.rtx", "--series", folder / "o", "--spectrum", folder / "o", codes=(1,))
+        run(program, "dynamic", folder / "x.rtx", "--series", "-", "--json", "-", codes=(1,))
+        assert not (folder / "o").exists()
         german = run(program, "dynamic", folder / "x.rtx", "--language", "de").stdout
         assert "Keine Prüfung nach ISO 230-2" in german and "Highest" not in german, german
     print("motion, stretches and spectrum of recordings agree with numpy")

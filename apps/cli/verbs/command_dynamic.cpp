@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
@@ -29,8 +31,20 @@ double checked_positive(const char* option, double x, double most) {
   throw UsageError(option, fmt::format("found {}, expected a number above 0 and up to {}", format_exact(x), most));
 }
 
+/// One output would take the place of the other.
+void check_names_differ(const DynamicArguments& a) {
+  std::vector<std::string> names = a.outputs.outputs.reports;
+  for (const std::string* name : {&a.outputs.outputs.json, &a.series, &a.spectrum})
+    if (!name->empty()) names.push_back(*name);
+  std::ranges::sort(names);
+  if (const auto twice = std::ranges::adjacent_find(names); twice != names.end())
+    throw UsageError("--series",
+                     fmt::format("found the output {} twice, expected different names", text::quoted(*twice)));
+}
+
 int run_dynamic(DynamicArguments& a) {
   check_experiment_outputs(a.outputs);
+  check_names_differ(a);
   app::OutputNames& names = a.outputs.outputs;
   const app::InputFile input{a.file, false};
   names.inputs = app::InputFiles(std::span(&input, 1));

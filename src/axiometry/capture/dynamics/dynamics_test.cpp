@@ -126,6 +126,19 @@ TEST(MotionSpectrum, FindsSinusoidsBetweenItsLinesWithTheirAmplitudes) {
   EXPECT_NEAR(s.peaks[1].amplitude, 0.01, 1e-6);
 }
 
+TEST(MotionSpectrum, TakesNoDriftForVibrations) {
+  for (const double bend : {0.0, 3.0}) {
+    std::vector<double> values;
+    for (int k = 0; k < 4000; ++k) {
+      const double t = k / 4000.0;
+      values.push_back(t - bend * t * t + 0.001 * std::sin(turn * 47.3 * k / 1000.0));
+    }
+    const MotionSpectrum s = motion_spectrum(values, 1000.0, 10);
+    ASSERT_EQ(s.peaks.size(), 1u) << bend;
+    EXPECT_NEAR(s.peaks[0].amplitude, 0.001, 1e-6);
+  }
+}
+
 TEST(MotionSpectrum, TakesNeighboursWithinItsResolutionForOne) {
   std::vector<double> values;
   for (int k = 0; k < 1000; ++k)

@@ -80,6 +80,9 @@ SpectrumPeak highest_between(const Windowed& w, double low, double high) {
 /// window.
 double share_beside(double d) { return 1.0 / (std::numbers::pi * d * (d * d - 1.0)); }
 
+/// And of what is slower than the resolution, a drift or a bend, by 1/d³ as of a ramp: found to lie below this share.
+double share_of_drift(double d) { return 2.0 / (d * d * d); }
+
 /// Numbers of the amplitudes that are the highest within the resolution about them, highest first.
 std::vector<std::size_t> places_of_peaks(const MotionSpectrum& s, std::size_t most) {
   const std::span<const double> a = s.amplitudes;
@@ -88,16 +91,17 @@ std::vector<std::size_t> places_of_peaks(const MotionSpectrum& s, std::size_t mo
   for (std::size_t k = apart; k + 1 < a.size(); ++k)
     if (a[k] > s.threshold && a[k] >= a[k - 1] && a[k] > a[k + 1]) places.push_back(k);
   std::ranges::stable_sort(places, [&](std::size_t i, std::size_t k) { return a[i] > a[k]; });
+  const double drift = std::ranges::max(a.first(std::min(apart, a.size())));
   std::vector<std::size_t> kept;
   for (const std::size_t k : places) {
     if (kept.size() == most) break;
-    double left_of_others = 0.0;
+    const double steps_per_line = lines_of_resolution * s.step_hz / s.resolution_hz;
+    double left_of_others = drift * share_of_drift(steps_per_line * static_cast<double>(k));
     bool beside = false;
     for (const std::size_t other : kept) {
       const std::size_t steps = k > other ? k - other : other - k;
       beside = beside || steps < apart;
-      const double d = lines_of_resolution * s.step_hz / s.resolution_hz * static_cast<double>(steps);
-      if (!beside) left_of_others += a[other] * share_beside(d);
+      if (!beside) left_of_others += a[other] * share_beside(steps_per_line * static_cast<double>(steps));
     }
     if (!beside && a[k] > 2.0 * left_of_others) kept.push_back(k);
   }

@@ -19,12 +19,13 @@ struct SpectrumPeak {
 };
 
 struct MotionSpectrum {
-  double step_hz = 0.0;             ///< between two amplitudes
-  double resolution_hz = 0.0;       ///< 2/T: nearer ones cannot be told apart
-  std::vector<double> amplitudes;   ///< from 0 Hz to half the rate
-  double floor = 0.0;               ///< median of the amplitudes above the resolution
-  double threshold = 0.0;           ///< √log₂(100 N) floors, of N amplitudes: white noise is beyond it in 1 of 100
-  std::vector<SpectrumPeak> peaks;  ///< highest first: above the threshold and 2/T
+  double step_hz = 0.0;            ///< between two amplitudes
+  double resolution_hz = 0.0;      ///< 2/T: nearer ones cannot be told apart
+  std::vector<double> amplitudes;  ///< from 0 Hz to half the rate
+  double floor = 0.0;              ///< median of the amplitudes above the resolution
+  double threshold = 0.0;          ///< √log₂(100 N) floors, of N amplitudes: white noise is beyond it in 1 of 100
+  /// Highest first: above the threshold, 2/T, and twice what a drift and higher peaks may leave beside themselves.
+  std::vector<SpectrumPeak> peaks;
 };
 
 /// At most `most_peaks` of them. Needs 16 values at least and a rate above 0 (contract).
