@@ -121,7 +121,7 @@ std::string pairs(const app::EvaluatedLines& e, const report::Options& options, 
   if (pairs.empty()) return "";
   std::string text;
   for (const tracking::FacePair& pair : pairs)
-    text += fmt::format("{}{}/{}  {} {} µrad\n", left(pair.face, id_width), pair.first, pair.second, pair.term,
+    text += fmt::format("{}{}/{}  {} {} µrad\n", left(pair.face, line_id_width), pair.first, pair.second, pair.term,
                         pair.uncertainty_um_per_m
                             ? slope_text(pair.squareness_um_per_m, *pair.uncertainty_um_per_m, options)
                             : format_fixed(pair.squareness_um_per_m, 2, options.numbers));
