@@ -126,10 +126,11 @@ constexpr Phrase rows[] = {
      "aus"},
     {"the residuals are {0#} times as large as the uncertainties of instrument and machine allow (χ²/ν = {1#}): either "
      "these are stated too small, or the machine does something that 21 errors of its axes do not describe, as drift, "
-     "play or bending under load; all uncertainties were multiplied by {2#}",
+     "play or bending under load, or its chain is another one; all uncertainties were multiplied by {2#}",
      "die Residuen sind {0} mal so groß, wie die Unsicherheiten von Messgerät und Maschine erlauben (χ²/ν = {1}): "
      "Entweder sind diese zu klein angegeben, oder die Maschine tut etwas, das 21 Abweichungen ihrer Achsen nicht "
-     "beschreiben, etwa Drift, Spiel oder Verformung unter Last; alle Unsicherheiten sind mit {2} multipliziert"},
+     "beschreiben, etwa Drift, Spiel oder Verformung unter Last, oder ihre Kette ist eine andere; alle Unsicherheiten "
+     "sind mit {2} multipliziert"},
     {"the residuals are {0#} times what the uncertainties of instrument and machine let one expect: these are stated "
      "too large, and so are all uncertainties",
      "die Residuen sind {0} mal so groß, wie die Unsicherheiten von Messgerät und Maschine erwarten lassen: Diese sind "

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/tracking/ranges/range_eigen.h"
 
 namespace axiometry::tracking::detail {
@@ -172,8 +173,8 @@ Refined search(const StationReadings& r, const Cloud& cloud) {
 Result<StationStart> start_station(const StationReadings& r, const std::string& name) {
   const std::size_t n = r.length_mm.size();
   if (n < 3 + r.segments)
-    return fail(fmt::format("found {} readings of station {} in {} segment{}, expected at least {}", n, name,
-                            r.segments, r.segments == 1 ? "" : "s", 3 + r.segments));
+    return fail(fmt::format("found {} of station {} in {}, expected at least {}", counted(n, "reading"), name,
+                            counted(r.segments, "segment"), 3 + r.segments));
   const std::vector<std::size_t> chosen = sample(n, linear_most);
   const Cloud cloud = cloud_of(r, n > linear_most && r.segments > 1 ? sample(n, n) : chosen);
   if (!(cloud.radius > 0.0))

@@ -53,8 +53,8 @@ void add_scatter(const Identification& result, std::vector<VolumetricFinding>& f
         {"volumetric-scatter", ratio > ratio_serious,
          fmt::format("the residuals are {:.2f} times as large as the uncertainties of instrument and machine allow "
                      "(χ²/ν = {:.2f}): either these are stated too small, or the machine does something that 21 errors "
-                     "of its axes do not describe, as drift, play or bending under load; all uncertainties were "
-                     "multiplied by {:.2f}",
+                     "of its axes do not describe, as drift, play or bending under load, or its chain is another "
+                     "one; all uncertainties were multiplied by {:.2f}",
                      std::sqrt(ratio), ratio, std::sqrt(ratio))});
     return;
   }
