@@ -12,20 +12,25 @@
 
 namespace axiometry::cli {
 
-void add_experiment_flags(const Verb& verb, ExperimentArguments& arguments) {
+void add_output_flags(const Verb& verb, app::OutputNames& outputs, report::Options& report, bool& quiet,
+                      const std::string& kinds) {
   constexpr const char* group = "Outputs";
-  verb.add_option("--json", arguments.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
+  verb.add_option("--json", outputs.json, "Everything as JSON to FILE, or to the standard output with -")
       ->check(fault_of_name)
       ->type_name("FILE")
       ->group(group);
-  verb.add_option("--report", arguments.outputs.reports,
-                  "Report to FILE, by its extension html, pdf, svg, png or csv; may be repeated")
+  verb.add_option("--report", outputs.reports,
+                  fmt::format("Report to FILE, by its extension {}; may be repeated", kinds))
       ->type_name("FILE")
       ->one_at_a_time()
       ->group(group);
-  Flag decimal = add_decimal(verb, arguments.report.numbers.decimal_mark)->group(group);
-  add_language(verb, arguments.report, decimal)->group(group);
-  verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
+  Flag decimal = add_decimal(verb, report.numbers.decimal_mark)->group(group);
+  add_language(verb, report, decimal)->group(group);
+  verb.add_flag("--quiet,-q", quiet, "No summary in the terminal")->group(group);
+}
+
+void add_experiment_flags(const Verb& verb, ExperimentArguments& arguments) {
+  add_output_flags(verb, arguments.outputs, arguments.report, arguments.quiet);
 }
 
 void check_experiment_outputs(const ExperimentArguments& arguments) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/results/experiment.h"
@@ -15,7 +17,11 @@ struct ExperimentArguments {
   bool quiet = false;
 };
 
-/// --json, --report, --decimal, --language, --quiet.
+/// --json, --report, --decimal, --language, --quiet. The kinds of report as the help names them.
+void add_output_flags(const Verb& verb, app::OutputNames& outputs, report::Options& report, bool& quiet,
+                      const std::string& kinds = "html, pdf, svg, png or csv");
+
+/// The same for what a computation is presented by.
 void add_experiment_flags(const Verb& verb, ExperimentArguments& arguments);
 
 /// Checks the names of the outputs; throws a UsageError. Before anything is computed.

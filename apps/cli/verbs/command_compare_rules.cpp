@@ -14,6 +14,7 @@
 #include "axiometry/report/rules.h"
 #include "axiometry/report/translated.h"
 #include "cli/failure.h"
+#include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/reading_flags.h"
 #include "cli/text/findings_text.h"
@@ -121,23 +122,15 @@ class RuleSummary {
 int run_rules(RuleArguments& arguments) {
   const app::InputFile input{arguments.file, false};
   arguments.outputs.inputs = app::InputFiles(std::span(&input, 1));
-  if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) {
-    failed(spared.error());
-    return exit_usage;
-  }
+  if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) return failed(spared.error(), exit_usage);
   auto compared = app::compare_rules_of(arguments.file, arguments.reading, arguments.rules);
-  if (!compared) {
-    failed(compared.error());
-    return exit_bad_input;
-  }
+  if (!compared) return failed(compared.error());
   if (!arguments.quiet && arguments.outputs.json != "-") {
     const Terminal terminal(ColourChoice::automatic);
     fmt::print("{}", RuleSummary(*compared, arguments.report, terminal).text());
   }
-  if (auto written = app::write_outputs(*compared, arguments.outputs, arguments.report); !written) {
-    failed(written.error());
-    return exit_bad_input;
-  }
+  if (auto written = app::write_outputs(*compared, arguments.outputs, arguments.report); !written)
+    return failed(written.error());
   return exit_done;
 }
 
@@ -148,20 +141,6 @@ void add_rule_input(const Verb& verb, RuleArguments& a) {
       ->one_at_a_time()
       ->group("Input");
   add_reading_flags(verb, a.reading, "axis.travel_end=500");
-}
-
-void add_rule_outputs(const Verb& verb, RuleArguments& a) {
-  verb.add_option("--json", a.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
-      ->check(fault_of_name)
-      ->type_name("FILE")
-      ->group("Outputs");
-  verb.add_option("--report", a.outputs.reports, "Report to FILE, by its extension html, pdf or csv; may be repeated")
-      ->type_name("FILE")
-      ->one_at_a_time()
-      ->group("Outputs");
-  Flag decimal = add_decimal(verb, a.report.numbers.decimal_mark)->group("Outputs");
-  add_language(verb, a.report, decimal)->group("Outputs");
-  verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group("Outputs");
 }
 
 /// A comparison has tables and no figures: a picture of it would be empty.
@@ -188,7 +167,7 @@ void add_compare_rules(const Verb& program, int& exit_code) {
                                      "The same readings by other rules (VDI/DGQ 3441, JIS, GB/T, older ISO 230-2)");
   auto arguments = std::make_shared<RuleArguments>();
   add_rule_input(*verb, *arguments);
-  add_rule_outputs(*verb, *arguments);
+  add_output_flags(*verb, arguments->outputs, arguments->report, arguments->quiet, "html, pdf or csv");
   verb->callback([arguments, &exit_code] {
     auto rules = app::named_rules(arguments->standards);
     if (!rules) throw UsageError("--standard", rules.error().message);

@@ -15,6 +15,7 @@
 #include "axiometry/report/periodic.h"
 #include "axiometry/report/translated.h"
 #include "cli/failure.h"
+#include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/reading_flags.h"
 #include "cli/text/findings_text.h"
@@ -100,21 +101,13 @@ std::string summary(const app::EvaluatedPeriodic& e, const PeriodicArguments& ar
 int run(PeriodicArguments& arguments) {
   const app::InputFile input{arguments.file, false};
   arguments.outputs.inputs = app::InputFiles(std::span(&input, 1));
-  if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) {
-    failed(spared.error());
-    return exit_usage;
-  }
+  if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) return failed(spared.error(), exit_usage);
   auto evaluated = app::evaluate_periodic(arguments.file, arguments.reading, arguments.options);
-  if (!evaluated) {
-    failed(evaluated.error());
-    return exit_bad_input;
-  }
+  if (!evaluated) return failed(evaluated.error());
   if (!arguments.quiet && arguments.outputs.json != "-")
     fmt::print("{}", summary(*evaluated, arguments, Terminal(arguments.colour)));
-  if (auto written = app::write_outputs(*evaluated, arguments.outputs, arguments.report); !written) {
-    failed(written.error());
-    return exit_bad_input;
-  }
+  if (auto written = app::write_outputs(*evaluated, arguments.outputs, arguments.report); !written)
+    return failed(written.error());
   return exit_done;
 }
 
@@ -143,18 +136,7 @@ void add_flags(const Verb& verb, const std::shared_ptr<PeriodicArguments>& argum
   add_period(verb, "--min-period", a.options.shortest,
              "Shortest period searched (2.1 times the mean spacing of the targets)");
   add_period(verb, "--max-period", a.options.longest, "Longest period searched (half the measured travel)");
-  verb.add_option("--json", a.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
-      ->check(fault_of_name)
-      ->type_name("FILE")
-      ->group("Outputs");
-  verb.add_option("--report", a.outputs.reports,
-                  "Report to FILE, by its extension html, pdf, svg, png or csv; may be repeated")
-      ->type_name("FILE")
-      ->one_at_a_time()
-      ->group("Outputs");
-  Flag decimal = add_decimal(verb, a.report.numbers.decimal_mark)->group("Outputs");
-  add_language(verb, a.report, decimal)->group("Outputs");
-  verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group("Outputs");
+  add_output_flags(verb, a.outputs, a.report, a.quiet);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "axiometry/report/temperatures/temperatures.h"
 #include "axiometry/report/translated.h"
 #include "cli/failure.h"
+#include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
@@ -83,23 +84,12 @@ void print_temperatures(const app::EvaluatedTemperatures& found, const report::O
 int run_temperatures(TemperatureArguments& arguments) {
   const app::InputFile input{arguments.file, false};
   arguments.outputs.inputs = app::InputFiles(std::span(&input, 1));
-  const auto complain = [](const Error& error) {
-    fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string()));
-  };
-  if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) {
-    complain(spared.error());
-    return exit_usage;
-  }
+  if (auto spared = app::check_inputs_spared(arguments.outputs); !spared) return failed(spared.error(), exit_usage);
   const auto found = app::evaluate_temperatures(arguments.file, arguments.request);
-  if (!found) {
-    complain(found.error());
-    return exit_bad_input;
-  }
+  if (!found) return failed(found.error());
   if (!arguments.quiet && arguments.outputs.json != "-") print_temperatures(*found, arguments.report);
-  if (auto written = app::write_outputs(*found, arguments.outputs, arguments.report); !written) {
-    complain(written.error());
-    return exit_bad_input;
-  }
+  if (auto written = app::write_outputs(*found, arguments.outputs, arguments.report); !written)
+    return failed(written.error());
   if (found->environment.exceeded()) return exit_exceeded;
   return found->environment.open() ? exit_undecided : exit_done;
 }
@@ -156,21 +146,6 @@ void add_agreed_flags(const Verb& verb, TemperatureArguments& a) {
              });
 }
 
-void add_temperature_outputs(const Verb& verb, TemperatureArguments& a) {
-  verb.add_option("--json", a.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
-      ->check(fault_of_name)
-      ->type_name("FILE")
-      ->group("Outputs");
-  verb.add_option("--report", a.outputs.reports,
-                  "Report to FILE, by its extension html, pdf, svg, png or csv; may be repeated")
-      ->type_name("FILE")
-      ->one_at_a_time()
-      ->group("Outputs");
-  Flag decimal = add_decimal(verb, a.report.numbers.decimal_mark)->group("Outputs");
-  add_language(verb, a.report, decimal)->group("Outputs");
-  verb.add_flag("--quiet,-q", a.quiet, "No summary in the terminal")->group("Outputs");
-}
-
 }  // namespace
 
 void add_temperatures(const Verb& program, int& exit_code) {
@@ -182,7 +157,7 @@ void add_temperatures(const Verb& program, int& exit_code) {
       ->required();
   add_time_flags(*verb, *arguments);
   add_agreed_flags(*verb, *arguments);
-  add_temperature_outputs(*verb, *arguments);
+  add_output_flags(*verb, arguments->outputs, arguments->report, arguments->quiet);
   verb->callback([arguments, &exit_code] {
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
       throw UsageError("--report", outputs.error().message);
