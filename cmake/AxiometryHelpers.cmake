@@ -70,7 +70,11 @@ endfunction()
 # compiled in three quarters of the time (docs/performance.md); what computes is in axiometry::core. Under the sanitizers
 # not at all: a third of the time.
 function(axiometry_lightly_optimised target)
-  target_compile_options(${target} PRIVATE $<IF:$<BOOL:${AXIOMETRY_SANITIZE}>,-O0,$<$<CONFIG:Release>:-O1>>)
+  if(AXIOMETRY_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  else()
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
 endfunction()
 
 # axiometry_unity_build(TARGET [HEADERS header...] [APART folder...]): compiles once what is common: the headers that most
