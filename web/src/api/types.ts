@@ -951,6 +951,25 @@ export interface components {
             /** @description Means that both tests have. */
             compared?: number;
         };
+        /** @description The periodic part of the readings, and whether the table takes it along. */
+        CompensationPeriodic: {
+            /** @description mm or ° */
+            period: number;
+            /** @enum {string} */
+            choice: "keep" | "leave";
+            up: components["schemas"]["CompensationPeriodicWay"] | null;
+            down: components["schemas"]["CompensationPeriodicWay"] | null;
+        };
+        /** @description Of one direction; null where the targets do not tell it. */
+        CompensationPeriodicWay: {
+            /** @description Native unit. */
+            amplitude: number;
+            /** @description Its standard uncertainty. */
+            u: number;
+            /** @description That noise makes it so large; 0 to 1. */
+            chance: number;
+            significant: boolean;
+        };
         /** @description As `axiometry compensate --json` writes it; docs/results.md explains it. Texts in the language of the request. */
         CompensationResult: {
             /** @description `linuxcnc` */
@@ -961,6 +980,8 @@ export interface components {
             unit: components["schemas"]["Unit"];
             /** @description What a positive number in the file does. */
             sign: string;
+            /** @description Whether that is the other one than was inferred of the control; left out by programs that could not turn it. */
+            turned_sign?: boolean;
             table: components["schemas"]["CompensationNode"][];
             /** @description The table that was active during the test. */
             existing?: components["schemas"]["CompensationNode"][];
@@ -978,6 +999,8 @@ export interface components {
             scatter: components["schemas"]["ParameterNumbers"];
             before_means: components["schemas"]["CompensationMean"][];
             predicted_means: components["schemas"]["CompensationMean"][];
+            /** @description null where nobody says a period; left out by programs that did not look for it. */
+            periodic?: components["schemas"]["CompensationPeriodic"] | null;
             smoothing: number | null;
             retest?: components["schemas"]["CompensationRetest"];
             limits: components["schemas"]["CompensationLimits"];
@@ -3169,6 +3192,8 @@ export interface components {
                 errors: string;
                 unit: components["schemas"]["Unit"];
                 sign: string;
+                /** @description Whether that is the other one than was inferred of the control. */
+                turned_sign: boolean;
                 table: components["schemas"]["CompensationNode"][];
                 /** @description Range of the displacements on the line through the middle, µm; u: the largest standard uncertainty of one. */
                 line_range: {
@@ -3266,6 +3291,8 @@ export type CompensatedControl = components['schemas']['CompensatedControl'];
 export type CompensationLimits = components['schemas']['CompensationLimits'];
 export type CompensationMean = components['schemas']['CompensationMean'];
 export type CompensationRetest = components['schemas']['CompensationRetest'];
+export type CompensationPeriodic = components['schemas']['CompensationPeriodic'];
+export type CompensationPeriodicWay = components['schemas']['CompensationPeriodicWay'];
 export type CompensationResult = components['schemas']['CompensationResult'];
 export type CompensationOptions = components['schemas']['CompensationOptions'];
 export type CompensationNode = components['schemas']['CompensationNode'];
