@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every page there is, on a store with something in it.
+import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
@@ -22,6 +23,7 @@ async function corrected(world, test, options, retest) {
   const form = new FormData();
   form.append('options', JSON.stringify(options));
   const answer = await fetch(`${world.server.address}/api/tests/${test}/compensations`, { method: 'POST', body: form });
+  assert.equal(answer.status, 201, await answer.clone().text());
   const { id } = await answer.json();
   if (retest) await world.api('POST', `/api/compensations/${id}/versions`, { base_version: 1, retest, reason: 're-test' });
   return id;
@@ -56,7 +58,7 @@ export async function visited(world) {
   const lines = await calibrated(world, 'lines', { lengths: 'tracking-evaluate.files/lengths.csv', plan: 'tracking-evaluate.files/seven.json' });
   const volume = await calibrated(world, 'volumetric', { lengths: 'volumetric.files/lengths.csv', machine: 'volumetric.files/machine.json' });
   const table = await corrected(world, third, { control: 'linuxcnc' }, second);
-  await corrected(world, first, { control: 'siemens-cec' });
+  await corrected(world, first, { control: 'heidenhain', turned_sign: true });
   const { machines } = await world.api('GET', '/api/machines');
   const machine = machines.find((one) => one.axes.length > 0) ?? machines[0];
   const axis = machine?.axes[0];

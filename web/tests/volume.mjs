@@ -16,7 +16,7 @@ const words = {
     report: 'Report PDF', result: 'Result JSON', residuals: 'Residuals CSV', slice: 'Slice across', before: 'Choose the earlier result', moved: /moved by up to \d+\.\d µm/,
     sure: 'a change, not chance', line: 'Line', systematic: 'Systematic deviation E', save: 'Download', which: 'Table', open: 'Open a result', name: 'Name',
     search: 'Search a control', along: 'Table over the positions of', moves: 'It moves', one_axis: /It corrects EXX\.[\s\S]*Range on the line[\s\S]*\d+\.\d → \d+\.\d µm/,
-    cross: /1 of \d+ controls has cross tables/, both: 'It corrects EXY, C0Y.', refused: 'No table is made of this', first: 'First position / mm',
+    cross: /3 of \d+ controls have cross tables/, both: 'It corrects EXY, C0Y.', refused: 'No table is made of this', first: 'First position / mm',
     at: /^Slice at/, slice_told: /Slice at Z −?\d+ mm/,
   },
   'de-DE': {
@@ -25,7 +25,7 @@ const words = {
     report: 'Bericht PDF', result: 'Ergebnis JSON', residuals: 'Reste CSV', slice: 'Schnitt quer zu', before: 'Früheres Ergebnis wählen', moved: /um bis zu \d+,\d µm verschoben/,
     sure: 'eine Änderung, kein Zufall', line: 'Linie', systematic: 'Systematische Abweichung E', save: 'Herunterladen', which: 'Tabelle', open: 'Ergebnis öffnen', name: 'Name',
     search: 'Steuerung suchen', along: 'Tabelle über den Positionen von', moves: 'Sie bewegt', one_axis: /Sie korrigiert EXX\.[\s\S]*Spanne auf der Linie[\s\S]*\d+,\d → \d+,\d µm/,
-    cross: /1 von \d+ Steuerungen hat Kreuztabellen/, both: 'Sie korrigiert EXY, C0Y.', refused: 'Daraus entsteht keine Tabelle', first: 'Erste Position / mm',
+    cross: /3 von \d+ Steuerungen haben Kreuztabellen/, both: 'Sie korrigiert EXY, C0Y.', refused: 'Daraus entsteht keine Tabelle', first: 'Erste Position / mm',
     at: /^Schnitt bei/, slice_told: /Schnitt bei Z −?\d+ mm/,
   },
 };
@@ -82,10 +82,18 @@ async function table_of_one_axis(page, w) {
   await panel.getByLabel(w.moves).selectOption('X');
   await shows(panel, w.cross);
   assert.equal(await page.locator('.table-file').count(), 0, 'LinuxCNC has no cross table');
+  assert.equal(await panel.locator('.control-search li').count(), 3, 'one that has cross tables alone too');
   await search.fill('CEC');
   await search.press('Enter');
   await shows(panel, w.both);
   await shows(page.locator('.table-file'), /\$AN_CEC/);
+  await panel.locator('.turned-sign input').check();
+  await shows(panel.locator('.turned-sign .caution'), /\S/);
+  await shows(page.locator('.table-file'), /A positive number moves the axis in the positive/);
+  await panel.locator('.chosen-control button').click();
+  await search.fill('M852');
+  await search.press('Enter');
+  await shows(page.locator('.table-file'), /M852/);
 }
 
 async function whole_way(world, locale) {

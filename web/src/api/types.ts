@@ -951,14 +951,24 @@ export interface components {
             /** @description Means that both tests have. */
             compared?: number;
         };
-        /** @description What of the deviations repeats with a period. */
+        /** @description The periodic part of the readings, and whether the table takes it along. */
         CompensationPeriodic: {
             /** @description mm or ° */
             period: number;
             /** @enum {string} */
             choice: "keep" | "leave";
-            up: components["schemas"]["CompensationSine"] | null;
-            down: components["schemas"]["CompensationSine"] | null;
+            up: components["schemas"]["CompensationPeriodicWay"] | null;
+            down: components["schemas"]["CompensationPeriodicWay"] | null;
+        };
+        /** @description Of one direction; null where the targets do not tell it. */
+        CompensationPeriodicWay: {
+            /** @description Native unit. */
+            amplitude: number;
+            /** @description Its standard uncertainty. */
+            u: number;
+            /** @description That noise makes it so large; 0 to 1. */
+            chance: number;
+            significant: boolean;
         };
         /** @description As `axiometry compensate --json` writes it; docs/results.md explains it. Texts in the language of the request. */
         CompensationResult: {
@@ -970,8 +980,8 @@ export interface components {
             unit: components["schemas"]["Unit"];
             /** @description What a positive number in the file does. */
             sign: string;
-            /** @description Whether that is the other one than was inferred of the control. */
-            turned_sign: boolean;
+            /** @description Whether that is the other one than was inferred of the control; left out by programs that could not turn it. */
+            turned_sign?: boolean;
             table: components["schemas"]["CompensationNode"][];
             /** @description The table that was active during the test. */
             existing?: components["schemas"]["CompensationNode"][];
@@ -989,8 +999,8 @@ export interface components {
             scatter: components["schemas"]["ParameterNumbers"];
             before_means: components["schemas"]["CompensationMean"][];
             predicted_means: components["schemas"]["CompensationMean"][];
-            /** @description null where nobody says a period. */
-            periodic: components["schemas"]["CompensationPeriodic"] | null;
+            /** @description null where nobody says a period; left out by programs that did not look for it. */
+            periodic?: components["schemas"]["CompensationPeriodic"] | null;
             smoothing: number | null;
             retest?: components["schemas"]["CompensationRetest"];
             limits: components["schemas"]["CompensationLimits"];
@@ -1095,15 +1105,6 @@ export interface components {
             /** @description What 95 % of re-tests show less than, if the axis stays as it is. */
             percent_95: number | null;
             retest: number | null;
-        };
-        /** @description In one direction, native unit; null where the targets do not tell it. */
-        CompensationSine: {
-            amplitude: number;
-            /** @description Standard uncertainty of the amplitude. */
-            u: number;
-            /** @description That noise alone makes as much. */
-            chance: number;
-            significant: boolean;
         };
         CompensationTest: {
             id: components["schemas"]["Id"];
@@ -3191,6 +3192,7 @@ export interface components {
                 errors: string;
                 unit: components["schemas"]["Unit"];
                 sign: string;
+                /** @description Whether that is the other one than was inferred of the control. */
                 turned_sign: boolean;
                 table: components["schemas"]["CompensationNode"][];
                 /** @description Range of the displacements on the line through the middle, µm; u: the largest standard uncertainty of one. */
@@ -3290,6 +3292,7 @@ export type CompensationLimits = components['schemas']['CompensationLimits'];
 export type CompensationMean = components['schemas']['CompensationMean'];
 export type CompensationRetest = components['schemas']['CompensationRetest'];
 export type CompensationPeriodic = components['schemas']['CompensationPeriodic'];
+export type CompensationPeriodicWay = components['schemas']['CompensationPeriodicWay'];
 export type CompensationResult = components['schemas']['CompensationResult'];
 export type CompensationOptions = components['schemas']['CompensationOptions'];
 export type CompensationNode = components['schemas']['CompensationNode'];
@@ -3298,7 +3301,6 @@ export type TableForm = components['schemas']['TableForm'];
 export type ReadTable = components['schemas']['ReadTable'];
 export type MadeCompensation = components['schemas']['MadeCompensation'];
 export type CompensationFigure = components['schemas']['CompensationFigure'];
-export type CompensationSine = components['schemas']['CompensationSine'];
 export type CompensationTest = components['schemas']['CompensationTest'];
 export type CompensationHead = components['schemas']['CompensationHead'];
 export type CompensationList = components['schemas']['CompensationList'];

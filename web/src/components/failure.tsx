@@ -17,14 +17,14 @@ const t = texts({
 });
 
 /** What went wrong, in words, and a way on. */
-export function FailureNotice({ error, retry }: { error: ApiError; retry?: () => void }) {
+export function FailureNotice({ error, message = error.message, retry }: { error: ApiError; message?: string; retry?: () => void }) {
   const heading =
     error.kind === 'conflict' || error.kind === 'read_only' || error.kind === 'full' || error.kind === 'not_found' || error.kind === 'kept' ? t(error.kind) : null;
   return (
     <div class={`notice ${error.kind === 'kept' ? 'caution' : 'bad'} ${error.kind === 'offline' ? 'offline' : ''}`} role="alert">
       {heading && <p class="heading">{heading}</p>}
       <p>
-        {error.kind === 'offline' ? t('offline') : error.message}
+        {error.kind === 'offline' ? t('offline') : message}
         {error.place !== '' && <span class="quiet"> ({t('line', { place: error.place })})</span>}
       </p>
       {retry && <button type="button" onClick={retry}>{t('again')}</button>}

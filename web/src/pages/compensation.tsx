@@ -17,6 +17,7 @@ import { Chain } from './compensations/chain';
 import { MeansChart, TableChart } from './compensations/curves';
 import { EditNotes, WithdrawTable } from './compensations/dialogs';
 import { FigureTable } from './compensations/figures';
+import { option_words } from './compensations/option_words';
 import { RetestDialog } from './compensations/retest';
 import { counting_result } from './compensations/standing';
 import { t } from './compensations/texts';
@@ -109,9 +110,15 @@ function Files({ found }: { found: KeptCompensation }) {
       </div>
       <div><dt>{t('made_by')}</dt><dd>{found.program}</dd></div>
       <div><dt>{t('made_at')}</dt><dd class="number">{when(found.made_at)}</dd></div>
-      <div class="whole"><dt>{t('options')}</dt><dd><code>{JSON.stringify(found.options)}</code></dd></div>
+      <div class="whole"><dt>{t('options')}</dt><dd><Options found={found} /></dd></div>
     </dl>
   );
+}
+
+/** Those that are not as usual. */
+function Options({ found }: { found: KeptCompensation }) {
+  const words = option_words(found.options, found.result.kind);
+  return words.length === 0 ? <>{t('all_usual')}</> : <ul class="chosen-options">{words.map((line) => <li key={line}>{line}</li>)}</ul>;
 }
 
 function Versions({ found }: { found: KeptCompensation }) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a kept test to the table by which the control corrects its axis: what is chosen on the left, what comes of it beside it.
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import type { ApiError } from '../api/client';
-import type { CompensatedControl, CompensationHead, CompensationList, Machine, Test } from '../api/types';
+import { get, type ApiError } from '../api/client';
+import type { CompensatedControl, CompensationHead, CompensationList, KeptCompensation, Machine, Test } from '../api/types';
 import { use_get } from '../api/use';
 import { drop_taker } from '../drop_anywhere';
 import { day_seconds } from '../components/dates';
@@ -11,9 +11,10 @@ import { absent } from '../numbers';
 import { place } from '../router';
 import './compensations.css';
 import { use_made, use_read_table } from './compensations/asked';
+import { ExistingUnit, TurnedSign } from './compensations/choices';
 import { ControlChoice } from './compensations/control_choice';
 import { ExistingPanel, file_of, largest_table, type Existing } from './compensations/existing';
-import { chosen_count, new_form, read_form, reading_options, type TableForm } from './compensations/form';
+import { as_usual, chosen_count, making_numbers, new_form, read_form, reading_options, type TableForm } from './compensations/form';
 import { keep_control, kept_control } from './compensations/kept';
 import { OptionsFields } from './compensations/options';
 import { Outcome } from './compensations/outcome';
@@ -57,6 +58,9 @@ function earlier_table(last: CompensationHead | null, test: Test): CompensationH
   return last !== null && last.test.id !== test.id && (day_seconds(last.test.measured_on) ?? -Infinity) <= day ? last : null;
 }
 
+/** How the numbers of a table of the archive are meant: who takes it means them so too. */
+const meant_by = ({ options }: KeptCompensation): Partial<TableForm> => ({ turned_sign: options.turned_sign === true, existing_unit: options.inch === true ? 'inch' : null });
+
 interface Props { test: Test; controls: readonly CompensatedControl[]; active: CompensationHead | null; last: CompensationHead | null; words: string }
 
 function Correct({ test, controls, active, last, words }: Props) {
@@ -66,12 +70,19 @@ function Correct({ test, controls, active, last, words }: Props) {
   const [existing, set_existing] = useState<Existing | null>(null);
   const [untaken, set_untaken] = useState<ApiError | null>(null);
   const change = (part: Partial<TableForm>) => set_form((before) => ({ ...before, ...part }));
-  const { options, faults } = useMemo(() => (control ? read_form(control, kind, form) : { options: null, faults: {} }), [control, kind, form]);
+  const expected_period = test.result.metadata.axis?.expected_period || null;
+  const with_existing = existing !== null;
+  const { options, faults } = useMemo(() => (
+    control ? read_form(control, kind, form, { keys: making_numbers(control), expected_period, with_existing }) : { options: null, faults: {} }
+  ), [control, kind, form, expected_period, with_existing]);
   const loaded = active ?? earlier_table(last, test);
   const take_loaded = () => {
     if (loaded === null) return;
     set_untaken(null);
-    file_of(loaded).then((file) => set_existing({ file, of: loaded.id }), (error: unknown) => set_untaken(failure_of(error)));
+    Promise.all([file_of(loaded), get<KeptCompensation>(`/api/compensations/${loaded.id}`)]).then(([file, kept]) => {
+      set_existing({ file, of: loaded.id });
+      change(meant_by(kept));
+    }, (error: unknown) => set_untaken(failure_of(error)));
   };
   // The table that this test proves was active while it was measured: without it the new one would lack what it does.
   useEffect(() => { if (active !== null && active.control.id === control?.id) take_loaded(); }, []);
@@ -106,24 +117,27 @@ function Correct({ test, controls, active, last, words }: Props) {
         <div class="stack compensate-side">
           <section class="panel" aria-labelledby="table-control">
             <header><h2 id="table-control">{t('control')}</h2></header>
-            <ControlChoice controls={controls} kind={kind} chosen={control} choose={choose} why={why} />
+            <ControlChoice controls={controls} kind={kind} chosen={control} choose={choose} why={why} is_turned={form.turned_sign} />
+            {control && <TurnedSign {...{ control, form, change }} />}
           </section>
           {control && (
             <section class="panel" aria-labelledby="table-existing">
               <header><h2 id="table-existing">{t('existing')}</h2></header>
-              <ExistingPanel existing={existing} set={set_existing} read={read} loaded={loaded} is_proved={active !== null} control={control} take_loaded={take_loaded} />
+              <ExistingPanel existing={existing} set={set_existing} read={read} loaded={loaded} is_proved={active !== null} control={control} take_loaded={take_loaded}>
+                <ExistingUnit {...{ control, kind, form, change }} />
+              </ExistingPanel>
               {untaken !== null && <FailureNotice error={untaken} retry={take_loaded} />}
             </section>
           )}
           {control && (
             <details class="panel more">
               <summary><strong>{t('more')}</strong> <span class="quiet small">{wrong > 0 ? t('more_wrong', { n: wrong }) : changed > 0 ? t('more_changed', { n: changed }) : t('more_usual')}</span></summary>
-              <OptionsFields {...{ control, kind, form, change, faults }} axis={axis} with_existing={existing !== null} />
-              {(changed > 0 || wrong > 0) && <button type="button" class="small" onClick={() => set_form(new_form)}>{t('usual')}</button>}
+              <OptionsFields {...{ control, kind, form, change, faults, axis, expected_period, with_existing }} />
+              {(changed > 0 || wrong > 0) && <button type="button" class="small" onClick={() => set_form(as_usual)}>{t('usual')}</button>}
             </details>
           )}
         </div>
-        <Outcome {...{ test, control, options, made, existing }} file={file} read={read.is_current ? (read.data?.table ?? null) : null} wrong={wrong} />
+        <Outcome {...{ test, control, options, made, existing }} file={file} read={read.is_current ? (read.data?.table ?? null) : null} wrong={wrong} is_turned={form.turned_sign} />
       </div>
     </>
   );

@@ -11,15 +11,17 @@ import { bytes } from '../numbers';
 import './compensations.css';
 import { AboutFormat, described_by } from './compensations/about';
 import { use_read_table } from './compensations/asked';
+import { TurnedSign } from './compensations/choices';
 import { ControlChoice } from './compensations/control_choice';
 import { TableChart } from './compensations/curves';
 import { largest_table } from './compensations/existing';
-import { new_form, read_form, reading_numbers, reading_options, type TableForm } from './compensations/form';
+import { counts_in_lengths, new_form, read_form, reading_numbers, reading_options, type TableForm } from './compensations/form';
 import { held_table } from './compensations/held';
-import { NumberFields } from './compensations/options';
+import { NumberFields } from './compensations/number_fields';
 import { use_readers, type Readers } from './compensations/readers';
 import { t } from './compensations/texts';
-import { has_use, takes } from './compensations/uses';
+import { takes } from './compensations/uses';
+import { page_words } from './compensations/words';
 
 const none: readonly CompensatedControl[] = [];
 
@@ -41,7 +43,7 @@ export function TablesPage() {
   const is_too_large = file !== null && file.size > largest_table;
   const readers = use_readers(chosen === null ? file : null, all, kind);
   const control = chosen ?? (readers.done && readers.found.length === 1 ? (readers.found[0] ?? null) : null);
-  const { options, faults } = useMemo(() => (control ? read_form(control, kind, form, reading_numbers(control)) : { options: null, faults: {} }), [control, kind, form]);
+  const { options, faults } = useMemo(() => (control ? read_form(control, kind, form, { keys: reading_numbers(control) }) : { options: null, faults: {} }), [control, kind, form]);
   const read = use_read_table(control?.id ?? null, options === null ? null : reading_options(options, kind), is_too_large ? null : file);
   const nodes = read.is_current && read.data ? read.data.table : null;
   const set_axis = (to: 'linear' | 'rotary') => { set_kind(to); if (chosen && !takes(chosen, to)) set_chosen(null); };
@@ -74,10 +76,11 @@ export function TablesPage() {
           <section class="panel stack tight" aria-labelledby="look-control">
             <header><h2 id="look-control">{t('control')}</h2></header>
             {file && chosen === null && !is_too_large && <Candidates readers={readers} choose={set_chosen} />}
-            {controls.data && <ControlChoice controls={all} kind={kind} chosen={control} choose={set_chosen} why={chosen === null ? t('only_reader') : null} />}
+            {controls.data && <ControlChoice controls={all} kind={kind} chosen={control} choose={set_chosen} why={chosen === null ? t('only_reader') : null} is_turned={form.turned_sign} />}
             {control && (
               <>
-                {kind === 'linear' && has_use(control, 'inch') && <label><input type="checkbox" checked={form.inch} onChange={(event) => change({ inch: event.currentTarget.checked })} />{t('inch')}</label>}
+                <TurnedSign {...{ control, form, change }} />
+                {counts_in_lengths(control, kind) && <label><input type="checkbox" checked={form.inch} onChange={(event) => change({ inch: event.currentTarget.checked })} />{t('inch')}</label>}
                 <details class="more">
                   <summary>{t('more_reading')}</summary>
                   <div class="table-options">
@@ -91,13 +94,13 @@ export function TablesPage() {
         </div>
         <div class="stack" aria-busy={read.busy}>
           {file === null && <p class="panel quiet">{t('no_file')}</p>}
-          {read.error && <FailureNotice error={read.error} {...(read.error.kind === 'bad_input' ? {} : { retry: read.again })} />}
+          {read.error && <FailureNotice error={read.error} message={page_words(read.error.message)} {...(read.error.kind === 'bad_input' ? {} : { retry: read.again })} />}
           {nodes && read.data && control && (
             <>
               <TableChart table={null} existing={nodes} kind={read.data.kind} unit={read.data.unit} height={340} />
               <section class="panel" aria-labelledby="look-format">
                 <header><h2 id="look-format">{t('format')}</h2></header>
-                <AboutFormat {...described_by(control)} />
+                <AboutFormat {...described_by(control, form.turned_sign)} />
               </section>
             </>
           )}

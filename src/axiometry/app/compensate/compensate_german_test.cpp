@@ -195,7 +195,7 @@ TEST(GermanCompensation, ShowsWhatIsKnownOfControls) {
   ASSERT_EQ(shown.items().size(), nc::axis_table_table().size());
   for (std::size_t k = 0; k < shown.items().size(); ++k) {
     const json::Value &german = shown.items()[k], english = control_to_json(*nc::axis_table_table()[k]);
-    for (const char* key : {"title", "sign", "loading", "verified", "inferred"}) {
+    for (const char* key : {"title", "sign", "turned_sign", "loading", "verified", "inferred"}) {
       const std::string text(english.find(key)->text());
       EXPECT_EQ(german.find(key)->text(), language::translated(text, Language::german, of_german.numbers));
       if (text.ends_with('.')) {

@@ -5,11 +5,15 @@ import type { CompensatedControl, CompensationResult } from '../../api/types';
 import { CopyButton } from '../../components/copy';
 import { Listing, line_count } from '../../components/listing';
 import { t } from './texts';
+import { sign_of } from './uses';
 import { page_words } from './words';
 
 type Described = Pick<CompensationResult, 'sign'> & { verified: CompensationResult['verified']; loading: string | null };
 
-export const described_by = ({ sign, loading, verified, inferred }: CompensatedControl): Described => ({ sign, loading, verified: { verified, inferred } });
+export function described_by(control: CompensatedControl, is_turned = false): Described {
+  const { loading, verified, inferred } = control;
+  return { sign: sign_of(control, is_turned), loading, verified: { verified, inferred } };
+}
 
 export function AboutFormat({ sign, loading, verified: { verified, inferred } }: Described) {
   return (

@@ -2,7 +2,7 @@
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import type { CompensatedControl } from '../../api/types';
 import { t } from './texts';
-import { takes } from './uses';
+import { sign_of, takes } from './uses';
 
 interface Props {
   controls: readonly CompensatedControl[];
@@ -10,15 +10,17 @@ interface Props {
   chosen: CompensatedControl | null;
   choose: (control: CompensatedControl) => void;
   why?: string | null;    // why this one is chosen, where nobody chose it
+  is_turned?: boolean;    // its sign
+  can?: (control: CompensatedControl) => boolean;   // which may be chosen; otherwise those that take axes of this kind
 }
 
 /** The control of the machine: searched by its name, each with what a positive number in its file does. */
-export function ControlChoice({ controls, kind, chosen, choose, why = null }: Props) {
+export function ControlChoice({ controls, kind, chosen, choose, why = null, is_turned = false, can = (one) => takes(one, kind) }: Props) {
   const [open, set_open] = useState(false);
   const button = useRef<HTMLButtonElement>(null);
   const close = () => { set_open(false); requestAnimationFrame(() => button.current?.focus()); };
   if (chosen === null || open) {
-    return <Search controls={controls} kind={kind} chosen={chosen} choose={(one) => { choose(one); close(); }} close={chosen === null ? null : close} />;
+    return <Search controls={controls} can={can} chosen={chosen} choose={(one) => { choose(one); close(); }} close={chosen === null ? null : close} />;
   }
   return (
     <div class="chosen-control">
@@ -27,7 +29,7 @@ export function ControlChoice({ controls, kind, chosen, choose, why = null }: Pr
         <button ref={button} type="button" class="small no-print" onClick={() => set_open(true)}>{t('another')}</button>
       </div>
       <p class="small quiet">{facts_of(chosen)}{why !== null && <> · {why}</>}</p>
-      <p class="small sign"><strong>{t('sign')}</strong> {chosen.sign}</p>
+      <p class="small sign"><strong>{t('sign')}</strong> {sign_of(chosen, is_turned)}</p>
     </div>
   );
 }
@@ -47,13 +49,13 @@ const fits = (control: CompensatedControl, words: readonly string[]): boolean =>
 };
 
 /** A field and the list below it: typed words narrow it, arrow keys go through it, Enter chooses. */
-function Search({ controls, kind, chosen, choose, close }: Pick<Props, 'controls' | 'kind' | 'chosen' | 'choose'> & { close: (() => void) | null }) {
+function Search({ controls, can, chosen, choose, close }: Pick<Props, 'controls' | 'chosen' | 'choose'> & { can: (control: CompensatedControl) => boolean; close: (() => void) | null }) {
   const [text, set_text] = useState('');
   const [at, set_at] = useState(-1);
   const id = useId();
   const field = useRef<HTMLInputElement>(null);
   const list = useRef<HTMLUListElement>(null);
-  const able = controls.filter((one) => takes(one, kind));
+  const able = controls.filter(can);
   const left_out = controls.length - able.length;
   const words = text.toLowerCase().split(/\s+/).filter((word) => word !== '');
   const found = able.filter((one) => fits(one, words));

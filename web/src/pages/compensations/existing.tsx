@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { ComponentChildren } from 'preact';
 import { bytes_of } from '../../api/client';
 import type { CompensatedControl, CompensationHead } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
@@ -6,6 +7,7 @@ import { FileDrop } from '../../components/file_drop';
 import { bytes } from '../../numbers';
 import type { Answered } from './asked';
 import { t } from './texts';
+import { page_words } from './words';
 
 /** The table that was active while the test was measured: from the archive, where that knows it. */
 export interface Existing { file: File; of: number | null }
@@ -18,11 +20,12 @@ export async function file_of({ id, file_name }: CompensationHead): Promise<File
   return new File([await bytes_of(`/api/compensations/${id}/files/table`)], file_name);
 }
 
-export function ExistingPanel({ existing, set, read, loaded, is_proved, control, take_loaded }: {
+export function ExistingPanel({ existing, set, read, loaded, is_proved, control, take_loaded, children }: {
   existing: Existing | null; set: (existing: Existing | null) => void; read: Answered<unknown>; control: CompensatedControl;
   loaded: CompensationHead | null;        // the table that was active, or may have been
   is_proved: boolean;                     // it was: this test is its re-test
   take_loaded: () => void;
+  children: ComponentChildren;            // how it is meant
 }) {
   const too_large = existing !== null && existing.file.size > largest_table;
   return (
@@ -41,8 +44,9 @@ export function ExistingPanel({ existing, set, read, loaded, is_proved, control,
           <button type="button" class="small no-print" onClick={() => set(null)}>{t('without_existing')}</button>
         </div>
       )}
+      {existing !== null && children}
       {too_large && <p class="notice bad" role="alert">{t('too_large', { size: bytes(existing.file.size), limit: bytes(largest_table) })}</p>}
-      {read.error && !too_large && <FailureNotice error={read.error} {...(read.error.kind === 'bad_input' ? {} : { retry: read.again })} />}
+      {read.error && !too_large && <FailureNotice error={read.error} message={page_words(read.error.message)} {...(read.error.kind === 'bad_input' ? {} : { retry: read.again })} />}
       <FileDrop label={t(existing === null ? 'choose_existing' : 'choose_other')} hint={t('drop_existing')} take={(file) => set({ file, of: null })} />
     </div>
   );

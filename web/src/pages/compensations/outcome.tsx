@@ -19,12 +19,13 @@ interface Props {
   existing: Existing | null; file: File | null;   // null while there is none, or it is too large
   read: Nodes | null;                             // of the existing table, as the control reads it
   wrong: number;                                  // fields that are
+  is_turned: boolean;                             // the sign
 }
 
 const means_of = (test: Test): CompensationMean[] => test.result.positions.map(({ target, mean_up, mean_down }) => ({ target, up: mean_up, down: mean_down }));
 
 /** What comes of the choice. Where no table comes of it, why not, and the axis as it was measured. */
-export function Outcome({ test, control, options, made, existing, file, read, wrong }: Props) {
+export function Outcome({ test, control, options, made, existing, file, read, wrong, is_turned }: Props) {
   const { kind } = test.result.axis;
   const { unit } = test.result;
   const before = useMemo(() => means_of(test), [test]);
@@ -58,7 +59,7 @@ export function Outcome({ test, control, options, made, existing, file, read, wr
       {control !== null && (
         <section class="panel" aria-labelledby="table-format">
           <header><h2 id="table-format">{t('format')}</h2></header>
-          <AboutFormat {...described_by(control)} />
+          <AboutFormat {...described_by(control, is_turned)} />
         </section>
       )}
     </div>

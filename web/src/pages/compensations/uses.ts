@@ -10,6 +10,16 @@ export const has_use = (control: CompensatedControl, use: Use): boolean => (use 
 /** Whether it has positions to choose: a backlash alone, with or without a scale factor, has none. */
 export const has_grid = ({ limits }: CompensatedControl): boolean => limits.points === null || limits.points > 2;
 
+export type OtherCurves = 'both-ways' | 'with-backlash';
+
+/** The curves that its tables may have instead of its own. */
+export const other_curves = ({ limits: { curves }, backlash }: CompensatedControl): OtherCurves[] => [
+  ...(curves === 'both-ways' ? [] : ['both-ways' as const]), ...(curves !== 'with-backlash' && backlash !== '' ? ['with-backlash' as const] : []),
+];
+
+/** What a positive number in its file does. */
+export const sign_of = (control: CompensatedControl, is_turned: boolean): string => (is_turned && has_use(control, 'turned_sign') ? control.turned_sign : control.sign);
+
 /** Whether it takes axes of this kind. */
 export const takes = ({ limits }: CompensatedControl, kind: 'linear' | 'rotary'): boolean => limits[kind];
 

@@ -11,13 +11,14 @@ import { fixed } from '../../numbers';
 import { decimal } from '../../settings';
 import '../compensations.css';
 import { AboutFormat, TableText, described_by } from '../compensations/about';
+import { CurvesField, TurnedSign } from '../compensations/choices';
 import { ControlChoice } from '../compensations/control_choice';
 import { TableChart } from '../compensations/curves';
-import { new_form, offered_numbers, read_form, type TableForm } from '../compensations/form';
-import { NumberFields } from '../compensations/options';
+import { counts_in_lengths, new_form, offered_numbers, read_form, type TableForm } from '../compensations/form';
+import { NumberFields } from '../compensations/number_fields';
 import { Refused } from '../compensations/refused';
 import { t as words } from '../compensations/texts';
-import { has_use } from '../compensations/uses';
+import { takes } from '../compensations/uses';
 import { in_page_words } from '../compensations/words';
 import { axes, type Axis } from './error_names';
 import { VolumeFindings } from './findings';
@@ -36,7 +37,8 @@ export function ControlTablePanel({ model }: { model: VolumetricModel }) {
   const change = (part: Partial<TableForm>) => set_form((before) => ({ ...before, ...part }));
   const is_cross = moved !== null && moved !== along;
   const able = useMemo(() => (controls.data ?? []).filter(({ cross }) => cross || !is_cross), [controls.data, is_cross]);
-  const control = wanted !== null && able.includes(wanted) ? wanted : null;
+  const can = (one: CompensatedControl) => is_cross || takes(one, 'linear');   // some have cross tables alone
+  const control = wanted !== null && able.includes(wanted) && can(wanted) ? wanted : null;
   const chosen_tool = tools.includes(tool) ? tool : (tools[0] ?? '');
   const { options, faults } = useMemo(() => (control ? read_form(control, 'linear', form) : { options: null, faults: {} }), [control, form]);
   const body = useMemo(() => options && {
@@ -56,9 +58,6 @@ export function ControlTablePanel({ model }: { model: VolumetricModel }) {
       {(ids) => <input {...ids} autocomplete="off" placeholder={placeholder} value={value} onInput={(event) => take(event.currentTarget.value)} />}
     </Field>
   );
-  const box = (key: 'one_curve' | 'inch') => (
-    <label><input type="checkbox" checked={form[key]} onChange={(event) => change({ [key]: event.currentTarget.checked })} />{words(key)}</label>
-  );
   return (
     <>
       <section class="panel control-table" aria-labelledby="volume-control-table" aria-busy={body !== null && stale && made.error === null}>
@@ -73,7 +72,8 @@ export function ControlTablePanel({ model }: { model: VolumetricModel }) {
         {controls.data && (
           <>
             {is_cross && <p class="small quiet">{t('cross_only', { n: able.length, all: controls.data.length })}</p>}
-            <ControlChoice key={is_cross ? 'cross' : 'own'} controls={able} kind="linear" chosen={control} choose={set_wanted} />
+            <ControlChoice key={is_cross ? 'cross' : 'own'} controls={able} kind="linear" chosen={control} choose={set_wanted} is_turned={form.turned_sign} can={can} />
+            {control && <TurnedSign {...{ control, form, change }} />}
           </>
         )}
         {control && (
@@ -81,8 +81,8 @@ export function ControlTablePanel({ model }: { model: VolumetricModel }) {
             {named(words('axis_name'), form.axis, along, (axis) => change({ axis }))}
             {is_cross && named(t('output_axis'), output, moved, set_output)}
             <NumberFields keys={offered_numbers(control)} kind="linear" form={form} change={change} faults={faults} />
-            {control.limits.curves !== 'both-ways' && box('one_curve')}
-            {has_use(control, 'inch') && box('inch')}
+            <CurvesField {...{ control, form, change }} />
+            {counts_in_lengths(control, 'linear') && <label><input type="checkbox" checked={form.inch} onChange={(event) => change({ inch: event.currentTarget.checked })} />{words('inch')}</label>}
           </div>
         )}
         {made.error && body !== null && <Refused error={made.error} again={made.again} />}
@@ -93,7 +93,7 @@ export function ControlTablePanel({ model }: { model: VolumetricModel }) {
       {control && (
         <section class="panel" aria-labelledby="volume-table-format">
           <header><h2 id="volume-table-format">{words('format')}</h2></header>
-          <AboutFormat {...described_by(control)} />
+          <AboutFormat {...described_by(control, form.turned_sign)} />
         </section>
       )}
     </>
