@@ -226,6 +226,8 @@ constexpr Phrase rows[] = {
     {"refined / σ", "verfeinert / σ"},
     {"repeated", "Punkte wiederholt"},
     {"rms / µm", "Effektivwert / µm"},
+    {"segments of station {0=} are not used: it shows angles, and so distances",
+     "Segmente der Station {0} werden nicht verwendet: Sie zeigt Winkel, also Abstände"},
     {"sphere", "Kugel"},
     {"standard uncertainty", "Standardunsicherheit"},
     {"standard uncertainty {0#}; {1#} for each µm of a length", "Standardunsicherheit {0}; {1} je µm einer Länge"},
