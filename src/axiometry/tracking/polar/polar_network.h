@@ -85,8 +85,8 @@ inline constexpr std::size_t polar_stations_most = 50;
 
 /// Fails, with the numbers, on more than polar_stations_most stations or 300 unknowns of theirs, a station whose place
 /// in the others' coordinates nothing tells (fewer than three common points off one line for angles, too few lengths),
-/// a point that neither angles nor nominal places begin, readings that leave a point or a direction undetermined, and
-/// when it does not settle.
+/// a point that neither angles nor nominal places begin, readings that leave a point or a direction undetermined,
+/// angles that look away from where their point comes out, and when it does not settle.
 Result<PolarFit> adjust_polar(std::size_t points, std::size_t stations, std::span<const PolarReading> readings,
                               const PolarOptions& options);
 

@@ -147,6 +147,39 @@ TEST(PolarNetwork, TellsAReadingThatDoesNotFit) {
   EXPECT_TRUE(adjust_polar(places.size(), 2, readings, {})->findings.size() <= 1);  // that they fit better than stated
 }
 
+/// The other way along the same line: what a beam reads that looks away from the point.
+void turn_round(PolarDirection& direction) {
+  direction.azimuth_rad += std::numbers::pi;
+  direction.elevation_rad = -direction.elevation_rad;
+}
+
+TEST(PolarNetwork, RefusesAReadingThatLooksAwayFromItsPoint) {
+  std::vector<PolarReading> readings;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    readings.push_back(polar_read(i, 0, places[i], {-900, -800, 100}, 0.0));
+    readings.push_back(polar_read(i, 1, places[i], {1700, -500, 300}, 1.0));
+  }
+  turn_round(*readings[5].direction);
+  const auto fit = adjust_polar(places.size(), 2, readings, {});
+  ASSERT_FALSE(fit) << fit->chi_squared;
+  EXPECT_TRUE(fit.error().message.starts_with("found reading 6 (station 2, point 3) that looks away"))
+      << fit.error().message;
+}
+
+TEST(PolarNetwork, RefusesANominalPlaceBehindTheInstrument) {
+  std::vector<PolarReading> readings;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    readings.push_back(polar_read(i, 0, places[i], {-900, -800, 100}, 0.0));
+  turn_round(*readings[4].direction);
+  PolarOptions options;
+  options.datum = PolarDatum::nominal;
+  options.nominal_mm = places;
+  const auto fit = adjust_polar(places.size(), 1, readings, options);
+  ASSERT_FALSE(fit);
+  EXPECT_NE(fit.error().message.find("looks away from where the point comes out"), std::string::npos);
+  EXPECT_NE(fit.error().message.find("or its nominal place"), std::string::npos) << fit.error().message;
+}
+
 TEST(PolarNetwork, NamesTheReadingThatKeepsItFromSettling) {
   std::vector<PolarReading> readings;
   for (std::size_t i = 0; i < places.size(); ++i) {
