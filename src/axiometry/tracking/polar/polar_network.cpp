@@ -141,7 +141,9 @@ class PolarAdjustment {
         next = stepped(step, part);
         squares = polar_chi_squared(layout_, readings_, next);
       }
-      if (!std::isfinite(squares)) break;
+      if (!std::isfinite(squares))
+        return fail(fmt::format("the solution diverges in iteration {}, expected readings that belong together; {}",
+                                fit_.iterations, farthest_reading()));
       move_mm = largest_move(next);
       state_ = std::move(next);
       system_ = reduce_polar(layout_, readings_, state_);

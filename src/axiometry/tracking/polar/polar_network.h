@@ -37,7 +37,9 @@ enum class PolarDatum {
 
 struct PolarOptions {
   PolarDatum datum = PolarDatum::station;
-  std::span<const Vector3> nominal_mm = {};  ///< per point; start values, and needed for that datum. May be empty
+  /// Per point; start values, and needed for that datum. May be empty. With the datum of a station they are left out
+  /// where no station sees three of them off one line.
+  std::span<const Vector3> nominal_mm = {};
   std::size_t iterations_most = 50;
   bool checks = true;  ///< residuals over their own uncertainty, findings
   std::span<const std::string> station_names = {};
