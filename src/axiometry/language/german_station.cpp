@@ -178,8 +178,8 @@ constexpr Phrase rows[] = {
     {"The angle falls with one over the distance.", "Der Winkel fällt mit dem Kehrwert des Abstands."},
     {"The box is where the reflector can be; the sphere about the station stays free.",
      "Der Quader ist der Bereich, in dem der Reflektor sein kann; die Kugel um die Station bleibt frei."},
-    {"The first {0#} of {1#} points; all are in the JSON and in the table of points.",
-     "Die ersten {0} von {1} Punkten; alle stehen im JSON und in der Punktetabelle."},
+    {"The first {0#} of {1#} points; all are in the JSON (--json) and in the table of points (--out).",
+     "Die ersten {0} von {1} Punkten; alle stehen im JSON (--json) und in der Punktetabelle (--out)."},
     {"The points of the reflector in space, the station and the beams to them, in a parallel projection and three "
      "views.",
      "Die Punkte des Reflektors im Raum, die Station und die Strahlen zu ihnen, in Parallelprojektion und drei "
@@ -226,6 +226,8 @@ constexpr Phrase rows[] = {
     {"refined / σ", "verfeinert / σ"},
     {"repeated", "Punkte wiederholt"},
     {"rms / µm", "Effektivwert / µm"},
+    {"segments of station {0=} are not used: it shows angles, and so distances",
+     "Segmente der Station {0} werden nicht verwendet: Sie zeigt Winkel, also Abstände"},
     {"sphere", "Kugel"},
     {"standard uncertainty", "Standardunsicherheit"},
     {"standard uncertainty {0#}; {1#} for each µm of a length", "Standardunsicherheit {0}; {1} je µm einer Länge"},

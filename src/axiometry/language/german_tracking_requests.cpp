@@ -46,6 +46,8 @@ constexpr Phrase rows[] = {
     {"found the line {0=} asked for, expected one of {1=}", "Linie {0} verlangt; erwartet: eine von {1}"},
     {"found the line {0=} asked for, which is lost ({1}), expected one of {2=}",
      "Linie {0} verlangt, die verloren ist ({1}); erwartet: eine von {2}"},
+    {"found the line {0=} with the direction of {1=}, expected that of its name",
+     "Linie {0} mit der Richtung von {1}; erwartet: die ihres Namens"},
     {"found the line {0=}, expected x, y, z, xy, xz, yz, xyz, body, face or a diagonal such as NNN-PPP or NN0-PP0",
      "Linie {0}; erwartet: x, y, z, xy, xz, yz, xyz, body, face oder eine Diagonale wie NNN-PPP oder NN0-PP0"},
     {"found the part {0=} in the form, expected the files lengths, plan and station, and options",

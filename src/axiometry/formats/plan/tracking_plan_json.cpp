@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/plan_json.h"
@@ -18,6 +19,24 @@ namespace {
 using json::Kind;
 using json::Value;
 
+/// "NNN-PPP": a diagonal of the travels.
+bool names_diagonal(std::string_view id) {
+  constexpr std::size_t letters = 3;
+  return id.size() == 2 * letters + 1 && id[letters] == '-' && id.find_first_not_of("NP0-") == id.npos;
+}
+
+/// As iso230_6::Diagonal names the line of that direction.
+std::string diagonal_name(Vector3 direction) {
+  constexpr double stands_below = 1e-6;
+  std::string begin, end;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool stands = std::abs(direction[k])<stands_below, rises = direction[k]> 0.0;
+    begin += stands ? '0' : rises ? 'N' : 'P';
+    end += stands ? '0' : rises ? 'P' : 'N';
+  }
+  return begin + "-" + end;
+}
+
 Result<TrackingLine> line_from(const Value& value, const std::vector<TrackingLine>& before) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "line"));
   TrackingLine line;
@@ -29,17 +48,16 @@ Result<TrackingLine> line_from(const Value& value, const std::vector<TrackingLin
   if (std::ranges::find(before, line.id, &TrackingLine::id) != before.end())
     return fail(fmt::format("found the line {} a second time, expected each once", text::quoted(line.id)), id->at());
   AXIOMETRY_TRY(line.plan, plan_from_value(*plan));
-  if (!spatial_line(line.plan.axis))
+  const auto way = spatial_line(line.plan.axis);
+  if (!way)
     return fail(fmt::format("found the line {} without line_origin_mm and line_direction in its axis, expected both",
                             text::quoted(line.id)),
                 plan->at());
+  if (const std::string name = diagonal_name(way->direction); names_diagonal(line.id) && line.id != name)
+    return fail(fmt::format("found the line {} with the direction of {}, expected that of its name",
+                            text::quoted(line.id), text::quoted(name)),
+                plan->at());
   return line;
-}
-
-/// "NNN-PPP": a diagonal of the travels.
-bool names_diagonal(std::string_view id) {
-  constexpr std::size_t letters = 3;
-  return id.size() == 2 * letters + 1 && id[letters] == '-' && id.find_first_not_of("NP0-") == id.npos;
 }
 
 Result<LostLine> lost_from(const Value& value) {

@@ -27,7 +27,8 @@ bool is_tracking_plan(std::string_view bytes);
 
 /// Fails, with line and column, on what is no JSON, on members that are unknown, missing or of another kind, on a
 /// travel that is reversed, limits or sizes that are none, a covariance that is not symmetric or has a negative
-/// variance, a line given twice or without a line in space, and as read_plan() does.
+/// variance, a line given twice or without a line in space, one named as a diagonal with the direction of another, and
+/// as read_plan() does.
 Result<TrackingPlan> read_tracking_plan(std::string_view bytes);
 
 /// The same of JSON that was parsed.

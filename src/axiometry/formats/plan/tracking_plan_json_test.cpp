@@ -79,8 +79,8 @@ TEST(TrackingPlanJson, OfAnAlignedInterferometerHasNeitherStationNorLimits) {
   plan.setup.station = no_station();
   EXPECT_NE(tracking_plan_error(write_tracking_plan(plan)).find("in a plan without a station, expected diagonals"),
             std::string::npos);
-  plan.lines[0].id = "NN0-PP0";
-  plan.lines[1].id = "NNN-PPP";
+  plan.lines[0] = {"NN0-PP0", a_plan("NN0-PP0", {1.0, 1.0, 0.0})};
+  plan.lines[1] = {"NPN-PNP", a_plan("NPN-PNP", {1.0, -1.0, 1.0})};
   const std::string text = write_tracking_plan(plan);
   EXPECT_EQ(text.find("\"station\""), std::string::npos);
   EXPECT_EQ(text.find("\"limits\""), std::string::npos);
@@ -121,6 +121,18 @@ TEST(TrackingPlanJson, RefusesACovarianceThatNothingHas) {
   m[0][1] = m[1][0] = 0.0;
   m[2][2] = -1.0;
   EXPECT_NE(tracking_plan_error(write_tracking_plan(plan)).find("the variance -1 of Z"), std::string::npos);
+}
+
+TEST(TrackingPlanJson, RefusesTheNameOfADiagonalThatGoesAnotherWay) {
+  TrackingPlan plan = whole();
+  for (const char* id : {"NNN-PPP", "NP0-PN0", "PNP-NPN"}) {
+    plan.lines[1].id = id;
+    EXPECT_NE(tracking_plan_error(write_tracking_plan(plan)).find("with the direction of \"NPN-PNP\""),
+              std::string::npos)
+        << id;
+  }
+  plan.lines[1].id = "NPN-PNP";
+  EXPECT_EQ(tracking_plan_error(write_tracking_plan(plan)), "");
 }
 
 TEST(TrackingPlanJson, NeedsALineInSpaceOfEachLine) {

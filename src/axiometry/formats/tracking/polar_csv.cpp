@@ -72,10 +72,12 @@ class PolarReader {
           checked_ = true;
           return add(row);
         }));
+    AXIOMETRY_TRY_VOID(check_distances());
     if (file_.rows.empty()) return fail("found a header and no lengths below it, expected one in each row");
     file_.points = points_.take();
     file_.stations = stations_.take();
     for (NameNumbers& names : segments_) file_.segments.push_back(names.take());
+    tell_unused_segments();
     if (!columns_.passed_over.empty()) file_.remarks.push_back(passed_over(columns_.passed_over));
     if (missing_ > 0)
       file_.remarks.push_back(fmt::format("passed over {} row{} without a length", missing_, missing_ == 1 ? "" : "s"));
@@ -140,6 +142,24 @@ class PolarReader {
     return angles;
   }
 
+  /// What a station shows is known after its last row: angles may be in any of them.
+  Result<void> check_distances() const {
+    for (const NoDistance& length : no_distances_)
+      if (has_angles_[length.station])
+        return fail(fmt::format("found the length {} at a station with angles, expected the distance from the "
+                                "instrument, above 0",
+                                text::quoted(length.text)),
+                    length.at);
+    return {};
+  }
+
+  void tell_unused_segments() {
+    for (std::size_t j = 0; j < file_.stations.size(); ++j)
+      if (has_angles_[j] && file_.segments[j].size() > 1)
+        file_.remarks.push_back(fmt::format("segments of station {} are not used: it shows angles, and so distances",
+                                            text::quoted(file_.stations[j])));
+  }
+
   Result<void> add(const NamedRow& row) {
     AXIOMETRY_TRY(const std::string_view point, cells_.name(row, polar_point));
     AXIOMETRY_TRY(const std::string_view station, cells_.name(row, polar_station));
@@ -151,13 +171,15 @@ class PolarReader {
     AXIOMETRY_TRY(reading.length_mm, cells_.length(row, polar_length));
     AXIOMETRY_TRY(reading.length_u_mm, uncertainty(row, polar_length_u));
     AXIOMETRY_TRY(reading.angles, angles(row));
-    if (reading.angles && !(reading.length_mm > 0.0))
-      return fail(fmt::format("found the length {} with angles, expected the distance from the instrument, above 0",
-                              text::quoted(row.cell(polar_length))),
-                  row.at(polar_length));
     reading.point = points_.number(point);
     reading.station = stations_.number(station);
-    if (reading.station == segments_.size()) segments_.emplace_back();
+    if (reading.station == segments_.size()) {
+      segments_.emplace_back();
+      has_angles_.push_back(false);
+    }
+    if (reading.angles) has_angles_[reading.station] = true;
+    if (!(reading.length_mm > 0.0))
+      no_distances_.push_back({reading.station, std::string(row.cell(polar_length)), row.at(polar_length)});
     reading.segment =
         segments_[reading.station].number(columns_.has(polar_segment) ? row.cell(polar_segment) : std::string_view());
     reading.line = row.number();
@@ -169,6 +191,13 @@ class PolarReader {
   NamedCells cells_{columns_, polar_table};
   NameNumbers points_, stations_;
   std::vector<NameNumbers> segments_;
+  std::vector<bool> has_angles_;  // per station
+  struct NoDistance {
+    std::size_t station;
+    std::string text;
+    TextPosition at;
+  };
+  std::vector<NoDistance> no_distances_;  // lengths that are not above 0
   std::size_t missing_ = 0;
   bool checked_ = false;
   PolarFile file_;

@@ -40,9 +40,9 @@ struct PolarFile {
 /// of a length or an angle states its unit. Rows without angles are lengths; rows without a length are passed over.
 /// Cells as read_ranges() has them.
 ///
-/// Fails, with line and column, as read_ranges() does; on a row with one angle; with angles on a length that is not
-/// above 0, an azimuth beyond 720° and an elevation beyond 90°; on an uncertainty that is not above 0, of lengths
-/// beyond 1 m and of angles beyond 1°.
+/// Fails, with line and column, as read_ranges() does; on a row with one angle; at a station with angles on a length
+/// that is not above 0, an azimuth beyond 720° and an elevation beyond 90°; on an uncertainty that is not above 0, of
+/// lengths beyond 1 m and of angles beyond 1°.
 Result<PolarFile> read_polar(std::string_view bytes);
 
 }  // namespace axiometry::formats

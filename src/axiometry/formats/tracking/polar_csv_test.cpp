@@ -27,6 +27,19 @@ TEST(PolarCsv, ReadsLengthsAndAnglesInTheUnitsOfTheirHeads) {
   EXPECT_EQ(file->remarks[1], "passed over 1 row without a length");
 }
 
+TEST(PolarCsv, TakesLengthsOfAStationWithAnglesForDistances) {
+  const std::string head = "point,station,length_mm,azimuth_deg,elevation_deg,segment\n";
+  const auto early = read_polar(head + "A,S,-5,,,1\nA,T,-5,,,1\nB,S,1000,0,0,1\n");
+  ASSERT_FALSE(early);
+  EXPECT_EQ(early.error().at.line, 2u);
+  EXPECT_EQ(early.error().at.column, 5u);
+  EXPECT_NE(early.error().message.find("at a station with angles"), std::string::npos) << early.error().message;
+  const auto other = read_polar(head + "A,T,-5,,,1\nB,T,-6,,,2\nB,S,1000,0,0,1\nB,S,1000,,,2\n");
+  ASSERT_TRUE(other) << other.error().to_string();
+  ASSERT_EQ(other->remarks.size(), 1u);
+  EXPECT_EQ(other->remarks[0], "segments of station \"S\" are not used: it shows angles, and so distances");
+}
+
 TEST(PolarCsv, RefusesWhatCannotBe) {
   const std::string head = "point,station,length_mm,azimuth_deg,elevation_deg,u_azimuth_arcsec\n";
   for (const auto& [row, at] : {std::pair{"P,T,100,10,95,1", 12u},

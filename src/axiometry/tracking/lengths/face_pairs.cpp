@@ -18,6 +18,16 @@ constexpr std::array<Face, 3> faces = {{{"XY", "NN0-PP0", "NP0-PN0", "C0Y", 0, 1
                                         {"XZ", "N0N-P0P", "N0P-P0N", "B0Z", 0, 2, -1.0},
                                         {"YZ", "0NN-0PP", "0NP-0PN", "A0Z", 1, 2, 1.0}}};
 
+/// Whether the lines go as the diagonals of that face do: over the same legs, one up and one down the second axis.
+bool are_diagonals(const Face& face, Vector3 first, Vector3 second) {
+  constexpr double least_leg = 1e-6, tolerance = 1e-3;
+  const std::size_t standing = 3 - face.a - face.b;
+  const double a = first[face.a], b = first[face.b];
+  return a > least_leg && b > least_leg && std::abs(second[face.a] - a) <= tolerance * a &&
+         std::abs(second[face.b] + b) <= tolerance * b && std::abs(first[standing]) <= tolerance &&
+         std::abs(second[standing]) <= tolerance;
+}
+
 bool is_stated(double uncertainty) { return std::isfinite(uncertainty) && uncertainty > 0.0; }
 
 }  // namespace
@@ -29,6 +39,7 @@ std::vector<FacePair> face_pairs(std::span<const LineSlope> slopes) {
     const auto second = std::ranges::find(slopes, face.second, &LineSlope::id);
     if (first == slopes.end() || second == slopes.end()) continue;
     const Vector3 u = unit(first->direction);
+    if (!are_diagonals(face, u, unit(second->direction))) continue;
     const double twice = 2.0 * u[face.a] * u[face.b];
     const double difference = first->slope_um_per_m - second->slope_um_per_m;
     FacePair pair{std::string(face.name),

@@ -28,8 +28,8 @@ struct FacePair {
   std::optional<double> uncertainty_um_per_m;
 };
 
-/// Of each face whose two diagonals are among the slopes, known by their ids (standards/iso230_6.h); in the order XY,
-/// XZ, YZ.
+/// Of each face whose two diagonals are among the slopes, known by their ids (standards/iso230_6.h) and with directions
+/// that are those of such diagonals; in the order XY, XZ, YZ.
 std::vector<FacePair> face_pairs(std::span<const LineSlope> slopes);
 std::vector<FacePair> face_pairs(std::span<const EvaluatedLine> lines);
 

@@ -50,6 +50,19 @@ TEST(FacePairs, HaveTheSignsOfTheLeastSquares) {
     EXPECT_NEAR(*all.terms[3 + k].value_um_per_m, 7.0 - 2.0 * static_cast<double>(k), 1e-9);
 }
 
+TEST(FacePairs, AreNoneOfLinesThatGoAnotherWayThanTheyAreNamed) {
+  const Vector3 rising{800, 500, 0}, falling{800, -500, 0};
+  const std::pair<Vector3, Vector3> wrong[] = {
+      {{1, 0, 0}, {1, 0, 0}},     {rising, rising},          {falling, rising},         {rising, {800, -400, 0}},
+      {{800, 500, 200}, falling}, {rising, {800, -500, 20}}, {{1, 1e-17, 0}, {1, 0, 0}}};
+  for (const auto& [first, second] : wrong) {
+    const LineSlope slopes[] = {{"NN0-PP0", first, 3.0, 0.1, 900}, {"NP0-PN0", second, 1.0, 0.1, 900}};
+    EXPECT_TRUE(face_pairs(slopes).empty()) << first.y << " " << second.y;
+  }
+  const LineSlope thin[] = {{"NN0-PP0", {2000, 1, 0}, 3.0, 0.1, 900}, {"NP0-PN0", {2000, -1, 0}, 1.0, 0.1, 900}};
+  EXPECT_EQ(face_pairs(thin).size(), 1u);
+}
+
 TEST(FacePairs, AreNoneWhereADiagonalIsMissingAndHaveNoUncertaintyWhereOneIsNotKnown) {
   LineSlope lone = slope_of("NN0-PP0", 8, 5, 0, 0), other = slope_of("NP0-PN0", 8, 5, 0, 0);
   EXPECT_TRUE(face_pairs(std::span(&lone, 1)).empty());

@@ -34,6 +34,7 @@ class PolarAdjustment {
     system_ = reduce_polar(layout_, readings_, state_);
     AXIOMETRY_TRY_VOID(check_points());
     AXIOMETRY_TRY_VOID(solve());
+    AXIOMETRY_TRY_VOID(check_directions());
     AXIOMETRY_TRY_VOID(check_points());
     to_datum();
     fill();
@@ -68,6 +69,23 @@ class PolarAdjustment {
             fmt::format("found readings of point {} that leave it undetermined, expected angles, or lengths "
                         "from three stations off one line with it",
                         polar_point_name(options_, i)));
+    return {};
+  }
+
+  /// The parts across the beam are 0 behind the instrument too: there a reading seems to fit that is not met at all.
+  Result<void> check_directions() const {
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const PolarReading& r = readings_[k];
+      if (!r.direction) continue;
+      const PolarPose& pose = state_.poses[r.station];
+      const Eigen::Vector3d beam = pose.turn * eigen(polar_frame(*r.direction).along);
+      if (beam.dot(state_.points[r.point] - pose.at) > 0.0) continue;
+      return fail(
+          fmt::format("found reading {} (station {}, point {}) that looks away from where the point comes out, "
+                      "expected angles within 90° of it: one of the readings of this point{} is wrong",
+                      k + 1, polar_station_name(options_, r.station), polar_point_name(options_, r.point),
+                      options_.nominal_mm.empty() ? "" : ", or its nominal place,"));
+    }
     return {};
   }
 
@@ -123,7 +141,9 @@ class PolarAdjustment {
         next = stepped(step, part);
         squares = polar_chi_squared(layout_, readings_, next);
       }
-      if (!std::isfinite(squares)) break;
+      if (!std::isfinite(squares))
+        return fail(fmt::format("the solution diverges in iteration {}, expected readings that belong together; {}",
+                                fit_.iterations, farthest_reading()));
       move_mm = largest_move(next);
       state_ = std::move(next);
       system_ = reduce_polar(layout_, readings_, state_);

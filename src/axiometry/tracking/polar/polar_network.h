@@ -37,7 +37,9 @@ enum class PolarDatum {
 
 struct PolarOptions {
   PolarDatum datum = PolarDatum::station;
-  std::span<const Vector3> nominal_mm = {};  ///< per point; start values, and needed for that datum. May be empty
+  /// Per point; start values, and needed for that datum. May be empty. With the datum of a station they are left out
+  /// where no station sees three of them off one line.
+  std::span<const Vector3> nominal_mm = {};
   std::size_t iterations_most = 50;
   bool checks = true;  ///< residuals over their own uncertainty, findings
   std::span<const std::string> station_names = {};
@@ -85,8 +87,8 @@ inline constexpr std::size_t polar_stations_most = 50;
 
 /// Fails, with the numbers, on more than polar_stations_most stations or 300 unknowns of theirs, a station whose place
 /// in the others' coordinates nothing tells (fewer than three common points off one line for angles, too few lengths),
-/// a point that neither angles nor nominal places begin, readings that leave a point or a direction undetermined, and
-/// when it does not settle.
+/// a point that neither angles nor nominal places begin, readings that leave a point or a direction undetermined,
+/// angles that look away from where their point comes out, and when it does not settle.
 Result<PolarFit> adjust_polar(std::size_t points, std::size_t stations, std::span<const PolarReading> readings,
                               const PolarOptions& options);
 

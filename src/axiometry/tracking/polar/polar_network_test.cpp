@@ -147,6 +147,77 @@ TEST(PolarNetwork, TellsAReadingThatDoesNotFit) {
   EXPECT_TRUE(adjust_polar(places.size(), 2, readings, {})->findings.size() <= 1);  // that they fit better than stated
 }
 
+/// The other way along the same line: what a beam reads that looks away from the point.
+void turn_round(PolarDirection& direction) {
+  direction.azimuth_rad += std::numbers::pi;
+  direction.elevation_rad = -direction.elevation_rad;
+}
+
+TEST(PolarNetwork, RefusesAReadingThatLooksAwayFromItsPoint) {
+  std::vector<PolarReading> readings;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    readings.push_back(polar_read(i, 0, places[i], {-900, -800, 100}, 0.0));
+    readings.push_back(polar_read(i, 1, places[i], {1700, -500, 300}, 1.0));
+  }
+  turn_round(*readings[5].direction);
+  const auto fit = adjust_polar(places.size(), 2, readings, {});
+  ASSERT_FALSE(fit) << fit->chi_squared;
+  EXPECT_TRUE(fit.error().message.starts_with("found reading 6 (station 2, point 3) that looks away"))
+      << fit.error().message;
+}
+
+TEST(PolarNetwork, RefusesANominalPlaceBehindTheInstrument) {
+  std::vector<PolarReading> readings;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    readings.push_back(polar_read(i, 0, places[i], {-900, -800, 100}, 0.0));
+  turn_round(*readings[4].direction);
+  PolarOptions options;
+  options.datum = PolarDatum::nominal;
+  options.nominal_mm = places;
+  const auto fit = adjust_polar(places.size(), 1, readings, options);
+  ASSERT_FALSE(fit);
+  EXPECT_NE(fit.error().message.find("looks away from where the point comes out"), std::string::npos);
+  EXPECT_NE(fit.error().message.find("or its nominal place"), std::string::npos) << fit.error().message;
+}
+
+TEST(PolarNetwork, NeedsNoNominalPlacesForTheFrameOfAStation) {
+  std::vector<PolarReading> readings;
+  for (std::size_t i = 0; i < 2; ++i) readings.push_back(polar_read(i, 0, places[i], {-900, -800, 100}, 0.0));
+  PolarOptions options;
+  options.nominal_mm = std::span(places).first(2);
+  const auto fit = adjust_polar(2, 1, readings, options);
+  ASSERT_TRUE(fit) << fit.error().message;
+  EXPECT_LT(distance(fit->points_mm[1], places[1] - Vector3{-900, -800, 100}), 1e-9);
+  options.datum = PolarDatum::nominal;
+  const auto nominal = adjust_polar(2, 1, readings, options);
+  ASSERT_FALSE(nominal);
+  EXPECT_NE(nominal.error().message.find("that station 1 sees and that have nominal places"), std::string::npos)
+      << nominal.error().message;
+  options.datum = PolarDatum::station;
+  readings[1].direction.reset();
+  const auto open = adjust_polar(2, 1, readings, options);
+  ASSERT_FALSE(open);
+  EXPECT_NE(open.error().message.find("point 2 without angles, and no station that sees three nominal places"),
+            std::string::npos)
+      << open.error().message;
+}
+
+TEST(PolarNetwork, SaysWhenItDivergesInWhichIteration) {
+  std::vector<PolarReading> readings;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = 0; j < 2; ++j) {
+      PolarReading reading =
+          polar_read(i, j, places[i], j == 0 ? Vector3{-900, -800, 100} : Vector3{1700, -500, 300}, 0.0);
+      reading.length_sigma_mm = 1e-151;  // squares of what does not fit are beyond all numbers
+      reading.direction->sideways_sigma_rad = reading.direction->upwards_sigma_rad = 1e-154;
+      readings.push_back(reading);
+    }
+  readings[9].length_mm += 1e5;
+  const auto fit = adjust_polar(places.size(), 2, readings, {});
+  ASSERT_FALSE(fit);
+  EXPECT_TRUE(fit.error().message.starts_with("the solution diverges in iteration 1, ")) << fit.error().message;
+}
+
 TEST(PolarNetwork, NamesTheReadingThatKeepsItFromSettling) {
   std::vector<PolarReading> readings;
   for (std::size_t i = 0; i < places.size(); ++i) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 #include "axiometry/tracking/polar/polar_equations.h"
 #include "axiometry/tracking/ranges/range_eigen.h"
@@ -18,31 +19,68 @@ class PolarStart {
     for (std::size_t k = 0; k < readings.size(); ++k) of_station_[readings[k].station].push_back(k);
     state_.points.resize(layout.first.size() - 1);
     state_.poses.resize(layout.column.size());
-    known_.assign(state_.points.size(), !options.nominal_mm.empty());
+    starts_from_nominal_ = !options.nominal_mm.empty();
+    known_.assign(state_.points.size(), starts_from_nominal_);
     for (std::size_t i = 0; i < options.nominal_mm.size(); ++i) state_.points[i] = eigen(options.nominal_mm[i]);
     placed_.assign(layout.column.size(), false);
   }
 
   Result<PolarState> carry_out(std::vector<Finding>& findings) {
-    if (options_.nominal_mm.empty()) place_first();
-    while (place_more()) {
-    }
-    for (std::size_t j = 0; j < placed_.size(); ++j)
-      if (layout_.has_angles[j] && !placed_[j])
-        return fail(
-            fmt::format("found fewer than three points off one line that station {} shares with those placed "
-                        "before, expected three or more",
-                        polar_station_name(options_, j)));
-    for (std::size_t i = 0; i < known_.size(); ++i)
-      if (!known_[i])
-        return fail(fmt::format("found point {} without angles and without a nominal place, expected one of them",
-                                polar_point_name(options_, i)));
+    if (!options_.nominal_mm.empty()) place_all();
+    if (!needs_nominal() && !is_any_placed()) place_without_nominal();
+    AXIOMETRY_TRY_VOID(check_stations());
+    AXIOMETRY_TRY_VOID(check_points());
     for (std::size_t j = 0; j < placed_.size(); ++j)
       if (!layout_.has_angles[j]) AXIOMETRY_TRY_VOID(place_by_lengths(j, findings));
     return std::move(state_);
   }
 
  private:
+  bool needs_nominal() const { return options_.datum == PolarDatum::nominal; }
+  bool is_any_placed() const { return std::ranges::find(placed_, true) != placed_.end(); }
+
+  /// From the first station on, whose own frame is as good a beginning.
+  void place_without_nominal() {
+    starts_from_nominal_ = false;
+    known_.assign(known_.size(), false);
+    place_first();
+    place_all();
+  }
+
+  void place_all() {
+    while (place_more()) {
+    }
+  }
+
+  Result<void> check_stations() const {
+    for (std::size_t j = 0; j < placed_.size(); ++j) {
+      if (!layout_.has_angles[j] || placed_[j]) continue;
+      const std::string name = polar_station_name(options_, j);
+      if (starts_from_nominal_)
+        return fail(
+            fmt::format("found fewer than three points off one line that station {} sees and that have nominal "
+                        "places, expected three or more",
+                        name));
+      return fail(
+          fmt::format("found fewer than three points off one line that station {} shares with those placed "
+                      "before, expected three or more",
+                      name));
+    }
+    return {};
+  }
+
+  Result<void> check_points() const {
+    const auto unknown = std::ranges::find(known_, false);
+    if (unknown == known_.end()) return {};
+    const std::string name = polar_point_name(options_, static_cast<std::size_t>(unknown - known_.begin()));
+    if (options_.nominal_mm.empty())
+      return fail(fmt::format("found point {} without angles and without a nominal place, expected one of them", name));
+    return fail(
+        fmt::format("found point {} without angles, and no station that sees three nominal places off one line, "
+                    "expected one of them",
+                    name));
+  }
+
   static Eigen::Vector3d shown(const PolarReading& r) { return r.length_mm * eigen(polar_frame(*r.direction).along); }
 
   void place_first() {
@@ -127,6 +165,7 @@ class PolarStart {
   std::vector<std::vector<std::size_t>> of_station_;
   PolarState state_;
   std::vector<bool> known_, placed_;
+  bool starts_from_nominal_ = false;
 };
 
 }  // namespace
