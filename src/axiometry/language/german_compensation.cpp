@@ -57,10 +57,10 @@ constexpr Phrase rows[] = {
      "Was die Steuerung zur befohlenen Position addiert, in beiden Anfahrrichtungen."},
     {"before ↑", "vorher ↑"},
     {"before ↓", "vorher ↓"},
-    {"beside the table {0=} must be what it was without any table and {1#} added: the prediction counts on it, and no "
-     "control reads it from the file",
-     "neben der Tabelle muss {0} sein, was es ohne jede Tabelle war, plus {1}: Die Vorhersage rechnet damit, und "
-     "keine Steuerung liest es aus der Datei"},
+    {"beside the table {0=} must be what it was while the axis was measured and {1#} added: the prediction counts on "
+     "it, and no control reads it from the file",
+     "neben der Tabelle muss {0} sein, was es bei der Messung der Achse war, plus {1}: Die Vorhersage rechnet damit, "
+     "und keine Steuerung liest es aus der Datei"},
     {"compensation", "Kompensation"},
     {"existing_unit: {0}", "existing_unit: {0}"},
     {"found a backlash beside one curve asked for of {0}, expected a curve for each direction, which it has, or "
