@@ -170,6 +170,10 @@ constexpr Phrase rows[] = {
     {"found no test {0#} in version {1#}, expected one", "keine Version {1} der Prüfung {0}"},
     {"found no two positions at steps of {0#} between the targets at {1#} and {2#}",
      "keine zwei Positionen in Schritten von {0} zwischen den Zielpositionen bei {1} und {2}"},
+    {"found options of a measured test (periodic, period, existing_unit), expected none: the 21 errors have no such "
+     "part",
+     "Optionen einer gemessenen Prüfung (periodic, period, existing_unit); erwartet: keine, denn die 21 Abweichungen "
+     "haben keinen solchen Anteil"},
     {"found options of the archive that cannot be read", "Optionen des Archivs, die nicht lesbar sind"},
     {"found positions of the table that do not ascend", "Positionen der Tabelle, die nicht aufsteigen"},
     {"found readings of the negative direction alone, expected both for a table of each direction",
