@@ -58,7 +58,7 @@ def siemens_lec(text):
 
 def siemens_lec_with_backlash(text):
     """Beside the curve MD32450 is driven more at each reversal into the negative direction; positive where it lags."""
-    number = re.search(r"^; MD32450 = its value without any table \+ (-?[\d.]+)$", text, re.M)
+    number = re.search(r"^; MD32450 = its value while the axis was measured \+ (-?[\d.]+)$", text, re.M)
     return {p: (up, down - 1000.0 * float(number.group(1))) for p, (up, down) in siemens_lec(text).items()}
 
 

@@ -20,11 +20,20 @@ enum class Periodic {
   leave,  ///< the periodic part is taken out of the readings that make the table; it stays in what is predicted
 };
 
+/// Targets on even steps above half the period: sinusoids of two periods pass through the same readings.
+struct Ambiguity {
+  double step = 0.0;          ///< of the targets, mm or °
+  double other_period = 0.0;  ///< mm or °
+  double amplitude = 0.0;     ///< of either, µm or ″, the larger one of both directions
+};
+
 /// The fundamental of a known period in the means of each direction, beside a smooth curve
 /// (numeric/sine_beside_curve.h).
 struct PeriodicPart {
   double period = 0.0;                                                  ///< λ, mm or °
   std::array<std::optional<numeric::SineBesideCurve>, 2> directions{};  ///< of ↑ and ↓; nothing where it is not told
+  double widest_of_targets = 0.0;                                       ///< gap between two of them, mm or °
+  std::optional<Ambiguity> ambiguity{};                                 ///< why it is not told, where it would be large
 
   /// Whether noise alone would make it as large in less than 1 % of tests.
   bool is_significant(Direction direction) const;
@@ -41,8 +50,9 @@ PeriodicPart periodic_part(const Series& series, double period);
 Result<Series> without_periodic(const Series& series, const PeriodicPart& part);
 
 /// What a table with these positions does with the periodic part. Serious where it is in the readings, is kept, and the
-/// positions lie further apart than half the period: then the table holds what the targets happened to meet of it, and
-/// is wrong between them by up to twice its amplitude. Of a table to leave it: what was left out, or that nothing was.
+/// positions, or the targets from which finer ones are filled in, lie further apart than half the period: then the
+/// table holds what the targets happened to meet of it, and is wrong between them by up to twice its amplitude. So it
+/// is where it may be in the readings (Ambiguity). Of a table to leave it: what was left out, or that nothing was.
 std::vector<NamedFinding> findings_of_periodic(const PeriodicPart& part, Periodic choice, std::span<const double> nodes,
                                                AxisKind kind);
 

@@ -86,12 +86,53 @@ TEST(PeriodicPart, OfTargetsThatDoNotTellItIsNotCalledAbsent) {
   EXPECT_NE(findings[0].message.find("the targets do not tell"), std::string::npos);
 }
 
+/// Targets on multiples of a step, not all of them, over 600 mm; a sinusoid of 3 µm.
+Series on_steps(double step, double period) {
+  std::vector<double> targets, up, down;
+  for (int i = 0; step * i <= 600.0; ++i) {
+    if (i == 7) continue;
+    targets.push_back(step * i);
+    up.push_back(3.0 * std::sin(2.0 * std::numbers::pi * step * i / period) + 0.05 * std::fmod(0.7548 * i * i, 1.0));
+    down.push_back(up.back() - 4.0);
+  }
+  return testing_support::make_series(targets, {up}, {down});
+}
+
+TEST(PeriodicPart, OfTargetsOnEvenStepsIsNotToldFromAnotherPeriod) {
+  for (const double period : {10.0, 60.0}) {
+    const PeriodicPart part = periodic_part(on_steps(12.0, period), pitch);
+    EXPECT_FALSE(part.is_told());
+    EXPECT_FALSE(part.is_significant());
+    ASSERT_TRUE(part.ambiguity) << "both pass through the same readings";
+    EXPECT_NEAR(part.ambiguity->step, 12.0, 1e-9);
+    EXPECT_NEAR(part.ambiguity->other_period, 60.0, 1e-6);
+    EXPECT_NEAR(part.ambiguity->amplitude, 3.0, 0.05);
+    const auto left = findings_of_periodic(part, Periodic::leave, fine_nodes, AxisKind::linear);
+    EXPECT_EQ(ids_in_german(left), Ids{"compensation-nothing-periodic"});
+    EXPECT_NE(left[0].message.find("the targets do not tell"), std::string::npos);
+    const auto kept = findings_of_periodic(part, Periodic::keep, fine_nodes, AxisKind::linear);
+    EXPECT_EQ(ids_in_german(kept), Ids{"compensation-periodic-ambiguous"});
+    EXPECT_TRUE(kept[0].serious);
+  }
+  EXPECT_FALSE(periodic_part(on_steps(12.0, 1e9), pitch).ambiguity) << "nothing is there";
+}
+
+TEST(PeriodicPart, OfFineTargetsOnEvenStepsIsTold) {
+  const PeriodicPart part = periodic_part(on_steps(3.0, pitch), pitch);
+  EXPECT_TRUE(part.is_significant() && !part.ambiguity);
+  EXPECT_TRUE(
+      findings_of_periodic(periodic_part(on_steps(2.0, pitch), pitch), Periodic::keep, fine_nodes, AxisKind::linear)
+          .empty());
+}
+
 TEST(PeriodicPart, IsAliasedByATableThatIsCoarserThanHalfThePeriod) {
   const PeriodicPart part = periodic_part(bent(1.0), pitch);
   const auto found = findings_of_periodic(part, Periodic::keep, coarse_nodes, AxisKind::linear);
   EXPECT_EQ(ids_in_german(found), Ids{"compensation-periodic-aliased"});
   EXPECT_TRUE(found[0].serious);
-  EXPECT_TRUE(findings_of_periodic(part, Periodic::keep, fine_nodes, AxisKind::linear).empty());
+  EXPECT_EQ(ids_in_german(findings_of_periodic(part, Periodic::keep, fine_nodes, AxisKind::linear)),
+            Ids{"compensation-periodic-aliased"})
+      << "finer positions are filled in from the same targets";
   EXPECT_TRUE(findings_of_periodic(part, Periodic::keep, std::vector{0.0, 500.0}, AxisKind::linear).empty())
       << "a scale factor follows no period";
   for (const auto& nodes : {coarse_nodes, fine_nodes})

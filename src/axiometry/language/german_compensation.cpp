@@ -57,10 +57,10 @@ constexpr Phrase rows[] = {
      "Was die Steuerung zur befohlenen Position addiert, in beiden Anfahrrichtungen."},
     {"before ↑", "vorher ↑"},
     {"before ↓", "vorher ↓"},
-    {"beside the table {0=} must be what it was without any table and {1#} added: the prediction counts on it, and no "
-     "control reads it from the file",
-     "neben der Tabelle muss {0} sein, was es ohne jede Tabelle war, plus {1}: Die Vorhersage rechnet damit, und "
-     "keine Steuerung liest es aus der Datei"},
+    {"beside the table {0=} must be what it was while the axis was measured and {1#} added: the prediction counts on "
+     "it, and no control reads it from the file",
+     "neben der Tabelle muss {0} sein, was es bei der Messung der Achse war, plus {1}: Die Vorhersage rechnet damit, "
+     "und keine Steuerung liest es aus der Datei"},
     {"compensation", "Kompensation"},
     {"existing_unit: {0}", "existing_unit: {0}"},
     {"found a backlash beside one curve asked for of {0}, expected a curve for each direction, which it has, or "
@@ -73,21 +73,28 @@ constexpr Phrase rows[] = {
     {"found a compensation of the archive without its table", "eine Kompensation des Archivs ohne ihre Tabelle"},
     {"found a compensation without a control, expected one", "Kompensation ohne Steuerung; erwartet: eine"},
     {"found a compensation without its table, expected one", "Kompensation ohne ihre Tabelle; erwartet: eine"},
+    {"found a periodic part of an amplitude of {0#} in the readings, and targets on even steps of {1#}, above half the "
+     "period of {2#}: they do not tell it from one with a period of {3#}, and if it has the shorter one the table is "
+     "wrong between them; a test for periodic errors tells which",
+     "ein periodischer Anteil mit einer Amplitude von {0} in den Messwerten, und Zielpositionen in gleichen Schritten "
+     "von {1}, mehr als die halbe Periode von {2}: Sie unterscheiden ihn nicht von einem mit einer Periode von {3}, "
+     "und wenn er die kürzere hat, ist die Tabelle zwischen ihnen falsch; welche es ist, sagt eine Prüfung auf "
+     "periodische Abweichungen"},
     {"found a periodic part to leave out and no period, expected one: axis.expected_period of the test, or --period",
      "ein periodischer Anteil, der wegbleiben soll, und keine Periode; erwartet: eine: axis.expected_period der "
      "Prüfung, oder --period"},
     {"found a periodic part with a period of {0#}, of an amplitude of {1#} and {2#}, in the readings, and positions of "
-     "the table up to {3#} apart, above half the period: the table holds what the targets happened to meet of it, and "
-     "is wrong between them; --periodic leave leaves it out",
+     "the table or targets up to {3#} apart, above half the period: the table holds what the targets happened to meet "
+     "of it, and is wrong between them; --periodic leave leaves it out",
      "ein periodischer Anteil mit einer Periode von {0} und einer Amplitude von {1} und {2} in den Messwerten, und "
-     "Positionen der Tabelle bis {3} auseinander, mehr als die halbe Periode: Die Tabelle enthält davon, was die "
-     "Zielpositionen gerade trafen, und ist dazwischen falsch; --periodic leave lässt ihn weg"},
+     "Positionen der Tabelle oder Zielpositionen bis {3} auseinander, mehr als die halbe Periode: Die Tabelle enthält "
+     "davon, was die Zielpositionen gerade trafen, und ist dazwischen falsch; --periodic leave lässt ihn weg"},
     {"found a periodic part with a period of {0#}, of an amplitude of {1#}, in the readings, and positions of the "
-     "table up to {2#} apart, above half the period: the table holds what the targets happened to meet of it, and is "
-     "wrong between them; --periodic leave leaves it out",
+     "table or targets up to {2#} apart, above half the period: the table holds what the targets happened to meet of "
+     "it, and is wrong between them; --periodic leave leaves it out",
      "ein periodischer Anteil mit einer Periode von {0} und einer Amplitude von {1} in den Messwerten, und Positionen "
-     "der Tabelle bis {2} auseinander, mehr als die halbe Periode: Die Tabelle enthält davon, was die Zielpositionen "
-     "gerade trafen, und ist dazwischen falsch; --periodic leave lässt ihn weg"},
+     "der Tabelle oder Zielpositionen bis {2} auseinander, mehr als die halbe Periode: Die Tabelle enthält davon, was "
+     "die Zielpositionen gerade trafen, und ist dazwischen falsch; --periodic leave lässt ihn weg"},
     {"found a re-test of another kind of axis", "eine Nachprüfung einer anderen Art von Achse"},
     {"found a re-test without its version, expected both or none",
      "Nachprüfung ohne ihre Version; erwartet: beides oder keines"},
@@ -163,6 +170,10 @@ constexpr Phrase rows[] = {
     {"found no test {0#} in version {1#}, expected one", "keine Version {1} der Prüfung {0}"},
     {"found no two positions at steps of {0#} between the targets at {1#} and {2#}",
      "keine zwei Positionen in Schritten von {0} zwischen den Zielpositionen bei {1} und {2}"},
+    {"found options of a measured test (periodic, period, existing_unit), expected none: the 21 errors have no such "
+     "part",
+     "Optionen einer gemessenen Prüfung (periodic, period, existing_unit); erwartet: keine, denn die 21 Abweichungen "
+     "haben keinen solchen Anteil"},
     {"found options of the archive that cannot be read", "Optionen des Archivs, die nicht lesbar sind"},
     {"found positions of the table that do not ascend", "Positionen der Tabelle, die nicht aufsteigen"},
     {"found readings of the negative direction alone, expected both for a table of each direction",

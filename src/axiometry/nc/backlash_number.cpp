@@ -15,7 +15,7 @@ namespace {
 
 /// What stands before the number beside a table.
 std::string backlash_words(std::string_view mark, const AxisTable& table) {
-  return fmt::format("{} {} = its value without any table + ", mark, table.backlash);
+  return fmt::format("{} {} = its value while the axis was measured + ", mark, table.backlash);
 }
 
 }  // namespace

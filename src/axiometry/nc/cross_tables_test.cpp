@@ -88,12 +88,12 @@ TEST(CrossTables, OfMarlinAreSquarenessAlone) {
             std::string::npos);
   options.reference = 0.0;
   options.in_inch = true;
-  EXPECT_NE(why_refused(write_table(skew, line, options)).find("expected mm"), std::string::npos);
+  EXPECT_NE(why_refused(write_table(skew, line, options)).find("inch given"), std::string::npos);
   options.in_inch = false;
   const AxisCorrection steep = AxisCorrection::make(AxisKind::linear, {0.0, 1.0}, {0.0, 1500.0}, {0.0, 1500.0}).value();
   EXPECT_NE(why_refused(write_table(skew, steep, options)).find("expected -1 to 1"), std::string::npos);
   for (const char* bad : {"M852 I0.1\n", "M852 J0.1\nM500\n", "M852 I0.1 J0.2\nM500\n", "M852 I0.1\nM852 I0.1\nM500\n",
-                          "M500\n", "; range 5 to 1\nM852 I0.1\nM500\n", "M852 Ix\nM500\n"})
+                          "M500\n", "; range 5 to 1\nM852 I0.1\nM500\n", "M852 Ix\nM500\n", "M852 I5\nM500\n"})
     EXPECT_FALSE(read_table(skew, bad, options)) << bad;
 }
 

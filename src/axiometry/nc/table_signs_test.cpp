@@ -79,7 +79,7 @@ TEST(TableNumbers, ABacklashStandsBesideOneCurve) {
   const AxisCorrection correction =
       AxisCorrection::make(AxisKind::linear, {0.0, 10.0, 20.0}, {0.0, 8.0, 12.0}, {-3.7, 4.3, 8.3}).value();
   const std::string text = write_table(lec, correction, {}).value();
-  EXPECT_NE(text.find("\n; MD32450 = its value without any table + 0.003700\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n; MD32450 = its value while the axis was measured + 0.003700\n"), std::string::npos) << text;
   const AxisCorrection back = read_table(lec, text, {}).value();
   EXPECT_NEAR(back.values(Direction::up)[1], 8.0, 1e-9);
   EXPECT_NEAR(back.values(Direction::down)[1], 4.3, 1e-9);
@@ -95,7 +95,7 @@ TEST(TableNumbers, ABacklashStandsBesideOneCurve) {
   EXPECT_NE(angles.find("+ 0.002000\n"), std::string::npos) << angles;
   EXPECT_NEAR(read_table(lec, angles, rotary)->values(Direction::down)[1], 28.8, 1e-6);
 
-  const std::string line = "; MD32450 = its value without any table + 0.003700\n";
+  const std::string line = "; MD32450 = its value while the axis was measured + 0.003700\n";
   for (const char* bad : {"+ x\n", "+ \n", "+ 0.1 0.2\n"}) {
     std::string spoiled = text;
     spoiled.replace(spoiled.find("+ 0.003700\n"), 11, bad);
@@ -112,7 +112,7 @@ TEST(TableNumbers, ABacklashThatNoNumberHoldsIsRefused) {
     return text ? *text : text.error().message;
   };
   EXPECT_NE(why({-3.0, 4.0}).find("the same everywhere"), std::string::npos);
-  EXPECT_NE(why({3.0, 11.0}).find("; MD32450 = its value without any table + -0.003000\n"), std::string::npos)
+  EXPECT_NE(why({3.0, 11.0}).find("; MD32450 = its value while the axis was measured + -0.003000\n"), std::string::npos)
       << "an encoder that lags has a negative one";
   EXPECT_NE(write_table(table_of("kflop"),
                         AxisCorrection::make(AxisKind::linear, {0.0, 10.0}, {0.0, 8.0}, {-3.0, 5.0}).value(), {})

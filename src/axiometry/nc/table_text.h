@@ -86,8 +86,8 @@ Result<void> check_one_curve(const AxisCorrection& correction);
 /// from place to place.
 Result<double> backlash_of(const AxisCorrection& correction);
 
-/// The comment that tells the number beside a table of one curve: "; MD32450 = its value without any table
-/// + 0.003700".
+/// The comment that tells the number beside a table of one curve: "; MD32450 = its value while the axis was measured +
+/// 0.003700". A table that is read off a control has lost it, so that no earlier value can be counted from.
 std::string backlash_line(std::string_view mark, const AxisTable& table, double backlash,
                           const AxisTableOptions& options);
 /// The number of that comment, µm or ″; 0 without one. Fails on a second one.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "axiometry/app/compensate/control_findings.h"
 #include "axiometry/app/compensate/existing_table.h"
 #include "axiometry/app/compensate/table_positions.h"
 #include "axiometry/app/files/whole_file.h"
@@ -224,24 +225,16 @@ Result<std::optional<AxisCorrection>> existing_of(const std::optional<NamedTable
   nc::AxisTableOptions options = s.options;
   if (in_inch) options.in_inch = *in_inch;
   AXIOMETRY_TRY(AxisCorrection read, in_file(nc::read_table(s.control, existing->text, options), existing->name));
-  if (!in_inch) AXIOMETRY_TRY_VOID(in_file(check_unit_of_length(read, s.series, s.options.in_inch), existing->name));
+  if (!in_inch && s.control.uses.inch)
+    AXIOMETRY_TRY_VOID(in_file(check_unit_of_length(read, s.series, s.options.in_inch), existing->name));
+  if (s.control.backlash.empty()) return std::optional(std::move(read));
+  AXIOMETRY_TRY(read, without_number_beside(read));
   return std::optional(std::move(read));
 }
 
 /// What must be done beside the table, or is known of it beside its numbers.
 void add_findings_of_control(const Setting& s, const AxisCorrection& applied, std::vector<NamedFinding>& findings) {
-  if (s.options.turned_sign)
-    findings.push_back({"compensation-sign-turned", false,
-                        fmt::format("the sign is turned against what was inferred of {}: only a re-test tells whether "
-                                    "this is the one of the control",
-                                    s.control.title)});
-  const double backlash = applied.values(Direction::up).front() - applied.values(Direction::down).front();
-  if (!s.control.backlash.empty() && backlash != 0.0)
-    findings.push_back(
-        {"compensation-number-beside", false,
-         fmt::format("beside the table {} must be what it was without any table and {:.3f} {} added: the prediction "
-                     "counts on it, and no control reads it from the file",
-                     s.control.backlash, backlash, deviation_unit(s.options.kind))});
+  std::ranges::move(findings_of_control(s.control, s.options, applied), std::back_inserter(findings));
   const bool has_positions = s.control.limits.points == 0 || s.control.limits.points > 2;
   if (s.existing && has_positions)
     if (auto cut = finding_of_cut_table(*s.existing, s.nodes)) findings.push_back(*std::move(cut));

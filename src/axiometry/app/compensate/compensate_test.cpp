@@ -124,13 +124,30 @@ TEST(Compensate, ANumberBesideTheTableIsPredictedWithIt) {
   EXPECT_NEAR(std::abs(one->predicted.parameters.B->in_native()), 4.0, 0.1);
   EXPECT_LT(std::abs(both->predicted.parameters.B->in_native()), 0.1);
   EXPECT_EQ(one->text.find("MD32450"), std::string::npos);
-  EXPECT_NE(both->text.find("; MD32450 = its value without any table + 0.00"), std::string::npos) << both->text;
+  EXPECT_NE(both->text.find("; MD32450 = its value while the axis was measured + 0.00"), std::string::npos)
+      << both->text;
   EXPECT_TRUE(has_finding(*both, "compensation-number-beside"));
-  // The next table replaces the number as it replaces the curve.
+  // The next table's number counts from what the control had during its test, whether or not a comment tells that.
   const auto next = compensate({axis_of(0.01, 0, 1.0), NamedTable{"old.ini", both->text}},
                                {.control = "siemens-lec", .curves = TableCurves::with_backlash});
   ASSERT_TRUE(next) << next.error().message;
-  EXPECT_NEAR(next->applied.at(100.0, Direction::up) - next->applied.at(100.0, Direction::down), 5.0, 0.1);
+  EXPECT_NEAR(next->applied.at(100.0, Direction::up) - next->applied.at(100.0, Direction::down), 1.0, 0.1);
+  const auto of_control = compensate({axis_of(0.01, 0, 1.0), NamedTable{"old.ini", one->text}},
+                                     {.control = "siemens-lec", .curves = TableCurves::with_backlash});
+  ASSERT_TRUE(of_control) << of_control.error().message;
+  EXPECT_NEAR(of_control->applied.at(100.0, Direction::up) - of_control->applied.at(100.0, Direction::down), 1.0, 0.1);
+  const auto taken_back = compensate({axis_of(0.01, 0, -4.0), NamedTable{"old.ini", both->text}},
+                                     {.control = "siemens-lec", .curves = TableCurves::with_backlash});
+  ASSERT_TRUE(taken_back) << taken_back.error().message;
+  EXPECT_TRUE(has_finding(*taken_back, "compensation-number-beside"));
+  EXPECT_NE(taken_back->text.find("while the axis was measured + -0.00"), std::string::npos) << taken_back->text;
+}
+
+TEST(Compensate, AFormatOfOneUnitAsksForNoOther) {
+  const auto made =
+      compensate({axis_of(0.05, 0, 4), NamedTable{"old.dat", "unit = mm\n[X]\n0, 0, 0\n15, 0.001, 0.001\n"}},
+                 {.control = "axeserr", .grid = {.start = 0.0, .end = 450.0, .step = 50.0}});
+  EXPECT_TRUE(made) << made.error().message;
 }
 
 TEST(Compensate, ATurnedSignTurnsTheFileAndNotWhatIsPredicted) {

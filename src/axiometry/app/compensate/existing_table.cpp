@@ -62,6 +62,11 @@ Result<void> check_within_targets(const AxisCorrection& existing, const Series& 
       format_rounded(targets.high), unit));
 }
 
+Result<AxisCorrection> without_number_beside(const AxisCorrection& existing) {
+  const std::vector<double>& curve = existing.values(Direction::up);
+  return AxisCorrection::make(existing.kind(), existing.positions(), curve, curve);
+}
+
 std::optional<NamedFinding> finding_of_cut_table(const AxisCorrection& existing, const std::vector<double>& nodes) {
   const Stretch before = stretch_of(existing.positions()), now = stretch_of(nodes);
   if (now.low <= before.low + beside && now.high >= before.high - beside) return std::nullopt;

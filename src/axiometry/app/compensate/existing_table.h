@@ -19,6 +19,11 @@ Result<void> check_unit_of_length(const AxisCorrection& existing, const Series& 
 /// Fails where a table goes beyond the targets, naming what can be asked for instead of its positions.
 Result<void> check_within_targets(const AxisCorrection& existing, const Series& series);
 
+/// Its curve alone. What its number for the reversal asked for is in what the control had during the test, from where
+/// the new table's number counts: so it is right whether or not the old one was ever set, and of a table that was read
+/// off a control, which has none.
+Result<AxisCorrection> without_number_beside(const AxisCorrection& existing);
+
 /// Where the new table ends within the old one, which then corrects nothing there any more.
 std::optional<NamedFinding> finding_of_cut_table(const AxisCorrection& existing, const std::vector<double>& nodes);
 

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
+#include "axiometry/app/compensate/control_findings.h"
 #include "axiometry/app/compensate/table_positions.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/named_findings_json.h"
@@ -113,6 +115,13 @@ Result<void> check_axes(const VolumeCompensationRequest& request, const nc::Axis
                   axis_letters[request.component], axis_letters[request.along], control.title));
 }
 
+Result<void> check_no_options_of_a_test(const CompensateRequest& how) {
+  if (how.periodic == compensation::Periodic::keep && !how.period && !how.existing_in_inch) return {};
+  return fail(
+      "found options of a measured test (periodic, period, existing_unit), expected none: the 21 errors have no "
+      "such part");
+}
+
 std::vector<NamedFinding> findings_of(const VolumeCompensation& made) {
   std::vector<NamedFinding> findings;
   if (made.line_before_um < 4.0 * made.line.largest_u_um)
@@ -127,6 +136,7 @@ std::vector<NamedFinding> findings_of(const VolumeCompensation& made) {
          fmt::format("the line through the middle becomes better, and the volume not: 95 % of the tool point's errors "
                      "lie below {:.2f} µm with this table alone, {:.2f} µm without",
                      made.effect.after.percent_95, made.effect.before.percent_95)});
+  std::ranges::move(findings_of_control(*made.control, made.options, made.applied), std::back_inserter(findings));
   return findings;
 }
 
@@ -148,6 +158,7 @@ Result<VolumeCompensation> compensate_volume(const VolumeCompensationRequest& re
 
 Result<VolumeCompensation> compensate_volume(const ErrorModel& model, const VolumeCompensationRequest& request) {
   AXIOMETRY_TRY_VOID(check_request(request.how));
+  AXIOMETRY_TRY_VOID(check_no_options_of_a_test(request.how));
   AXIOMETRY_TRY(const nc::AxisTable* control, nc::axis_table_named(request.how.control));
   AXIOMETRY_TRY_VOID(check_axes(request, *control));
   AXIOMETRY_TRY(const std::size_t tool, tool_of_model(model, request.tool));

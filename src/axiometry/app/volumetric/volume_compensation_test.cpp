@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/language/language.h"
 #include "axiometry/volumetric/known_machine_test_support.h"
 
 namespace axiometry::app {
@@ -205,6 +206,31 @@ TEST(VolumeCompensation, ReportsWhatItPredicts) {
        {made->line_before_um, made->line_after_um, made->effect.before.largest.value, made->effect.after.percent_95})
     EXPECT_THAT(all, HasSubstr(digits(figure)));
   EXPECT_EQ(json::dump(shown.json), json::dump(to_json(*made)));
+}
+
+TEST(VolumeCompensation, RefusesWhatOnlyAMeasuredTestHas) {
+  const auto refuses = [](auto change) {
+    auto request = asked_table("linuxcnc", 0, 0);
+    change(request.how);
+    const auto made = compensate_volume(identified_model(), request);
+    ASSERT_FALSE(made);
+    EXPECT_THAT(made.error().message, HasSubstr("options of a measured test"));
+    EXPECT_TRUE(language::is_known(made.error().message, language::Language::german));
+  };
+  refuses([](CompensateRequest& how) { how.periodic = compensation::Periodic::leave; });
+  refuses([](CompensateRequest& how) { how.period = 10.0; });
+  refuses([](CompensateRequest& how) { how.existing_in_inch = true; });
+}
+
+TEST(VolumeCompensation, TellsWhatMustBeDoneBesideTheTable) {
+  const auto has = [](const VolumeCompensationRequest& request, std::string_view id) {
+    const auto made = compensate_volume(identified_model(), request);
+    return made && std::ranges::find(made->findings, id, &NamedFinding::id) != made->findings.end();
+  };
+  auto request = asked_table("siemens-cec", 0, 0);
+  EXPECT_FALSE(has(request, "compensation-sign-turned"));
+  request.how.table.turned_sign = true;
+  EXPECT_TRUE(has(request, "compensation-sign-turned"));
 }
 
 TEST(VolumeCompensation, ExtrapolatesNothing) {

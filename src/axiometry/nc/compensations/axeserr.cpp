@@ -23,7 +23,6 @@ constexpr int decimals_of_error = 4, decimals_of_position = 4;
 Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options) {
   AXIOMETRY_TRY_VOID(check_limits(correction, axeserr_axis_table));
   AXIOMETRY_TRY_VOID(check_axis_word(options));
-  if (options.in_inch) return fail("found inches, expected mm, the one unit of the file that is known");
   std::string text = fmt::format("unit = mm\n[{}]\n", options.axis);
   for (std::size_t k = 0; k < correction.positions().size(); ++k)
     fmt::format_to(std::back_inserter(text), "{}, {}, {}\n",

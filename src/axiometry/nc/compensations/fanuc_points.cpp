@@ -64,8 +64,6 @@ Result<AxisCorrection> around_reference(const AxisCorrection& correction, double
 
 Result<std::string> write(const AxisCorrection& given, const AxisTableOptions& options, const AxisTable& table,
                           bool each_way) {
-  if (options.kind == AxisKind::linear && options.in_inch)
-    return fail("found inches, expected mm, the unit of 3624 that is known");
   AXIOMETRY_TRY(const AxisCorrection correction, around_reference(given, options.reference));
   AXIOMETRY_TRY_VOID(check_limits(correction, table));
   AXIOMETRY_TRY_VOID(check_axis_word(options));

@@ -25,6 +25,7 @@ namespace {
 
 constexpr std::string_view range_mark = "; range ";
 constexpr double um_per_mm = 1000.0;
+constexpr double factor_most = 1.0;
 constexpr int factor_decimals = 8;  // 0.01 µm over a metre
 
 struct Factor {
@@ -52,7 +53,6 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   const std::vector<double>& positions = correction.positions();
   if (positions.size() < 2) return fail("found one position, expected at least two");
   const std::vector<double>& values = correction.values(Direction::up);
-  constexpr double factor_most = 1.0;
   const double slope = (values.back() - values.front()) / (positions.back() - positions.front()) / um_per_mm;
   if (std::abs(slope) > factor_most) return fail(fmt::format("found a factor of {:.3f}, expected -1 to 1", -slope));
   return comment_lines(";", marlin_skew_axis_table.sign) +
@@ -86,6 +86,8 @@ Result<void> take(TableLine line, char letter, Found& found) {
                           ? parse_number(words[1].substr(1))
                           : std::nullopt;
   if (!factor || found.factor) return refused(line, fmt::format("M852 {}NUMBER once, then M500", letter));
+  if (std::abs(*factor) > factor_most)
+    return fail(fmt::format("found a factor of {:.3f}, expected -1 to 1", *factor), {line.number, 0});
   found.factor = factor;
   return {};
 }

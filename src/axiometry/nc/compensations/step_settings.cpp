@@ -31,7 +31,6 @@ Result<unsigned> axis_number(const AxisTableOptions& options, std::size_t count)
 Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options, const AxisTable& table,
                           const Spelling& spelling) {
   AXIOMETRY_TRY_VOID(check_limits(correction, table));
-  if (options.in_inch) return fail("found inches, expected mm, in which this control counts steps and backlash");
   AXIOMETRY_TRY(const double backlash, backlash_of(correction));
   if (backlash < 0.0)
     return fail(

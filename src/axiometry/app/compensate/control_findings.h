@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "axiometry/model/axis_correction.h"
+#include "axiometry/model/named_finding.h"
+#include "axiometry/nc/axis_table.h"
+
+/// What must be done at the control beside loading a table, and what of it only a re-test tells.
+namespace axiometry::app {
+
+std::vector<NamedFinding> findings_of_control(const nc::AxisTable& control, const nc::AxisTableOptions& options,
+                                              const AxisCorrection& applied);
+
+}  // namespace axiometry::app
