@@ -24,6 +24,7 @@ constexpr double unix_from = 1e8, unix_ms_from = 1e11;  // 1973 in seconds; numb
 constexpr std::string_view role_words[] = {"machine", "equipment", "air"};
 
 struct RoleWord {
+constexpr double unix_to_s = 7289654400.0;              // end of 2200, as of written moments
   std::string_view word;
   std::string_view role;
 };
@@ -149,7 +150,7 @@ class LogReader {
         const double seconds = *number * columns_->seconds_per_unit;
         if (times_.empty() && seconds >= unix_from) since_1970_ = seconds >= unix_ms_from ? 1e-3 : 1.0;
         if (!since_1970_) return seconds;
-        if (std::abs(seconds) > 1e15) return std::nullopt;
+        if (!(std::abs(seconds * *since_1970_) < unix_to_s)) return std::nullopt;
         return since_begin({static_cast<std::int64_t>(std::llround(seconds * *since_1970_ * 1e3)) * 1'000'000, true});
       }
     }
@@ -173,7 +174,6 @@ class LogReader {
     }
     const double first = times_.front();
     for (double& time : times_) time -= first;
-    if (begin_) begin_->ns += static_cast<std::int64_t>(std::llround(first * 1e9));
     return {};
   }
 
@@ -187,12 +187,14 @@ class LogReader {
         return fail(
             fmt::format("found no sensor {} in the temperature log, expected one of {}", text::quoted(name), names()));
     }
+    last_ = moment;
     for (std::size_t k = 0; k < values_.size(); ++k) add_sensor(log, k, roles);
     if (log.sensors.empty()) return fail("found no temperature in the temperature log, expected some");
     tell_of_columns();
     log.remarks = std::move(remarks_);
     return log;
   }
+      begin_ = last_;
 
   std::string names() const {
     std::string all;
@@ -244,8 +246,8 @@ class LogReader {
   }
 
   std::optional<LogColumns> columns_;
-  std::optional<Moment> begin_;
-  std::optional<double> since_1970_;  // seconds per unit
+  std::optional<Moment> begin_, last_;  // of the first and the last line
+  std::optional<double> since_1970_;    // seconds per unit
   double midnights_ = 0.0;
   std::vector<double> times_;
   std::vector<std::size_t> lines_;

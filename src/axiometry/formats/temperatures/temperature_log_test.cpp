@@ -130,3 +130,13 @@ TEST(TemperatureLogs, CostInProportionToTheirLength) {
 
 }  // namespace
 }  // namespace axiometry::formats
+TEST(TemperatureLogs, MayLastForCenturiesAndRefuseWhatLiesBeyond) {
+  const auto old = log_of("time;air [°C]\n1900-01-01T00:00;20\n2199-12-31T00:00;21\n");
+  EXPECT_THAT(old.sensors[0].times_s, ElementsAre(0, 109572.0 * 86400.0));
+  EXPECT_THAT(old.remarks, Not(Contains(HasSubstr("newest reading"))));
+  const auto turned = log_of("time;air [°C]\n2199-12-31T00:00;21\n1900-01-01T00:00;20\n");
+  EXPECT_EQ(moment_text(*turned.begin), "1900-01-01T00:00:00");
+  EXPECT_THAT(refusal("time;air [°C]\n1700000000;20\n1700000600;20.1\n900000000000000;21\n"),
+              HasSubstr("4:1: found \"900000000000000;21\""));
+}
+
