@@ -207,6 +207,7 @@ constexpr Phrase rows[] = {
      "before it",
      "Temperaturaufzeichnung, die {0} beginnt und {1} h dauert; erwartet: eine der Prüfung oder der zwölf Stunden "
      "davor"},
+    {"found two roles of the sensor {0=}, expected one", "Zwei Rollen des Sensors {0}; erwartet: eine"},
     {"how its values go together over the length of the test, and white noise of u = {0#} {1#} beside it; the readings "
      "show about {2#} of what is stated",
      "wie ihre Werte über die Dauer der Prüfung zusammenhängen, und weißes Rauschen von u = {0} {1} daneben; die "

@@ -210,6 +210,8 @@ class LogReader {
       if (std::isnan(values_[k][j])) continue;
       course.times_s.push_back(times_[j]);
       course.celsius.push_back(values_[k][j]);
+      if (std::ranges::count(roles, name, &SensorRoles::value_type::first) > 1)
+        return fail(fmt::format("found two roles of the sensor {}, expected one", text::quoted(name)));
     }
     if (missing_[k] > 0)
       remarks_.push_back(fmt::format("temperature sensor {}: {} of {} readings have no value and are left out",

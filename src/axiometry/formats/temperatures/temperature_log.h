@@ -28,8 +28,8 @@ using SensorRoles = std::vector<std::pair<std::string, std::string>>;
 ///
 /// Fails, with the line, on a text without such lines, on times that run back and forth, on a line without its time, on
 /// a day/month/year with slashes (nobody knows which is the month), on one column for many sensors, on a role for a
-/// sensor that is not there or an unknown role, on more than 64 sensors, on a line of more than
-/// 16 KiB, and on more than 64 MiB.
+/// sensor that is not there, two for one or an unknown role, on more than 64 sensors, on a line of more than 16 KiB,
+/// and on more than 64 MiB.
 Result<TemperatureLog> read_temperature_log(std::string_view bytes, const SensorRoles& roles = {});
 
 }  // namespace axiometry::formats

@@ -117,6 +117,8 @@ TEST(TemperatureLogs, CostInProportionToTheirLength) {
   const auto text = [](std::size_t lines) {
     std::string all = "time_s,air_C\n";
     for (std::size_t k = 0; k < lines; ++k) all += fmt::format("{},{}\n", k, 20 + k % 7);
+  EXPECT_THAT(refusal(text, {{"T1", "machine"}, {"T1", "air"}}),
+              HasSubstr("found two roles of the sensor \"T1\", expected one"));
     return all;
   };
   for (const std::size_t lines : {100u, 1000u, 100000u})
