@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "axiometry/base/number_text.h"
@@ -111,6 +112,19 @@ std::optional<LogColumns> time_columns(const std::vector<std::string_view>& cell
                                        char delimiter) {
   LogColumns columns;
   columns.delimiter = delimiter;
+/// Whether the date in that cell stands where readings have theirs: no word before it, and a number in another cell.
+/// Else the line is one about the logger.
+bool dates_readings(const std::vector<std::string_view>& cells, std::size_t date, char delimiter) {
+  const auto is_number = [&](std::string_view cell) { return log_number(cell, delimiter).has_value(); };
+  const auto is_word = [&](std::string_view cell) {
+    return !is_number(cell) && !has_no_value(cell) && !time_of_day_s(cell);
+  };
+  const auto before = cells | std::views::take(date);
+  const auto after = cells | std::views::drop(date + 1);
+  return std::ranges::none_of(before, is_word) &&
+         (std::ranges::any_of(before, is_number) || std::ranges::any_of(after, is_number));
+}
+
   const auto first = [&](auto is) { return static_cast<std::size_t>(std::ranges::find_if(cells, is) - cells.begin()); };
   if ((columns.time = first([](auto c) { return moment_of(c).has_value(); })) < cells.size()) {
     columns.kind = LogTime::moment;
@@ -170,7 +184,8 @@ Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string
   // A header of several words for a moment that blanks part: "date time T1".
   if (delimiter == ' ' && heads.size() == cells.size() + 1) heads.erase(heads.begin());
   if (cells.size() < 2) return std::nullopt;
-  if (const auto slashed = std::ranges::find_if(cells, is_slashed_date); slashed != cells.end())
+  if (const auto slashed = std::ranges::find_if(cells, is_slashed_date); slashed != cells.end()) {
+    if (!dates_readings(cells, static_cast<std::size_t>(slashed - cells.begin()), delimiter)) return std::nullopt;
     return fail(
         fmt::format("found the date {}, expected 2026-03-02 or 02.03.2026: of slashes nobody knows which is the "
                     "month",
@@ -180,6 +195,7 @@ Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string
   const bool units = std::ranges::any_of(heads, [](const Head& h) { return h.unit != nullptr; });
   columns->units_assumed = !units;
   for (std::size_t k = 0; k < std::max(cells.size(), heads.size()); ++k) {
+  }
     if (is_time(*columns, k)) continue;
     const Head head = k < heads.size() ? heads[k] : Head{fmt::format("column {}", k + 1), nullptr, {}, false};
     const bool number = k < cells.size() && log_number(cells[k], delimiter);
