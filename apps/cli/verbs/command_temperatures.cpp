@@ -99,8 +99,9 @@ void add_time_flags(const Verb& verb, TemperatureArguments& a) {
   verb.add_option("--began", a.request.began, "Moment of the first reading of the test, as 2026-03-02T09:00")
       ->type_name("MOMENT")
       ->group(group);
-  verb.add_option("--ended", a.request.ended,
-                  "Moment of its last reading; without it the test lasts to the end of the log")
+  verb.add_option(
+          "--ended", a.request.ended,
+          "Moment of its last reading; without it the end of the log is taken for it, and no limit is called kept")
       ->type_name("MOMENT")
       ->group(group);
   verb.add_option_function<std::vector<std::string>>(

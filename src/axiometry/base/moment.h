@@ -19,7 +19,7 @@ struct Moment {
   std::int64_t ns = 0;  ///< since 1970-01-01 00:00, in UTC where the zone is told, else on the clock of the place
   bool zoned = false;
 
-  double seconds_since(const Moment& other) const { return static_cast<double>(ns - other.ns) / 1e9; }
+  double seconds_since(const Moment& other) const;  ///< of any two, however far apart
 };
 
 /// "2026-03-02T09:00", with seconds or a zone where told, or "02.03.2026 09:00". Nothing for other text.

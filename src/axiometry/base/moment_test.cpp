@@ -23,6 +23,13 @@ TEST(Moments, AreReadWithAndWithoutSecondsAndZone) {
   EXPECT_TRUE(moment_of("2026-03-02T09:00:00Z")->zoned);
 }
 
+TEST(Moments, AreComparedHoweverFarApart) {
+  const auto first = moment_of("1900-01-01T00:00"), last = moment_of("2199-12-31T00:00");
+  constexpr double days = 109572.0;  // 299 years with 73 leap days, and 364 days
+  EXPECT_EQ(last->seconds_since(*first), days * 86400.0) << "more than 2^63 ns";
+  EXPECT_EQ(first->seconds_since(*last), -days * 86400.0);
+}
+
 TEST(Moments, AreNoOtherText) {
   for (const char* text : {"", "2026-03-02", "09:00", "30.02.2026 09:00", "2026-03-02T24:00", "02/03/2026 09:00",
                            "2026-03-02T09:60", "tomorrow", "2026-03-02T09"})

@@ -207,6 +207,7 @@ constexpr Phrase rows[] = {
      "before it",
      "Temperaturaufzeichnung, die {0} beginnt und {1} h dauert; erwartet: eine der Prüfung oder der zwölf Stunden "
      "davor"},
+    {"found two roles of the sensor {0=}, expected one", "Zwei Rollen des Sensors {0}; erwartet: eine"},
     {"how its values go together over the length of the test, and white noise of u = {0#} {1#} beside it; the readings "
      "show about {2#} of what is stated",
      "wie ihre Werte über die Dauer der Prüfung zusammenhängen, und weißes Rauschen von u = {0} {1} daneben; die "
@@ -218,6 +219,10 @@ constexpr Phrase rows[] = {
     {"no interval is stated: {0}", "es wird kein Intervall angegeben: {0}"},
     {"no limit agreed", "kein Grenzwert vereinbart"},
     {"no noise in the readings", "kein Rauschen in den Messwerten"},
+    {"nobody said when the test ended, and the log ends no later than the test began",
+     "niemand hat gesagt, wann die Prüfung endete, und die Aufzeichnung endet nicht später, als die Prüfung begann"},
+    {"nobody said when the test ended: the end of the log is taken for it",
+     "niemand hat gesagt, wann die Prüfung endete: dafür gilt das Ende der Aufzeichnung"},
     {"nobody said when the test was: all of the log counts as the test, and nothing is known of the twelve hours "
      "before it",
      "niemand hat gesagt, wann die Prüfung war: die ganze Aufzeichnung zählt als Prüfung, und von den zwölf Stunden "
@@ -242,10 +247,22 @@ constexpr Phrase rows[] = {
     {"temperature sensor {0=} does not say what it is of and is taken for one of the air",
      "Temperatursensor {0} sagt nicht, wovon er ist, und gilt als einer der Luft"},
     {"temperature sensor {0=} has no reading at all", "Temperatursensor {0} hat gar keinen Messwert"},
+    {"temperature sensor {0=} is taken for one of the air by its name",
+     "Temperatursensor {0} gilt nach seinem Namen als einer der Luft"},
+    {"temperature sensor {0=} is taken for one of the equipment by its name",
+     "Temperatursensor {0} gilt nach seinem Namen als einer des Messmittels"},
+    {"temperature sensor {0=} is taken for one of the machine by its name",
+     "Temperatursensor {0} gilt nach seinem Namen als einer der Maschine"},
     {"temperature sensor {0=}: {1#} of {2#} readings have no value and are left out",
      "Temperatursensor {0}: {1} von {2} Messwerten sind leer und bleiben weg"},
     {"temperature sensor {0=}: {1#} of {2#} readings lie outside −60 … 100 °C and are left out",
      "Temperatursensor {0}: {1} von {2} Messwerten liegen außerhalb von −60 … 100 °C und bleiben weg"},
+    {"temperature sensors {0=} are taken for ones of the air by their names",
+     "Temperatursensoren {0} gelten nach ihren Namen als solche der Luft"},
+    {"temperature sensors {0=} are taken for ones of the equipment by their names",
+     "Temperatursensoren {0} gelten nach ihren Namen als solche des Messmittels"},
+    {"temperature sensors {0=} are taken for ones of the machine by their names",
+     "Temperatursensoren {0} gelten nach ihren Namen als solche der Maschine"},
     {"the method of record, {0}, states no uncertainty of {1#}",
      "das maßgebliche Verfahren, {0}, gibt keine Unsicherheit von {1} an"},
     {"the parameter that the axis has in the long run", "der Kennwert, den die Achse auf lange Sicht hat,"},

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recordings/sample_columns.h"
 #include "axiometry/formats/recordings/time_text.h"
+#include "axiometry/formats/temperatures/name_words.h"
 #include "axiometry/formats/temperatures/temperature_log.h"
 
 namespace axiometry::formats {
@@ -47,9 +49,15 @@ constexpr std::string_view time_heads[] = {"time",        "t",         "zeit",  
                                            "datetime",    "date time", "elapsed",  "seconds",   "uhrzeit",
                                            "zeitstempel", "sekunden",  "date/time"};
 /// Of columns that are no temperatures, where no head tells a unit.
-constexpr std::string_view other_words[] = {"hum", "feucht", "rh",   "press", "druck",  "dew",
-                                            "tau", "batt",   "co2",  "index", "number", "nummer",
-                                            "lfd", "count",  "volt", "no.",   "record"};
+constexpr NameWord other_words[] = {
+    {"hum", WordPlace::whole},    {"humid", WordPlace::anywhere},    {"feucht", WordPlace::anywhere},
+    {"rh", WordPlace::whole},     {"press", WordPlace::whole},       {"pressure", WordPlace::anywhere},
+    {"druck", WordPlace::back},   {"dew", WordPlace::whole},         {"dewpoint", WordPlace::anywhere},
+    {"tau", WordPlace::whole},    {"taupunkt", WordPlace::anywhere}, {"batt", WordPlace::whole},
+    {"batter", WordPlace::front}, {"co2", WordPlace::whole},         {"index", WordPlace::whole},
+    {"number", WordPlace::whole}, {"nummer", WordPlace::back},       {"lfd", WordPlace::whole},
+    {"count", WordPlace::whole},  {"counter", WordPlace::whole},     {"volt", WordPlace::front},
+    {"no.", WordPlace::front},    {"record", WordPlace::whole}};
 constexpr std::string_view no_values[] = {"-",   "--",    "---",  "nan", "na",    "n/a",    "null",        "none",
                                           "err", "error", "open", "oor", "fault", "fehler", "unavailable", "unknown"};
 
@@ -93,10 +101,8 @@ bool names_time(const Head& head) {
 }
 
 bool names_other(std::string_view name) {
-  const std::string lower = text::to_lower(name);
-  return lower.starts_with('%') || std::ranges::any_of(other_words, [&](std::string_view word) {
-           return word.size() > 2 ? lower.find(word) != lower.npos : lower == word;
-         });
+  return name.starts_with('%') ||
+         std::ranges::any_of(other_words, [&](const NameWord& word) { return has_word(name, word); });
 }
 
 /// "3/2/2026": a day with slashes that no rule tells from a month.
@@ -104,6 +110,19 @@ bool is_slashed_date(std::string_view cell) {
   const std::size_t first = cell.find('/');
   return first != cell.npos && first >= 1 && first <= 2 && cell.find('/', first + 1) != cell.npos &&
          cell.front() >= '0' && cell.front() <= '9';
+}
+
+/// Whether the date in that cell stands where readings have theirs: no word before it, and a number in another cell.
+/// Else the line is one about the logger.
+bool dates_readings(const std::vector<std::string_view>& cells, std::size_t date, char delimiter) {
+  const auto is_number = [&](std::string_view cell) { return log_number(cell, delimiter).has_value(); };
+  const auto is_word = [&](std::string_view cell) {
+    return !is_number(cell) && !has_no_value(cell) && !time_of_day_s(cell);
+  };
+  const auto before = cells | std::views::take(date);
+  const auto after = cells | std::views::drop(date + 1);
+  return std::ranges::none_of(before, is_word) &&
+         (std::ranges::any_of(before, is_number) || std::ranges::any_of(after, is_number));
 }
 
 /// Where the time stands; nothing where the line tells none.
@@ -170,11 +189,13 @@ Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string
   // A header of several words for a moment that blanks part: "date time T1".
   if (delimiter == ' ' && heads.size() == cells.size() + 1) heads.erase(heads.begin());
   if (cells.size() < 2) return std::nullopt;
-  if (const auto slashed = std::ranges::find_if(cells, is_slashed_date); slashed != cells.end())
+  if (const auto slashed = std::ranges::find_if(cells, is_slashed_date); slashed != cells.end()) {
+    if (!dates_readings(cells, static_cast<std::size_t>(slashed - cells.begin()), delimiter)) return std::nullopt;
     return fail(
         fmt::format("found the date {}, expected 2026-03-02 or 02.03.2026: of slashes nobody knows which is the "
                     "month",
                     text::quoted(*slashed)));
+  }
   auto columns = time_columns(cells, heads, delimiter);
   if (!columns) return std::nullopt;
   const bool units = std::ranges::any_of(heads, [](const Head& h) { return h.unit != nullptr; });

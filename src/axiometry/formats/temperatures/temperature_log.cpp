@@ -2,13 +2,16 @@
 #include "axiometry/formats/temperatures/temperature_log.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/temperatures/log_columns.h"
+#include "axiometry/formats/temperatures/name_words.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/text_lines.h"
 
@@ -21,33 +24,59 @@ constexpr std::size_t preamble_max = 200;                      // lines above th
 constexpr double coldest = -60.0, hottest = 100.0;
 constexpr double day_s = 86400.0;
 constexpr double unix_from = 1e8, unix_ms_from = 1e11;  // 1973 in seconds; numbers of that size count from 1970
+constexpr double unix_to_s = 7289654400.0;              // end of 2200, as of written moments
 constexpr std::string_view role_words[] = {"machine", "equipment", "air"};
 
 struct RoleWord {
-  std::string_view word;
+  NameWord sought;
   std::string_view role;
 };
-/// Parts of names, in this order: "air above the bed" is of the air.
+/// In this order: "air above the bed" is of the air.
 constexpr RoleWord words_of_roles[] = {
-    {"air", "air"},          {"luft", "air"},
-    {"ambient", "air"},      {"room", "air"},
-    {"raum", "air"},         {"hall", "air"},
-    {"umgebung", "air"},     {"laser", "equipment"},
-    {"optic", "equipment"},  {"interferom", "equipment"},
-    {"material", "machine"}, {"machine", "machine"},
-    {"maschine", "machine"}, {"bed", "machine"},
-    {"bett", "machine"},     {"table", "machine"},
-    {"tisch", "machine"},    {"column", "machine"},
-    {"ständer", "machine"},  {"spindle", "machine"},
-    {"spindel", "machine"},  {"scale", "machine"},
-    {"maßstab", "machine"},  {"screw", "machine"},
+    {{"air", WordPlace::front}, "air"},
+    {{"luft", WordPlace::front_or_back}, "air"},
+    {{"ambient", WordPlace::front}, "air"},
+    {{"room", WordPlace::front_or_back}, "air"},
+    {{"raum", WordPlace::front_or_back}, "air"},
+    {{"hall", WordPlace::front}, "air"},
+    {{"umgebung", WordPlace::front}, "air"},
+    {{"laser", WordPlace::front_or_back}, "equipment"},
+    {{"optic", WordPlace::front}, "equipment"},
+    {{"interferom", WordPlace::front}, "equipment"},
+    {{"material", WordPlace::front}, "machine"},
+    {{"machine", WordPlace::front}, "machine"},
+    {{"maschine", WordPlace::front_or_back}, "machine"},
+    {{"bed", WordPlace::front}, "machine"},
+    {{"bett", WordPlace::front_or_back}, "machine"},
+    {{"table", WordPlace::front}, "machine"},
+    {{"tisch", WordPlace::front_or_back}, "machine"},
+    {{"column", WordPlace::front}, "machine"},
+    {{"ständer", WordPlace::front_or_back}, "machine"},
+    {{"spindle", WordPlace::front_or_back}, "machine"},
+    {{"spindel", WordPlace::front_or_back}, "machine"},
+    {{"scale", WordPlace::front}, "machine"},
+    {{"maßstab", WordPlace::front_or_back}, "machine"},
+    {{"screw", WordPlace::front_or_back}, "machine"},
+};
+
+/// What is told of sensors whose role follows from their names.
+struct NamedRole {
+  std::string_view role;
+  std::string_view one, several;
+};
+constexpr NamedRole named_roles[] = {
+    {"air", "temperature sensor {} is taken for one of the air by its name",
+     "temperature sensors {} are taken for ones of the air by their names"},
+    {"machine", "temperature sensor {} is taken for one of the machine by its name",
+     "temperature sensors {} are taken for ones of the machine by their names"},
+    {"equipment", "temperature sensor {} is taken for one of the equipment by its name",
+     "temperature sensors {} are taken for ones of the equipment by their names"},
 };
 
 std::optional<std::string_view> role_by_name(std::string_view name) {
   if (name.starts_with("column ")) return std::nullopt;  // of a log without a header
-  const std::string lower = text::to_lower(name);
   for (const RoleWord& row : words_of_roles)
-    if (lower.find(row.word) != lower.npos) return row.role;
+    if (has_word(name, row.sought)) return row.role;
   return std::nullopt;
 }
 
@@ -149,7 +178,7 @@ class LogReader {
         const double seconds = *number * columns_->seconds_per_unit;
         if (times_.empty() && seconds >= unix_from) since_1970_ = seconds >= unix_ms_from ? 1e-3 : 1.0;
         if (!since_1970_) return seconds;
-        if (std::abs(seconds) > 1e15) return std::nullopt;
+        if (!(std::abs(seconds * *since_1970_) < unix_to_s)) return std::nullopt;
         return since_begin({static_cast<std::int64_t>(std::llround(seconds * *since_1970_ * 1e3)) * 1'000'000, true});
       }
     }
@@ -159,12 +188,14 @@ class LogReader {
   std::optional<double> since_begin(const Moment& moment) {
     if (!begin_) begin_ = moment;
     if (begin_->zoned != moment.zoned) return std::nullopt;
+    last_ = moment;
     return moment.seconds_since(*begin_);
   }
 
   Result<void> order_times() {
     if (times_.size() > 1 && times_.front() > times_.back() && std::ranges::is_sorted(times_, std::greater{})) {
       std::ranges::reverse(times_);
+      begin_ = last_;
       for (auto& values : values_) std::ranges::reverse(values);
       remarks_.emplace_back("the temperature log begins with the newest reading and was turned round");
     } else if (const auto at = std::ranges::is_sorted_until(times_); at != times_.end()) {
@@ -173,13 +204,14 @@ class LogReader {
     }
     const double first = times_.front();
     for (double& time : times_) time -= first;
-    if (begin_) begin_->ns += static_cast<std::int64_t>(std::llround(first * 1e9));
     return {};
   }
 
   Result<TemperatureLog> log_of(const SensorRoles& roles) {
     TemperatureLog log{begin_, {}, {}};
     for (const auto& [name, role] : roles) {
+      if (std::ranges::count(roles, name, &SensorRoles::value_type::first) > 1)
+        return fail(fmt::format("found two roles of the sensor {}, expected one", text::quoted(name)));
       if (!text::is_one_of(role, role_words))
         return fail(
             fmt::format("found {} as what a sensor is of, expected machine, equipment or air", text::quoted(role)));
@@ -189,6 +221,7 @@ class LogReader {
     }
     for (std::size_t k = 0; k < values_.size(); ++k) add_sensor(log, k, roles);
     if (log.sensors.empty()) return fail("found no temperature in the temperature log, expected some");
+    tell_of_names();
     tell_of_columns();
     log.remarks = std::move(remarks_);
     return log;
@@ -226,12 +259,22 @@ class LogReader {
       course.role = text::to_lower(stated->second);
     } else if (const auto role = role_by_name(name)) {
       course.role = *role;
+      by_name_[std::string(*role)].push_back(text::quoted(name));
     } else {
       course.role = "air";
       remarks_.push_back(fmt::format("temperature sensor {} does not say what it is of and is taken for one of the air",
                                      text::quoted(name)));
     }
     log.sensors.push_back(std::move(course));
+  }
+
+  void tell_of_names() {
+    for (const NamedRole& row : named_roles) {
+      const auto found = by_name_.find(row.role);
+      if (found == by_name_.end()) continue;
+      const std::string_view pattern = found->second.size() > 1 ? row.several : row.one;
+      remarks_.push_back(fmt::format(fmt::runtime(pattern), fmt::join(found->second, ", ")));
+    }
   }
 
   void tell_of_columns() {
@@ -244,14 +287,15 @@ class LogReader {
   }
 
   std::optional<LogColumns> columns_;
-  std::optional<Moment> begin_;
-  std::optional<double> since_1970_;  // seconds per unit
+  std::optional<Moment> begin_, last_;  // of the first and the last line
+  std::optional<double> since_1970_;    // seconds per unit
   double midnights_ = 0.0;
   std::vector<double> times_;
   std::vector<std::size_t> lines_;
   std::vector<std::vector<double>> values_;  // NaN: none
   std::vector<std::size_t> missing_;
   std::vector<std::size_t> beyond_;
+  std::map<std::string, std::vector<std::string>, std::less<>> by_name_;  // quoted names of sensors, per role
   std::vector<std::string> remarks_;
 };
 

@@ -24,12 +24,13 @@ using SensorRoles = std::vector<std::pair<std::string, std::string>>;
 /// - Temperatures: °C, K or °F by the header. With any unit in the header, only columns with such a unit count; what
 ///   else stands there (humidity, pressure, …) is told in the remarks.
 /// - A reading that is empty, a word of no value ("-", "NaN", "err", …) or outside −60 … 100 °C is left out and told.
-/// - Roles are those given, else what the name says ("air", "room", "bed", "scale", "laser", …), else air, and told.
+/// - Roles are those given, else what a word of the name says ("air", "room", "bed", "scale", "laser", …), else
+///   air; either is told.
 ///
 /// Fails, with the line, on a text without such lines, on times that run back and forth, on a line without its time, on
 /// a day/month/year with slashes (nobody knows which is the month), on one column for many sensors, on a role for a
-/// sensor that is not there or an unknown role, on more than 64 sensors, on a line of more than
-/// 16 KiB, and on more than 64 MiB.
+/// sensor that is not there, two for one or an unknown role, on more than 64 sensors, on a line of more than 16 KiB,
+/// and on more than 64 MiB.
 Result<TemperatureLog> read_temperature_log(std::string_view bytes, const SensorRoles& roles = {});
 
 }  // namespace axiometry::formats

@@ -40,7 +40,10 @@ TEST(TemperatureLogs, HaveATimeAndSensorsWithRolesByTheirNames) {
   EXPECT_THAT(log.sensors[0].times_s, ElementsAre(0.0, 600.0));
   EXPECT_THAT(log.sensors[2].celsius, ElementsAre(21.0, 22.5));
   EXPECT_EQ(moment_text(*log.begin), "2026-03-02T08:00:00");
-  EXPECT_THAT(log.remarks, IsEmpty()) << "all of it was told";
+  EXPECT_THAT(log.remarks, ElementsAre("temperature sensor \"Air\" is taken for one of the air by its name",
+                                       "temperature sensor \"Bed\" is taken for one of the machine by its name",
+                                       "temperature sensor \"Laser head\" is taken for one of the equipment by its "
+                                       "name"));
 }
 
 TEST(TemperatureLogs, MayHaveDecimalCommasSemicolonsGermanDatesAndAPreamble) {
@@ -52,8 +55,18 @@ TEST(TemperatureLogs, MayHaveDecimalCommasSemicolonsGermanDatesAndAPreamble) {
   EXPECT_THAT(log.sensors[0].times_s, ElementsAre(0.0, 600.0));
   EXPECT_THAT(log.sensors[0].celsius, ElementsAre(19.5, 19.75));
   EXPECT_EQ(moment_text(*log.begin), "2026-03-01T23:50:00");
-  EXPECT_THAT(log.remarks, ElementsAre("column \"Feuchte [%]\" of the temperature log is no temperature and is passed "
-                                       "over"));
+  EXPECT_THAT(log.remarks, Contains("column \"Feuchte [%]\" of the temperature log is no temperature and is passed "
+                                    "over"));
+}
+
+TEST(TemperatureLogs, MayHaveDatesWithSlashesAboveTheReadings) {
+  for (const char* above : {"Exported,3/2/2026", "Exported,3/2/2026,12", "Exported 3/2/2026 14:05 by logger 7"}) {
+    const auto log = log_of(fmt::format("{}\ntime,air [°C]\n2026-03-02T09:00,20\n2026-03-02T09:10,20.1\n", above));
+    ASSERT_EQ(log.sensors.size(), 1u) << above;
+    EXPECT_THAT(log.sensors[0].celsius, ElementsAre(20, 20.1)) << above;
+  }
+  for (const char* reading : {"3/2/2026 08:00,20", "3/2/2026,08:00,20", "1,3/2/2026 08:00,20"})
+    EXPECT_THAT(refusal(fmt::format("{}\n", reading)), HasSubstr("of slashes nobody knows")) << reading;
 }
 
 TEST(TemperatureLogs, TakeKelvinAndFahrenheitToCelsius) {
@@ -74,12 +87,38 @@ TEST(TemperatureLogs, TellWhatTheyAssumeAndLeaveOut) {
   EXPECT_THAT(log.remarks, Contains(HasSubstr("column \"humidity\" of the temperature log is no temperature")));
 }
 
+TEST(TemperatureLogs, SeekWordsAndNoPartsOfThem) {
+  const auto role = [](std::string_view name) {
+    const auto log = log_of(fmt::format("time_s;{}\n0;20\n60;21\n", name));
+    return log.remarks.front().find("does not say") != std::string::npos ? "not told" : log.sensors[0].role;
+  };
+  for (const char* air : {"air", "Air_2", "T1Air", "airTemp", "Hallenluft", "Außenlufttemperatur", "Raumtemperatur",
+                          "Maschinenraum", "air above the bed"})
+    EXPECT_EQ(role(air), "air") << air;
+  for (const char* machine : {"bed_left", "Maschinenbett", "Drehtisch", "ballscrew", "Rundtischtemp", "spindle2"})
+    EXPECT_EQ(role(machine), "machine") << machine;
+  for (const char* unknown : {"fairing", "stable support", "sidewall", "compressor", "counterweight", "Tauchfühler",
+                              "embedded", "Presse", "indexer"})
+    EXPECT_EQ(role(unknown), "not told") << unknown;
+  for (const char* other : {"humidity", "air_RH", "Luftfeuchte", "Luftdruck", "Drucktaupunkt", "airhumidity",
+                            "dew point", "airPressure", "sample count", "Seriennummer", "CO2", "battery", "No."}) {
+    const auto log = log_of(fmt::format("time_s;{};air\n0;20;20\n60;21;20\n", other));
+    EXPECT_EQ(log.sensors.size(), 1u) << other;
+    EXPECT_THAT(log.remarks, Contains(HasSubstr("is no temperature"))) << other;
+  }
+  const auto both = log_of("time_s,air left,air right\n0,20,21\n60,20,21\n");
+  EXPECT_THAT(both.remarks, Contains("temperature sensors \"air left\", \"air right\" are taken for ones of the air by "
+                                     "their names"));
+}
+
 TEST(TemperatureLogs, TakeTheRolesThatAreStated) {
   const std::string text = "time_s,T1_C,T2_C\n0,20,21\n60,20,21\n";
   const auto log = log_of(text, {{"T1", "Machine"}, {"T2", "air"}});
   EXPECT_EQ(log.sensors[0].role, "machine");
   EXPECT_THAT(log.remarks, IsEmpty());
   EXPECT_THAT(refusal(text, {{"T3", "air"}}), HasSubstr("found no sensor \"T3\""));
+  EXPECT_THAT(refusal(text, {{"T1", "machine"}, {"T1", "air"}}),
+              HasSubstr("found two roles of the sensor \"T1\", expected one"));
   EXPECT_THAT(refusal(text, {{"T1", "floor"}}), HasSubstr("expected machine, equipment or air"));
 }
 
@@ -99,6 +138,16 @@ TEST(TemperatureLogs, MayBeginWithTheNewestReadingOrHaveNoDate) {
   const auto unix_times = log_of("epoch time,air_C\n1772438400,20\n1772438460,21\n");
   EXPECT_EQ(moment_text(*unix_times.begin), "2026-03-02T08:00:00Z");
   EXPECT_THAT(unix_times.remarks, Contains(HasSubstr("1970")));
+}
+
+TEST(TemperatureLogs, MayLastForCenturiesAndRefuseWhatLiesBeyond) {
+  const auto old = log_of("time;air [°C]\n1900-01-01T00:00;20\n2199-12-31T00:00;21\n");
+  EXPECT_THAT(old.sensors[0].times_s, ElementsAre(0, 109572.0 * 86400.0));
+  EXPECT_THAT(old.remarks, Not(Contains(HasSubstr("newest reading"))));
+  const auto turned = log_of("time;air [°C]\n2199-12-31T00:00;21\n1900-01-01T00:00;20\n");
+  EXPECT_EQ(moment_text(*turned.begin), "1900-01-01T00:00:00");
+  EXPECT_THAT(refusal("time;air [°C]\n1700000000;20\n1700000600;20.1\n900000000000000;21\n"),
+              HasSubstr("4:1: found \"900000000000000;21\""));
 }
 
 TEST(TemperatureLogs, RefuseWhatNobodyCanKnow) {

@@ -91,7 +91,11 @@ std::vector<std::string> gaps_of(const iso230_2::TestEnvironment& environment, b
         "before it"};
   std::vector<std::string> gaps;
   const auto hours = [&](double h) { return shown_celsius(h, 2, options); };
-  if (environment.during && !environment.during->complete())
+  const bool nothing_of_it = environment.during && !(environment.during->whole_h > 0.0);
+  if (environment.during && !environment.during->end_told)
+    gaps.emplace_back(nothing_of_it ? "nobody said when the test ended, and the log ends no later than the test began"
+                                    : "nobody said when the test ended: the end of the log is taken for it");
+  if (environment.during && !nothing_of_it && !environment.during->gapless())
     gaps.push_back(
         fmt::format("the temperature of the air was recorded in {} h of the {} h of the test; what it was in "
                     "the rest is not known",

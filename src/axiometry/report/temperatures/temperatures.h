@@ -28,7 +28,8 @@ std::string measured_text(const iso230_2::EnvironmentItem& item, const Options& 
 /// "at most 22 °C"; empty where nothing was agreed.
 std::string agreed_text(const iso230_2::EnvironmentItem& item, const Options& options);
 
-/// What of the time was not recorded, and that nobody said when the test was; sentences without full stop.
+/// What of the time was not recorded, and that nobody said when the test was or when it ended; sentences without full
+/// stop.
 std::vector<std::string> gaps_of(const iso230_2::TestEnvironment& environment, bool placed, const Options& options);
 
 /// Every sensor over time, the time of the test as a band, the agreed limits as lines. Of a sensor with very many

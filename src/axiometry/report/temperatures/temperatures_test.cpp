@@ -116,6 +116,19 @@ TEST(TemperatureDocument, SaysWhatIsNotKnown) {
   EXPECT_THAT(gaps[0], HasSubstr("recorded in 1.00 h of the 3.00 h of the test"));
 }
 
+TEST(TemperatureDocument, SaysThatNobodyToldTheEndOfTheTest) {
+  Logged logged = day();
+  logged.test = TimeStretch{12 * hour, 13 * hour, false};
+  EXPECT_EQ(compose(logged.subject(), logged.options).running_status, "Not known whether every agreed limit was kept");
+  EXPECT_THAT(gaps_of(logged.environment, true, logged.options),
+              ::testing::ElementsAre("nobody said when the test ended: the end of the log is taken for it"));
+  logged.test = TimeStretch{13.5 * hour, 13.5 * hour, false};
+  logged.subject();
+  EXPECT_THAT(gaps_of(logged.environment, true, logged.options),
+              ::testing::ElementsAre("nobody said when the test ended, and the log ends no later than the test began",
+                                     HasSubstr("of the twelve hours before the test")));
+}
+
 TEST(TemperatureDocument, ShowsALimitThatIsExceededByLittle) {
   iso230_2::EnvironmentItem item{"highest_C", "Highest temperature of the air", "°C", "7", false, 22.0004, 22.0};
   EXPECT_EQ(measured_text(item, {}), "22.0004\u00a0°C");

@@ -182,8 +182,8 @@ std::optional<TimeStretch> test_in_log(const std::optional<Moment>& began, const
   if (!zero || !began || zero->zoned != began->zoned || (ended && ended->zoned != zero->zoned)) return std::nullopt;
   const double from = began->seconds_since(*zero);
   const double to = ended ? ended->seconds_since(*zero) : std::max(stretch_of(log.sensors).end_s, from);
-  if (to < from) return std::nullopt;
-  return TimeStretch{from, to};
+  if (ended && to <= from) return std::nullopt;
+  return TimeStretch{from, to, ended.has_value()};
 }
 
 AmbientTemperatures ambient_of(std::span<const TemperatureCourse> sensors, const std::optional<TimeStretch>& test) {

@@ -33,6 +33,7 @@ struct AmbientTemperatures {
 struct TimeStretch {
   double begin_s = 0.0;
   double end_s = 0.0;
+  bool end_told = true;  ///< else it may have lasted longer
 
   double length_s() const { return end_s - begin_s; }
 };
@@ -54,9 +55,9 @@ double recorded_s(std::span<const TemperatureCourse> sensors, std::string_view r
 /// From the first to the last reading of any sensor.
 TimeStretch stretch_of(std::span<const TemperatureCourse> sensors);
 
-/// A test that began and ended at these moments, in a log that begins at `zero`; without an end to the end of the log.
-/// Nothing where the beginning of either is not told, where only one of two moments tells its zone, and where the end
-/// lies before the beginning.
+/// A test that began and ended at these moments in a log; without an end to the end of the log, and of no length where
+/// that lies before the beginning. Nothing where the beginning of either is not told, where only one of two moments
+/// tells its zone, and where the end does not lie behind the beginning.
 std::optional<TimeStretch> test_in_log(const std::optional<Moment>& began, const std::optional<Moment>& ended,
                                        const TemperatureLog& log);
 

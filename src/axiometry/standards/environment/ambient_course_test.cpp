@@ -121,6 +121,10 @@ TEST(TestInLog, IsPlacedByItsMoments) {
   EXPECT_EQ(at("2026-03-02T12:00", "2026-03-02T13:00")->begin_s, 12 * hour);
   EXPECT_EQ(at("2026-03-02T12:00", "2026-03-02T13:00")->end_s, 13 * hour);
   EXPECT_EQ(at("2026-03-02T12:00", "")->end_s, 14 * hour) << "to the end of the log";
+  EXPECT_FALSE(at("2026-03-02T12:00", "")->end_told);
+  EXPECT_TRUE(at("2026-03-02T12:00", "2026-03-02T13:00")->end_told);
+  EXPECT_EQ(at("2026-03-02T16:00", "")->length_s(), 0.0) << "behind the end of the log";
+  EXPECT_FALSE(at("2026-03-02T12:00", "2026-03-02T12:00")) << "no time at all";
   EXPECT_FALSE(at("", "2026-03-02T13:00"));
   EXPECT_FALSE(at("2026-03-02T13:00", "2026-03-02T12:00"));
   EXPECT_FALSE(at("2026-03-02T12:00Z", "2026-03-02T13:00Z")) << "a zone against none";
@@ -157,6 +161,28 @@ TEST(EnvironmentOfATest, NeverCallsKeptWhatWasNotMeasured) {  // 4.1, 7
   EXPECT_EQ(standing(unplaced, "rate_before_C_per_h"), EnvironmentStanding::not_measured);
   const auto none = iso230_2::test_environment(log_of({course("machine", 0, 13 * hour, 600, level)}), test, agreed);
   EXPECT_EQ(standing(none, "lowest_C"), EnvironmentStanding::not_measured);
+}
+
+TEST(EnvironmentOfATest, NeverCallsKeptWhatMayHaveLastedLonger) {
+  iso230_2::AgreedEnvironment agreed;
+  agreed.highest = Temperature::celsius(22);
+  agreed.rate = 0.5;
+  agreed.machine_gradient = TemperatureDifference::kelvin(1);
+  const auto level = [](double) { return 20.0; };
+  const auto log = log_of({course("air", 0, 13 * hour, 600, level), course("machine", 0, 13 * hour, 600, level),
+                           course("machine", 0, 13 * hour, 600, level)});
+  const auto endless =
+      iso230_2::test_environment(log, test_in_log(moment_of("2026-03-02T12:30"), std::nullopt, log), agreed);
+  for (const char* key : {"highest_C", "rate_C_per_h", "machine_gradient_C"})
+    EXPECT_EQ(standing(endless, key), EnvironmentStanding::known_in_part) << key;
+  EXPECT_EQ(standing(endless, "rate_before_C_per_h"), EnvironmentStanding::kept) << "the beginning was told";
+  EXPECT_TRUE(endless.open());
+  EXPECT_FALSE(endless.during->complete());
+  EXPECT_TRUE(endless.during->gapless());
+  const auto behind =
+      iso230_2::test_environment(log, test_in_log(moment_of("2026-03-02T14:00"), std::nullopt, log), agreed);
+  EXPECT_FALSE(behind.during->gapless());
+  EXPECT_EQ(standing(behind, "highest_C"), EnvironmentStanding::not_measured);
 }
 
 TEST(EnvironmentOfATest, ExceedsALimitFromTheFirstThousandthOn) {

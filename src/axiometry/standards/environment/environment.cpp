@@ -48,8 +48,8 @@ struct Completeness {
 Completeness find_shares(TestEnvironment& environment, const TemperatureLog& log, const TimeStretch& test,
                          const std::optional<double>& hours_before) {
   const double whole_h = test.length_s() / hour_in_s;
-  const RecordedShare on_machine{recorded_s(log.sensors, "machine", test, true) / hour_in_s, whole_h};
-  environment.during = RecordedShare{recorded_s(log.sensors, "air", test) / hour_in_s, whole_h};
+  const RecordedShare on_machine{recorded_s(log.sensors, "machine", test, true) / hour_in_s, whole_h, test.end_told};
+  environment.during = RecordedShare{recorded_s(log.sensors, "air", test) / hour_in_s, whole_h, test.end_told};
   environment.before = RecordedShare{hours_before.value_or(0.0), hours_before_test};
   return {environment.during->complete(), environment.before->complete(), on_machine.complete()};
 }
@@ -64,9 +64,9 @@ std::string_view standing_text(EnvironmentStanding standing) {
   return standing_words[static_cast<std::size_t>(standing)].text;
 }
 
-bool RecordedShare::complete() const {
+bool RecordedShare::gapless() const {
   constexpr double minute_h = 1.0 / 60.0;
-  return whole_h - recorded_h <= std::max(minute_h, 0.01 * whole_h);
+  return recorded_h > 0.0 && whole_h - recorded_h <= std::max(minute_h, 0.01 * whole_h);
 }
 
 bool TestEnvironment::exceeded() const {

@@ -47,9 +47,12 @@ struct EnvironmentItem {
 struct RecordedShare {
   double recorded_h = 0.0;
   double whole_h = 0.0;
+  bool end_told = true;  ///< of the stretch; else whole_h is only what is known of it
 
-  /// But for a minute, or a hundredth.
-  bool complete() const;
+  /// All of what is known of the stretch, but for a minute, or a hundredth.
+  bool gapless() const;
+  /// All of the stretch: never where nobody told its end.
+  bool complete() const { return end_told && gapless(); }
 };
 
 struct TestEnvironment {
@@ -65,6 +68,7 @@ struct TestEnvironment {
 };
 
 /// By the log, of the test within it; without one all of the log counts as the test, and nothing is known of before it.
+/// Where nobody told its end, nothing of the test is kept.
 TestEnvironment test_environment(const TemperatureLog& log, const std::optional<TimeStretch>& test,
                                  const AgreedEnvironment& agreed);
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+/// Words in the names of columns: "Bed temperature", "bed_left", "T1Bed", "Maschinenbett". Private to temperatures/.
+namespace axiometry::formats {
+
+enum class WordPlace {
+  whole,          ///< "dew" in "dew point", not in "sidewall"
+  front,          ///< of a word: "air" in "airflow", not in "fairing"
+  front_or_back,  ///< as in German compounds: "luft" in "Luftfilter" and "Hallenluft"
+  back,
+  anywhere,
+};
+
+struct NameWord {
+  std::string_view word;  ///< in lower case
+  WordPlace place = WordPlace::whole;
+};
+
+/// Whether a name has it. Words are parted by what is no letter, by a capital after a small letter, and before "temp".
+bool has_word(std::string_view name, const NameWord& sought);
+
+}  // namespace axiometry::formats
