@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
@@ -36,6 +38,19 @@ void add_experiment_flags(const Verb& verb, ExperimentArguments& arguments) {
 void check_experiment_outputs(const ExperimentArguments& arguments) {
   if (const auto outputs = app::check_outputs(arguments.outputs); !outputs)
     throw UsageError("--report", outputs.error().message);
+}
+
+void check_experiment_outputs(ExperimentArguments& arguments, std::initializer_list<FurtherOutput> further) {
+  check_experiment_outputs(arguments);
+  std::vector<std::string> taken = arguments.outputs.reports;
+  taken.push_back(arguments.outputs.json);
+  for (const auto& [option, name] : further) {
+    if (name.empty()) continue;
+    if (std::ranges::find(taken, name) != taken.end())
+      throw UsageError(option, "found the name of another output too, expected a different one");
+    taken.push_back(name);
+    arguments.quiet = arguments.quiet || name == "-";
+  }
 }
 
 int finish_experiment(const app::Experiment& experiment, const ExperimentArguments& arguments) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <initializer_list>
 #include <string>
 
 #include "cli/flags/verb.h"
@@ -26,6 +27,16 @@ void add_experiment_flags(const Verb& verb, ExperimentArguments& arguments);
 
 /// Checks the names of the outputs; throws a UsageError. Before anything is computed.
 void check_experiment_outputs(const ExperimentArguments& arguments);
+
+/// An output beside those that verbs have in common.
+struct FurtherOutput {
+  const char* option;
+  std::string name;  ///< empty where none is asked for
+};
+
+/// Throws a UsageError where one output would take the place of another, and checks those in common as above. A summary
+/// would be mixed into an output that goes to the standard output: then it is left out.
+void check_experiment_outputs(ExperimentArguments& arguments, std::initializer_list<FurtherOutput> further);
 
 /// Prints the document and writes the outputs; returns the exit code.
 int finish_experiment(const app::Experiment& experiment, const ExperimentArguments& arguments);

@@ -71,10 +71,6 @@ int run(CompensateArguments& arguments) {
   if (!arguments.out.empty())
     if (const auto spared = arguments.outputs.outputs.inputs.check_spared(arguments.out); !spared)
       return failed(spared.error(), exit_usage);
-  for (const std::string& other : arguments.outputs.outputs.reports)
-    if (other == arguments.out) throw UsageError("--out", "found the name of a report too, expected another one");
-  if (!arguments.out.empty() && arguments.out == arguments.outputs.outputs.json)
-    throw UsageError("--out", "found the name of --json too, expected another one");
   auto measured = app::read_measured_axis(files);
   if (!measured) return failed(measured.error());
   const auto done = app::compensate(*std::move(measured), arguments.request);
@@ -114,7 +110,7 @@ void add_compensate(const Verb& program, int& exit_code) {
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, verb, &exit_code] {
     check_alone(*verb, "--list", {"--json"});
-    check_experiment_outputs(arguments->outputs);
+    check_experiment_outputs(arguments->outputs, {{"--out", arguments->out}});
     exit_code = run(*arguments);
   });
 }

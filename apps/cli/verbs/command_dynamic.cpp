@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
-#include <vector>
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
 #include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
@@ -31,20 +28,8 @@ double checked_positive(const char* option, double x, double most) {
   throw UsageError(option, fmt::format("found {}, expected a number above 0 and up to {}", format_exact(x), most));
 }
 
-/// One output would take the place of the other.
-void check_names_differ(const DynamicArguments& a) {
-  std::vector<std::string> names = a.outputs.outputs.reports;
-  for (const std::string* name : {&a.outputs.outputs.json, &a.series, &a.spectrum})
-    if (!name->empty()) names.push_back(*name);
-  std::ranges::sort(names);
-  if (const auto twice = std::ranges::adjacent_find(names); twice != names.end())
-    throw UsageError("--series",
-                     fmt::format("found the output {} twice, expected different names", text::quoted(*twice)));
-}
-
 int run_dynamic(DynamicArguments& a) {
-  check_experiment_outputs(a.outputs);
-  check_names_differ(a);
+  check_experiment_outputs(a.outputs, {{"--series", a.series}, {"--spectrum", a.spectrum}});
   app::OutputNames& names = a.outputs.outputs;
   const app::InputFile input{a.file, false};
   names.inputs = app::InputFiles(std::span(&input, 1));
@@ -56,8 +41,8 @@ int run_dynamic(DynamicArguments& a) {
   if (!motion) return failed(motion.error());
   const app::Experiment experiment =
       app::present(*motion, a.outputs.report, {.report = !names.reports.empty(), .json = !names.json.empty()});
-  const bool quiet = a.outputs.quiet || names.json == "-" || a.series == "-" || a.spectrum == "-";
-  if (!quiet) fmt::print("{}", document_text(experiment.document, a.outputs.report, Terminal(ColourChoice::automatic)));
+  if (!a.outputs.quiet && names.json != "-")
+    fmt::print("{}", document_text(experiment.document, a.outputs.report, Terminal(ColourChoice::automatic)));
   if (const auto written = app::write_outputs(experiment, names, a.outputs.report); !written)
     return failed(written.error());
   if (!a.series.empty())

@@ -132,8 +132,7 @@ void add_tracking_compare_methods(const Verb& tracking, int& exit_code) {
                 throw UsageError("--trials", fmt::format("found {}, expected 100 to 100000", n));
               arguments->request.trials = n;
             });
-  add_count(*verb, {"--seed", "N", "Seed of the trials (1)"},
-            [arguments](unsigned long long n) { arguments->request.seed = n % (1ULL << 53); });
+  add_seed(*verb, "Seed of the trials (1)", [arguments](unsigned long long n) { arguments->request.seed = n; });
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, per_axis, &exit_code] {
     check_experiment_outputs(arguments->outputs);

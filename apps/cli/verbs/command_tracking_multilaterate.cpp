@@ -125,7 +125,8 @@ void add_tracking_multilaterate(const Verb& tracking, int& exit_code) {
       ->group("Outputs");
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, &exit_code] {
-    check_experiment_outputs(arguments->outputs);
+    check_experiment_outputs(arguments->outputs,
+                             {{"--out", arguments->names.points}, {"--residuals", arguments->names.residuals}});
     const auto& options = arguments->request.options;
     if (options.scale == ScaleModel::fixed && options.scale_prior > 0.0)
       throw UsageError("--scale-prior", "found it with a fixed scale, expected --scale common or free");

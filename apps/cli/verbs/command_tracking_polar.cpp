@@ -107,7 +107,7 @@ void add_tracking_polar(const Verb& tracking, int& exit_code) {
       ->group("Outputs");
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, &exit_code] {
-    check_experiment_outputs(arguments->outputs);
+    check_experiment_outputs(arguments->outputs, {{"--out", arguments->out}});
     if (arguments->request.in_station && arguments->request.points.empty())
       throw UsageError("--in-station", "found it without --points, expected both: without, they are anyway");
     exit_code = run_polar(*arguments);

@@ -125,7 +125,7 @@ void add_volumetric_assemble(const Verb& volumetric, int& exit_code) {
       ->group("Outputs");
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, &exit_code] {
-    check_experiment_outputs(arguments->outputs);
+    check_experiment_outputs(arguments->outputs, {{"--out", arguments->out}});
     complete(*arguments);
     exit_code = run_assemble(*arguments);
   });

@@ -72,10 +72,6 @@ int run(VolumetricCompensateArguments& arguments) {
   if (!arguments.out.empty())
     if (const auto spared = outputs.inputs.check_spared(arguments.out); !spared)
       return failed(spared.error(), exit_usage);
-  if (!arguments.out.empty() && arguments.out == outputs.json)
-    throw UsageError("--out", "found the name of --json too, expected another one");
-  if (!arguments.out.empty() && std::ranges::find(outputs.reports, arguments.out) != outputs.reports.end())
-    throw UsageError("--out", "found the name of a report too, expected another one");
   const auto made = app::compensate_volume(request);
   if (!made) return failed(made.error());
   if (!arguments.out.empty())
@@ -83,7 +79,7 @@ int run(VolumetricCompensateArguments& arguments) {
   const app::Experiment shown = app::present(*made, arguments.outputs.report);
   if (const auto written = app::write_outputs(shown, outputs, arguments.outputs.report); !written)
     return failed(written.error());
-  if (!arguments.outputs.quiet && arguments.out != "-" && outputs.json != "-") print_made(*made);
+  if (!arguments.outputs.quiet && outputs.json != "-") print_made(*made);
   return std::ranges::any_of(made->findings, &NamedFinding::serious) ? exit_exceeded : exit_done;
 }
 
@@ -115,7 +111,7 @@ void add_volumetric_compensate(const Verb& volumetric, int& exit_code) {
   add_compensate_flags(*verb, arguments->request.how);
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, &exit_code] {
-    check_experiment_outputs(arguments->outputs);
+    check_experiment_outputs(arguments->outputs, {{"--out", arguments->out}});
     exit_code = run(*arguments);
   });
 }

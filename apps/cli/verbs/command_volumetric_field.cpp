@@ -87,7 +87,7 @@ void add_volumetric_field(const Verb& volumetric, int& exit_code) {
   add_experiment_flags(*verb, arguments->outputs);
   verb->get_option("--report")->excludes(at);
   verb->callback([arguments, &exit_code] {
-    check_experiment_outputs(arguments->outputs);
+    check_experiment_outputs(arguments->outputs, {{"--csv", arguments->csv}});
     exit_code = arguments->points.points.empty() ? run_volume(*arguments) : run_points(*arguments);
   });
 }

@@ -189,7 +189,9 @@ void add_volumetric_identify(const Verb& volumetric, int& exit_code) {
   verb->callback([arguments, &exit_code] {
     if (arguments->request.machine.empty() && arguments->request.plan.empty())
       throw UsageError("--machine", "found neither --machine nor --plan, expected one of them");
-    check_experiment_outputs(arguments->outputs);
+    check_experiment_outputs(
+        arguments->outputs,
+        {{"--out", arguments->out}, {"--residuals", arguments->residuals}, {"--lengths-out", arguments->lengths_out}});
     exit_code = run(*arguments);
   });
 }

@@ -42,7 +42,7 @@ void add_noise(const Verb& verb, Length& noise, std::uint64_t& seed) {
              noise = Length::um(d.in_native());
              return {};
            });
-  add_count(verb, {"--seed", "N", "Seed of the noise (1)"}, [&seed](unsigned long long n) { seed = n % (1ULL << 53); });
+  add_seed(verb, "Seed of the noise (1)", [&seed](unsigned long long n) { seed = n; });
 }
 
 /// Points that are given take the place of those there are.

@@ -43,11 +43,11 @@ constexpr Phrase rows[] = {
     {"ISO 230-1, names of errors", "ISO 230-1, Namen der Abweichungen"},
     {"ISO 230-1:2012, names of errors", "ISO 230-1:2012, Namen der Abweichungen"},
     {"In the axes of the machine, without constants and without the slope of straightness, rotations taken out of "
-     "displacements by their levers. Uncertainties (k = 1): scatter of the means and the instrument, independent from "
-     "one position to the next.",
+     "displacements by their levers. Uncertainties (k = 1): scatter of the means and, where it was stated, the "
+     "instrument, independent from one position to the next.",
      "In den Achsen der Maschine, ohne Konstanten und ohne die Steigung der Geradheit, Drehungen über ihre Hebel aus "
-     "den Verschiebungen herausgerechnet. Unsicherheiten (k = 1): Streuung der Mittelwerte und Messgerät, von Position "
-     "zu Position unabhängig."},
+     "den Verschiebungen herausgerechnet. Unsicherheiten (k = 1): Streuung der Mittelwerte und, wo angegeben, "
+     "Messgerät, von Position zu Position unabhängig."},
     {"Kinematic chain", "Kinematische Kette"},
     {"Lengths", "Längen"},
     {"Less the mean of all: the zero of a deviation curve is a convention. u: standard uncertainty (k = 1).",
@@ -171,10 +171,17 @@ constexpr Phrase rows[] = {
     {"{0#} of 21 errors found from {1#} lengths", "{0} von 21 Abweichungen aus {1} Längen gefunden"},
     {"{0#}, of which {1#} are of errors", "{0}, davon {1} der Abweichungen"},
     {"{0=} (lever {1#} mm)", "{0} (Hebel {1} mm)"},
+    {"{0=} at {1#} mm", "{0} bei {1} mm"},
     {"{0=} has no number: at its line it holds {1}, not measured",
      "{0} hat keinen Wert: Auf seiner Linie enthält es {1}, nicht gemessen"},
     {"{0=} has no number: its lines hold {1}, not measured",
      "{0} hat keinen Wert: Seine Linien enthalten {1}, nicht gemessen"},
+    {"{0=} has no number: the errors of {1=} were read over different ranges, and without {2=} nothing tells over "
+     "which "
+     "the squareness was",
+     "{0} hat keinen Wert: Die Abweichungen von {1} sind über verschiedene Bereiche abgelesen, und ohne {2} sagt "
+     "nichts, "
+     "über welchen die Rechtwinkligkeit gemessen ist"},
     {"{0=}: only from {1#} to {2#} mm, where all its errors were read",
      "{0}: nur von {1} bis {2} mm, wo alle Abweichungen abgelesen sind"},
     {"{0=}: readings between the {1#} nodes lie up to {2#} from the straight lines",

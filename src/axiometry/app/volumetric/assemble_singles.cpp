@@ -29,6 +29,8 @@ using report::plain;
 using volumetric::ErrorMotion;
 using volumetric::SingleMotion;
 
+/// As measured motions remark it, to which no instrument is told here.
+constexpr std::string_view no_instrument_remark = "no uncertainty of the instrument is stated: U does not hold it";
 constexpr double single_urad_per_arcsec = std::numbers::pi / 180.0 / 3600.0 * 1e6;
 
 std::optional<volumetric::Squareness> squareness_named(std::string_view name) {
@@ -83,10 +85,18 @@ Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
   const auto number = [](const std::optional<Deviation>& d) {
     return d ? std::optional(d->in_native()) : std::optional<double>();
   };
+  if (!item.instrument) read.remarks.emplace_back(no_instrument_remark);
+  const bool both = test.series.has(Direction::up) && test.series.has(Direction::down);
   const double first = evaluation.positions.front().target.in_native();
   for (const iso230_2::PositionResult& p : evaluation.positions) {
     if (!p.mean_up && !p.mean_down) continue;
     const double at = p.target.in_native();
+    if (both && !(p.mean_up && p.mean_down))
+      return std::unexpected(in_file(
+          Error{fmt::format("found {} mm approached from one side alone, expected both as at the other targets", at),
+                {},
+                {}},
+          item.file));
     const double instrument = item.instrument ? item.instrument->standard(std::abs(at - first)) : 0.0;
     const auto u = mean_u(number(p.s_up), number(p.s_down), p.count_up, p.count_down, instrument);
     if (!u) return std::unexpected(in_file(no_uncertainty(item.name), item.file));
@@ -124,8 +134,7 @@ Result<ReadSingle> read_other(const SingleItem& item, ErrorMotion error) {
     read.motion.u.push_back(*u);
   }
   read.remarks = measured.remarks;
-  std::erase_if(read.remarks,
-                [](const std::string& remark) { return remark.starts_with("no uncertainty of the instr"); });
+  if (item.instrument) std::erase(read.remarks, no_instrument_remark);
   return read;
 }
 
@@ -146,18 +155,42 @@ Result<void> put_in_order(SingleMotion& motion, const SingleItem& item) {
   return {};
 }
 
+Value instrument_to_json(const std::optional<error_motions::InstrumentUncertainty>& instrument) {
+  if (!instrument) return {};
+  Value object = Value::object();
+  object.add("U_constant", instrument->a);
+  object.add("U_per_m", instrument->b_per_m);
+  return object;
+}
+
+/// Where the axes stood while each of them was measured.
+Value stands_to_json(const std::array<std::optional<SingleStand>, 3>& stands) {
+  Value object = Value::object();
+  for (std::size_t a = 0; a < stands.size(); ++a) {
+    if (!stands[a]) continue;
+    Value& stand = object.add(std::string(1, static_cast<char>('X' + a)), Value::object());
+    Value& axes = stand.add("axes_mm", Value::array());
+    for (const double mm : {stands[a]->axes_mm.x, stands[a]->axes_mm.y, stands[a]->axes_mm.z}) axes.push(mm);
+    stand.add("tool", stands[a]->tool.empty() ? Value() : Value(stands[a]->tool));
+  }
+  return object;
+}
+
 Value singles_to_json(const Assembled& a) {
   Value object = Value::object();
   object.add("result", "volumetric-assembled");
   Value& errors = object.add("errors", Value::array());
-  for (const AssembledItem& item : a.items) {
+  for (std::size_t k = 0; k < a.items.size(); ++k) {
+    const AssembledItem& item = a.items[k];
     Value& value = errors.push(Value::object());
     value.add("name", item.name);
     value.add("file", item.file.empty() ? Value() : Value(item.file));
     value.add("sha256", item.sha256.empty() ? Value() : Value(item.sha256));
     value.add("runs", item.runs > 0 ? Value(item.runs) : Value());
     value.add("u_largest", item.u_largest);
+    value.add("instrument", instrument_to_json(a.request.items[k].instrument));
   }
+  object.add("at", stands_to_json(a.request.stands));
   Value& findings = object.add("findings", Value::array());
   for (const std::string& finding : a.made.findings) findings.push(finding);
   Value& remarks = object.add("remarks", Value::array());
@@ -210,8 +243,8 @@ report::Table singles_table(const Assembled& a, const report::Options& options) 
   }
   table.notes = {
       plain("In the axes of the machine, without constants and without the slope of straightness, rotations "
-            "taken out of displacements by their levers. Uncertainties (k = 1): scatter of the means and the "
-            "instrument, independent from one position to the next.")};
+            "taken out of displacements by their levers. Uncertainties (k = 1): scatter of the means and, "
+            "where it was stated, the instrument, independent from one position to the next.")};
   return table;
 }
 

@@ -54,8 +54,8 @@ Result<SingleItem> parse_single(std::string_view text);
 
 /// Positioning (EXX, EYY, EZZ) from a test of the axis in any format, the others as read_motion_csv() has them. Fails,
 /// with the file's name, as reading does, on an error named twice, on a file that names another error or axis, on a
-/// test of a rotary axis, on readings whose uncertainty nothing tells (one run and no instrument), and as
-/// model_of_singles().
+/// test of a rotary axis, on a target approached from one side where others were from both, on readings whose
+/// uncertainty nothing tells (one run and no instrument), and as model_of_singles().
 Result<Assembled> assemble_singles(const AssembleRequest& request);
 
 /// The 21 errors, and as JSON everything, with the member "model" that `volumetric field` and the others read.

@@ -7,22 +7,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/volumetric/singles/single_places.h"
+
 namespace axiometry::volumetric {
 namespace {
 
-constexpr double travel_slack_mm = 0.02;
 constexpr double lever_least_mm = 1e-6;  // µrad at this lever move by 1e-9 µm
-constexpr std::array<char, 3> axis_letters = {'X', 'Y', 'Z'};
 
-/// Squareness = sign of the slopes of two straightness errors, seen as what adds to what is read of it: C0Y = rotation
-/// of Y about Z less that of X, −slope(EXY) − slope(EYX); B0Z = slope(EXZ) + slope(EZX); A0Z = −slope(EYZ) −
-/// slope(EZY).
-struct SquareLines {
-  ErrorMotion first, second;
-  double sign = 1.0;
-};
-constexpr std::array<SquareLines, 3> square_lines = {
-    SquareLines{{1, 0}, {0, 1}, -1.0}, SquareLines{{2, 0}, {0, 2}, 1.0}, SquareLines{{2, 1}, {1, 2}, -1.0}};
+/// By what each value counts in the slope, per mm, of the straight line that is best for the curve through them:
+/// 12/L³ ∫ (q − middle) y dq.
+std::vector<double> curve_slope_weights(const std::vector<double>& at_mm) {
+  const double length = at_mm.back() - at_mm.front(), middle = 0.5 * (at_mm.front() + at_mm.back());
+  std::vector<double> weights(at_mm.size(), 0.0);
+  for (std::size_t k = 1; k < at_mm.size(); ++k) {
+    const double step = at_mm[k] - at_mm[k - 1], from_middle = at_mm[k - 1] - middle;
+    const double scale = 12.0 * step / (length * length * length);
+    weights[k - 1] += scale * (from_middle / 2.0 + step / 6.0);
+    weights[k] += scale * (from_middle / 2.0 + step / 3.0);
+  }
+  return weights;
+}
 
 /// Every coefficient as a sum of readings, and how it comes to its value.
 class SingleAssembly {
@@ -34,7 +38,7 @@ class SingleAssembly {
   Result<SingleModel> carry_out() {
     if (errors_.motions.empty() && errors_.squareness.empty()) return fail("found no errors, expected one or more");
     AXIOMETRY_TRY_VOID(choose_bases());
-    AXIOMETRY_TRY_VOID(check_places());
+    AXIOMETRY_TRY_VOID(check_single_places(machine_, errors_));
     lay_out_inputs();
     const Coefficients coefficients({bases_[0], bases_[1], bases_[2]}, Reversal::none);
     rows_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(coefficients.raw()), static_cast<Eigen::Index>(inputs_));
@@ -58,12 +62,12 @@ class SingleAssembly {
       for (const SingleMotion& m : errors_.motions) {
         if (m.error.axis != a) continue;
         const double first = m.positions_mm.front(), last = m.positions_mm.back();
-        if (first < machine_.travel.lowest_mm[a] - travel_slack_mm ||
-            last > machine_.travel.highest_mm[a] + travel_slack_mm)
+        if (first < machine_.travel.lowest_mm[a] - single_travel_slack_mm ||
+            last > machine_.travel.highest_mm[a] + single_travel_slack_mm)
           return fail(
               fmt::format("found readings of {} from {} to {} mm, expected them within the travel of {} from {} "
                           "to {} mm",
-                          error_name(m.error), first, last, axis_letters[a], machine_.travel.lowest_mm[a],
+                          error_name(m.error), first, last, single_axis_letters[a], machine_.travel.lowest_mm[a],
                           machine_.travel.highest_mm[a]));
         cut = cut || (any && (std::abs(first - lower) > 1e-6 || std::abs(last - upper) > 1e-6));
         lower = any ? std::max(lower, first) : first;
@@ -75,10 +79,11 @@ class SingleAssembly {
         return fail(
             fmt::format("found errors of {} that have no range in common, expected readings of all of them over "
                         "one travel",
-                        axis_letters[a]));
+                        single_axis_letters[a]));
+      cut_[a] = cut;
       if (cut)
-        findings_.push_back(
-            fmt::format("{}: only from {} to {} mm, where all its errors were read", axis_letters[a], lower, upper));
+        findings_.push_back(fmt::format("{}: only from {} to {} mm, where all its errors were read",
+                                        single_axis_letters[a], lower, upper));
       AXIOMETRY_TRY(const CurveBasis basis,
                     CurveBasis::make(CurveKind::nodes, lower, upper, any ? std::max<std::size_t>(nodes, 2) - 1 : 1));
       bases_.push_back(basis);
@@ -102,12 +107,20 @@ class SingleAssembly {
     return {k, std::clamp((at - low) / (high - low), 0.0, 1.0)};
   }
 
-  /// Inputs are the readings beside nodes, however many there are, and squareness.
+  /// Whether an error was read beyond the range that all of its axis have in common.
+  bool is_longer(const SingleMotion& m) const {
+    const CurveBasis& basis = bases_[m.error.axis];
+    return m.positions_mm.front() < basis.lower_mm() - 1e-6 || m.positions_mm.back() > basis.upper_mm() + 1e-6;
+  }
+
+  /// Inputs are the readings beside nodes, however many there are, all of a line longer than its curve, and squareness.
   void lay_out_inputs() {
     std::size_t next = 0;
     for (const SingleMotion& m : errors_.motions) {
       std::vector<std::size_t>& used = used_.emplace_back();
-      for (std::size_t n = 0; n < bases_[m.error.axis].functions(); ++n) {
+      const bool all = m.error.is_straightness() && is_longer(m);
+      for (std::size_t k = 0; all && k < m.positions_mm.size(); ++k) used.push_back(k);
+      for (std::size_t n = 0; !all && n < bases_[m.error.axis].functions(); ++n) {
         const std::size_t above = share_of(m, n).above;
         for (const std::size_t k : {above - 1, above})
           if (used.empty() || used.back() < k) used.push_back(k);
@@ -122,25 +135,6 @@ class SingleAssembly {
   Eigen::Index input_of(std::size_t item, std::size_t reading) const {
     const auto at = std::ranges::lower_bound(used_[item], reading) - used_[item].begin();
     return static_cast<Eigen::Index>(first_input_[item]) + at;
-  }
-
-  Result<void> need_place(std::size_t axis, std::string_view what) const {
-    if (errors_.places[axis]) return {};
-    return fail(
-        fmt::format("found {} and not where the other axes stood and which point was measured while {} moved, "
-                    "expected that place: rotations act by its lever",
-                    what, axis_letters[axis]));
-  }
-
-  Result<void> check_places() const {
-    for (const SingleMotion& m : errors_.motions)
-      if (!m.error.is_rotation()) AXIOMETRY_TRY_VOID(need_place(m.error.axis, error_name(m.error)));
-    for (const SingleSquareness& s : errors_.squareness) {
-      const auto k = static_cast<std::size_t>(s.which);
-      for (const std::size_t axis : {square_lines[k].first.axis, square_lines[k].second.axis})
-        AXIOMETRY_TRY_VOID(need_place(axis, squareness_names[k]));
-    }
-    return {};
   }
 
   double node_mm(std::size_t axis, std::size_t node) const {
@@ -207,7 +201,13 @@ class SingleAssembly {
           lacks += fmt::format("{}{}", lacks.empty() ? "" : ", ", error_name(term.rotation));
           continue;
         }
-        const ActiveFunctions f = bases_[b].at(at.axes_mm[b]);
+        const double stood_mm = at.axes_mm[b];
+        if (stood_mm < bases_[b].lower_mm() - single_travel_slack_mm ||
+            stood_mm > bases_[b].upper_mm() + single_travel_slack_mm) {
+          lacks += fmt::format("{}{} at {} mm", lacks.empty() ? "" : ", ", error_name(term.rotation), stood_mm);
+          continue;
+        }
+        const ActiveFunctions f = bases_[b].at(stood_mm);
         for (std::size_t k = 0; k < f.count; ++k)
           sum += term.sign * per_mm * f.values[k] * rows_.row(place(c, term.rotation, f.first + k));
       }
@@ -231,18 +231,29 @@ class SingleAssembly {
     return slope;
   }
 
+  /// What was read of an error at each node, as sums of readings.
+  Eigen::MatrixXd read_at_nodes(std::size_t item) const {
+    const SingleMotion& m = errors_.motions[item];
+    const std::size_t nodes = bases_[m.error.axis].functions();
+    Eigen::MatrixXd curve = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(nodes), rows_.cols());
+    for (std::size_t n = 0; n < nodes; ++n) {
+      const auto [above, share] = share_of(m, n);
+      const auto row = static_cast<Eigen::Index>(n);
+      curve(row, input_of(item, above - 1)) += 1.0 - share;
+      curve(row, input_of(item, above)) += share;
+    }
+    return curve;
+  }
+
   void put_motion(const Coefficients& c, ErrorMotion e) {
     const auto item = of_error_[index(e)];
     if (!item) return;
     const SingleMotion& m = errors_.motions[*item];
     const std::size_t nodes = bases_[e.axis].functions();
-    Eigen::MatrixXd curve = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(nodes), rows_.cols());
+    Eigen::MatrixXd curve = read_at_nodes(*item);
     std::vector<double> values;
     for (std::size_t n = 0; n < nodes; ++n) {
       const auto [above, share] = share_of(m, n);
-      const auto row = static_cast<Eigen::Index>(n);
-      curve(row, input_of(*item, above - 1)) += 1.0 - share;
-      curve(row, input_of(*item, above)) += share;
       values.push_back((1.0 - share) * m.values[above - 1] + share * m.values[above]);
     }
     tell_misfit(m, values);
@@ -276,6 +287,25 @@ class SingleAssembly {
                                       error_name(m.error), nodes.size(), worst, m.error.is_rotation() ? "µrad" : "µm"));
   }
 
+  double urad_per_um(std::size_t axis) const {
+    return 1e3 / (0.5 * (bases_[axis].upper_mm() - bases_[axis].lower_mm()));
+  }
+
+  /// By how much the slope of a line within the range of its curve is above that of the line as it was read, µrad. The
+  /// measured squareness belongs to that one.
+  Eigen::RowVectorXd slope_gained_by_cut(std::size_t item) const {
+    const SingleMotion& m = errors_.motions[item];
+    if (!is_longer(m)) return Eigen::RowVectorXd::Zero(rows_.cols());
+    Eigen::MatrixXd curve = read_at_nodes(item);
+    Eigen::RowVectorXd gained = urad_per_um(m.error.axis) * to_gauge(m.error.axis, curve, false);
+    const std::vector<double> weights = curve_slope_weights(m.positions_mm);
+    for (std::size_t k = 0; k < weights.size(); ++k) gained[input_of(item, k)] -= 1e3 * weights[k];
+    return gained;
+  }
+
+  /// Of a line whose straightness is not given, and the errors of whose axis have different ranges.
+  bool is_of_unknown_range(ErrorMotion line) const { return cut_[line.axis] && !of_error_[index(line)]; }
+
   void put_squareness(const Coefficients& c, std::size_t item) {
     const auto k = static_cast<std::size_t>(errors_.squareness[item].which);
     const auto row = static_cast<Eigen::Index>(c.squareness() + k);
@@ -283,11 +313,17 @@ class SingleAssembly {
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(rows_.cols());
     sum[static_cast<Eigen::Index>(first_square_ + item)] = 1.0;
     for (const ErrorMotion line : {square_lines[k].first, square_lines[k].second}) {
+      if (is_of_unknown_range(line)) {
+        findings_.push_back(
+            fmt::format("{} has no number: the errors of {} were read over different ranges, and without {} nothing "
+                        "tells over which the squareness was",
+                        squareness_names[k], single_axis_letters[line.axis], error_name(line)));
+        return;
+      }
       Eigen::MatrixXd effect = lever_effect(c, line, lacks);
-      const CurveBasis& basis = bases_[line.axis];
-      const double urad_per_um = 1e3 / (0.5 * (basis.upper_mm() - basis.lower_mm()));
-      sum -=
-          square_lines[k].sign * (urad_per_um * to_gauge(line.axis, effect, false) + turned_by_others(c, line, lacks));
+      sum -= square_lines[k].sign *
+             (urad_per_um(line.axis) * to_gauge(line.axis, effect, false) + turned_by_others(c, line, lacks));
+      if (const auto given = of_error_[index(line)]) sum += square_lines[k].sign * slope_gained_by_cut(*given);
     }
     if (!lacks.empty()) {
       findings_.push_back(fmt::format("{} has no number: its lines hold {}, not measured", squareness_names[k], lacks));
@@ -340,6 +376,7 @@ class SingleAssembly {
   std::array<std::optional<std::size_t>, axis_count * motion_count> of_error_{};
   std::size_t first_square_ = 0, inputs_ = 0;
   std::vector<CurveBasis> bases_;
+  std::array<bool, axis_count> cut_{};  ///< whether some errors of an axis were read beyond its curves
   TravelBox observed_;
   Eigen::MatrixXd rows_;
   std::vector<bool> told_;  ///< in the order of error_names()

@@ -15,8 +15,9 @@
 /// A displacement is read where the axis moves the measured point, with the lever r_a of that place (chain.h): what is
 /// read is E_a + ω_a × r_a. The rotations of the same axis are therefore taken out of it, and of the squareness what
 /// they, and the rotations of the axes before it in the chain, make of the slope of both lines. Constants, and slopes
-/// of straightness, belong to no single measurement and are removed (gauge.h). The model has no reversal: it holds the
-/// mean of both directions.
+/// of straightness, belong to no single measurement and are removed (gauge.h). Squareness belongs to the lines as they
+/// were read: where a straightness was read beyond the range that all errors of its axis have in common, what its slope
+/// is less there comes off. The model has no reversal: it holds the mean of both directions.
 namespace axiometry::volumetric {
 
 /// Readings of one error motion, means over runs and directions; at least two.
@@ -54,10 +55,11 @@ inline constexpr std::size_t single_nodes_most = 61;
 
 /// Curves of each axis are straight lines between equidistant nodes over the range that all its errors have in common,
 /// as many nodes as the error with the fewest positions has, at most single_nodes_most. An error that was not measured,
-/// or from which a rotation that was not measured cannot be taken out, has no number in the model.
+/// or from which a rotation that was not measured there cannot be taken out, has no number in the model; nor has
+/// squareness where nothing tells over which of several ranges of an axis it was measured.
 ///
 /// Fails on nothing to assemble, displacements or squareness of an axis without a place, an axis whose errors have no
-/// range in common, and readings beyond the travel.
+/// range in common, and readings or places beyond the travel.
 Result<SingleModel> model_of_singles(MachineModel machine, const SingleErrors& errors);
 
 }  // namespace axiometry::volumetric

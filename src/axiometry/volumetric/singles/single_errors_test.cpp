@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "axiometry/volumetric/machine/kinematics.h"
@@ -127,6 +129,7 @@ TEST(SingleErrors, CarryTheirUncertainties) {
 TEST(SingleErrors, HaveNoNumberWhereARotationThatActsWasNotMeasured) {
   MachineModel machine = single_machine("FXYZ");
   machine.functional_point_mm = {};
+  machine.travel.highest_mm.z = 200.0;
   SingleErrors errors;
   errors.motions.push_back({{0, 1}, {0.0, 450.0, 900.0}, {0.0, 5.0, 0.0}, {0.3, 0.3, 0.3}});
   EXPECT_FALSE(model_of_singles(machine, errors));  // no place
@@ -140,6 +143,75 @@ TEST(SingleErrors, HaveNoNumberWhereARotationThatActsWasNotMeasured) {
   ASSERT_TRUE(off_line);
   EXPECT_FALSE(off_line->model.motion({0, 1}, 450.0));
   EXPECT_EQ(off_line->findings[0], "EYX has no number: at its line it holds EAX (lever 150.0 mm), not measured");
+}
+
+/// The table carries X, whose yaw was read from 200 to 800 mm alone; EYX bends by 40 µm over its last 200 mm.
+SingleErrors with_a_bent_end() {
+  SingleErrors errors;
+  errors.motions.push_back({{0, 5}, {200.0, 800.0}, {0.0, 0.0}, {0.2, 0.2}});
+  errors.motions.push_back({{0, 1}, {0.0, 800.0, 1000.0}, {0.0, 0.0, 40.0}, {0.3, 0.3, 0.3}});
+  errors.motions.push_back({{1, 0}, {0.0, 600.0}, {0.0, 0.0}, {0.3, 0.3}});
+  errors.squareness = {{Squareness::C0Y, 0.0, 0.6}};
+  errors.places[0] = SinglePlace{{0, 0, 0}, {0, 0, 0}};
+  errors.places[1] = SinglePlace{{500, 0, 0}, {0, 0, 0}};
+  return errors;
+}
+
+MachineModel machine_with_table() {
+  MachineModel machine = single_machine("XFYZ");
+  machine.travel = {{0, 0, -500}, {1000, 600, 0}};
+  machine.tools = {{"T", {0, 0, 0}}};
+  machine.functional_point_mm = {};
+  return machine;
+}
+
+TEST(SingleErrors, HaveTheSquarenessOfTheRangeTheyHaveInCommon) {
+  // By hand: the best line over 1000 mm of a curve that rises by 40 µm from 800 to 1000 mm has the slope
+  // 12/1000³ ∫ (q − 500)(q − 800)/5 dq = 12/1e9 (1.2e6 + 0.53333e6) µm/mm = 20.8 µrad; within 200 to 800 mm it has
+  // none. Of the readings the last counts 104 · 5 = 0.52 µrad/µm.
+  SingleErrors errors = with_a_bent_end();
+  const auto made = model_of_singles(machine_with_table(), errors);
+  ASSERT_TRUE(made) << made.error().message;
+  const auto square = made->model.squareness(Squareness::C0Y);
+  ASSERT_TRUE(square);
+  EXPECT_NEAR(square->value, 20.8, 1e-9);
+  EXPECT_GT(square->u, std::hypot(0.6, 0.3 * 0.52));
+  // A straightedge that lies askew changes nothing.
+  for (std::size_t k = 0; k < 3; ++k) errors.motions[1].values[k] += 7.0 + 0.05 * errors.motions[1].positions_mm[k];
+  const auto askew = model_of_singles(machine_with_table(), errors);
+  ASSERT_TRUE(askew);
+  EXPECT_NEAR(askew->model.squareness(Squareness::C0Y)->value, 20.8, 1e-9);
+}
+
+TEST(SingleErrors, HaveNoSquarenessWhereNothingTellsItsRange) {
+  SingleErrors errors = with_a_bent_end();
+  errors.motions[1].error = {0, 2};  // EZX
+  const auto made = model_of_singles(machine_with_table(), errors);
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_FALSE(made->model.squareness(Squareness::C0Y));
+  EXPECT_NE(std::ranges::find(made->findings,
+                              "C0Y has no number: the errors of X were read over different ranges, and without EYX "
+                              "nothing tells over which the squareness was"),
+            made->findings.end());
+}
+
+TEST(SingleErrors, RefusePlacesBeyondTheTravel) {
+  SingleErrors errors = with_a_bent_end();
+  errors.places[0]->axes_mm.y = 5000.0;
+  const auto made = model_of_singles(machine_with_table(), errors);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().message, "found Y at 5000 mm while X moved, expected it within its travel from 0 to 600 mm");
+  errors.places[0]->axes_mm = {-5000.0, 0.0, 0.0};  // that of X itself is not used
+  EXPECT_TRUE(model_of_singles(machine_with_table(), errors));
+}
+
+TEST(SingleErrors, DoNotContinueRotationsBeyondTheirReadings) {
+  SingleErrors errors = with_a_bent_end();
+  errors.places[1]->axes_mm.x = 900.0;
+  const auto made = model_of_singles(machine_with_table(), errors);
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_FALSE(made->model.squareness(Squareness::C0Y));
+  EXPECT_EQ(made->findings[1], "C0Y has no number: its lines hold ECX at 900 mm, not measured");
 }
 
 TEST(SingleErrors, RefuseReadingsOutsideAndErrorsWithoutACommonRange) {

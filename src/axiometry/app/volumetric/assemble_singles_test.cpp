@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/volumetric/assemble_singles.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/temporary_folder.h"
+
+namespace axiometry::app {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* assembled_machine =
+    R"({"chain": "FXYZ", "travel_mm": {"X": [0, 900], "Y": [0, 500], "Z": [-400, 0]}, "tools_mm": {"T": [0, 0, -150]},
+        "functional_point_mm": {"X": [0, 0, 0], "Y": [0, 0, 0]}})";
+constexpr const char* U_lacks = "EXX: no uncertainty of the instrument is stated: U does not hold it";
+
+/// EXX of two runs whose reversal is 10 µm; without the last reading downwards unless `whole`.
+std::string positioning(bool whole) {
+  std::string text = "# axis.name: X\ntarget_mm,run,direction,deviation_um\n";
+  for (const char* run : {"1", "2"})
+    for (const char* target : {"0", "300", "600", "900"})
+      for (const bool up : {true, false})
+        if (whole || up || std::string_view(target) != "900")
+          text += std::string(target) + "," + run + (up ? ",up," : ",down,") + (up ? "0.1" : "-9.9") + "\n";
+  return text;
+}
+
+AssembleRequest request_in(const testing_support::TemporaryFolder& folder, const std::string& exx) {
+  AssembleRequest request;
+  request.machine = folder.written("machine.json", assembled_machine);
+  request.items = {{.name = "EXX", .file = folder.written("exx.csv", exx)}};
+  request.stands[0] = SingleStand{{0, 0, 0}, "T"};
+  return request;
+}
+
+TEST(AssembleSingles, RefuseATargetApproachedFromOneSideAmongOthersFromBoth) {
+  const testing_support::TemporaryFolder folder;
+  EXPECT_TRUE(assemble_singles(request_in(folder, positioning(true))));
+  const auto assembled = assemble_singles(request_in(folder, positioning(false)));
+  ASSERT_FALSE(assembled);
+  EXPECT_THAT(assembled.error().message,
+              HasSubstr("found 900 mm approached from one side alone, expected both as at the other targets"));
+}
+
+TEST(AssembleSingles, SayWhereNoUncertaintyOfTheInstrumentIsStated) {
+  const testing_support::TemporaryFolder folder;
+  AssembleRequest request = request_in(folder, positioning(true));
+  const auto without = assemble_singles(request);
+  ASSERT_TRUE(without) << without.error().message;
+  EXPECT_THAT(without->remarks, Contains(U_lacks));
+  request.items[0].instrument = error_motions::InstrumentUncertainty{0.4, 0.5};
+  const auto with = assemble_singles(request);
+  ASSERT_TRUE(with) << with.error().message;
+  EXPECT_THAT(with->remarks, Not(Contains(U_lacks)));
+}
+
+TEST(AssembleSingles, WriteTheInstrumentAndThePlacesIntoTheJson) {
+  const testing_support::TemporaryFolder folder;
+  AssembleRequest request = request_in(folder, positioning(true));
+  request.items[0].instrument = error_motions::InstrumentUncertainty{0.4, 0.5};
+  const auto assembled = assemble_singles(request);
+  ASSERT_TRUE(assembled) << assembled.error().message;
+  const std::string text = json::dump(present(*assembled, {}).json, 0);
+  EXPECT_THAT(text, HasSubstr(R"("instrument":{"U_constant":0.4,"U_per_m":0.5})"));
+  EXPECT_THAT(text, HasSubstr(R"("at":{"X":{"axes_mm":[0,0,0],"tool":"T"}})"));
+}
+
+}  // namespace
+}  // namespace axiometry::app
