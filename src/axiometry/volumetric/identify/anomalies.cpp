@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "axiometry/numeric/chi_square.h"
 #include "axiometry/numeric/special_functions.h"
@@ -60,6 +61,40 @@ double mean_residual(std::span<const std::size_t> readings, std::span<const doub
   return sum / static_cast<double>(readings.size());
 }
 
+/// What a stretch says of the length at one of its ends.
+struct SaidAtEnd {
+  std::size_t readings = 0;  ///< that count
+  double variance_um2 = 0.0;
+};
+
+/// Its mean, or where stretches drift the straight line at that end: 1/Σw + (x − x̄)²/Σw(x_i − x̄)², of many readings
+/// four times that of the mean. Infinite where there are too few readings.
+SaidAtEnd said_at_end(const Problem& problem, std::size_t stretch, double along) {
+  SaidAtEnd said{0, std::numeric_limits<double>::infinity()};
+  double weight = 0.0, first = 0.0, second = 0.0;
+  for (std::size_t i = 0; i < problem.readings.size(); ++i) {
+    if (problem.weights[i] == 0.0 || problem.unknowns.stretch_of[i] != stretch) continue;
+    const double off = problem.unknowns.along_stretch[i] - along;
+    weight += problem.weights[i];
+    first += problem.weights[i] * off;
+    second += problem.weights[i] * off * off;
+    ++said.readings;
+  }
+  if (said.readings < (problem.unknowns.drift ? 2u : 1u)) return said;
+  said.variance_um2 = 1.0 / weight;
+  if (problem.unknowns.drift) said.variance_um2 = second / (weight * second - first * first);
+  return said;
+}
+
+/// The jump squared over what clearest_break() asks for, in variances as stated: 1 and more is clear.
+double share_of_clear(const Problem& problem, const State& state, std::size_t before) {
+  const Unknowns& unknowns = problem.unknowns;
+  const SaidAtEnd from = said_at_end(problem, stretch_before(unknowns, before), 0.5);
+  const SaidAtEnd to = said_at_end(problem, unknowns.stretch_of[before], -0.5);
+  const double jump = jump_um(unknowns, state, before);
+  return jump * jump / (break_limit(from.readings + to.readings) * (from.variance_um2 + to.variance_um2));
+}
+
 }  // namespace
 
 std::optional<BreakSuspected> clearest_break(const Problem& problem, std::span<const double> residuals) {
@@ -97,21 +132,18 @@ double jump_um(const Unknowns& unknowns, const State& state, std::size_t before)
   return 1000.0 * (state.dead_paths_mm[from] - state.dead_paths_mm[to]) - drifts;
 }
 
-bool is_clear_break(const Problem& problem, const Fit& fit, std::size_t before) {
-  const std::size_t from = stretch_before(problem.unknowns, before), to = problem.unknowns.stretch_of[before];
-  double weight_from = 0.0, weight_to = 0.0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < problem.readings.size(); ++i) {
-    const std::size_t stretch = problem.unknowns.stretch_of[i];
-    if (problem.weights[i] == 0.0 || (stretch != from && stretch != to)) continue;
-    (stretch == from ? weight_from : weight_to) += problem.weights[i];
-    ++count;
+std::optional<std::size_t> least_clear_break(const Problem& problem, const State& state,
+                                             std::span<const double> residuals, std::span<const std::size_t> breaks) {
+  const double scale = robust_scale(problem, residuals);
+  std::optional<std::size_t> least;
+  double least_share = 1.0;
+  for (const std::size_t before : breaks) {
+    const double share = share_of_clear(problem, state, before) / (scale * scale);
+    if (share >= least_share) continue;
+    least_share = share;
+    least = before;
   }
-  if (weight_from == 0.0 || weight_to == 0.0) return false;
-  const double scale = robust_scale(problem, fit.residuals_um);
-  const double variance = scale * scale * (1.0 / weight_from + 1.0 / weight_to);
-  const double jump = jump_um(problem.unknowns, fit.state, before);
-  return jump * jump >= break_limit(count) * variance;
+  return least;
 }
 
 double drift_chance(const Problem& problem, std::span<const double> residuals) {

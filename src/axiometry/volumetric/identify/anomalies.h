@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "axiometry/volumetric/identify/least_squares.h"
@@ -28,9 +29,12 @@ std::optional<BreakSuspected> clearest_break(const Problem& problem, std::span<c
 /// own, µm. Dead paths are taken off the length, and are those of the middle of a stretch that drifts.
 double jump_um(const Unknowns& unknowns, const State& state, std::size_t before);
 
-/// Whether that is more than scatter makes of two stretches alone: above what clearest_break() asks for. What a break
-/// seemed to be before others were found need not jump in the end.
-bool is_clear_break(const Problem& problem, const Fit& fit, std::size_t before);
+/// Of breaks that a fit holds that one whose jump is least beyond the scatter of the two stretches beside it, where it
+/// is less than what clearest_break() asks for: what a break seemed to be before others were found need not jump in the
+/// end. None where all are clear. One alone, for without it the next may be clear: between two breaks there may be too
+/// few readings to tell either.
+std::optional<std::size_t> least_clear_break(const Problem& problem, const State& state,
+                                             std::span<const double> residuals_um, std::span<const std::size_t> breaks);
 
 /// Whether the residuals drift along their stretches: χ² of the straight lines, over the robust variance, against as
 /// many degrees of freedom; the probability of as much or more.

@@ -44,5 +44,20 @@ TEST(Identify, TellsTheJumpOfABreakBesideADrift) {
   EXPECT_NEAR(result->breaks[0].jump_um, 300.0 + 20.0 / 120.0, 1.0);
 }
 
+/// Between two breaks there are so few readings that with a drift neither is clear: one of them must be told still, for
+/// before the one and behind the other all lengths differ.
+TEST(Identify, TellsOneOfTwoBreaksThatAreUnclearBesideEachOther) {
+  test::TrueMachine machine("XFYZ", 43);
+  VolumetricLengths lengths = test::measured(machine, test::four_stations(), {.points = 120, .noise = false});
+  constexpr std::size_t first = 5 * 120 + 60, second = first + 4;
+  const auto step_mm = [&](std::size_t i) { return 7.5e-3 * machine.model.sigma_um(lengths.readings[i].length_mm); };
+  for (std::size_t i = first; i < 6 * 120; ++i) lengths.readings[i].length_mm += (i < second ? 1.0 : 2.0) * step_mm(i);
+  const auto result = identify(machine.model, lengths, {.drift = DriftModel::linear});
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_EQ(result->breaks.size(), 1u);
+  EXPECT_GE(result->breaks[0].before_reading, first);
+  EXPECT_LE(result->breaks[0].before_reading, second);
+}
+
 }  // namespace
 }  // namespace axiometry::volumetric

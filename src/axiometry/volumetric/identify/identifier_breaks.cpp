@@ -7,7 +7,6 @@ namespace axiometry::volumetric::detail {
 namespace {
 
 constexpr std::size_t breaks_most = 200;
-constexpr std::size_t drop_rounds = 6;
 
 }  // namespace
 
@@ -30,11 +29,10 @@ Result<void> Identifier::find_breaks() {
   return {};
 }
 
-/// In few rounds: with each that is gone others may be less clear.
+/// One by one: with each that is gone the stretch beside the next one is longer.
 Result<void> Identifier::drop_unclear_breaks() {
-  for (std::size_t round = 0; round < drop_rounds; ++round) {
-    const Problem fitted = problem();
-    if (std::erase_if(breaks_, [&](std::size_t before) { return !is_clear_break(fitted, *fit_, before); }) == 0) break;
+  while (const auto unclear = least_clear_break(problem(), fit_->state, fit_->residuals_um, breaks_)) {
+    std::erase(breaks_, *unclear);
     AXIOMETRY_TRY_VOID(start());
     AXIOMETRY_TRY_VOID(refit());
     AXIOMETRY_TRY_VOID(find_outliers());
