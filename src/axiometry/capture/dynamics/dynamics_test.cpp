@@ -66,6 +66,26 @@ TEST(MotionCourse, RefusesWindowsThatTheRecordingCannotHold) {
   EXPECT_TRUE(motion_course(record, usual_window_s(record)));
 }
 
+TEST(MotionCourse, HasAWindowForEveryLengthOfARecording) {
+  for (const double rate : {10.0, 1000.0, 50'000.0})
+    for (std::size_t samples = 64; samples <= 300; ++samples) {
+      const auto record = recorded(rate, samples, [](double t) { return t; });
+      const auto course = motion_course(record, usual_window_s(record));
+      ASSERT_TRUE(course) << samples << ": " << course.error().message;
+      EXPECT_LE(4 * (2 * course->half_window + 1), samples);
+    }
+}
+
+TEST(MotionCourse, TellsWindowsInDigitsThatItTakes) {
+  const auto record = recorded(50'000, 1002, [](double t) { return t; });
+  const auto refused = motion_course(record, 3.0);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message,
+            "found a window of 3 s, expected 0.0001 s (5 samples) to 0.00501 s (a quarter of the recording)");
+  EXPECT_TRUE(motion_course(record, 0.0001));
+  EXPECT_TRUE(motion_course(record, 0.00501));
+}
+
 /// There and back at 20 mm/s with half a second of standstill at the ends and a ripple of 50 nm every 2 mm.
 MotionRecord there_and_back() {
   return recorded(1000, 10'000, [](double t) {
