@@ -123,6 +123,34 @@ TEST(UniformMotion, LeavesOutWhereTheAxisGathersSpeedAndBrakes) {
   EXPECT_LT(stretches[0].deviation_range, 1e-4);  // 12.5 µm would be left of 50 ms of either
 }
 
+TEST(UniformMotion, FindsAFeedBesideARapid) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0.0, 1e-5);
+  const auto record = recorded(1000, 10'500, [&](double t) {
+    return (t < 10.0 ? 10.0 * t : std::max(0.0, 100.0 - 400.0 * (t - 10.0))) + normal(random);
+  });
+  const auto stretches = uniform_stretches(record, *motion_course(record, 0.011), {});
+  ASSERT_EQ(stretches.size(), 2u);
+  EXPECT_NEAR(stretches[0].velocity, 10.0, 1e-4);
+  EXPECT_NEAR(stretches[1].velocity, -400.0, 1e-2);
+}
+
+TEST(UniformMotion, FindsTheMotionOnBothSidesOfAFalseSample) {
+  MotionRecord record = recorded(1000, 10'000, [](double t) { return t + 1e-5 * std::sin(1e6 * t * t); });
+  record.positions[5000] += 1.0;
+  const auto stretches = uniform_stretches(record, *motion_course(record, 0.011), {});
+  ASSERT_EQ(stretches.size(), 2u);
+  for (const UniformStretch& s : stretches) {
+    EXPECT_NEAR(s.velocity, 1.0, 1e-4);
+    EXPECT_NEAR(static_cast<double>(s.count()), 5000.0, 60.0);
+  }
+}
+
+TEST(UniformMotion, TakesNoRoundingForMotion) {
+  const auto record = recorded(1000, 30'000, [](double t) { return 1000.0 / 3.0 + 400.0 * std::min(t, 1.0); });
+  EXPECT_EQ(uniform_stretches(record, *motion_course(record, 0.011), {}).size(), 1u);
+}
+
 TEST(UniformMotion, FindsNoneWhereNothingMovesOrNothingIsEven) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal(0.0, 1e-4);
