@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
 #include "axiometry/app/files/output.h"
@@ -129,6 +130,14 @@ Result<ReadMotion> read_motion(Source& source, const DynamicOptions& options) {
   return ReadMotion{std::move(record), digest.finish(), std::string(layout->id), reader->remarks()};
 }
 
+/// What the rounding of positions to doubles, and of what is left of their line, makes of a position at most.
+double rounding_of(const DynamicMotion& motion) {
+  constexpr double roundings = 4.0;
+  double farthest = 0.0;
+  for (const double x : motion.record.positions) farthest = std::max(farthest, std::abs(x));
+  return roundings * std::numeric_limits<double>::epsilon() * farthest;
+}
+
 void find_spectrum(DynamicMotion& motion) {
   const auto longest = std::ranges::max_element(motion.stretches, {}, &capture::UniformStretch::count);
   const bool moved = longest != motion.stretches.end();
@@ -136,7 +145,8 @@ void find_spectrum(DynamicMotion& motion) {
   motion.spectrum_stretch = moved ? *longest : capture::whole_stretch(motion.record);
   std::vector<double> values = capture::residuals_of(motion.record, motion.spectrum_stretch);
   for (double& x : values) x *= deviation_per_position(motion.kind);
-  motion.spectrum = capture::motion_spectrum(values, motion.record.rate_hz, peaks_shown);
+  motion.spectrum = capture::motion_spectrum(
+      values, {motion.record.rate_hz, peaks_shown, rounding_of(motion) * deviation_per_position(motion.kind)});
 }
 
 void add_limits(DynamicMotion& motion) {

@@ -166,7 +166,7 @@ TEST(MotionSpectrum, FindsSinusoidsBetweenItsLinesWithTheirAmplitudes) {
   std::vector<double> values;
   for (int k = 0; k < 3000; ++k)
     values.push_back(7.0 + 2.0 * std::sin(turn * 31.37 * k / 1000.0) + 0.01 * std::cos(turn * 211.11 * k / 1000.0));
-  const MotionSpectrum s = motion_spectrum(values, 1000.0, 10);
+  const MotionSpectrum s = motion_spectrum(values, {.rate_hz = 1000.0});
   ASSERT_EQ(s.peaks.size(), 2u);  // what the window leaves beside them is no vibration
   EXPECT_NEAR(s.peaks[0].frequency_hz, 31.37, 1e-3);
   EXPECT_NEAR(s.peaks[0].amplitude, 2.0, 2e-4);
@@ -181,7 +181,7 @@ TEST(MotionSpectrum, TakesNoDriftForVibrations) {
       const double t = k / 4000.0;
       values.push_back(t - bend * t * t + 0.001 * std::sin(turn * 47.3 * k / 1000.0));
     }
-    const MotionSpectrum s = motion_spectrum(values, 1000.0, 10);
+    const MotionSpectrum s = motion_spectrum(values, {.rate_hz = 1000.0});
     ASSERT_EQ(s.peaks.size(), 1u) << bend;
     EXPECT_NEAR(s.peaks[0].amplitude, 0.001, 1e-6);
   }
@@ -191,11 +191,46 @@ TEST(MotionSpectrum, TakesNeighboursWithinItsResolutionForOne) {
   std::vector<double> values;
   for (int k = 0; k < 1000; ++k)
     values.push_back(std::sin(turn * 100.0 * k / 1000.0) + std::sin(turn * 101.0 * k / 1000.0));
-  const MotionSpectrum s = motion_spectrum(values, 1000.0, 10);
+  const MotionSpectrum s = motion_spectrum(values, {.rate_hz = 1000.0});
   EXPECT_DOUBLE_EQ(s.resolution_hz, 2.0);
   std::size_t near = 0;
   for (const SpectrumPeak& peak : s.peaks) near += std::abs(peak.frequency_hz - 100.5) < 1.5 ? 1 : 0;
   EXPECT_EQ(near, 1u);
+}
+
+TEST(MotionSpectrum, CountsThePeaksThatItDoesNotList) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal(0.0, 1e-3);
+  std::vector<double> values;
+  for (int k = 0; k < 4000; ++k) {
+    double x = normal(random);
+    for (int i = 1; i <= 14; ++i) x += std::sin(turn * 40.0 * i * k / 2000.0);
+    values.push_back(x);
+  }
+  const MotionSpectrum s = motion_spectrum(values, {.rate_hz = 2000.0});
+  EXPECT_EQ(s.peaks.size(), 10u);
+  EXPECT_EQ(s.peaks_more, 4u);
+}
+
+TEST(MotionSpectrum, CountsWhatADriftMayHaveLeft) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal(0.0, 2e-6);
+  std::vector<double> values;
+  for (int k = 0; k < 4000; ++k) {
+    const double t = k / 2000.0;
+    values.push_back(250.0 * t * t - 500.0 * t + 0.05 * std::sin(turn * 5.0 * t) + normal(random));
+  }
+  const MotionSpectrum s = motion_spectrum(values, {.rate_hz = 2000.0});
+  EXPECT_GT(s.peaks_beside, 0u);
+  for (const SpectrumPeak& peak : s.peaks) EXPECT_GT(peak.frequency_hz, 6.0);
+}
+
+TEST(MotionSpectrum, TakesNoRoundingForAVibration) {
+  MotionRecord record = recorded(10'000, 20'000, [](double) { return 0.0; });
+  for (std::size_t k = 0; k < 20'000; ++k) record.positions[k] = 1000.0 + 0.001 * static_cast<double>(k);
+  const auto values = residuals_of(record, whole_stretch(record));
+  EXPECT_FALSE(motion_spectrum(values, {.rate_hz = 10'000.0}).peaks.empty());
+  EXPECT_TRUE(motion_spectrum(values, {.rate_hz = 10'000.0, .least = 4.0 * 1020.0 * 2.3e-16}).peaks.empty());
 }
 
 TEST(MotionSpectrum, OfNoiseHasNoPeaks) {
@@ -203,11 +238,11 @@ TEST(MotionSpectrum, OfNoiseHasNoPeaks) {
   std::normal_distribution<double> normal(0.0, 1.0);
   std::vector<double> values;
   for (int k = 0; k < 4096; ++k) values.push_back(normal(random));
-  EXPECT_TRUE(motion_spectrum(values, 1000.0, 10).peaks.empty());
+  EXPECT_TRUE(motion_spectrum(values, {.rate_hz = 1000.0}).peaks.empty());
 }
 
 TEST(MotionSpectrum, OfNothingHasNoPeaks) {
-  EXPECT_TRUE(motion_spectrum(std::vector<double>(64, 5.0), 10.0, 10).peaks.empty());
+  EXPECT_TRUE(motion_spectrum(std::vector<double>(64, 5.0), {.rate_hz = 10.0}).peaks.empty());
 }
 
 }  // namespace
