@@ -11,23 +11,25 @@ namespace {
 constexpr std::size_t samples_to_judge = 3;
 constexpr double missing_steps = 10.0;
 constexpr double missing_least_s = 0.1;
+constexpr double believed_share = 0.2;
+constexpr double forgotten_s = 1.0;  // in which a long step falls to 1/e
 
 }  // namespace
 
+/// Samples of one time came in one burst: they lie anywhere within the longest step.
 bool BeamWatch::jumps(const Sample& from, const Sample& to) const {
-  return std::abs(to.position - from.position) > limit_.least_mm + limit_.speed_mm_per_s * (to.time_s - from.time_s);
+  const double apart_s = to.time_s > from.time_s ? to.time_s - from.time_s : longest_step_s_;
+  return std::abs(to.position - from.position) > limit_.least_mm + limit_.speed_mm_per_s * apart_s;
 }
 
-/// The usual step follows slowly, and a long one counts as two.
+/// Of a step that is too long only a part is believed to be usual, so that samples that come rarely are met soon.
 void BeamWatch::take_sound(const Sample& sample, const Sink& sink) {
-  constexpr double usual_steps = 16.0;
   if (sound_) {
     const double step_s = sample.time_s - sound_->time_s;
-    if (usual_step_s_ > 0.0 && step_s > std::max(missing_least_s, missing_steps * usual_step_s_) &&
-        std::abs(sample.position - sound_->position) > limit_.resting_mm)
-      sink.missing(sample.time_s);
-    usual_step_s_ +=
-        usual_step_s_ > 0.0 ? (std::min(step_s, 2.0 * usual_step_s_) - usual_step_s_) / usual_steps : step_s;
+    const bool too_long = step_s > std::max(missing_least_s, missing_steps * longest_step_s_);
+    if (too_long && std::abs(sample.position - sound_->position) > limit_.resting_mm) sink.missing(sample.time_s);
+    longest_step_s_ =
+        std::max(too_long ? believed_share * step_s : step_s, longest_step_s_ / (1.0 + step_s / forgotten_s));
   }
   sound_ = sample;
 }

@@ -13,7 +13,8 @@ namespace axiometry::capture {
 /// Parts a recording of lengths where they jump from one sample to the next by more than any motion makes of them, and
 /// stay: the beam was broken and found again while samples went on. Up to two false samples in a row are no break.
 /// Tells where so many samples are missing that the beam may have been broken meanwhile, though no jump shows it: for
-/// more than ten usual steps and 0.1 s, if the length changed. One pass; keeps three samples at most.
+/// more than 0.1 s and ten times the longest step of the last seconds, if the length changed; the longest, since
+/// samples that come in bursts have steps of 0. One pass; keeps three samples at most.
 class BeamWatch {
  public:
   struct Limit {
@@ -38,7 +39,7 @@ class BeamWatch {
 
   Limit limit_;
   std::optional<Sample> sound_;  // the last sample that is no false one
-  double usual_step_s_ = 0.0;    // between samples; 0 before the second one
+  double longest_step_s_ = 0.2;  // of late; as slow as lengths come, until they are seen
   std::vector<Sample> held_;     // from one that may be the first behind a break on
 };
 

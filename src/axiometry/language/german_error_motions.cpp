@@ -57,9 +57,12 @@ constexpr Phrase rows[] = {
     {"No stretch of even motion was found.", "Keine Strecke gleichmäßiger Bewegung wurde gefunden."},
     {"No test of ISO 230-2", "Keine Prüfung nach ISO 230-2"},
     {"No uncertainty of the change is stated.", "Eine Unsicherheit der Änderung ist nicht angegeben."},
-    {"No vibration stands out of the noise.", "Keine Schwingung hebt sich vom Rauschen ab."},
+    {"No vibration stands out of the noise and of what a drift leaves.",
+     "Keine Schwingung hebt sich vom Rauschen und von dem ab, was eine Drift hinterlässt."},
     {"Noise", "Rauschen"},
     {"Not known without", "Nicht bekannt ohne"},
+    {"Not shown: {0#} lower peak.", "Nicht gezeigt: {0} niedrigere Spitze."},
+    {"Not shown: {0#} lower peaks.", "Nicht gezeigt: {0} niedrigere Spitzen."},
     {"Nothing tells an uncertainty.", "Über die Unsicherheit ist nichts bekannt."},
     {"Of each movement the longest part whose velocity stays within {0#} % of its median, from where it first reaches "
      "that to where it last has it; it strays from the straight line of position over time by least squares.",
@@ -104,8 +107,10 @@ constexpr Phrase rows[] = {
     {"Samples", "Abtastwerte"},
     {"Samples per second", "Abtastwerte je Sekunde"},
     {"Second line", "Zweite Gerade"},
-    {"Shown is what stands above {0#}: white noise alone would do so in one recording of a hundred.",
-     "Gezeigt ist, was über {0} steht: Weißes Rauschen allein täte das in einer von hundert Aufzeichnungen."},
+    {"Shown is what stands above {0#}, as white noise alone would do in one recording of a hundred, and above what a "
+     "drift and higher peaks may leave beside themselves.",
+     "Gezeigt ist, was über {0} steht, wie weißes Rauschen allein in einer von hundert Aufzeichnungen, und über dem, "
+     "was eine Drift und höhere Spitzen neben sich hinterlassen können."},
     {"Slope of the first line, θ₁", "Steigung der ersten Geraden, θ₁"},
     {"Slope of the line", "Steigung der Geraden"},
     {"Slope of the second line, θ₂", "Steigung der zweiten Geraden, θ₂"},

@@ -45,6 +45,8 @@ Value spectrum_to_json(const DynamicMotion& m) {
   object.add("resolution_hz", m.spectrum.resolution_hz);
   object.add("floor", m.spectrum.floor);
   object.add("threshold", m.spectrum.threshold);
+  object.add("peaks_more", m.spectrum.peaks_more);
+  object.add("peaks_beside", m.spectrum.peaks_beside);
   Value& peaks = object.add("peaks", Value::array());
   for (const capture::SpectrumPeak& peak : m.spectrum.peaks) {
     Value& row = peaks.push(Value::object());

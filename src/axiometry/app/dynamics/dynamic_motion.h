@@ -49,7 +49,8 @@ struct DynamicMotion {
 };
 
 /// Fails, with the file's name, as the reader of the layout does, on samples that are lost, not evenly spaced (beyond 1
-/// % of the interval) or fewer than 64, on more than 20 million of them, and on a part or a window that does not fit.
+/// % of the interval from one to the next, or from its place among all) or fewer than 64, on more than 20 million of
+/// them, and on a part or a window that does not fit.
 Result<DynamicMotion> measure_dynamic(const std::string& file, const DynamicOptions& options);
 
 /// Samples at which something is extreme, but for those within half a window of the ends.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
 #include "axiometry/app/files/output.h"
@@ -51,25 +52,48 @@ class EvenSamples {
     return {};
   }
 
-  /// The interval is that over all samples; each must lie within 1 % of one of its even place.
+  /// The interval is that over all samples; each must lie within 1 % of one of its even place, and of the sample before
+  /// it.
   Result<capture::MotionRecord> record() && {
     if (positions_.size() < samples_least)
       return fail(fmt::format("found {}, expected {} at least", counted(positions_.size(), "sample"), samples_least));
     const double interval = (stamps_.back() - stamps_.front()) / static_cast<double>(stamps_.size() - 1);
     if (!(interval > 0.0)) return fail("found all samples at one time, expected them one after the other");
-    for (std::size_t k = 1; k < stamps_.size(); ++k) {
-      const double off = stamps_[k] - stamps_[k - 1] - interval;
-      if (std::abs(off) <= uneven_most * interval + written_to_s) continue;
-      return fail(
-          fmt::format("found {} s between samples {} and {}, expected {} s as on the whole: samples are missing "
-                      "or not evenly spaced",
-                      format_exact(rounded(stamps_[k] - stamps_[k - 1])), k, k + 1, format_exact(rounded(interval))));
-    }
+    AXIOMETRY_TRY_VOID(check_steps(interval));
+    AXIOMETRY_TRY_VOID(check_places(interval));
     return capture::MotionRecord{1.0 / interval, stamps_.front(), std::move(positions_)};
   }
 
  private:
   static double rounded(double x) { return std::round(x * 1e9) / 1e9; }
+
+  /// However coarsely times are written, a missing sample shows.
+  static double uneven(double interval) { return uneven_most * interval + std::min(written_to_s, 0.5 * interval); }
+
+  Result<void> check_steps(double interval) const {
+    for (std::size_t k = 1; k < stamps_.size(); ++k) {
+      const double step = stamps_[k] - stamps_[k - 1];
+      if (std::abs(step - interval) <= uneven(interval)) continue;
+      return fail(
+          fmt::format("found {} s between samples {} and {}, expected {} s as on the whole: samples are missing "
+                      "or not evenly spaced",
+                      format_exact(rounded(step)), k, k + 1, format_exact(rounded(interval))));
+    }
+    return {};
+  }
+
+  /// Small errors of steps add up: a clock that runs slowly at first and fast later makes velocities wrong.
+  Result<void> check_places(double interval) const {
+    for (std::size_t k = 1; k < stamps_.size(); ++k) {
+      const double even_s = stamps_.front() + static_cast<double>(k) * interval;
+      if (std::abs(stamps_[k] - even_s) <= uneven(interval)) continue;
+      return fail(
+          fmt::format("found sample {} at {} s, expected it at {} s, evenly spaced with all others: the clock of the "
+                      "recording is not even",
+                      k + 1, format_exact(rounded(stamps_[k])), format_exact(rounded(even_s))));
+    }
+    return {};
+  }
 
   const DynamicOptions& options_;
   std::vector<double> positions_, stamps_;
@@ -106,6 +130,14 @@ Result<ReadMotion> read_motion(Source& source, const DynamicOptions& options) {
   return ReadMotion{std::move(record), digest.finish(), std::string(layout->id), reader->remarks()};
 }
 
+/// What the rounding of positions to doubles, and of what is left of their line, makes of a position at most.
+double rounding_of(const DynamicMotion& motion) {
+  constexpr double roundings = 4.0;
+  double farthest = 0.0;
+  for (const double x : motion.record.positions) farthest = std::max(farthest, std::abs(x));
+  return roundings * std::numeric_limits<double>::epsilon() * farthest;
+}
+
 void find_spectrum(DynamicMotion& motion) {
   const auto longest = std::ranges::max_element(motion.stretches, {}, &capture::UniformStretch::count);
   const bool moved = longest != motion.stretches.end();
@@ -113,7 +145,8 @@ void find_spectrum(DynamicMotion& motion) {
   motion.spectrum_stretch = moved ? *longest : capture::whole_stretch(motion.record);
   std::vector<double> values = capture::residuals_of(motion.record, motion.spectrum_stretch);
   for (double& x : values) x *= deviation_per_position(motion.kind);
-  motion.spectrum = capture::motion_spectrum(values, motion.record.rate_hz, peaks_shown);
+  motion.spectrum = capture::motion_spectrum(
+      values, {motion.record.rate_hz, peaks_shown, rounding_of(motion) * deviation_per_position(motion.kind)});
 }
 
 void add_limits(DynamicMotion& motion) {

@@ -165,11 +165,15 @@ struct DynamicReport {
             format_fixed(m.record.time_s(m.spectrum_stretch.last), 3, options.numbers),
             report::shown_short(m.spectrum.resolution_hz, options, 3))),
         plain(fmt::format(
-            "Shown is what stands above {} {}: white noise alone would do so in one recording of a hundred.",
+            "Shown is what stands above {} {}, as white noise alone would do in one recording of a hundred, and above "
+            "what a drift and higher peaks may leave beside themselves.",
             report::shown_short(m.spectrum.threshold, options, 2), deviation_unit(m.kind)))};
+    if (m.spectrum.peaks_more > 0)
+      table.notes.push_back(plain(fmt::format("Not shown: {}.", counted(m.spectrum.peaks_more, "lower peak"))));
     report::Section section{"vibrations", "Vibrations", true, {}};
     if (table.rows.empty())
-      section.blocks.emplace_back(report::Paragraph{plain("No vibration stands out of the noise.")});
+      section.blocks.emplace_back(
+          report::Paragraph{plain("No vibration stands out of the noise and of what a drift leaves.")});
     else
       section.blocks.emplace_back(std::move(table));
     return section;

@@ -66,6 +66,26 @@ TEST(MotionCourse, RefusesWindowsThatTheRecordingCannotHold) {
   EXPECT_TRUE(motion_course(record, usual_window_s(record)));
 }
 
+TEST(MotionCourse, HasAWindowForEveryLengthOfARecording) {
+  for (const double rate : {10.0, 1000.0, 50'000.0})
+    for (std::size_t samples = 64; samples <= 300; ++samples) {
+      const auto record = recorded(rate, samples, [](double t) { return t; });
+      const auto course = motion_course(record, usual_window_s(record));
+      ASSERT_TRUE(course) << samples << ": " << course.error().message;
+      EXPECT_LE(4 * (2 * course->half_window + 1), samples);
+    }
+}
+
+TEST(MotionCourse, TellsWindowsInDigitsThatItTakes) {
+  const auto record = recorded(50'000, 1002, [](double t) { return t; });
+  const auto refused = motion_course(record, 3.0);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message,
+            "found a window of 3 s, expected 0.0001 s (5 samples) to 0.00501 s (a quarter of the recording)");
+  EXPECT_TRUE(motion_course(record, 0.0001));
+  EXPECT_TRUE(motion_course(record, 0.00501));
+}
+
 /// There and back at 20 mm/s with half a second of standstill at the ends and a ripple of 50 nm every 2 mm.
 MotionRecord there_and_back() {
   return recorded(1000, 10'000, [](double t) {
@@ -103,6 +123,34 @@ TEST(UniformMotion, LeavesOutWhereTheAxisGathersSpeedAndBrakes) {
   EXPECT_LT(stretches[0].deviation_range, 1e-4);  // 12.5 µm would be left of 50 ms of either
 }
 
+TEST(UniformMotion, FindsAFeedBesideARapid) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0.0, 1e-5);
+  const auto record = recorded(1000, 10'500, [&](double t) {
+    return (t < 10.0 ? 10.0 * t : std::max(0.0, 100.0 - 400.0 * (t - 10.0))) + normal(random);
+  });
+  const auto stretches = uniform_stretches(record, *motion_course(record, 0.011), {});
+  ASSERT_EQ(stretches.size(), 2u);
+  EXPECT_NEAR(stretches[0].velocity, 10.0, 1e-4);
+  EXPECT_NEAR(stretches[1].velocity, -400.0, 1e-2);
+}
+
+TEST(UniformMotion, FindsTheMotionOnBothSidesOfAFalseSample) {
+  MotionRecord record = recorded(1000, 10'000, [](double t) { return t + 1e-5 * std::sin(1e6 * t * t); });
+  record.positions[5000] += 1.0;
+  const auto stretches = uniform_stretches(record, *motion_course(record, 0.011), {});
+  ASSERT_EQ(stretches.size(), 2u);
+  for (const UniformStretch& s : stretches) {
+    EXPECT_NEAR(s.velocity, 1.0, 1e-4);
+    EXPECT_NEAR(static_cast<double>(s.count()), 5000.0, 60.0);
+  }
+}
+
+TEST(UniformMotion, TakesNoRoundingForMotion) {
+  const auto record = recorded(1000, 30'000, [](double t) { return 1000.0 / 3.0 + 400.0 * std::min(t, 1.0); });
+  EXPECT_EQ(uniform_stretches(record, *motion_course(record, 0.011), {}).size(), 1u);
+}
+
 TEST(UniformMotion, FindsNoneWhereNothingMovesOrNothingIsEven) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal(0.0, 1e-4);
@@ -118,7 +166,7 @@ TEST(MotionSpectrum, FindsSinusoidsBetweenItsLinesWithTheirAmplitudes) {
   std::vector<double> values;
   for (int k = 0; k < 3000; ++k)
     values.push_back(7.0 + 2.0 * std::sin(turn * 31.37 * k / 1000.0) + 0.01 * std::cos(turn * 211.11 * k / 1000.0));
-  const MotionSpectrum s = motion_spectrum(values, 1000.0, 10);
+  const MotionSpectrum s = motion_spectrum(values, {.rate_hz = 1000.0});
   ASSERT_EQ(s.peaks.size(), 2u);  // what the window leaves beside them is no vibration
   EXPECT_NEAR(s.peaks[0].frequency_hz, 31.37, 1e-3);
   EXPECT_NEAR(s.peaks[0].amplitude, 2.0, 2e-4);
@@ -133,7 +181,7 @@ TEST(MotionSpectrum, TakesNoDriftForVibrations) {
       const double t = k / 4000.0;
       values.push_back(t - bend * t * t + 0.001 * std::sin(turn * 47.3 * k / 1000.0));
     }
-    const MotionSpectrum s = motion_spectrum(values, 1000.0, 10);
+    const MotionSpectrum s = motion_spectrum(values, {.rate_hz = 1000.0});
     ASSERT_EQ(s.peaks.size(), 1u) << bend;
     EXPECT_NEAR(s.peaks[0].amplitude, 0.001, 1e-6);
   }
@@ -143,11 +191,46 @@ TEST(MotionSpectrum, TakesNeighboursWithinItsResolutionForOne) {
   std::vector<double> values;
   for (int k = 0; k < 1000; ++k)
     values.push_back(std::sin(turn * 100.0 * k / 1000.0) + std::sin(turn * 101.0 * k / 1000.0));
-  const MotionSpectrum s = motion_spectrum(values, 1000.0, 10);
+  const MotionSpectrum s = motion_spectrum(values, {.rate_hz = 1000.0});
   EXPECT_DOUBLE_EQ(s.resolution_hz, 2.0);
   std::size_t near = 0;
   for (const SpectrumPeak& peak : s.peaks) near += std::abs(peak.frequency_hz - 100.5) < 1.5 ? 1 : 0;
   EXPECT_EQ(near, 1u);
+}
+
+TEST(MotionSpectrum, CountsThePeaksThatItDoesNotList) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal(0.0, 1e-3);
+  std::vector<double> values;
+  for (int k = 0; k < 4000; ++k) {
+    double x = normal(random);
+    for (int i = 1; i <= 14; ++i) x += std::sin(turn * 40.0 * i * k / 2000.0);
+    values.push_back(x);
+  }
+  const MotionSpectrum s = motion_spectrum(values, {.rate_hz = 2000.0});
+  EXPECT_EQ(s.peaks.size(), 10u);
+  EXPECT_EQ(s.peaks_more, 4u);
+}
+
+TEST(MotionSpectrum, CountsWhatADriftMayHaveLeft) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal(0.0, 2e-6);
+  std::vector<double> values;
+  for (int k = 0; k < 4000; ++k) {
+    const double t = k / 2000.0;
+    values.push_back(250.0 * t * t - 500.0 * t + 0.05 * std::sin(turn * 5.0 * t) + normal(random));
+  }
+  const MotionSpectrum s = motion_spectrum(values, {.rate_hz = 2000.0});
+  EXPECT_GT(s.peaks_beside, 0u);
+  for (const SpectrumPeak& peak : s.peaks) EXPECT_GT(peak.frequency_hz, 6.0);
+}
+
+TEST(MotionSpectrum, TakesNoRoundingForAVibration) {
+  MotionRecord record = recorded(10'000, 20'000, [](double) { return 0.0; });
+  for (std::size_t k = 0; k < 20'000; ++k) record.positions[k] = 1000.0 + 0.001 * static_cast<double>(k);
+  const auto values = residuals_of(record, whole_stretch(record));
+  EXPECT_FALSE(motion_spectrum(values, {.rate_hz = 10'000.0}).peaks.empty());
+  EXPECT_TRUE(motion_spectrum(values, {.rate_hz = 10'000.0, .least = 4.0 * 1020.0 * 2.3e-16}).peaks.empty());
 }
 
 TEST(MotionSpectrum, OfNoiseHasNoPeaks) {
@@ -155,11 +238,11 @@ TEST(MotionSpectrum, OfNoiseHasNoPeaks) {
   std::normal_distribution<double> normal(0.0, 1.0);
   std::vector<double> values;
   for (int k = 0; k < 4096; ++k) values.push_back(normal(random));
-  EXPECT_TRUE(motion_spectrum(values, 1000.0, 10).peaks.empty());
+  EXPECT_TRUE(motion_spectrum(values, {.rate_hz = 1000.0}).peaks.empty());
 }
 
 TEST(MotionSpectrum, OfNothingHasNoPeaks) {
-  EXPECT_TRUE(motion_spectrum(std::vector<double>(64, 5.0), 10.0, 10).peaks.empty());
+  EXPECT_TRUE(motion_spectrum(std::vector<double>(64, 5.0), {.rate_hz = 10.0}).peaks.empty());
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
-#include "axiometry/base/number_text.h"
 #include "axiometry/numeric/median.h"
 
 namespace axiometry::capture {
@@ -48,10 +48,20 @@ double noise_of(std::span<const double> x) {
   return steps.empty() ? 0.0 : numeric::upper_median(std::move(steps)) / per_median / std::sqrt(20.0);
 }
 
-std::size_t half_of(const MotionRecord& record, double window_s) {
-  const double samples = window_s * record.rate_hz;
-  return static_cast<std::size_t>(std::max(0.0, std::nearbyint((samples - 1.0) / 2.0)));
+double quarter_of(const MotionRecord& record) {
+  return static_cast<double>(record.positions.size()) / static_cast<double>(windows_least);
 }
+
+/// Of the odd number of samples that is nearest; of a quarter of the record the next one below it.
+std::size_t half_of(const MotionRecord& record, double window_s) {
+  constexpr double written_to = 1e-5;  // of a window that was read from a message
+  const double samples = window_s * record.rate_hz, quarter = quarter_of(record);
+  const double nearest = std::max(0.0, std::nearbyint((samples - 1.0) / 2.0));
+  const double most = std::max(0.0, std::floor((quarter - 1.0) / 2.0));
+  return static_cast<std::size_t>(samples <= quarter * (1.0 + written_to) ? std::min(nearest, most) : nearest);
+}
+
+std::string in_seconds(double s) { return fmt::format("{:.6g}", s); }
 
 }  // namespace
 
@@ -67,8 +77,8 @@ Result<MotionCourse> motion_course(const MotionRecord& record, double window_s) 
   const std::size_t h = counts ? half_of(record, window_s) : 0, n = 2 * h + 1;
   if (h < half_least || n * windows_least > x.size())
     return fail(fmt::format("found a window of {} s, expected {} s (5 samples) to {} s (a quarter of the recording)",
-                            format_exact(window_s), format_exact(5.0 / record.rate_hz),
-                            format_exact(record.duration_s() / static_cast<double>(windows_least))));
+                            in_seconds(window_s), in_seconds(5.0 / record.rate_hz),
+                            in_seconds(quarter_of(record) / record.rate_hz)));
   const auto count = static_cast<double>(n), half = static_cast<double>(h);
   const double s2 = half * (half + 1.0) * count / 3.0;
   const double s4 = s2 * (3.0 * half * half + 3.0 * half - 1.0) / 5.0;

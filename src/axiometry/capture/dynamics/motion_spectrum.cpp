@@ -18,8 +18,9 @@ constexpr double recordings_of_false_peak = 100.0;
 constexpr double rounding = 1e-13;           // of the largest value: what sums of equal ones leave is no vibration
 constexpr double lines_of_resolution = 2.0;  // half the main lobe of Hann's window, in 1/T
 constexpr std::size_t values_least = 16;
-constexpr int refinements = 16;             // of a golden section: 5·10⁻⁴ of the interval
-constexpr std::size_t turns_at_once = 256;  // of a phase that is turned on, before it is computed anew
+constexpr std::size_t judged_per_shown = 10;  // so that many peaks take no time beyond measure
+constexpr int refinements = 16;               // of a golden section: 5·10⁻⁴ of the interval
+constexpr std::size_t turns_at_once = 256;    // of a phase that is turned on, before it is computed anew
 
 /// Values less their mean in Hann's window, so that nothing is left at 0 Hz, times that window; and what divides the
 /// sums.
@@ -83,8 +84,13 @@ double share_beside(double d) { return 1.0 / (std::numbers::pi * d * (d * d - 1.
 /// And of what is slower than the resolution, a drift or a bend, by 1/d³ as of a ramp: found to lie below this share.
 double share_of_drift(double d) { return 2.0 / (d * d * d); }
 
-/// Numbers of the amplitudes that are the highest within the resolution about them, highest first.
-std::vector<std::size_t> places_of_peaks(const MotionSpectrum& s, std::size_t most) {
+struct PeakPlaces {
+  std::vector<std::size_t> kept;  // numbers of amplitudes
+  std::size_t beside = 0;
+};
+
+/// The amplitudes that are the highest within the resolution about them, highest first.
+PeakPlaces places_of_peaks(const MotionSpectrum& s, std::size_t most) {
   const std::span<const double> a = s.amplitudes;
   const auto apart = static_cast<std::size_t>(std::ceil(s.resolution_hz / s.step_hz));
   std::vector<std::size_t> places;
@@ -92,7 +98,8 @@ std::vector<std::size_t> places_of_peaks(const MotionSpectrum& s, std::size_t mo
     if (a[k] > s.threshold && a[k] >= a[k - 1] && a[k] > a[k + 1]) places.push_back(k);
   std::ranges::stable_sort(places, [&](std::size_t i, std::size_t k) { return a[i] > a[k]; });
   const double drift = std::ranges::max(a.first(std::min(apart, a.size())));
-  std::vector<std::size_t> kept;
+  PeakPlaces found;
+  std::vector<std::size_t>& kept = found.kept;
   for (const std::size_t k : places) {
     if (kept.size() == most) break;
     const double steps_per_line = lines_of_resolution * s.step_hz / s.resolution_hz;
@@ -103,14 +110,19 @@ std::vector<std::size_t> places_of_peaks(const MotionSpectrum& s, std::size_t mo
       beside = beside || steps < apart;
       if (!beside) left_of_others += a[other] * share_beside(steps_per_line * static_cast<double>(steps));
     }
-    if (!beside && a[k] > 2.0 * left_of_others) kept.push_back(k);
+    if (beside) continue;
+    if (a[k] > 2.0 * left_of_others)
+      kept.push_back(k);
+    else
+      ++found.beside;
   }
-  return kept;
+  return found;
 }
 
 }  // namespace
 
-MotionSpectrum motion_spectrum(std::span<const double> values, double rate_hz, std::size_t most_peaks) {
+MotionSpectrum motion_spectrum(std::span<const double> values, const SpectrumOptions& options) {
+  const double rate_hz = options.rate_hz;
   AXIOMETRY_CONTRACT(values.size() >= values_least && rate_hz > 0.0);
   const Windowed w = windowed(values);
   const std::size_t size = std::bit_ceil(2 * values.size());
@@ -128,10 +140,14 @@ MotionSpectrum motion_spectrum(std::span<const double> values, double rate_hz, s
   const auto lines = static_cast<double>(spectrum.amplitudes.size());
   double largest = 0.0;
   for (const double x : values) largest = std::max(largest, std::abs(x));
-  spectrum.threshold =
-      std::max(std::sqrt(std::log2(recordings_of_false_peak * lines)) * spectrum.floor, rounding * largest);
+  spectrum.threshold = std::max(
+      {std::sqrt(std::log2(recordings_of_false_peak * lines)) * spectrum.floor, rounding * largest, options.least});
+  const PeakPlaces places = places_of_peaks(spectrum, judged_per_shown * options.most_peaks);
+  const std::size_t shown = std::min(places.kept.size(), options.most_peaks);
+  spectrum.peaks_more = places.kept.size() - shown;
+  spectrum.peaks_beside = places.beside;
   const double line = 1.0 / static_cast<double>(size);
-  for (const std::size_t k : places_of_peaks(spectrum, most_peaks)) {
+  for (const std::size_t k : std::span(places.kept).first(shown)) {
     const double at = static_cast<double>(k) * line;
     SpectrumPeak peak = highest_between(w, at - line, at + line);
     peak.frequency_hz *= rate_hz;

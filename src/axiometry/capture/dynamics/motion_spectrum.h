@@ -23,12 +23,21 @@ struct MotionSpectrum {
   double resolution_hz = 0.0;      ///< 2/T: nearer ones cannot be told apart
   std::vector<double> amplitudes;  ///< from 0 Hz to half the rate
   double floor = 0.0;              ///< median of the amplitudes above the resolution
-  double threshold = 0.0;          ///< √log₂(100 N) floors, of N amplitudes: white noise is beyond it in 1 of 100
+  double threshold =
+      0.0;  ///< √log₂(100 N) floors, of N amplitudes: white noise is beyond it in 1 of 100; and the least
   /// Highest first: above the threshold, 2/T, and twice what a drift and higher peaks may leave beside themselves.
   std::vector<SpectrumPeak> peaks;
+  std::size_t peaks_more = 0;    ///< lower ones; counted up to nine times as many as were asked for
+  std::size_t peaks_beside = 0;  ///< above the threshold and 2/T, but not above what others may leave there
 };
 
-/// At most `most_peaks` of them. Needs 16 values at least and a rate above 0 (contract).
-MotionSpectrum motion_spectrum(std::span<const double> values, double rate_hz, std::size_t most_peaks);
+struct SpectrumOptions {
+  double rate_hz = 0.0;
+  std::size_t most_peaks = 10;
+  double least = 0.0;  ///< what the rounding of the values may make: no peak below it
+};
+
+/// Needs 16 values at least and a rate above 0 (contract).
+MotionSpectrum motion_spectrum(std::span<const double> values, const SpectrumOptions& options);
 
 }  // namespace axiometry::capture

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t windows_of_stretch = 10;
 constexpr double noises_of_motion = 10.0;
+constexpr double slid_off = 1e-6;  // of the highest velocity: sums that slid off a fast motion leave less
 
 /// Lowest, highest, and the sum of squares about zero.
 struct Extent {
@@ -105,7 +106,7 @@ std::vector<UniformStretch> uniform_stretches(const MotionRecord& record, const 
   const std::span<const double> v = course.velocity;
   double fastest = 0.0;
   for (const double x : v) fastest = std::max(fastest, std::abs(x));
-  const double slowest = std::max(options.slowest_share * fastest, noises_of_motion * course.velocity_noise);
+  const double slowest = std::max(slid_off * fastest, noises_of_motion * course.velocity_noise);
   const std::size_t shortest = windows_of_stretch * (2 * course.half_window + 1);
   std::vector<UniformStretch> stretches;
   for (std::size_t k = 0; k < v.size();) {

@@ -26,13 +26,13 @@ struct UniformStretch {
 };
 
 struct UniformOptions {
-  double share = 0.05;         ///< by which the velocity may leave its median
-  double slowest_share = 0.1;  ///< of the highest velocity: what is slower is a standstill or a turn
+  double share = 0.05;  ///< by which the velocity may leave its median
 };
 
 /// The longest stretch of every movement in one direction, in order of time, from where it first has its median
 /// velocity to where it last has it, so that neither its start nor its braking counts. Left out are those shorter than
-/// ten windows and movements no faster than ten times the noise of a velocity.
+/// ten windows and movements no faster than ten times the noise of a velocity; how fast others are does not count,
+/// since a rapid or a false sample says nothing of a feed.
 std::vector<UniformStretch> uniform_stretches(const MotionRecord& record, const MotionCourse& course,
                                               const UniformOptions& options);
 

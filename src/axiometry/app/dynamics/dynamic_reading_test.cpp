@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "axiometry/app/dynamics/dynamic_motion.h"
+#include "tests/support/temporary_folder.h"
+
+namespace axiometry::app {
+namespace {
+
+/// At 100 mm/s, by a clock whose step is `step_s` of the number of a sample.
+Result<DynamicMotion> measured(std::size_t samples, const auto& step_s) {
+  std::string text = "time [s],position [mm]\n";
+  double t = 0.0;
+  for (std::size_t k = 0; k < samples; ++k) {
+    text += fmt::format("{:.7f},{:.6f}\n", t, 100.0 * t);
+    t += step_s(k);
+  }
+  const testing_support::TemporaryFolder folder;
+  return measure_dynamic(folder.written("run.csv", text), {});
+}
+
+TEST(DynamicReading, TakesAnEvenClockWhoseTimesAreRounded) {
+  const auto motion = measured(20'000, [](std::size_t) { return 1.0 / 3000.0; });
+  ASSERT_TRUE(motion) << motion.error().message;
+  ASSERT_EQ(motion->stretches.size(), 1u);
+  EXPECT_NEAR(motion->stretches[0].velocity, 100.0, 1e-4);
+}
+
+TEST(DynamicReading, RefusesAClockThatRunsSlowlyAndThenFast) {
+  const auto motion = measured(20'000, [](std::size_t k) { return k < 10'000 ? 0.991e-3 : 1.009e-3; });
+  ASSERT_FALSE(motion);
+  EXPECT_NE(motion.error().message.find("the clock of the recording is not even"), std::string::npos)
+      << motion.error().message;
+}
+
+TEST(DynamicReading, RefusesAMissingSampleHoweverFastTheyCome) {
+  for (const double step_s : {1e-3, 2e-6, 1e-6, 5e-7}) {
+    const auto motion = measured(2000, [&](std::size_t k) { return k == 1000 ? 2.0 * step_s : step_s; });
+    ASSERT_FALSE(motion) << step_s;
+    EXPECT_NE(motion.error().message.find("samples are missing"), std::string::npos) << motion.error().message;
+  }
+}
+
+}  // namespace
+}  // namespace axiometry::app
