@@ -149,6 +149,7 @@ constexpr Phrase rows[] = {
     {"predicted ↓", "vorhergesagt ↓"},
     {"roll", "Rollen"},
     {"root mean square of a station", "quadratisches Mittel eines Standorts"},
+    {"rotation {0=} at {1#} mm", "Drehung {0} bei {1} mm"},
     {"set aside, at the edge where beyond it", "ausgesondert, außerhalb liegende am Rand"},
     {"straightness", "Geradheit"},
     {"the comparison holds the uncertainty of the errors and the scatter of the test, but not what all readings of the "
@@ -171,7 +172,6 @@ constexpr Phrase rows[] = {
     {"{0#} of 21 errors found from {1#} lengths", "{0} von 21 Abweichungen aus {1} Längen gefunden"},
     {"{0#}, of which {1#} are of errors", "{0}, davon {1} der Abweichungen"},
     {"{0=} (lever {1#} mm)", "{0} (Hebel {1} mm)"},
-    {"{0=} at {1#} mm", "{0} bei {1} mm"},
     {"{0=} has no number: at its line it holds {1}, not measured",
      "{0} hat keinen Wert: Auf seiner Linie enthält es {1}, nicht gemessen"},
     {"{0=} has no number: its lines hold {1}, not measured",
@@ -182,6 +182,8 @@ constexpr Phrase rows[] = {
      "{0} hat keinen Wert: Die Abweichungen von {1} sind über verschiedene Bereiche abgelesen, und ohne {2} sagt "
      "nichts, "
      "über welchen die Rechtwinkligkeit gemessen ist"},
+    {"{0=}: no uncertainty of the instrument is stated: U does not hold it",
+     "{0}: Keine Unsicherheit des Messgeräts angegeben: U enthält sie nicht"},
     {"{0=}: only from {1#} to {2#} mm, where all its errors were read",
      "{0}: nur von {1} bis {2} mm, wo alle Abweichungen abgelesen sind"},
     {"{0=}: readings between the {1#} nodes lie up to {2#} from the straight lines",

@@ -204,7 +204,8 @@ class SingleAssembly {
         const double stood_mm = at.axes_mm[b];
         if (stood_mm < bases_[b].lower_mm() - single_travel_slack_mm ||
             stood_mm > bases_[b].upper_mm() + single_travel_slack_mm) {
-          lacks += fmt::format("{}{} at {} mm", lacks.empty() ? "" : ", ", error_name(term.rotation), stood_mm);
+          lacks +=
+              fmt::format("{}rotation {} at {} mm", lacks.empty() ? "" : ", ", error_name(term.rotation), stood_mm);
           continue;
         }
         const ActiveFunctions f = bases_[b].at(stood_mm);

@@ -211,7 +211,7 @@ TEST(SingleErrors, DoNotContinueRotationsBeyondTheirReadings) {
   const auto made = model_of_singles(machine_with_table(), errors);
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_FALSE(made->model.squareness(Squareness::C0Y));
-  EXPECT_EQ(made->findings[1], "C0Y has no number: its lines hold ECX at 900 mm, not measured");
+  EXPECT_EQ(made->findings[1], "C0Y has no number: its lines hold rotation ECX at 900 mm, not measured");
 }
 
 TEST(SingleErrors, RefuseReadingsOutsideAndErrorsWithoutACommonRange) {
