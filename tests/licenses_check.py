@@ -16,7 +16,7 @@ import sys
 from elf import Elf
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-OF_THE_BUILD = {"PkgConfig", "Python3", "GTest", "benchmark", "rapidcheck", "OpenMP"}  # tools and tests
+OF_THE_BUILD = {"PkgConfig", "Python3", "GTest", "benchmark", "rapidcheck", "OpenMP", "Doxygen"}  # tools and tests
 OF_THE_SYSTEM = re.compile(r"^(sys|arpa|netinet|net|asm|linux)$")
 
 
