@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/numeric/chi_square.h"
 #include "axiometry/tracking/station/chi_squared.h"
 #include "axiometry/tracking/station/station_checks.h"
 
@@ -83,6 +84,7 @@ std::string words(const Hypothesis& h) {
 void add_misreading_findings(std::span<const LocationPoint> points, const StationOptions& options,
                              const RefinedSolution& solution, std::vector<Finding>& findings) {
   constexpr std::size_t most_tried = 16;
+  constexpr double least_chance = 0.001;  // of what a hypothesis leaves
   const RefinedFit& fit = solution.fit;
   if (fit.degrees_of_freedom < 2 || fit.chance > 1e-4) return;
   if (std::ranges::any_of(solution.distances_mm, [](double length) { return !(length > 0.0); })) return;
@@ -90,12 +92,15 @@ void add_misreading_findings(std::span<const LocationPoint> points, const Statio
   all.resize(std::min(all.size(), most_tried));
   const Vector3 first[] = {fit.station_mm};
   const std::vector<Vector3> starts = starts_around(points, first);
+  // Twice: weights of some points are not quite those of all.
+  const double most =
+      2.0 * numeric::chi_square_quantile(1.0 - least_chance, static_cast<double>(fit.degrees_of_freedom - 1));
   for (Hypothesis& h : all) {
-    const auto minima = refine_from_all(points, options, starts, h.shape(points.size()));
+    const auto minima = refine_from_all(points, options, starts, h.shape(points.size()), most);
     if (!minima.empty()) h.minimum = minima.front();
   }
   std::erase_if(all, [&](const Hypothesis& h) {
-    return !h.minimum.converged || chi_squared_tail(h.minimum.chi_squared, fit.degrees_of_freedom - 1) < 0.001;
+    return !h.minimum.converged || chi_squared_tail(h.minimum.chi_squared, fit.degrees_of_freedom - 1) < least_chance;
   });
   if (all.empty()) return;
   std::ranges::stable_sort(

@@ -223,10 +223,12 @@ std::vector<Vector3> starts_around(std::span<const LocationPoint> points, std::s
 }
 
 std::vector<Minimum> refine_from_all(std::span<const LocationPoint> points, const StationOptions& options,
-                                     std::span<const Vector3> starts, std::span<const double> shape) {
+                                     std::span<const Vector3> starts, std::span<const double> shape,
+                                     double chi_squared_most) {
   if (points.size() <= 2 * points_for_starts) return minima_from(points, options, starts, shape);
   const Some some = some_of(points, shape);
   const std::vector<Minimum> rough = minima_from(some.points, options, starts, some.shape);
+  if (!rough.empty() && rough.front().chi_squared > chi_squared_most) return {};
   std::vector<Vector3> promising;
   for (const Minimum& m : rough)
     if (m.chi_squared <= hopeless * (rough.front().chi_squared + static_cast<double>(some.points.size())))
