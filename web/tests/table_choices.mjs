@@ -94,7 +94,7 @@ export const table_choices = {
     assert.deepEqual(await curves.locator('option').allInnerTexts(), ['one for both directions', 'one curve, and MD32450 beside it']);
     await curves.selectOption('with-backlash');
     await shows(page.locator('.table-options'), 'MD32450 stands at the head of the file, and the prediction counts on it. Enter it by hand');
-    await shows(page.locator('.listing'), /MD32450 = its value without any table \+ /);
+    await shows(page.locator('.listing'), /MD32450 = its value while the axis was measured \+ /);
     await made_anew(page);
     assert.ok(await figure(page, 'B', 'Predicted') < 0.5 * before, 'the prediction counts on it');
     await shows(page.locator('main'), 'With “one curve, and a number for the reversal beside it” the head of the file says');

@@ -11,6 +11,7 @@
 #include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
+#include "axiometry/volumetric/identify/identification.h"
 
 namespace axiometry::app {
 namespace {
