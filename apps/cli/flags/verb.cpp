@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "cli/flags/alone.h"
-
 namespace axiometry::cli {
 namespace {
 

@@ -101,4 +101,8 @@ class Verb {
   CLI::App* app_;
 };
 
+/// Of an option that leaves the others of its verb without a use, such as --list: throws UsageError where it was given
+/// and one that is not among `beside` too.
+void check_alone(const Verb& verb, const std::string& name, const std::vector<std::string>& beside = {});
+
 }  // namespace axiometry::cli

@@ -11,7 +11,6 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
-#include "cli/flags/alone.h"
 #include "cli/flags/compensate_flags.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"

@@ -11,7 +11,6 @@
 #include "axiometry/base/text.h"
 #include "axiometry/nc/numbers.h"
 #include "cli/failure.h"
-#include "cli/flags/alone.h"
 #include "cli/flags/option_text.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"

@@ -11,7 +11,6 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
-#include "cli/flags/alone.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/verb.h"
 #include "cli/verbs/command_volumetric.h"
