@@ -18,6 +18,7 @@
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
+#include "axiometry/report/figures/error_motions.h"
 #include "axiometry/report/translated.h"
 
 namespace axiometry::app {
@@ -248,6 +249,18 @@ report::Table singles_table(const Assembled& a, const report::Options& options) 
   return table;
 }
 
+/// Of every axis of which an error was measured.
+report::Section curves_section(const Assembled& a, const report::Options& options) {
+  report::Section section{"curves", "Error motions over the travel", false, {}};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::ranges::any_of(a.items, [&](const AssembledItem& item) {
+          const auto error = volumetric::error_motion_named(item.name);
+          return error && error->axis == axis;
+        }))
+      section.blocks.emplace_back(report::error_motion_figure(a.made.model, axis, options));
+  return section;
+}
+
 }  // namespace
 
 Result<SingleItem> parse_single(std::string_view text) {
@@ -324,6 +337,7 @@ Experiment present(const Assembled& a, const report::Options& options) {
   report::Section section{"errors", "Errors", true, {}};
   section.blocks.emplace_back(singles_table(a, options));
   document.sections.push_back(std::move(section));
+  document.sections.push_back(curves_section(a, options));
   if (a.made.findings.empty() && a.remarks.empty()) return experiment;
   report::Section findings{"findings", "Findings", false, {}};
   for (const auto* list : {&a.made.findings, &a.remarks})

@@ -13,7 +13,7 @@
 namespace axiometry::report {
 namespace {
 
-constexpr double recorded_height = 150.0;
+constexpr double recorded_height = 104.0;
 constexpr double recorded_width = 0.5;  // of the line: what is dense stays readable
 constexpr double shade = 0.12;
 

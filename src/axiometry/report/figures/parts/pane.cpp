@@ -64,8 +64,18 @@ void draw_pane_title(Operations& operations, const Pane& pane, Runs runs) {
 }
 
 void draw_pane_remark(Operations& operations, const Pane& pane, std::string text) {
-  operations.push_back(label({plain(text)}, {(pane.left + pane.right) / 2.0, (pane.top + pane.bottom) / 2.0 - 4.0},
-                             ink::text_size, Anchor::middle, ink::grey));
+  const Runs runs = {plain(std::move(text))};
+  const Point middle = {(pane.left + pane.right) / 2.0, (pane.top + pane.bottom) / 2.0};
+  const double half_width = text_width(runs, ink::text_size) / 2.0 + 3.0;
+  const double half_height = ink::text_size * 0.75;
+  operations.push_back(Path{.points = {{middle.x - half_width, middle.y - half_height},
+                                       {middle.x + half_width, middle.y - half_height},
+                                       {middle.x + half_width, middle.y + half_height},
+                                       {middle.x - half_width, middle.y + half_height}},
+                            .closed = true,
+                            .stroke = {.width = 0.0},
+                            .fill = ink::white});
+  operations.push_back(label(runs, middle, ink::text_size, Anchor::middle, ink::grey));
 }
 
 void draw_upright_title(Operations& operations, Runs runs, Point middle) {

@@ -33,7 +33,7 @@ double pane_label_width(const Range& up, double height, NumberStyle style);
 /// Above the pane, at its left.
 void draw_pane_title(Operations& operations, const Pane& pane, Runs runs);
 
-/// In the middle of an empty pane.
+/// In the middle of an empty pane, over its lines.
 void draw_pane_remark(Operations& operations, const Pane& pane, std::string text);
 
 /// Upright, left of everything.
