@@ -77,7 +77,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     if (is_idle_) close();
   }
 
-  void give_way() override { close(); }
+  void make_room() override { close(); }
   Standing standing() const override { return {whose_, doing_, last_moved_, bytes_held()}; }
 
  private:

@@ -29,7 +29,7 @@ class Guest {
   /// The server is to end: closes now when no request is in flight or its answer is only held back, else after it.
   virtual void hang_up() = 0;
   /// Closes at once: another needs its place or its memory.
-  virtual void give_way() = 0;
+  virtual void make_room() = 0;
   virtual Standing standing() const = 0;
 };
 

@@ -61,7 +61,7 @@ bool ConnectionShare::make_room(const std::string& peer) {
     tell_of_event(unread, {.status = 0, .event = SecurityEvent::quota_refused});
     return false;
   }
-  guests.all[*room.goes]->give_way();
+  guests.all[*room.goes]->make_room();
   return true;
 }
 
@@ -78,7 +78,7 @@ bool ConnectionShare::make_memory(const Guest& guest, std::size_t bytes) {
     going.push_back(guests.all[*room.goes]);
     guests.standings[*room.goes].bytes = 0;
   }
-  for (Guest* one : going) one->give_way();
+  for (Guest* one : going) one->make_room();
   return true;
 }
 

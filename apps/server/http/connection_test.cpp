@@ -100,7 +100,7 @@ Response large_answer(int status) { return {.status = status, .body = std::strin
 struct Holder final : Guest {
   explicit Holder(Standing held) : is(held) {}
   void hang_up() override {}
-  void give_way() override { is_gone = true; }
+  void make_room() override { is_gone = true; }
   Standing standing() const override { return is; }
   Standing is;
   bool is_gone = false;
