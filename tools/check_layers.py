@@ -15,6 +15,9 @@ OWNERS = {  # prefix of an include -> the only folder that may use it; linear al
     "nlohmann/": "src/axiometry/base/",
     "Eigen/": ("src/axiometry/numeric/", "src/axiometry/uncertainty/", "src/axiometry/tracking/",
                "src/axiometry/volumetric/"),
+    # What decomposes matrices is compiled once, by numeric/dense/dense.h.
+    **{f"Eigen/{header}": "src/axiometry/numeric/dense/"
+       for header in ("Dense", "QR", "SVD", "LU", "Cholesky", "Eigenvalues", "Householder", "Geometry")},
     "muParser": "src/axiometry/app/",
     "openssl/": ("src/axiometry/digest/", "apps/server/"),
     "sqlite3": "src/axiometry/store/",

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
@@ -12,6 +14,7 @@
 #include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/base/utf8.h"
 
 namespace axiometry::json {
 
@@ -193,6 +196,11 @@ class TreeBuilder {
   };
 
   static std::optional<std::size_t> first_repetition(const std::vector<std::string>& names) {
+    if (names.size() <= 16) {  // looking at every pair is the fastest
+      for (auto at = names.begin(); at != names.end(); ++at)
+        if (std::find(names.begin(), at, *at) != at) return static_cast<std::size_t>(at - names.begin());
+      return std::nullopt;
+    }
     std::vector<std::size_t> order(names.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t k) -> const std::string& { return names[k]; });
@@ -281,42 +289,45 @@ Result<Value> parse(std::string_view text, ParseLimits limits) {
 
 namespace {
 
+/// ASCII that needs no escape.
 bool stands_for_itself(char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
+
+/// One character that does not stand for itself; the bytes that it took.
+std::size_t write_character(std::string& out, std::string_view s) {
+  const auto first = static_cast<unsigned char>(s.front());
+  if (first >= 0x80) {
+    const Character character = character_at(s, 0);
+    out += character.valid() ? s.substr(0, character.length) : "\uFFFD";
+    return character.length;
+  }
+  constexpr std::string_view known = "\"\\\n\r\t", letters = "\"\\nrt";
+  if (const std::size_t k = known.find(s.front()); k != known.npos)
+    out.append({'\\', letters[k]});
+  else
+    fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(first));
+  return 1;
+}
 
 void write_text(std::string& out, std::string_view s) {
   out += '"';
-  const auto plain = static_cast<std::size_t>(std::ranges::find_if_not(s, stands_for_itself) - s.begin());
-  out += s.substr(0, plain);
-  s.remove_prefix(plain);
   while (!s.empty()) {
-    const std::size_t valid = text::invalid_utf8(s).value_or(s.size());
-    for (const char c : s.substr(0, valid)) {
-      switch (c) {
-        case '"': out += "\\\""; break;
-        case '\\': out += "\\\\"; break;
-        case '\n': out += "\\n"; break;
-        case '\r': out += "\\r"; break;
-        case '\t': out += "\\t"; break;
-        default:
-          if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
-            fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
-          } else {
-            out += c;
-          }
-      }
-    }
-    s.remove_prefix(valid);
-    if (s.empty()) break;
-    out += "\uFFFD";
-    s.remove_prefix(1);
+    std::size_t plain = 0;
+    while (plain < s.size() && stands_for_itself(s[plain])) ++plain;
+    out.append(s.data(), plain);
+    s.remove_prefix(plain);
+    if (!s.empty()) s.remove_prefix(write_character(out, s));
   }
   out += '"';
 }
 
 /// Whole numbers as such: 1000000 and not 1e+06, which strict readers take for a fraction.
-std::string number_text(double x) {
-  constexpr double exact_to = 1e15;
-  return x == std::floor(x) && std::abs(x) < exact_to ? fmt::format("{:.0f}", x) : format_exact(x);
+void write_number(std::string& out, double x) {
+  char buffer[32];
+  const bool whole = x == std::floor(x) && std::abs(x) < 1e15;
+  if (whole && std::signbit(x)) out += '-';  // of a zero too
+  const auto done = whole ? std::to_chars(buffer, std::end(buffer), static_cast<long long>(std::abs(x)))
+                          : std::to_chars(buffer, std::end(buffer), x);
+  out.append(buffer, static_cast<std::size_t>(done.ptr - buffer));
 }
 
 bool is_container(const Value& value) { return value.is(Kind::array) || value.is(Kind::object); }
@@ -331,7 +342,7 @@ class Writer {
       case Kind::boolean: out_ += value.boolean() ? "true" : "false"; break;
       case Kind::number:
         AXIOMETRY_CONTRACT(std::isfinite(value.number()));
-        out_ += number_text(value.number());
+        write_number(out_, value.number());
         break;
       case Kind::text: write_text(out_, value.text()); break;
       case Kind::array: write_array(value.items(), level); break;

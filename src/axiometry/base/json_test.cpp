@@ -80,6 +80,33 @@ TEST(Json, WritesWhatItReads) {
 
 TEST(Json, ReplacesBytesThatAreNotUtf8) { EXPECT_EQ(dump(Value("a\xB5z")), "\"a\uFFFDz\""); }
 
+TEST(Json, EscapesWhatHasToBeAndNothingElse) {
+  using namespace std::string_view_literals;
+  EXPECT_EQ(dump(Value("\0\x01\x1F\n\r\t\x7F~ /"sv)), R"("\u0000\u0001\u001f\n\r\t\u007f~ /")");
+  EXPECT_EQ(dump(Value("µ\\–\"😀")), R"("µ\\–\"😀")");
+  EXPECT_EQ(dump(Value("\xC3\xA9\xC3")), "\"é\uFFFD\"");               // cut off
+  EXPECT_EQ(dump(Value("\xED\xA0\x80!")), "\"\uFFFD\uFFFD\uFFFD!\"");  // half of a pair
+}
+
+TEST(Json, WritesWholeNumbersWithoutAnExponentUpTo1e15) {
+  EXPECT_EQ(dump(Value(0.0)), "0");
+  EXPECT_EQ(dump(Value(-0.0)), "-0");
+  EXPECT_EQ(dump(Value(-1e6)), "-1000000");
+  EXPECT_EQ(dump(Value(999'999'999'999'999.0)), "999999999999999");
+  EXPECT_EQ(dump(Value(1e15)), "1e+15");
+  EXPECT_EQ(dump(Value(-1e300)), "-1e+300");
+  EXPECT_EQ(dump(Value(-0.1)), "-0.1");
+}
+
+TEST(Json, RefusesASecondMemberOfAnyNumber) {
+  for (const int members : {2, 16, 17, 40}) {
+    std::string text = "{";
+    for (int k = 0; k + 1 < members; ++k) text += "\"m" + std::to_string(k) + "\": 1, ";
+    EXPECT_TRUE(parse(text + "\"other\": 2}")) << members;
+    EXPECT_TRUE(error_of(text + "\"m0\": 2}").ends_with("found a second member \"m0\", expected each name once"));
+  }
+}
+
 TEST(JsonDeathTest, RefusesToWriteWhatIsNotANumber) {
   EXPECT_DEATH(dump(Value(std::numeric_limits<double>::quiet_NaN())), "contract broken");
 }

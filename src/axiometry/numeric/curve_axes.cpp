@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/numeric/curve_axes.h"
 
-#include <Eigen/Dense>
 #include <cmath>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/dense/dense.h"
 
 namespace axiometry::numeric {
 namespace {
@@ -34,8 +34,7 @@ MatrixXd trend_of(std::span<const double> places, std::size_t terms) {
 
 std::vector<double> trend_columns(std::span<const double> places, std::size_t terms) {
   const MatrixXd trend = trend_of(places, terms);
-  const MatrixXd columns =
-      Eigen::HouseholderQR<MatrixXd>(trend).householderQ() * MatrixXd::Identity(trend.rows(), trend.cols());
+  const MatrixXd columns = orthonormal_basis(trend);
   return {columns.data(), columns.data() + columns.size()};
 }
 
@@ -44,14 +43,15 @@ CurveAxes::CurveAxes(std::span<const double> places, std::size_t terms_, double 
   const auto m = static_cast<Eigen::Index>(places.size());
   const auto terms = static_cast<Eigen::Index>(terms_);
   // The first columns span the polynomials of the trend.
-  MatrixXd basis = Eigen::HouseholderQR<MatrixXd>(trend_of(places, terms_)).householderQ();
+  MatrixXd basis = completed_orthonormal_basis(trend_of(places, terms_));
   VectorXd variances = VectorXd::Zero(m);
   if (m > terms) {
     MatrixXd covariance(m, m);
     for (Eigen::Index i = 0; i < m; ++i)
       for (Eigen::Index j = 0; j < m; ++j) covariance(i, j) = matern(std::abs(places[i] - places[j]) / length);
     const MatrixXd rest = basis.rightCols(m - terms);
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(rest.transpose() * covariance * rest);
+    const MatrixXd beside_trend = rest.transpose() * covariance * rest;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(beside_trend);
     basis.rightCols(m - terms) = rest * axes.eigenvectors();
     variances.tail(m - terms) = axes.eigenvalues().cwiseMax(0.0);
   }

@@ -4,7 +4,6 @@
 // is gone; the band of the false alarm probability begins at its longest period, not at infinity.
 #include "axiometry/numeric/harmonic_fit.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include <numbers>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/numeric/fourier.h"
 
 namespace axiometry::numeric {
@@ -33,14 +33,10 @@ std::optional<Solution> solve(const Eigen::MatrixXd& columns, const Eigen::Vecto
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
   qr.setThreshold(dependent);
   if (qr.rank() < columns.cols()) return std::nullopt;
-  const Eigen::Index p = columns.cols();
   Solution result;
   result.coefficients = qr.solve(values);
   result.residuals = values - columns * result.coefficients;
-  const Eigen::MatrixXd inverse =
-      qr.matrixR().topLeftCorner(p, p).template triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(p, p));
-  const Eigen::MatrixXd ordered = qr.colsPermutation() * inverse;  // rows back in their order
-  result.cofactor = ordered * ordered.transpose();
+  result.cofactor = cofactor(qr);
   return result;
 }
 

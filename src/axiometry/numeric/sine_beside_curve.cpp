@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/numeric/sine_beside_curve.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/dense/dense.h"
 
 namespace axiometry::numeric {
 namespace {
@@ -67,15 +67,11 @@ std::optional<Tried> tried(const HarmonicData& data, double period, std::size_t 
   fit.chance = std::pow(left / left_without, 0.5 * freedom);
   fit.degree = degree;
   fit.degrees_of_freedom = static_cast<std::size_t>(freedom);
-  const Eigen::Index p = columns.cols();
-  const Eigen::MatrixXd inverse =
-      qr.matrixR().topLeftCorner(p, p).triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(p, p));
-  const Eigen::MatrixXd ordered = qr.colsPermutation() * inverse;
-  const Eigen::MatrixXd cofactor = ordered * ordered.transpose();
+  const Eigen::MatrixXd inverse = cofactor(qr);
   const double s = fit.amplitude > 0.0 ? fit.sine / fit.amplitude : 1.0;
   const double c = fit.amplitude > 0.0 ? fit.cosine / fit.amplitude : 0.0;
-  const double along = s * s * cofactor(curve, curve) + 2.0 * s * c * cofactor(curve, curve + 1) +
-                       c * c * cofactor(curve + 1, curve + 1);
+  const double along =
+      s * s * inverse(curve, curve) + 2.0 * s * c * inverse(curve, curve + 1) + c * c * inverse(curve + 1, curve + 1);
   fit.amplitude_u = std::sqrt(along * left / freedom);
   const double q = static_cast<double>(degree) + 4.0, count = static_cast<double>(n);
   result.criterion = count * std::log(left / count) + 2.0 * q + 2.0 * q * (q + 1.0) / (count - q - 1.0);

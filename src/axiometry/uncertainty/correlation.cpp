@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/numeric/dense/dense.h"
 
 namespace axiometry::uncertainty {
 namespace {
@@ -35,7 +35,7 @@ Result<void> check_coefficients(std::size_t size, std::span<const double> matrix
 
 double smallest_eigenvalue(std::size_t size, const std::vector<double>& matrix) {
   const auto n = static_cast<Eigen::Index>(size);
-  const Eigen::Map<const Eigen::MatrixXd> symmetric(matrix.data(), n, n);
+  const Eigen::MatrixXd symmetric = Eigen::Map<const Eigen::MatrixXd>(matrix.data(), n, n);
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/tracking/lengths/dead_paths.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <set>
+
+#include "axiometry/numeric/dense/dense.h"
 
 namespace axiometry::tracking {
 namespace {

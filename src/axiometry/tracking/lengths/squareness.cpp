@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/dense/dense.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -120,7 +120,8 @@ Squareness estimate_squareness(std::span<const LineSlope> slopes, double common_
   const Subspaces subspaces(lines);
   const Eigen::MatrixXd weighted = weights.asDiagonal() * lines * subspaces.told;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weighted);
-  const Eigen::VectorXd terms = subspaces.told * qr.solve(weights.cwiseProduct(measured));
+  const Eigen::VectorXd right = weights.cwiseProduct(measured);
+  const Eigen::VectorXd terms = subspaces.told * qr.solve(right);
   const Eigen::VectorXd residuals = measured - lines * terms;
   result.rank = static_cast<std::size_t>(subspaces.told.cols());
   result.degrees_of_freedom = slopes.size() - result.rank;

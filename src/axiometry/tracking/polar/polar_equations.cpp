@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/ranges/range_eigen.h"
 
 namespace axiometry::tracking::detail {

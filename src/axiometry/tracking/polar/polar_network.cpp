@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/polar/polar_reduction.h"
 #include "axiometry/tracking/ranges/range_eigen.h"
 #include "axiometry/tracking/station/residual_findings.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/tracking/polar/polar_reduction.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
+
+#include "axiometry/numeric/dense/dense.h"
 
 namespace axiometry::tracking::detail {
 namespace {
@@ -198,8 +199,7 @@ Eigen::MatrixXd station_gauge(const PolarLayout& layout, const PolarState& state
 PolarInverse invert_polar(const PolarSystem& system, const Eigen::MatrixXd& gauge) {
   const Eigen::VectorXd scale = system.diagonal.cwiseSqrt();
   const Eigen::MatrixXd stretched = scale.asDiagonal() * gauge;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(stretched);
-  const Eigen::MatrixXd n = qr.householderQ() * Eigen::MatrixXd::Identity(gauge.rows(), 6);
+  const Eigen::MatrixXd n = numeric::orthonormal_basis(stretched);
   const Eigen::VectorXd inverse = scale.cwiseInverse();
   Eigen::MatrixXd a = inverse.asDiagonal() * system.reduced * inverse.asDiagonal();
   a = 0.5 * (a + a.transpose().eval());

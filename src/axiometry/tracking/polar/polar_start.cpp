@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/polar/polar_equations.h"
 #include "axiometry/tracking/ranges/range_eigen.h"
 #include "axiometry/tracking/ranges/range_start.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/ranges/range_start.h"
 
 namespace axiometry::tracking::detail {
@@ -45,7 +45,8 @@ std::optional<LengthStep> find_step(const StationReadings& r, const StationStart
   for (const Segment& segment : segments)
     for (const auto& row : segment.rows) sum += row * row.transpose();
   const Eigen::Matrix3d normal = sum.topLeftCorner<3, 3>();
-  const Eigen::LDLT<Eigen::Matrix3d> solver(normal + 1e-12 * normal.trace() * Eigen::Matrix3d::Identity());
+  const Eigen::Matrix3d damped = normal + 1e-12 * normal.trace() * Eigen::Matrix3d::Identity();
+  const Eigen::LDLT<Eigen::Matrix3d> solver(damped);
   const double unknowns = 4.0 + static_cast<double>(r.segments);
   const double freedom = static_cast<double>(r.length_mm.size()) - unknowns;
   if (freedom < freedom_least) return std::nullopt;

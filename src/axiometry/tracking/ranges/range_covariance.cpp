@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/tracking/ranges/range_covariance.h"
 
-#include <Eigen/Dense>
-
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/ranges/range_eigen.h"
 
 namespace axiometry::tracking::detail {

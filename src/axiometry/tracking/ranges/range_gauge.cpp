@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/tracking/ranges/range_gauge.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "axiometry/numeric/dense/dense.h"
 
 namespace axiometry::tracking::detail {
 namespace {
@@ -31,7 +32,7 @@ Scaled scaled(const ReducedSystem& system, const GaugeDirections& directions) {
     columns.col(k) = Eigen::Map<const Eigen::VectorXd>(directions[static_cast<std::size_t>(k)].data(), n)
                          .cwiseQuotient(result.size)
                          .normalized();
-  result.gauge = columns.colPivHouseholderQr().householderQ() * Eigen::MatrixXd::Identity(n, g);
+  result.gauge = numeric::pivoted_orthonormal_basis(columns);
   return result;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/tracking/ranges/range_solution.h"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
 
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/ranges/range_eigen.h"
 
 namespace axiometry::tracking::detail {
@@ -64,7 +64,10 @@ RangeIteration iterate(const RangeProblem& problem, RangeState& state) {
 StationSpread station_spread(std::span<const Vector3> stations) {
   const Eigen::Vector3d mean = mean_of(stations);
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (const Vector3& s : stations) moments += (eigen(s) - mean) * (eigen(s) - mean).transpose();
+  for (const Vector3& s : stations) {
+    const Eigen::Vector3d off = eigen(s) - mean;
+    moments += off * off.transpose();
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
   StationSpread spread;
   for (const Vector3& s : stations) {
@@ -85,8 +88,8 @@ bool align(RangeState& state, std::span<const Vector3> nominal, bool with_size) 
   Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
   double squares = 0.0;
   for (std::size_t i = 0; i < nominal.size(); ++i) {
-    const Eigen::Vector3d p = eigen(state.points[i]) - from;
-    product += (eigen(nominal[i]) - to) * p.transpose();
+    const Eigen::Vector3d p = eigen(state.points[i]) - from, q = eigen(nominal[i]) - to;
+    product += q * p.transpose();
     squares += p.squaredNorm();
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(product, Eigen::ComputeFullU | Eigen::ComputeFullV);

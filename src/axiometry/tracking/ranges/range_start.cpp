@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "axiometry/base/counted.h"
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/ranges/range_eigen.h"
 
 namespace axiometry::tracking::detail {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/geometry/machine_axes.h"
 #include "axiometry/tracking/geometry/visibility.h"
 #include "axiometry/tracking/station/station_fit.h"

@@ -2,11 +2,11 @@
 //
 // Deviations from the paper: centred and scaled columns, a singular value decomposition in place of normal equations,
 // and the quadratic ψ = |s|² − L0² along the weakest direction, which the paper leaves unused.
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/station/station_fit.h"
 
 namespace axiometry::tracking {

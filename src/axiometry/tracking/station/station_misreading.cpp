@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/numeric/chi_square.h"
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/station/chi_squared.h"
 #include "axiometry/tracking/station/station_checks.h"
 

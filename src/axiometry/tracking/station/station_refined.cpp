@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/station/chi_squared.h"
 #include "axiometry/tracking/station/station_fit.h"
 
@@ -272,7 +272,8 @@ RefinedSolution describe(std::span<const LocationPoint> points, const StationOpt
     const double sigma = fit.sigma_mm[static_cast<std::size_t>(i)];
     solution.gain.push_back({inverse(0, i) / sigma, inverse(1, i) / sigma, inverse(2, i) / sigma});
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance.topLeftCorner<3, 3>());
+  const Eigen::Matrix3d of_place = covariance.topLeftCorner<3, 3>();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(of_place);
   const Eigen::Vector3d weakest = axes.eigenvectors().col(2);
   solution.weakest = {weakest[0], weakest[1], weakest[2]};
   solution.weakest_u_mm = std::sqrt(std::max(axes.eigenvalues()[2], 0.0));

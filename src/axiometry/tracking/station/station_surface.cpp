@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/station/station_checks.h"
 
 namespace axiometry::tracking {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/volumetric/identify/linear_solution.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "axiometry/numeric/dense/dense.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
@@ -168,11 +169,12 @@ LinearSolution::LinearSolution(const Coefficients& coefficients, NormalEquations
     f.cholesky.compute(f.scaled.matrix);
     return;
   }
-  f.nulls = (f.nulls.colPivHouseholderQr().householderQ() * MatrixXd::Identity(n, count)).eval();
+  f.nulls = numeric::pivoted_orthonormal_basis(f.nulls);
   const MatrixXd along = f.nulls.transpose() * f.scaled.matrix;
   const MatrixXd corner = along * f.nulls + MatrixXd::Identity(count, count);
   const MatrixXd cross = f.nulls * along;
-  f.cholesky.compute(f.scaled.matrix - cross - cross.transpose() + f.nulls * corner * f.nulls.transpose());
+  const MatrixXd full = f.scaled.matrix - cross - cross.transpose() + f.nulls * corner * f.nulls.transpose();
+  f.cholesky.compute(full);
 }
 
 LinearSolution::~LinearSolution() = default;

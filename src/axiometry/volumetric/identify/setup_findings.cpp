@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
@@ -8,6 +7,7 @@
 #include <optional>
 
 #include "axiometry/base/text.h"
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/volumetric/identify/findings.h"
 
 namespace axiometry::volumetric::detail {

@@ -2,7 +2,6 @@
 #include "axiometry/volumetric/identify/station_start.h"
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <string_view>
 
 #include "axiometry/base/text.h"
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/numeric/median.h"
 #include "axiometry/numeric/side_by_side.h"
 #include "axiometry/tracking/station/station_fit.h"
@@ -158,7 +158,9 @@ class Refinement {
       const Eigen::Vector4d a = row_of(sights_[i]) - means[sights_[i].stretch];
       sum += weights[i] * a * a.transpose();
     }
-    const Eigen::Vector3d move = sum.topLeftCorner<3, 3>().ldlt().solve(sum.topRightCorner<3, 1>());
+    const Eigen::Matrix3d normal = sum.topLeftCorner<3, 3>();
+    const Eigen::Vector3d gradient = sum.topRightCorner<3, 1>();
+    const Eigen::Vector3d move = normal.ldlt().solve(gradient);
     return move.allFinite() ? Vector3{move[0], move[1], move[2]} : Vector3{};
   }
 

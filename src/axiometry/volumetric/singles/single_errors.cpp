@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/numeric/dense/dense.h"
 #include "axiometry/volumetric/singles/single_places.h"
 
 namespace axiometry::volumetric {

@@ -26,6 +26,14 @@ double two_tails(double square, double rest, double degrees) {
   return 2.0 * numeric::student_t_probability(-std::sqrt(square * (degrees - 1.0) / rest), degrees - 1.0);
 }
 
+/// Whether `looks` times both tails are surely more than the level. Those of Student's t are never less than those of
+/// the normal law: of t√(χ²/ν) that is Jensen's inequality, since erfc(t√(v/2)) is convex in v.
+bool surely_above(double level, double looks, double square, double rest, double degrees) {
+  if (degrees < 2.0 || square <= 0.0) return looks > level;
+  if (rest <= 0.0) return false;
+  return looks * std::erfc(std::sqrt(0.5 * square * (degrees - 1.0) / rest)) > 1.000001 * level;
+}
+
 /// |e| less what rounding may have done to the reading, by how much of its own scatter a residual keeps.
 double beyond_rounding(double residual, double share, const Rounding& rounding) {
   const double size = std::max(0.0, std::abs(residual) - rounding.step * share);
@@ -117,7 +125,9 @@ std::vector<Candidate> cell_outliers(const AdditiveFit& fit, const Rounding& rou
       if (const double e = fit.row(i)[j]; std::abs(e) > largest) largest = std::abs(e), worst = j;
     const double share = (1.0 - 1.0 / n) * (1.0 - 1.0 / rows);
     const double rest = std::max(squares - largest * largest / share, (n - 2.0) * rounding.variance());
-    const double p = cells * n * two_tails(beyond_rounding(largest, share, rounding), rest, n - 1.0);
+    const double square = beyond_rounding(largest, share, rounding);
+    if (surely_above(level, cells * n, square, rest, n - 1.0)) continue;
+    const double p = cells * n * two_tails(square, rest, n - 1.0);
     if (p <= level) all.push_back({{i, worst}, p});
   }
   return all;

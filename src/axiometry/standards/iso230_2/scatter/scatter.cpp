@@ -133,7 +133,7 @@ class UnevenSearch {
   }
 
   void look_at_directions() {
-    for (Direction d : each_direction) see({0, targets() - 1, d, {}, {}, 1.0}, of_direction_[index(d)]);
+    for (Direction d : each_direction) see({0, targets() - 1, d}, of_direction_[index(d)]);
   }
 
   /// The targets up to one, and those from one on, of both directions and of each.
@@ -145,8 +145,8 @@ class UnevenSearch {
       for (std::size_t k = 1; k < targets(); ++k) {
         for (Direction each : each_direction)
           if (!d || *d == each) before.add(cells_[index(each)][k - 1]);
-        see({0, k - 1, d, {}, {}, 1.0}, before);
-        see({k, targets() - 1, d, {}, {}, 1.0}, whole - before);
+        see({0, k - 1, d}, before);
+        see({k, targets() - 1, d}, whole - before);
       }
     }
   }
@@ -160,10 +160,10 @@ class UnevenSearch {
       for (std::size_t i = 0; i < targets(); ++i) {
         Sum own;
         own.add(cells_[index(d)][i]);
-        see({i, i, d, {}, {}, 1.0}, own);
+        see({i, i, d}, own);
         if (rows < 3.0 || own.degrees <= 0.0) continue;
         const Sum left{row_squares(fit, i, rows), own.degrees};
-        see({i, i, d, {}, {}, ratio_tail(left, left_of_all - left, rounding_)}, own);
+        see({i, i, d}, own, [&] { return ratio_tail(left, left_of_all - left, rounding_); });
       }
     }
   }
@@ -178,15 +178,20 @@ class UnevenSearch {
  private:
   std::size_t targets() const { return cells_[0].size(); }
 
-  /// A part beside all that is not in it, so that the parts can be compared.
-  void see(UnevenScatter part, const Sum& own) {
+  void see(const UnevenScatter& part, const Sum& own) {
+    see(part, own, [] { return 1.0; });
+  }
+
+  /// A part beside all that is not in it, so that the parts can be compared; `chance` is another one of it.
+  template <typename Chance>
+  void see(UnevenScatter part, const Sum& own, const Chance& chance) {
     const Sum rest = all_ - own;
     if (own.degrees <= 0.0 || rest.degrees <= 0.0) return;
     ++looks_;
     part.within = Deviation::native(std::sqrt(own.variance()));
     part.elsewhere = Deviation::native(std::sqrt(rest.variance()));
     if (part.within.in_native() < much_wider * part.elsewhere.in_native()) return;
-    part.p = std::min(part.p, ratio_tail(own, rest, rounding_));
+    part.p = std::min(chance(), ratio_tail(own, rest, rounding_));
     if (!best_ || part.p < best_->p) best_ = part;
   }
 

@@ -5,11 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "axiometry/standards/iso230_2/assessment/assessment.h"
+#include "axiometry/standards/iso230_2/scatter/outliers.h"
 #include "tests/support/series.h"
 
 namespace axiometry::iso230_2 {
@@ -97,6 +99,27 @@ TEST(Scatter, FindsAnOutlierAndWhereItIs) {
   EXPECT_LE(uneven, 2) << "one cause, one finding";
   EXPECT_GE(found, 95);
   EXPECT_LE(else_found, 2);
+}
+
+// Most cells are passed over by the tails of the normal law, before those of Student's t are computed.
+TEST(Scatter, PassesOverNoCellWhoseChanceIsWithinTheLevel) {
+  Normal normal(11);
+  for (const std::size_t n : {3u, 5u, 30u, 5000u})
+    for (const double step : {0.0, 0.1}) {
+      std::vector<double> table(8 * n);
+      for (double& x : table) x = normal();
+      table[3] += 10.0;
+      const numeric::AdditiveFit fit = numeric::fit_additive(table, n);
+      const std::vector<scatter::Candidate> all = scatter::cell_outliers(fit, {step}, 16.0, 1e9);
+      ASSERT_EQ(all.size(), 8u);
+      for (const scatter::Candidate& c : all) {
+        const auto at_level = scatter::cell_outliers(fit, {step}, 16.0, c.p);
+        EXPECT_TRUE(std::ranges::any_of(at_level, [&](const auto& o) { return o.at.row == c.at.row && o.p == c.p; }))
+            << n << ' ' << step << ' ' << c.p;
+        EXPECT_TRUE(std::ranges::none_of(scatter::cell_outliers(fit, {step}, 16.0, 0.9 * c.p),
+                                         [&](const auto& o) { return o.at.row == c.at.row; }));
+      }
+    }
 }
 
 TEST(Scatter, FindsTwoOutliersThatHideEachOther) {
