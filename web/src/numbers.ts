@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers as people read them: the user's decimal mark, a true minus sign, never "−0.0".
-import { decimal } from './settings';
+import { decimal, language } from './settings';
 
 export const absent = '–';
 
@@ -51,9 +51,10 @@ export function when(text: string): string {
 }
 
 export function bytes(size: number): string {
-  if (size < 1000) return `${size} B`;
+  const byte = language.value === 'fr' ? 'o' : 'B';
+  if (size < 1000) return `${size} ${byte}`;
   const step = size < 1e6 ? 1e3 : size < 1e9 ? 1e6 : 1e9;
-  return `${fixed(size / step, 1)} ${step === 1e3 ? 'kB' : step === 1e6 ? 'MB' : 'GB'}`;
+  return `${fixed(size / step, 1)} ${step === 1e3 ? 'k' : step === 1e6 ? 'M' : 'G'}${byte}`;
 }
 
 /** "100 000": groups of three separated by a narrow space that does not break. */

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a user chooses for this browser: language, decimal mark, theme, and the name that changes are made under.
 import { computed, effect, signal, type Signal } from '@preact/signals';
+import type { Language } from './api/types';
+import { language_of, languages } from './i18n/languages';
 
-export type Language = 'en' | 'de';
+export type { Language } from './api/types';
 export type Theme = 'system' | 'light' | 'dark';
 export type Decimal = 'point' | 'comma';
 
@@ -30,10 +32,10 @@ function write(key: string, value: string): void {
   }
 }
 
-const browser_language: Language = navigator.language.startsWith('de') ? 'de' : 'en';
+const browser_language = language_of(navigator.language);
 
-export const language = kept<Language>('language', browser_language, ['en', 'de']);
-export const decimal = kept<Decimal>('decimal', browser_language === 'de' ? 'comma' : 'point', ['point', 'comma']);
+export const language = kept<Language>('language', browser_language, languages);
+export const decimal = kept<Decimal>('decimal', browser_language === 'en' ? 'point' : 'comma', ['point', 'comma']);
 export const theme = kept<Theme>('theme', 'system', ['system', 'light', 'dark']);
 export const actor = kept<string>('actor', '', null);
 /** Months after which a machine is due for its next test; "0": never. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// node web/tests/pictures.mjs PROGRAM FOLDER [WORD…]: every page at three widths, in both themes and both languages, to be
+// node web/tests/pictures.mjs PROGRAM FOLDER [WORD…]: every page at three widths, in both themes and every language, to be
 // looked at by people.
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -14,7 +14,7 @@ if (!program || !folder) {
 }
 const views = [
   { width: 390, height: 844 }, { width: 820, height: 1180 }, { width: 1440, height: 900 },
-].flatMap((size) => ['en-GB', 'de-DE'].flatMap((locale) => ['light', 'dark'].map((theme) => ({ ...size, theme, locale }))));
+].flatMap((size) => ['en-GB', 'de-DE', 'fr-FR'].flatMap((locale) => ['light', 'dark'].map((theme) => ({ ...size, theme, locale }))));
 
 await mkdir(folder, { recursive: true });
 const browser = await chromium.launch({ executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium', args: process.getuid() === 0 ? ['--no-sandbox'] : [] });

@@ -13,8 +13,8 @@ import { conflict } from './conflict.mjs';
 import { description } from './description.mjs';
 import { editor } from './editor.mjs';
 import { figures } from './figures.mjs';
-import { german } from './german.mjs';
 import { keyboard } from './keyboard.mjs';
+import { languages } from './languages.mjs';
 import { layout } from './layout.mjs';
 import { lengths } from './lengths.mjs';
 import { offline } from './offline.mjs';
@@ -38,7 +38,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...tracking, ...volume, ...calibrations, ...tables, ...table_choices, ...capture, ...lengths, ...german, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...claims, ...description, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...tracking, ...volume, ...calibrations, ...tables, ...table_choices, ...capture, ...lengths, ...languages, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...claims, ...description, ...offline, ...timing };
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));

@@ -64,14 +64,16 @@ Flag add_decimal(const Verb& verb, char& mark, const std::string& description) {
 }
 
 Flag add_language(const Verb& verb, report::Options& options, Flag decimal) {
-  return add_read(verb, {"--language", "LANGUAGE", "Language of reports and sheets: en or de"},
-                  [&options, decimal](const std::string& word) -> Result<void> {
-                    const auto language = language::language_of(word);
-                    if (!language) return fail(fmt::format("found {}, expected en or de", text::quoted(word)));
-                    options.language = *language;
-                    if (decimal->count() == 0) options.numbers = language::usual_numbers(*language);
-                    return {};
-                  });
+  return add_read(
+      verb, {"--language", "LANGUAGE", "Language of reports and sheets: " + language::tags_of_languages()},
+      [&options, decimal](const std::string& word) -> Result<void> {
+        const auto language = language::language_of(word);
+        if (!language)
+          return fail(fmt::format("found {}, expected one of {}", text::quoted(word), language::tags_of_languages()));
+        options.language = *language;
+        if (decimal->count() == 0) options.numbers = language::usual_numbers(*language);
+        return {};
+      });
 }
 
 std::string fault_of_name(const std::string& name) {

@@ -119,7 +119,7 @@ std::string intervals(const app::Evaluated& e, const std::vector<MethodRow>& row
   table.add("", said("mean"), numbers(rows, &ShownDistribution::mean));
   table.add(said("stated"), said("from"), numbers(rows, &ShownDistribution::lower));
   table.add("", said("to"), numbers(rows, &ShownDistribution::upper));
-  table.add(options.language == language::Language::english ? "tolerance" : "Toleranz", said("of u"),
+  table.add(options.language == language::Language::german ? "Toleranz" : said("tolerance"), said("of u"),
             numbers(rows, &ShownDistribution::tolerance));
   table.add(
       "", said("stable"),

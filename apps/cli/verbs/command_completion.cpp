@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "axiometry/formats/format.h"
+#include "axiometry/language/language.h"
 #include "cli/flags/verb.h"
 #include "cli/verbs/commands.h"
 
@@ -31,7 +32,11 @@ std::string plain(std::string text) {
 std::vector<std::string> values_of(const std::string& flag) {
   if (flag == "--unit") return {"um", "mm", "nm", "deg", "arcsec"};
   if (flag == "--decimal") return {"point", "comma"};
-  if (flag == "--language") return {"en", "de"};
+  if (flag == "--language") {
+    std::vector<std::string> tags;
+    for (const language::Language each : language::languages()) tags.emplace_back(language::tag(each));
+    return tags;
+  }
   if (flag == "--precision") return {"double", "single"};
   if (flag == "--color") return {"auto", "always", "never"};
   if (flag != "--format") return {};

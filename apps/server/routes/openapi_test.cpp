@@ -6,11 +6,13 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "axiometry/app/live/capture_keeping.h"
 #include "axiometry/app/live/capture_service.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/text.h"
+#include "axiometry/language/language.h"
 #include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
@@ -53,6 +55,15 @@ std::vector<Router::Route> served() {
   add_compensation_routes(router, context);
   add_volumetric_routes(router);
   return router.routes();
+}
+
+TEST(OpenApi, lists_the_languages_of_the_program) {
+  std::vector<std::string> described_tags;
+  for (const auto& tag : api_description().find("components")->find("schemas")->find("Language")->find("enum")->items())
+    described_tags.push_back(tag.text());
+  std::vector<std::string> tags;
+  for (const language::Language each : language::languages()) tags.emplace_back(language::tag(each));
+  EXPECT_EQ(described_tags, tags);
 }
 
 TEST(OpenApi, describes_every_route_and_nothing_else) {

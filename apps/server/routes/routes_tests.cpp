@@ -316,7 +316,9 @@ Result<Issue> issue_of(const Request& request) {
   Request styled = request;
   if (!tag.empty()) {
     const auto language = language::language_of(tag);
-    if (!language) return fail(fmt::format("found the language {}, expected en or de", text::quoted(tag)));
+    if (!language)
+      return fail(
+          fmt::format("found the language {}, expected one of {}", text::quoted(tag), language::tags_of_languages()));
     styled.language = *language;
   }
   AXIOMETRY_TRY(auto wanted, report_request(styled, extension));

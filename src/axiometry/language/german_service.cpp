@@ -124,7 +124,7 @@ constexpr Phrase rows[] = {
      "the address of a proxy by --public-address",
      "Host {0}; erwartet: {1}; weitere Namen dieses Rechners erhält „axiometry serve“ mit --host-name, die Adresse "
      "eines Proxys mit --public-address"},
-    {"found the language {0=}, expected en or de", "Sprache {0}; erwartet: en oder de"},
+    {"found the language {0=}, expected one of {1=}", "Sprache {0}; erwartet: eine von {1}"},
     {"found the limit {0=} of {1=}, expected a number above 0", "Grenzwert {0} von {1}; erwartet: eine Zahl über 0"},
     {"found the origin {0=}, expected {1=}; the address of a proxy is given to 'axiometry serve' by --public-address",
      "Ursprung {0}; erwartet: {1}; die Adresse eines Proxys erhält „axiometry serve“ mit --public-address"},

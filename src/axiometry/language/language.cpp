@@ -2,8 +2,12 @@
 #include "axiometry/language/language.h"
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
+#include "axiometry/base/contract.h"
 #include "axiometry/base/text.h"
+#include "axiometry/language/french.h"
 #include "axiometry/language/german.h"
 #include "axiometry/language/phrase_book.h"
 #include "axiometry/language/reader.h"
@@ -11,10 +15,38 @@
 namespace axiometry::language {
 namespace {
 
-/// Made at the first use, so that it depends on no order of initialisation.
+struct Known {
+  Language language;
+  std::string_view tag;
+  std::string_view own_name;
+  char decimal_mark;
+};
+
+/// In the order of the values of Language.
+constexpr auto known = std::to_array<Known>({{Language::english, "en", "English", '.'},
+                                             {Language::german, "de", "Deutsch", ','},
+                                             {Language::french, "fr", "Français", ','}});
+
+const Known& known_of(Language language) { return known[static_cast<std::size_t>(language)]; }
+
+/// Made at the first use, so that it depends on no order of initialisation and costs nothing where it is not asked for.
 const PhraseBook& german() {
-  static const PhraseBook book(german_tables());
+  static const PhraseBook book(german_tables(), {.last_item = " und ", .nouns_are_capital = true});
   return book;
+}
+
+const PhraseBook& french() {
+  static const std::vector<PhrasePair> pairs = french_pairs();
+  static const std::vector<Phrase> rows = phrases_of(pairs);
+  static const std::span<const Phrase> tables[] = {rows};
+  static const PhraseBook book(tables, french_grammar);
+  return book;
+}
+
+/// Contract: not English, which needs none.
+const PhraseBook& book_of(Language language) {
+  AXIOMETRY_CONTRACT(language != Language::english);
+  return language == Language::german ? german() : french();
 }
 
 /// The weight of "de;q=0.7": 1 where none is given, 0 where it is none.
@@ -31,14 +63,29 @@ double weight_of(std::string_view parameters) {
 
 std::optional<Language> language_of(std::string_view tag) {
   const std::string primary = text::to_lower(tag.substr(0, tag.find('-')));
-  if (primary == "en") return Language::english;
-  if (primary == "de") return Language::german;
-  return {};
+  const auto found = std::ranges::find(known, primary, &Known::tag);
+  return found == known.end() ? std::nullopt : std::optional(found->language);
 }
 
-std::string_view tag(Language language) { return language == Language::german ? "de" : "en"; }
+std::span<const Language> languages() {
+  static constexpr auto all = [] {
+    std::array<Language, known.size()> found{};
+    std::ranges::transform(known, found.begin(), &Known::language);
+    return found;
+  }();
+  return all;
+}
 
-NumberStyle usual_numbers(Language language) { return {.decimal_mark = language == Language::german ? ',' : '.'}; }
+std::string_view tag(Language language) { return known_of(language).tag; }
+std::string_view own_name(Language language) { return known_of(language).own_name; }
+
+std::string tags_of_languages() {
+  std::string all;
+  for (const Known& each : known) all.append(all.empty() ? "" : ", ").append(each.tag);
+  return all;
+}
+
+NumberStyle usual_numbers(Language language) { return {.decimal_mark = known_of(language).decimal_mark}; }
 
 Language best_of(std::string_view accept_language) {
   Language best = Language::english;
@@ -57,15 +104,15 @@ Language best_of(std::string_view accept_language) {
 
 std::string translated(std::string_view text, Language language, const NumberStyle& numbers) {
   if (language == Language::english) return std::string(text);
-  return Reader(german(), numbers).read(text).text;
+  return Reader(book_of(language), numbers).read(text).text;
 }
 
 bool is_known(std::string_view text, Language language) {
-  return language == Language::english || Reader(german(), {}).read(text).known;
+  return language == Language::english || Reader(book_of(language), {}).read(text).known;
 }
 
 std::span<const Phrase* const> phrases(Language language) {
-  return language == Language::german ? german().phrases() : std::span<const Phrase* const>{};
+  return language == Language::english ? std::span<const Phrase* const>{} : book_of(language).phrases();
 }
 
 }  // namespace axiometry::language

@@ -14,11 +14,16 @@
 /// of its parts are such words.
 namespace axiometry::language {
 
-enum class Language { english, german };
+enum class Language { english, german, french };
 
-/// "en", "de"; also with a region, "de-AT". Nothing for others.
+/// Every language there is, English first. What enumerates them (flags, the API, tests) asks here.
+std::span<const Language> languages();
+
+/// "en", "de", "fr"; also with a region, "de-AT". Nothing for others.
 std::optional<Language> language_of(std::string_view tag);
-std::string_view tag(Language language);  ///< "en"
+std::string_view tag(Language language);       ///< "en"
+std::string_view own_name(Language language);  ///< as its readers call it: "Deutsch"
+std::string tags_of_languages();               ///< of all: "en, de, fr"
 
 /// The decimal mark that readers of a language expect.
 NumberStyle usual_numbers(Language language);

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "axiometry/language/words.h"
 #include "tests/support/cpu_time.h"
 
@@ -19,23 +18,34 @@ TEST(LanguageOf, KnowsTagsWithAndWithoutARegion) {
   EXPECT_EQ(language_of("de-AT"), Language::german);
   EXPECT_EQ(language_of("DE"), Language::german);
   EXPECT_EQ(language_of("en-GB"), Language::english);
-  for (const char* other : {"", "fr", "deu", "d", "-de"}) EXPECT_FALSE(language_of(other)) << other;
+  for (const char* other : {"", "es", "deu", "d", "-de", "fra"}) EXPECT_FALSE(language_of(other)) << other;
+}
+
+TEST(LanguageOf, KnowsEveryLanguageOnce) {
+  EXPECT_EQ(language_of("fr"), Language::french);
+  EXPECT_EQ(language_of("fr-CH"), Language::french);
+  EXPECT_EQ(tags_of_languages(), "en, de, fr");
+  EXPECT_EQ(own_name(Language::french), "Français");
+  EXPECT_EQ(usual_numbers(Language::french).decimal_mark, ',');
+  EXPECT_EQ(usual_numbers(Language::english).decimal_mark, '.');
 }
 
 TEST(LanguageOf, ReadsWhatTagWrites) {
-  for (const Language language : {Language::english, Language::german}) EXPECT_EQ(language_of(tag(language)), language);
+  for (const Language language : languages()) EXPECT_EQ(language_of(tag(language)), language);
 }
 
 TEST(BestOf, TakesTheLanguageWithTheLargestWeight) {
   EXPECT_EQ(best_of("de"), Language::german);
   EXPECT_EQ(best_of("de-DE,de;q=0.9,en-US;q=0.8,en;q=0.7"), Language::german);
   EXPECT_EQ(best_of("en-GB, de;q=0.9"), Language::english);
-  EXPECT_EQ(best_of("fr, de;q=0.3, en;q=0.2"), Language::german);
+  EXPECT_EQ(best_of("es, de;q=0.3, en;q=0.2"), Language::german);
+  EXPECT_EQ(best_of("fr-FR,fr;q=0.9,en;q=0.8"), Language::french);
+  EXPECT_EQ(best_of("en;q=0.5, fr;q=0.6, de;q=0.4"), Language::french);
   EXPECT_EQ(best_of("en;q=0, de;q=0.1"), Language::german);
 }
 
 TEST(BestOf, IsEnglishWhereNothingElseIsKnown) {
-  for (const char* header : {"", "fr", "*", "de;q=0", ",,;;", "de;q=x", "de;q=-1", "fr;q=1,*;q=0.5"})
+  for (const char* header : {"", "es", "*", "de;q=0", "fr;q=0", ",,;;", "de;q=x", "de;q=-1", "es;q=1,*;q=0.5"})
     EXPECT_EQ(best_of(header), Language::english) << header;
 }
 
@@ -95,6 +105,15 @@ TEST(Translated, EndsSoonWhateverTheText) {
   EXPECT_EQ(german(std::string(300000, ',')).size(), 300000u);
   EXPECT_EQ(german(std::string(100000, '(') + "x and y").empty(), false);
   EXPECT_LT(testing_support::cpu_seconds() - begun, 5.0);
+}
+
+TEST(Words, ChangeTheFirstLetterOfWordsAlone) {
+  EXPECT_EQ(capitalised("écart"), "Écart");
+  EXPECT_EQ(capitalised("œil-de-chat"), "Œil-de-chat");
+  EXPECT_EQ(capitalised("u = 3"), "u = 3");
+  EXPECT_EQ(without_capital("Étalon"), "étalon");
+  EXPECT_EQ(without_capital("Type"), "type");
+  for (const char* same : {"NDE", "U", "U_EVE", "×2", "écart", "", "3 µm", "ß"}) EXPECT_EQ(without_capital(same), same);
 }
 
 TEST(Words, TellNumbersFromClauses) {

@@ -61,7 +61,7 @@ std::string with_blanks(std::string_view packed) {
   return all;
 }
 
-PhraseBook::PhraseBook(std::span<const std::span<const Phrase>> tables) {
+PhraseBook::PhraseBook(std::span<const std::span<const Phrase>> tables, const Grammar& grammar) : grammar_(grammar) {
   for (const std::span<const Phrase> table : tables)
     for (const Phrase& phrase : table) {
       phrases_.push_back(&phrase);
@@ -72,9 +72,10 @@ PhraseBook::PhraseBook(std::span<const std::span<const Phrase>> tables) {
     }
   std::ranges::stable_sort(patterns_, std::ranges::greater{}, &Pattern::literal_length);
   for (const Pattern& pattern : patterns_)
-    for (std::size_t byte = 0; byte < by_first_byte_.size(); ++byte)
-      if (pattern.first().empty() || static_cast<unsigned char>(pattern.first().front()) == byte)
-        by_first_byte_[byte].push_back(&pattern);
+    if (pattern.first().empty())
+      for (auto& of_byte : by_first_byte_) of_byte.push_back(&pattern);
+    else
+      by_first_byte_[static_cast<unsigned char>(pattern.first().front())].push_back(&pattern);
 }
 
 std::optional<std::string_view> PhraseBook::literal(const std::string& english) const {

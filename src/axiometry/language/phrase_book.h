@@ -38,10 +38,22 @@ struct Capture {
 };
 using Captures = std::array<Capture, 12>;  ///< by number of the place
 
+/// What a language does to words that meet.
+struct Grammar {
+  std::string_view last_item;       ///< what stands before the last item of a list for " and "
+  std::string_view clauses = "; ";  ///< what stands between its clauses; packed()
+  /// Appends what stands at a place that is not verbatim to the text before it, as "de" + "écart" → "d’écart"; absent:
+  /// as it is.
+  void (*append)(std::string& text, std::string_view content) = nullptr;
+  bool nouns_are_capital = false;  ///< so that a title within a sentence keeps its capital letter
+};
+
 class PhraseBook {
  public:
   /// Of the rows of all tables, which must stay where they are. Contract: the places of both texts agree.
-  explicit PhraseBook(std::span<const std::span<const Phrase>> tables);
+  PhraseBook(std::span<const std::span<const Phrase>> tables, const Grammar& grammar);
+
+  const Grammar& grammar() const { return grammar_; }
 
   std::span<const Phrase* const> phrases() const { return phrases_; }
 
@@ -52,6 +64,7 @@ class PhraseBook {
   std::span<const Pattern* const> candidates(char first) const;
 
  private:
+  Grammar grammar_;
   std::vector<const Phrase*> phrases_;
   std::unordered_map<std::string, std::string_view> literals_;
   std::vector<Pattern> patterns_;

@@ -31,12 +31,13 @@ std::vector<std::string_view> sentences(std::string_view text) {
   return all;
 }
 
-struct Separator {
-  std::string_view english;
-  std::string_view german;
-};
 /// Coarse ones first.
-constexpr Separator separators[] = {{"\n", "\n"}, {"; ", "; "}, {" · ", " · "}, {", ", ", "}, {" and ", " und "}};
+constexpr std::string_view separators[] = {"\n", "; ", " · ", ", ", " and "};
+
+std::string_view in_grammar(std::string_view separator, const Grammar& grammar) {
+  if (separator == " and ") return grammar.last_item;
+  return separator == "; " ? grammar.clauses : separator;
+}
 
 /// Whether every bracket that is opened is closed, and none before.
 bool is_balanced(std::string_view text) {
@@ -118,7 +119,8 @@ Reader::Found Reader::variant(std::string_view text, int depth) {
     if (auto found = whole(inner, depth)) return ended(*std::move(found));
   if (is_lower(inner[0])) {
     inner[0] = static_cast<char>(inner[0] - 'a' + 'A');
-    if (auto found = whole(inner, depth)) return ended(*std::move(found));
+    if (auto found = whole(inner, depth))
+      return ended(book_.grammar().nouns_are_capital ? *std::move(found) : without_capital(*std::move(found)));
   }
   return std::nullopt;
 }
@@ -136,8 +138,8 @@ Reader::Found Reader::by_sentence(std::string_view text, int depth) {
 }
 
 Reader::Found Reader::by_item(std::string_view text, int depth) {
-  for (const Separator& separator : separators) {
-    const auto parts = items(text, separator.english);
+  for (const std::string_view separator : separators) {
+    const auto parts = items(text, separator);
     if (parts.size() < 2) continue;
     std::string all;
     std::size_t done = 0;
@@ -150,7 +152,8 @@ Reader::Found Reader::by_item(std::string_view text, int depth) {
         if (!joined.empty() && joined.size() < text.size()) found = known(joined, depth + 1);
       }
       if (!found) break;
-      all += (done == 0 ? std::string() : std::string(separator.german)) + *found;
+      if (done > 0) all += in_grammar(separator, book_.grammar());
+      all += *found;
       done = next;
     }
     if (done == parts.size()) return all;
@@ -201,8 +204,19 @@ Reader::Found Reader::set(const Pattern& pattern, const std::string& blanks, std
   const std::string other = packed(pattern.phrase->other);
   for (std::size_t k = 0; k < other.size(); ++k) {
     const bool is_place = other[k] == '{' && k + 2 < other.size() && other[k + 2] == '}';
-    is_place ? all.append(contents[static_cast<std::size_t>(other[k + 1] - '0')]) : all.append(1, other[k]);
-    if (is_place) k += 2;
+    if (!is_place) {
+      all += other[k];
+      continue;
+    }
+    const auto number = static_cast<std::size_t>(other[k + 1] - '0');
+    const bool stays = std::ranges::any_of(pattern.places, [&](const Pattern::Place& place) {
+      return place.number == number && place.kind == PlaceKind::verbatim;
+    });
+    if (stays || book_.grammar().append == nullptr)
+      all += contents[number];
+    else
+      book_.grammar().append(all, contents[number]);
+    k += 2;
   }
   return all;
 }

@@ -85,8 +85,19 @@ std::string capitalised(std::string text) {
   const std::size_t first = letter_length(text);
   if (first == 0 || letter_length(std::string_view(text).substr(first)) == 0) return text;  // s_i, u = …
   if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  const bool umlaut = text[0] == '\xC3' && static_cast<unsigned char>(text[1]) >= 0xA0;
-  if (umlaut && static_cast<unsigned char>(text[1]) != 0xBF) text[1] = static_cast<char>(text[1] - 0x20);
+  const bool accented = text[0] == '\xC3' && static_cast<unsigned char>(text[1]) >= 0xA0;
+  if (accented && static_cast<unsigned char>(text[1]) != 0xBF) text[1] = static_cast<char>(text[1] - 0x20);
+  if (text.starts_with("œ")) text[1] = '\x92';
+  return text;
+}
+
+std::string without_capital(std::string text) {
+  const std::size_t first = letter_length(text);
+  const std::string_view rest = std::string_view(text).substr(first);
+  if (first == 0 || letter_length(rest) == 0 || (rest[0] >= 'A' && rest[0] <= 'Z')) return text;  // U_EVE, NDE
+  if (text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
+  const auto accented = static_cast<unsigned char>(text[0] == '\xC3' ? text[1] : 0);
+  if (accented >= 0x80 && accented < 0x9F && accented != 0x97) text[1] = static_cast<char>(accented + 0x20);
   return text;
 }
 

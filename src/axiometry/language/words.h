@@ -18,7 +18,10 @@ std::string with_decimal_mark(std::string_view text, char mark);
 /// 'as the user gave it' or "…", all of it.
 bool is_quoted(std::string_view text);
 
-/// With a capital first letter, umlauts too.
+/// With a capital first letter, those with accents too.
 std::string capitalised(std::string text);
+
+/// With a small first letter, but for what begins with a symbol, an abbreviation or another mixture of capitals.
+std::string without_capital(std::string text);
 
 }  // namespace axiometry::language

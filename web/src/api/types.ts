@@ -850,11 +850,12 @@ export interface components {
             number,
             number
         ];
+        /** @enum {string} */
+        Language: "en" | "de" | "fr";
         IssueRequest: {
             /** @description A writer of the vocabulary, or `json`. */
             extension: string;
-            /** @enum {string} */
-            language?: "en" | "de";
+            language?: components["schemas"]["Language"];
             /** @enum {string} */
             decimal?: "point" | "comma";
             unit?: components["schemas"]["ShownUnit"] | null;
@@ -3284,6 +3285,7 @@ export type InstrumentEdit = components['schemas']['InstrumentEdit'];
 export type InstrumentList = components['schemas']['InstrumentList'];
 export type InstrumentVersions = components['schemas']['InstrumentVersions'];
 export type Interval = components['schemas']['Interval'];
+export type Language = components['schemas']['Language'];
 export type IssueRequest = components['schemas']['IssueRequest'];
 export type Judged = components['schemas']['Judged'];
 export type Judgement = components['schemas']['Judgement'];

@@ -6,6 +6,7 @@ import { use_get } from '../api/use';
 import type { Document, Test, Vocabulary } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { Field } from '../components/field';
+import { language_choices } from '../i18n/languages';
 import { bytes, when } from '../numbers';
 import { place } from '../router';
 import { decimal, language, type Decimal, type Language } from '../settings';
@@ -84,7 +85,7 @@ function Choices({ choice, change, unit }: { choice: Choice; change: (choice: Ch
   );
   return (
     <>
-      {row('language', t('language'), [['en', 'English'], ['de', 'Deutsch']])}
+      {row('language', t('language'), language_choices)}
       {row('decimal', t('decimal'), [['point', t('point')], ['comma', t('comma')]])}
       {row('unit', t('unit'), [['', units(unit)], ...(unit === 'um' ? (['mm', 'nm'] as const) : (['deg'] as const)).map((one) => [one, units(one)] as const)])}
     </>

@@ -2,6 +2,7 @@
 import type { Signal } from '@preact/signals';
 import { health } from '../api/session';
 import { Field } from '../components/field';
+import { language_choices } from '../i18n/languages';
 import { bytes, count } from '../numbers';
 import { actor, decimal, due_months, language, theme } from '../settings';
 import { sign_out } from '../sign_out';
@@ -45,7 +46,7 @@ function Choices() {
     <section class="panel">
       <h2>{t('here')} <span class="quiet small">{t('here_more')}</span></h2>
       <div class="choices">
-        <Choice label={t('language')} value={language} options={[['en', 'English'], ['de', 'Deutsch']]} />
+        <Choice label={t('language')} value={language} options={language_choices} />
         <Choice label={t('decimal')} value={decimal} options={[['point', t('point')], ['comma', t('comma')]]} />
         <Choice label={t('theme')} value={theme} options={[['system', t('system')], ['light', t('light')], ['dark', t('dark')]]} />
         <Choice

@@ -16,7 +16,7 @@ export const t = texts({
   captured: ['Captured', 'Erfasst'],
   not_yet: ['not yet', 'noch nicht'],
   found_of: ['{n} of {all}', '{n} von {all}'],
-  begin: ['Capture', 'Erfassen'],
+  begin: ['Capture', 'Erfassen', 'verb'],
   begin_again: ['Again', 'Noch einmal'],
   watch: ['Watch', 'Zusehen'],
   nothing: ['no lengths', 'keine Längen'],

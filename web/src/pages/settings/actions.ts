@@ -1,31 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 // The actions and subjects of the audit trail in words; what is not known here is shown as the archive writes it.
-import { language } from '../../settings';
+import { texts } from '../../i18n/texts';
 
-const nouns: Record<string, readonly [string, string]> = {
+const nouns = {
   test: ['test', 'Prüfung'], machine: ['machine', 'Maschine'], axis: ['axis', 'Achse'], instrument: ['instrument', 'Messmittel'],
   plan: ['plan', 'Prüfplan'], document: ['document', 'Dokument'], store: ['store', 'Archiv'], content: ['content', 'Inhalt'],
   report: ['report', 'Bericht'], attachment: ['attachment', 'Anlage'],
-};
-const verbs: Record<string, readonly [string, string]> = {
-  received: ['received', 'eingegangen'], revised: ['revised', 'überarbeitet'], added: ['added', 'angelegt'], changed: ['changed', 'geändert'],
-  withdrawn: ['withdrawn', 'zurückgezogen'], reinstated: ['reinstated', 'wieder aufgenommen'], issued: ['issued', 'ausgegeben'],
-  attached: ['attached', 'angehängt'], kept: ['kept', 'gespeichert'], restored: ['restored', 'wiederhergestellt'], created: ['created', 'angelegt'],
-  migrated: ['migrated', 'umgestellt'],
-};
+} as const;
+const verbs = {
+  received: ['received', 'eingegangen', 'action'], revised: ['revised', 'überarbeitet', 'action'], added: ['added', 'angelegt', 'action'],
+  changed: ['changed', 'geändert', 'action'], withdrawn: ['withdrawn', 'zurückgezogen', 'action'],
+  reinstated: ['reinstated', 'wieder aufgenommen', 'action'], issued: ['issued', 'ausgegeben', 'action'],
+  attached: ['attached', 'angehängt', 'action'], kept: ['kept', 'gespeichert', 'action'], restored: ['restored', 'wiederhergestellt', 'action'],
+  created: ['created', 'angelegt', 'action'], migrated: ['migrated', 'umgestellt', 'action'],
+} as const;
+const noun_text = texts(nouns);
+const verb_text = texts(verbs);
 
-const said = (row: readonly [string, string] | undefined, plain: string): string => row?.[language.value === 'de' ? 1 : 0] ?? plain;
+const noun_said = (noun: string): string => (Object.keys(nouns).includes(noun) ? noun_text(noun as keyof typeof nouns) : noun);
+const verb_said = (verb: string): string => (Object.keys(verbs).includes(verb) ? verb_text(verb as keyof typeof verbs) : verb);
 
 /** "test.received" as "test received". */
 export function action_text(action: string): string {
   const [noun = '', verb = ''] = action.split('.');
-  return `${said(nouns[noun], noun)} ${said(verbs[verb], verb)}`.trim();
+  return `${noun_said(noun)} ${verb_said(verb)}`.trim();
 }
 
 /** "test 12" in the user's language. */
 export function subject_text(subject: string): string {
   const [noun = '', ...rest] = subject.split(' ');
-  return [said(nouns[noun], noun), ...rest].join(' ');
+  return [noun_said(noun), ...rest].join(' ');
 }
 
 /** Where the page of a subject is; null where there is none. */

@@ -16,7 +16,7 @@ const t = texts({
   name: ['Title of the test', 'Titel der Prüfung'],
   search: ['Search the fields', 'Felder durchsuchen'],
   only_changed: ['Changed', 'Geändert'],
-  only_missing: ['Missing', 'Fehlend'],
+  only_missing: ['Missing', 'Fehlend', 'fields'],
   none: ['No field fits.', 'Kein Feld passt.'],
   unchanged: ['Nothing changed yet. Every change shows in all numbers at once; nothing is kept until it is saved as a new version.',
               'Noch nichts geändert. Jede Änderung zeigt sich sofort in allen Zahlen; gespeichert wird erst als neue Version.'],

@@ -12,7 +12,7 @@ const t = texts({
   title: ['Findings', 'Feststellungen'],
   none: ['Nothing to remark.', 'Nichts zu bemerken.'],
   departure: ['Departures from the standard', 'Abweichungen von der Norm'],
-  missing: ['Missing', 'Fehlende Angaben'],
+  missing: ['Missing', 'Fehlende Angaben', 'findings'],
   note: ['Notes', 'Hinweise'],
   entries: ['{n} {n|entry|entries}', '{n} {n|Angabe|Angaben}'],
   fill_in: ['Fill in:', 'Ergänzen:'],

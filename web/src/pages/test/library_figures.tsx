@@ -10,7 +10,7 @@ import type { TestState } from './state';
 
 const t = texts({
   title: ['Figures of the report', 'Bilder des Berichts'],
-  choose: ['Figure', 'Bild'],
+  choose: ['Figure', 'Bild', 'picture'],
   save: ['Save as SVG', 'Als SVG speichern'],
   kept: ['Of version {version}, without the unsaved changes.', 'Von Version {version}, ohne die ungespeicherten Änderungen.'],
 });

@@ -22,7 +22,7 @@ const t = texts({
   against: ['Value against limit', 'Wert und Grenzwert'],
   verdict: ['Verdict', 'Entscheidung'],
   no_uncertainty: ['no uncertainty stated', 'ohne Angabe der Unsicherheit'],
-  interval: ['Interval', 'Intervall'],
+  interval: ['Interval', 'Intervall', 'coverage'],
   of_record: ['of record', 'maßgeblich'],
   compared: ['for comparison', 'zum Vergleich'],
   units: ['Values in {unit}.', 'Werte in {unit}.'],

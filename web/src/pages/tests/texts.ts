@@ -75,7 +75,7 @@ export const t = texts({
   role_ignore: ['not read', 'nicht gelesen'],
   role_target: ['target', 'Zielposition'],
   role_deviation: ['deviation', 'Abweichung'],
-  role_position: ['measured', 'Istposition'],
+  role_position: ['measured', 'Istposition', 'position'],
   role_direction: ['direction', 'Richtung'],
   role_run: ['run', 'Durchlauf'],
   role_time: ['time', 'Zeit'],

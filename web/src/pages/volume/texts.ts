@@ -90,7 +90,7 @@ export const t = texts({
   of: ['{n} of {all}', '{n} von {all}'],
   figure_u: ['Expected uncertainty of the tool point', 'Erwartete Unsicherheit des Werkzeugpunkts'],
   at_most: ['at most {u} µm (k = 1)', 'höchstens {u} µm (k = 1)'],
-  not_told: ['not told', 'nicht bestimmt'],
+  not_told: ['not told', 'nicht bestimmt', 'determined'],
   picture: ['Set-up of the calibration', 'Aufbau der Kalibrierung'],
   picture_told: ['Reach of the reflector of {tool}: X {x}, Y {y}, Z {z} mm. Stations: {stations}. {n} points of {run}.', 'Reichweite des Reflektors von {tool}: X {x}, Y {y}, Z {z} mm. Standorte: {stations}. {n} Punkte von {run}.'],
   run: ['Run', 'Lauf'],

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every document of the program in English and in German, from the examples and the files of the transcripts; and the
-words that the German one shares with the English one though German has others for them."""
+"""Every document of the program in every language, from the examples and the files of the transcripts; and the words
+that one shares with the English document though its language has others for them."""
+import functools
 import html
+import json
 import os
 import pathlib
 import re
@@ -11,6 +13,9 @@ import subprocess
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+# As the description of the API lists them, which a unit test holds against the program's list.
+API = json.loads((ROOT / "apps/server/openapi.json").read_text(encoding="utf-8"))
+LANGUAGES = [tag for tag in API["components"]["schemas"]["Language"]["enum"] if tag != "en"]
 PLAN = "tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --tool 0,0,-120 --seed 3 --date 2026-11-20"
 TRIALS = "--trials 5000 --seed 1"
 
@@ -94,9 +99,10 @@ COMMANDS = [
     ("", "tracking length-difference --distances 200:900:100 --station-uncertainty 0.003,0.003,0.01 --report {out}"),
 ]
 
-WORD = re.compile(r"[A-Za-zÄÖÜäöüß][A-Za-zÄÖÜäöüß’'-]{2,}")
-# The same in both languages: words, names of persons, formats and standards, what stands for a value.
+WORD = re.compile(r"[A-Za-zÀ-ÖØ-öø-ÿœ][A-Za-zÀ-ÖØ-öø-ÿœ’'-]{2,}")
+# The same in English and in German: words, names of persons, formats and standards, what stands for a value.
 SAME = set("""
+    Edlén
     Absolute Leica Polar adm ifm
     Amplitude Axiometry Carlo Ciddor DIN Drift Ellipsoid Format GUM ISO Information Interferometer JCGM JSON Lee Linear Median nde Monte
     Multilateration NDE Name Octant Phase Plan Position SHA- Segment Sensor Sensors Simulation Standard Station Student
@@ -109,6 +115,11 @@ SAME = set("""
 """.split())
 # Words of two letters that German does not have.
 SHORT = set("as at be by if is no of on or to up we".split())
+# Words that are English in every language, though a pair may quote them: what a control's file says, names of flags.
+ENGLISH = set("""
+    and are axis been both by cannot each error expected for found from given has have here is its kind less lengths line lines more moves
+    not number of one only reading readings reversal runs target targets than that the there they this to too under was were which with without
+""".split())
 # What the examples and their files call things, and names of files and of metadata.
 NAMES = re.compile(r"\w+[\w-]*\.(?:csv|json|txt|rtx)|[a-z]+\.[a-z_]+|--[a-z-]+|axiometry [a-z]+|this-machine|"
                    r"Table 2 of ISO 230-2 \(worked example\)|Tilting rotary table \(made up\)|Virtual machine|Fräse 7|"
@@ -130,23 +141,42 @@ def words(text):
     return set(WORD.findall(text)) | SHORT.intersection(re.findall(r"(?<![\w-])[a-z]{2}(?![\w-])", text))
 
 
+@functools.cache
+def pairs_of(tag):
+    """English and other lines of a language's file of pairs."""
+    lines = (ROOT / f"src/axiometry/language/{tag}.txt").read_text(encoding="utf-8").splitlines()
+    texts = [line for line in lines if line and not line.startswith("#")]
+    return list(zip(texts[::2], texts[1::2]))
+
+
+@functools.cache
+def own_words(tag):
+    """Words that a text in that language may share with the English one: of German those of a list, of others those
+    that its own side of the pairs has, but for what is English wherever it stands."""
+    if tag == "de":
+        return frozenset(SAME)
+    said = {word for _, other in pairs_of(tag) for word in words(other)}
+    pieces = {piece for word in said for piece in re.split(r"[’'-]", word)}
+    return frozenset(SAME | ({word for each in said | pieces for word in (each, each.capitalize())} - ENGLISH))
+
+
 def is_of_the_user(segment, inputs):
     """All of it stands in an input, as "scale | encoder" does."""
     parts = [part.strip() for part in re.split(r"[|;,]", segment)]
     return segment in inputs or all(part in inputs for part in parts)
 
 
-def shared_words(english, german, inputs):
-    """Of each German text the words that it shares with the English document."""
+def shared_words(english, other, tag, inputs):
+    """Of each text in that language the words that it shares with the English document."""
     known = set().union(*(words(text) for text in segments(english)))
-    for text in segments(german):
-        found = (words(text) & known) - SAME
+    for text in segments(other):
+        found = (words(text) & known) - own_words(tag)
         if found and not is_of_the_user(text, inputs):
             yield found, text
 
 
 def made(program, folder, transcript, command):
-    """The command's summary, and its document as HTML, in both languages; and the text of all its inputs."""
+    """The command's summary, and its document as HTML, by language; and the text of all its inputs."""
     folder.mkdir()
     sources = list((ROOT / "examples").iterdir())
     if transcript:
@@ -156,25 +186,26 @@ def made(program, folder, transcript, command):
     named = [argument.split(":")[0] for argument in shlex.split(command)]
     inputs = "\n".join(path.read_text(encoding="utf-8", errors="replace").replace("\\n", "\n")
                        for path in folder.iterdir() if path.name in named)
-    results = []
-    for language in ("en", "de"):
+    results = {}
+    for language in ("en", *LANGUAGES):
         arguments = shlex.split(command.format(out=f"{language}.html")) + ["--language", language]
         run = subprocess.run([program, *arguments], cwd=folder, capture_output=True, text=True, check=False,
                              env={**os.environ, "COLUMNS": "100", "NO_COLOR": "1"})
         if run.returncode not in (0, 3, 4):
             raise SystemExit(f"found exit code {run.returncode} of axiometry {' '.join(arguments)}: {run.stderr}")
         page = folder / f"{language}.html"
-        results.append((run.stdout, page.read_text(encoding="utf-8") if page.exists() else ""))
-    return results[0], results[1], inputs
+        results[language] = (run.stdout, page.read_text(encoding="utf-8") if page.exists() else "")
+    return results, inputs
 
 
 def english_words(program):
-    """ "command: words in 'text'" for every German text with words that are left English."""
+    """ "language, command: words in 'text'" for every text with words that are left English."""
     told = []
     with tempfile.TemporaryDirectory() as scratch:
         for number, (transcript, command) in enumerate(COMMANDS):
-            english, german, inputs = made(program, pathlib.Path(scratch) / str(number), transcript, command)
-            for what, one, other in zip(("summary", "document"), english, german):
-                for found, text in shared_words(one, other, inputs):
-                    told.append(f"{what} of '{command}': {', '.join(sorted(found))} in '{text}'")
+            results, inputs = made(program, pathlib.Path(scratch) / str(number), transcript, command)
+            for tag in LANGUAGES:
+                for what, one, other in zip(("summary", "document"), results["en"], results[tag]):
+                    for found, text in shared_words(one, other, tag, inputs):
+                        told.append(f"{tag}, {what} of '{command}': {', '.join(sorted(found))} in '{text}'")
     return list(dict.fromkeys(told))

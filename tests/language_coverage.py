@@ -1,21 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the German phrase book covers what the program may say.
+"""Whether the phrase books of all languages but English cover what the program may say.
 
 Reads the string literals of the sources that compose findings, notes and reports, cuts them at their places, and reports
-every longer piece that stands in no English phrase of src/axiometry/language/german_*.cpp. With PROGRAM it also makes
-every document in both languages (german_documents.py) and asks the workbench for things it refuses
-(german_refusals.py), and reports the English words that are left. Exits with 1 if there is one.
+every longer piece that stands in no English phrase of src/axiometry/language/german_*.cpp; and every phrase of these
+that a language written as a file of pairs (src/axiometry/language/fr.txt) lacks. With PROGRAM it also makes every
+document in every language (language_documents.py) and asks the workbench for things it refuses (language_refusals.py),
+and reports the English words that are left. Exits with 1 if there is one.
 
-    python3 tests/german_coverage.py [PROGRAM]
+    python3 tests/language_coverage.py [PROGRAM]
 """
 import os
 import pathlib
 import re
 import sys
 
-import german_documents
-import german_refusals
+import language_documents
+import language_refusals
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = [
@@ -85,6 +86,17 @@ def english_phrases():
     return phrases
 
 
+def lacked(tag):
+    """Phrases of German that a language's file of pairs lacks, and that it has beyond them. German has no such file."""
+    if tag == "de":
+        return []
+    wanted = set(english_phrases())
+    pairs = language_documents.pairs_of(tag)
+    has = {blanks(english) for english, _ in pairs}
+    return [f"{tag} lacks: {phrase}" for phrase in sorted(wanted - has)] + \
+           [f"{tag} alone has: {phrase}" for phrase in sorted(has - wanted)]
+
+
 def main(program=None):
     lower = "\n".join(PLACE.sub("\0", phrase) for phrase in english_phrases()).lower()
     missing = []
@@ -99,14 +111,18 @@ def main(program=None):
     for line in missing:
         print(line)
     if missing:
-        print(f"german: {len(missing)} pieces are in no phrase")
-    left = german_documents.english_words(program) + german_refusals.english_refusals(program) if program else []
+        print(f"{len(missing)} pieces are in no phrase")
+    lacking = [line for tag in language_documents.LANGUAGES for line in lacked(tag)]
+    for line in lacking:
+        print(line)
+    left = language_documents.english_words(program) + language_refusals.english_refusals(program) if program else []
     for line in left:
         print(line)
     if left:
-        print(f"german: {len(left)} texts hold English words")
-    print("german: ok" if not missing and not left else "german: not ok")
-    return 1 if missing or left else 0
+        print(f"{len(left)} texts hold English words")
+    is_covered = not missing and not lacking and not left
+    print(f"{', '.join(language_documents.LANGUAGES)}: {'ok' if is_covered else 'not ok'}")
+    return 0 if is_covered else 1
 
 
 if __name__ == "__main__":

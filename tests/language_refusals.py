@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Wrong files and wrong requests, and the English words in what the workbench answers to them in German."""
+"""Wrong files and wrong requests, and the English words in what the workbench answers to them in other languages."""
 import json
 import pathlib
 import re
 import sys
 import tempfile
 import urllib.parse
+
+import language_documents
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests/server"))
@@ -82,12 +84,12 @@ ENGLISH = re.compile(r"(?<![\w\"„'.-])(?:found|expected|the|of|with|and|one|no
                      r"whole|number|which|without|below|above|least|each|they|there|than)(?![\w\"“'.=-])")
 
 
-def answers(program):
-    """What it answers, with what it answers to."""
-    german = {"Accept-Language": "de"}
+def answers(program, tag):
+    """What it answers in that language, with what it answers to."""
+    accepted = {"Accept-Language": tag}
     with tempfile.TemporaryDirectory() as folder, Served(program, pathlib.Path(folder) / "store.axm") as server:
         def ask(method, path, body=None, **headers):
-            answer = server.request(method, path, body, {**german, **headers}).json()
+            answer = server.request(method, path, body, {**accepted, **headers}).json()
             refused = answer.get("error") or answer.get("refused")
             return f"{method} {path} {headers.get('X-File-Name', '')}", refused["message"] if refused else ""
         for name, content in WRONG_FILES.items():
@@ -132,13 +134,15 @@ def answers(program):
 
 
 def english_refusals(program):
-    """ "request: words in 'message'" for each that is not wholly German."""
-    told, seen = [], 0
-    for request, message in answers(program):
-        seen += message != ""
-        found = sorted(set(ENGLISH.findall(re.sub(r'"[^"]*"', " ", message))))
-        if found:
-            told.append(f"{request}: {', '.join(found)} in '{message}'")
-    if seen < 60:
-        raise SystemExit(f"found {seen} refusals, expected at least 60")
+    """ "language, request: words in 'message'" for each that is not wholly in that language."""
+    told = []
+    for tag in language_documents.LANGUAGES:
+        seen = 0
+        for request, message in answers(program, tag):
+            seen += message != ""
+            found = sorted(set(ENGLISH.findall(re.sub(r'"[^"]*"', " ", message))))
+            if found:
+                told.append(f"{tag}, {request}: {', '.join(found)} in '{message}'")
+        if seen < 60:
+            raise SystemExit(f"found {seen} refusals, expected at least 60")
     return told
