@@ -60,6 +60,7 @@ def seeds(program, folder):
     yield "periodic", ["periodic", "@", "--period", "10"], (files / "periodic.files/screw.csv").read_bytes()
     yield "temperature log", ["temperatures", "-q", "@"], TEMPERATURES.encode()
     yield "rules compared", ["compare-rules", "@"], (files / "periodic.files/screw.csv").read_bytes()
+    yield "rules compared by trials", ["compare-rules", "@", "--uncertainty", "monte-carlo", "--trials", "100"], (files / "periodic.files/screw.csv").read_bytes()
     for case in sorted((ROOT / "tests" / "conformance").rglob("*.case"))[::6]:
         yield case.name, ["check", "@"], case.read_bytes()
     plan = (files / "nc.files/plan.json").read_bytes()

@@ -58,6 +58,10 @@ COMMANDS = [
     ("error-motions", "angles pitch.csv --reference end-points --report {out}"),
     ("", "compare-rules iso230-2-table2.csv --report {out}"),
     ("", "compare-rules rotary-table.csv --report {out}"),
+    ("", "compare-rules iso230-2-table2.json --uncertainty monte-carlo --trials 1000 --report {out}"),
+    ("", "compare-rules iso230-2-table2.json --uncertainty monte-carlo --trials 1000 "
+         "--set uncertainty.measurand=this-machine --report {out}"),
+    ("", "compare-rules rotary-table.csv --uncertainty monte-carlo --trials 1000 --report {out}"),
     ("label", "compare-rules step.csv --report {out}"),
     ("verdict", "compare-rules one-run.csv --report {out}"),
     ("temperatures", "temperatures parts.csv --began 2026-03-02T08:30 --ended 2026-03-02T10:00 --highest 20.4 --rate 5 --sensor T1=air --report {out}"),

@@ -94,6 +94,7 @@ Result<std::unique_ptr<app::CaptureService>> open_captures(const ServeOptions& o
 
 void add_api_routes(Router& router, const Context& context) {
   add_test_routes(router, context);
+  add_rule_routes(router, context);
   add_equipment_routes(router, context);
   add_plan_routes(router, context);
   add_capture_routes(router, context);

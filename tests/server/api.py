@@ -156,6 +156,16 @@ def reports(play, test):
     checks.that("there are figures", len(figures) > 0, figures)
     if figures:
         play.expect(200, "GET", f"/api/tests/{test}/figures/{figures[0]['id']}.svg?theme=dark")
+    rules = play.expect(200, "GET", f"/api/tests/{test}/rules?standards=vdi-dgq-3441,export-lists&uncertainty=monte-carlo"
+                                    "&trials=1000&language=de").json()
+    checks.that("a test is told by the rules that are named", [rule["id"] for rule in rules["rules"]] ==
+                ["vdi-dgq-3441", "export-lists"], rules["rules"])
+    play.expect(422, "GET", f"/api/tests/{test}/rules?standards=nmtba")
+    for extension, begin in (("pdf", b"%PDF"), ("html", b"<!"), ("json", b"{"), ("csv", b"")):
+        answer = play.expect(200, "GET", f"/api/tests/{test}/rules/report.{extension}?language=de&decimal=comma")
+        checks.that(f"the {extension} by other rules begins as one", answer.body.startswith(begin) and answer.body,
+                    answer.body[:20])
+    play.expect(404, "GET", f"/api/tests/{test}/rules/report.svg")
     issued = play.expect(201, "POST", f"/api/tests/{test}/reports", {"extension": "pdf", "language": "en"}).json()
     document = play.expect(200, "GET", f"/api/documents/{issued['id']}")
     checks.that("the issued report is a PDF", document.body.startswith(b"%PDF"), document.body[:20])

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tracking interferometer: from machine and travels to the program, and from lengths to results.
 import assert from 'node:assert/strict';
-import { downloaded, shows } from './world.mjs';
+import { axe_findings, downloaded, shows } from './world.mjs';
 
 const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 const station = [100, 80, -600];
@@ -61,6 +61,42 @@ export const tracking = {
     await page.getByLabel('X from').fill('wide');
     await shows(page.locator('main'), 'found "wide", expected a number');
     assert.equal(await rows(page).count(), 7, 'the last good plan stays');
+  },
+
+  async 'tracking: diagonals of the travels ask for no station, and tell the squareness of a face'(world) {
+    const page = await opened(world);
+    await triple(page, /^Place/, 'Y').fill('nowhere');
+    await shows(page.locator('main'), 'found "nowhere", expected a number');
+    await page.getByLabel('Which lines').selectOption('both');
+    await page.waitForFunction(() => document.querySelectorAll('.tracking-lines tbody tr').length === 10);
+    assert.equal(await page.getByRole('group', { name: /^Place/ }).count(), 0, 'nobody asks where it stands');
+    await shows(page.locator('main'), /ask for no station/);
+    await shows(page.locator('.tracking-lines'), /NN0-PP0\s*ISO 230-6\s*–/);
+    assert.deepEqual(await axe_findings(page), []);
+    const plan = await plan_file(page);
+    assert.equal(plan.setup.station, undefined);
+    assert.equal(plan.setup.limits, undefined);
+    await page.getByLabel('Control', { exact: true }).selectOption('linuxcnc');
+    await shows(page.locator('.listing'), /G1 X/);
+    assert.equal((await page.locator('.listing').innerText()).match(/\bM0\b/g)?.length, 10, 'it is aligned with each line first');
+    assert.equal(await page.getByLabel('stop before each line').count(), 0);
+    const sheet = await downloaded(page, () => page.getByRole('button', { name: 'Sheet PDF' }).click());
+    assert.equal(sheet.bytes.subarray(0, 5).toString(), '%PDF-');
+    // Y leans by 20 µm/m towards −X.
+    const { lines } = await world.api('POST', '/api/tracking/lines', { plan });
+    const table = ['line,target,direction,run,length_difference_mm'];
+    for (const { id, targets, runs } of lines)
+      for (let run = 1; run <= runs; run += 1)
+        for (const direction of ['up', 'down'])
+          targets.forEach(([x, y, z], k) => {
+            const [x0, y0, z0] = targets[0];
+            table.push([id, k + 1, direction, run, Math.hypot(x - x0 - 20e-6 * (y - y0), y - y0, z - z0).toFixed(6)].join());
+          });
+    await page.setInputFiles('section[aria-labelledby=tracking-lengths] input[accept*=csv]', csv('lengths.csv', table.join('\n')));
+    await shows(page.locator('.results'), /aligned with each line in turn, without a station/);
+    await shows(page.locator('.results div', { has: page.getByRole('heading', { name: 'Squareness from the diagonals of a face' }) }).last(), /XY[\s\S]*C0Y −?20\.0/);
+    await page.getByLabel('Which lines').selectOption('seven');
+    await shows(page.locator('main'), 'found "nowhere", expected a number');
   },
 
   async 'tracking: lines that cannot be measured are told with their reasons, and a better place is proposed'(world) {

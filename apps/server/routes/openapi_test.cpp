@@ -47,6 +47,7 @@ std::vector<Router::Route> served() {
   add_service_routes(router, {.store = archive.store(), .token = token});
   const Context context{.store = archive.store(), .workbench = workbench, .captures = **captures};
   add_test_routes(router, context);
+  add_rule_routes(router, context);
   add_equipment_routes(router, context);
   add_plan_routes(router, context);
   add_capture_routes(router, context);

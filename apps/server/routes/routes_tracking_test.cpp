@@ -16,6 +16,7 @@ namespace {
 using json::Value;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 constexpr Vector3 at = {100.0, 80.0, -600.0};  // the station of `request`
@@ -102,6 +103,68 @@ TEST_F(TrackingRoutes, give_a_request_that_makes_the_same_plan_again) {
   const Value again = draft(json::dump(*first.find("request")));
   EXPECT_EQ(json::dump(*first.find("plan")), json::dump(*again.find("plan")));
   EXPECT_THAT(ids_of(*first.find("lines")), ElementsAre("x", "xy"));
+}
+
+constexpr const char* diagonals = R"({"setup": {"travel": {"lowest_mm": [0, 0, -500], "highest_mm": [800, 600, 0]},
+  "tool_offset_mm": [0, 0, -120]}, "lines": ["body", "face"], "runs": 2, "seed": 7, "date": "2026-11-25"})";
+
+TEST_F(TrackingRoutes, plan_diagonals_of_the_travels_without_a_station) {
+  const Value planned = draft(diagonals);
+  EXPECT_EQ(planned.find("lines")->items().size(), 10u);
+  EXPECT_EQ(planned.find("plan")->find("setup")->find("station"), nullptr);
+  for (const Value& line : planned.find("lines")->items()) {
+    EXPECT_THAT(line.find("standard")->text(), StartsWith("ISO 230-6"));
+    EXPECT_TRUE(line.find("usable")->is(json::Kind::null));
+    EXPECT_EQ(line.find("readings")->number(), 4.0 * static_cast<double>(line.find("targets")->items().size()))
+        << "in both senses";
+  }
+  const std::string plan = json::dump(*planned.find("plan"));
+  const std::string program = send("lines/program", "{\"plan\": " + plan + ", \"dialect\": \"linuxcnc\"}").body;
+  std::size_t stops = 0;
+  for (std::size_t at = program.find("M0\n"); at != std::string::npos; at = program.find("M0\n", at + 1)) ++stops;
+  EXPECT_EQ(stops, 10u) << "the interferometer is aligned with each line first";
+  const Response sheet = send("lines/sheet.html", "{\"plan\": " + plan + "}");
+  EXPECT_THAT(sheet.body, HasSubstr("Diagonals by an aligned interferometer"));
+  EXPECT_THAT(sheet.body, Not(HasSubstr("nan")));
+}
+
+TEST_F(TrackingRoutes, evaluate_diagonals_without_a_station_with_the_squareness_that_the_machine_has) {
+  constexpr double out_of_square = 20e-6;  // Y leans towards −X
+  const Value planned = draft(diagonals);
+  std::string table = "line,target,direction,run,length_difference_mm\n";
+  for (const Value& line : planned.find("lines")->items()) {
+    const auto targets = line.find("targets")->items();
+    const Vector3 first = vector_of(targets.front());
+    for (int run = 1; run <= 2; ++run)
+      for (const char* direction : {"up", "down"})
+        for (std::size_t k = 0; k < targets.size(); ++k) {
+          Vector3 way = vector_of(targets[k]) - first;
+          way.x -= out_of_square * way.y;
+          table += fmt::format("{},{},{},{},{:.6f}\n", line.find("id")->text(), k + 1, direction, run, norm(way));
+        }
+  }
+  const Pairs files = {{"plan", json::dump(*planned.find("plan"))}, {"lengths", table}};
+  const Value found = value_of(send_form("evaluation", files));
+  const auto pairs = found.find("iso230_6")->find("face_pairs")->items();
+  ASSERT_EQ(pairs.size(), 3u);
+  for (const Value& pair : pairs) {
+    const double expected = pair.find("face")->text() == "XY" ? 20.0 : 0.0;
+    EXPECT_NEAR(std::abs(pair.find("um_per_m")->number()), expected, 0.1) << pair.find("face")->text();
+  }
+  EXPECT_THAT(send_form("evaluation/report.html", files).body, HasSubstr("by an aligned interferometer"));
+}
+
+TEST_F(TrackingRoutes, ask_for_a_station_where_lines_need_one) {
+  const std::string seven = R"({"setup": {"travel": {"lowest_mm": [0, 0, -500], "highest_mm": [800, 600, 0]}}})";
+  EXPECT_THAT(refusal(send("lines", "{\"request\": " + seven + "}")), HasSubstr("found no station"));
+  for (const char* path : {"points", "station/advice"})
+    EXPECT_THAT(refusal(send(path, "{\"request\": " + std::string(diagonals) + "}")),
+                HasSubstr("found no station, expected one"))
+        << path;
+  std::string limited = diagonals;
+  limited.replace(limited.find("\"tool_offset_mm\""), 0, "\"limits\": {\"range_most_mm\": 900}, ");
+  EXPECT_THAT(refusal(send("lines", "{\"request\": " + limited + "}")),
+              HasSubstr("found limits of a tracking instrument without a station"));
 }
 
 TEST_F(TrackingRoutes, tell_lost_lines_in_the_language_of_the_reader) {

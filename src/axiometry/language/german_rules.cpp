@@ -35,12 +35,24 @@ constexpr Phrase rows[] = {
     {"Figures of one name that are not the same", "Kennwerte eines Namens, die nicht dasselbe sind"},
     {"How the rules differ", "Wie die Regeln sich unterscheiden"},
     {"Hysteresis, largest reversal", "Hysterese, größte Umkehrspanne"},
+    {"Interval", "Intervall"},
+    {"Intervals of {0#} are for the figures of this test by the formulas as they are known here; whether these are the "
+     "rule's is told by the evidence alone",
+     "Intervalle von {0} gelten für die Kennwerte dieser Prüfung nach den Formeln, wie sie hier bekannt sind; ob es "
+     "die der Regel sind, sagt allein der Beleg"},
+    {"Intervals of {0#} are for what this machine does in the long run by the formulas as they are known here; whether "
+     "these are the rule's is told by the evidence alone",
+     "Intervalle von {0} gelten für das, was diese Maschine auf Dauer tut, nach den Formeln, wie sie hier bekannt "
+     "sind; ob es die der Regel sind, sagt allein der Beleg"},
     {"Linearity ↑, largest residual", "Linearität ↑, größter Rest"},
     {"Linearity ↓, largest residual", "Linearität ↓, größter Rest"},
     {"Lost motion", "Umkehrverlust"},
     {"Mean reversal value", "Mittlere Umkehrspanne"},
+    {"No interval: {0}", "Kein Intervall: {0}"},
     {"No uncertainty is stated for figures of other rules",
      "Für Kennwerte anderer Regeln ist keine Unsicherheit angegeben"},
+    {"No uncertainty is stated for figures of other rules: no input of it is known",
+     "Für Kennwerte anderer Regeln ist keine Unsicherheit angegeben: Keine ihrer Eingangsgrößen ist bekannt"},
     {"Of T", "Von T"},
     {"P and P_s hold 6 s in all, where A and R of ISO 230-2:2014 hold 4 s",
      "P und P_s enthalten insgesamt 6 s, A und R nach ISO 230-2:2014 dagegen 4 s"},
@@ -96,6 +108,8 @@ constexpr Phrase rows[] = {
      "Kennwert ({6})"},
     {"found a diagonal, expected a test of one axis: other rules know no diagonals",
      "eine Diagonale gefunden, die Prüfung einer Achse erwartet: Andere Regeln kennen keine Diagonalen"},
+    {"found another method, expected monte-carlo: the others know no other rules",
+     "anderes Verfahren gefunden, monte-carlo erwartet: Die anderen kennen keine anderen Regeln"},
     {"found no target at one end of the axis travel or at both, expected one at each: T is the measured "
      "travel",
      "an einem Ende des Verfahrwegs oder an beiden keine Zielposition gefunden, an jedem eine erwartet: T "
@@ -113,6 +127,8 @@ constexpr Phrase rows[] = {
      "aus dem Quelltext eines anderen Programms, nicht am Text der Regel geprüft"},
     {"half the range of seven approaches at three places in place of 4 s at all",
      "die halbe Spannweite von sieben Anfahrten an drei Stellen statt 4 s an allen"},
+    {"is made of single readings, which the long run of a machine does not have",
+     "beruht auf einzelnen Messwerten, die es auf Dauer einer Maschine nicht gibt"},
     {"is of linear axes alone", "gilt nur für Linearachsen"},
     {"mean ± 3 s, as at the time of ISO 230-2:1988", "Mittelwert ± 3 s, wie zur Zeit von ISO 230-2:1988"},
     {"needs a reading at every target", "verlangt einen Messwert an jeder Zielposition"},
@@ -132,6 +148,8 @@ constexpr Phrase rows[] = {
     {"needs two approaches or more to every target", "verlangt mindestens zwei Anfahrten jeder Zielposition"},
     {"needs two approaches or more to every target from either direction",
      "verlangt mindestens zwei Anfahrten jeder Zielposition aus jeder Richtung"},
+    {"no normal scatter explains a reading", "keine normale Streuung erklärt einen Messwert"},
+    {"nothing that is known acts on it", "nichts, was bekannt ist, wirkt darauf"},
     {"read in the text of the rule", "im Text der Regel gelesen"},
     {"repeatability and lost motion are taken of seven runs, expected approaches to one place one after "
      "the other: a drift between the runs is in them",
@@ -153,6 +171,7 @@ constexpr Phrase rows[] = {
     {"without the signs", "ohne die Vorzeichen"},
     {"{0#} and other rules", "{0} und andere Regeln"},
     {"{0#} and other rules · {1}", "{0} und andere Regeln · {1}"},
+    {"{0} (no interval: {1})", "{0} (kein Intervall: {1})"},
     {"{0} (no value: {1})", "{0} (kein Wert: {1})"},
 };
 

@@ -12,10 +12,6 @@ constexpr Phrase rows[] = {
      "Formular ohne Plan; erwartet: die Dateien lengths und plan"},
     {"found a form without lengths, expected the files lengths and plan",
      "Formular ohne Längen; erwartet: die Dateien lengths und plan"},
-    {"found a plan whose interferometer is aligned with each line, expected one with a station: 'axiometry tracking' "
-     "plans and evaluates it in a terminal",
-     "ein Plan, dessen Interferometer auf jede Linie ausgerichtet wird; erwartet: einer mit Station: 'axiometry "
-     "tracking' plant und wertet ihn im Terminal aus"},
     {"found a plan whose interferometer is aligned with each line, expected one with a station: the simulator follows "
      "a reflector",
      "ein Plan, dessen Interferometer auf jede Linie ausgerichtet wird; erwartet: einer mit Station, denn der "
@@ -28,6 +24,11 @@ constexpr Phrase rows[] = {
      "Unsicherheit der Längen von {0}; erwartet: eine über 0"},
     {"found both a request and a plan, expected one of them",
      "Anforderung und Plan zugleich; erwartet: eines von beiden"},
+    {"found limits of a tracking instrument without a station, expected none: the interferometer is aligned with each "
+     "diagonal",
+     "Grenzen eines nachführenden Geräts ohne Station; erwartet: keine, denn das Interferometer wird auf jede "
+     "Diagonale "
+     "ausgerichtet"},
     {"found no column {0=}, expected a header with {1=}", "keine Spalte {0}; erwartet: eine Kopfzeile mit {1}"},
     {"found no form, expected one with the files lengths and plan",
      "kein Formular; erwartet: eines mit den Dateien lengths und plan"},

@@ -24,6 +24,8 @@ struct RuleRow {
   std::string clause;             ///< of the rule
   std::string value;              ///< in the native unit: "12.3"
   std::string share_of_travel;    ///< "0.0013 %", of figures that are stated so
+  std::string interval;           ///< "10.1 to 11.2", after trials
+  std::string no_interval;        ///< why there is none, after trials
   std::string absence;            ///< why there is no value
   std::string counterpart;        ///< symbol of the parameter of ISO 230-2:2014: "A"
   std::string counterpart_value;  ///< "9.6"

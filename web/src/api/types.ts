@@ -1098,6 +1098,90 @@ export interface components {
             /** @description The file for the control. */
             table: string;
         };
+        /** @description A figure of another rule, and the parameter of ISO 230-2:2014 that it is taken for. */
+        ComparedFigure: {
+            key: string;
+            /** @description `P_s,max`; null where the rule has none that is known. */
+            symbol: string | null;
+            title: string;
+            /** @description Of the rule, where it is known. */
+            clause: string | null;
+            value: number | null;
+            /** @description Why there is no value. */
+            absent_because: string | null;
+            interval: {
+                low: number;
+                high: number;
+                u: number;
+                stable: boolean;
+            } | null;
+            /** @description After trials. */
+            no_interval_because: string | null;
+            /** @description Of figures that the rule divides by the travel. */
+            share_of_travel: number | null;
+            /** @enum {string} */
+            evidence: "text" | "makers-text" | "program" | "second-hand";
+            /** @description Must stand wherever the figure does. */
+            evidence_text: string;
+            checked_against_text: boolean;
+            /** @description Key of the parameter: `A_up`. */
+            beside: string | null;
+            beside_value: number | null;
+            difference: number | null;
+            relative_difference: number | null;
+            /** @description In what the formulas differ; null where both always have one value. */
+            departs_by: string | null;
+            /** @description The numbers as reports show them; empty where there are none. */
+            shown: {
+                value: string;
+                interval: string;
+                share_of_travel: string;
+                beside_value: string;
+                difference: string;
+                relative_difference: string;
+            };
+        };
+        ComparedRule: {
+            /** @description `vdi-dgq-3441` */
+            id: string;
+            name: string;
+            /** @description What its figures are and are not. */
+            remark: string;
+            figures: components["schemas"]["ComparedFigure"][];
+        };
+        /** @description One test by several rules. Nothing here states conformity with any of them. */
+        RulesCompared: {
+            /** @description Beside which the figures of other rules stand. */
+            standard: string;
+            /** @enum {string} */
+            result: "rules-compared";
+            axis: {
+                name: string;
+                kind: components["schemas"]["AxisKind"];
+            };
+            unit: components["schemas"]["Unit"];
+            /** @description Whether the test departs in nothing from `standard`, as far as it was looked at. */
+            conforming: boolean;
+            /** @description Words that must stand wherever the figures do. */
+            label?: string;
+            parameters: components["schemas"]["ParameterNumbers"];
+            rules: components["schemas"]["ComparedRule"][];
+            /** @description What is not stated, and what intervals are of. */
+            remarks: string[];
+            uncertainty: {
+                /** @enum {string} */
+                method: "monte-carlo";
+                measurand: components["schemas"]["Measurand"];
+                coverage: number;
+                trials: number;
+                seed: components["schemas"]["Seed"];
+                stable: boolean;
+                notes: string[];
+            } | null;
+            /** @description Figures that must not be compared as if they were one; in place of a clause stands the rule. */
+            warnings: components["schemas"]["Finding"][];
+            findings: components["schemas"]["Finding"][];
+        };
         CompensationFigure: {
             /** @description `E` */
             parameter: string;
@@ -3302,6 +3386,9 @@ export type CompensationForm = components['schemas']['CompensationForm'];
 export type TableForm = components['schemas']['TableForm'];
 export type ReadTable = components['schemas']['ReadTable'];
 export type MadeCompensation = components['schemas']['MadeCompensation'];
+export type ComparedFigure = components['schemas']['ComparedFigure'];
+export type ComparedRule = components['schemas']['ComparedRule'];
+export type RulesCompared = components['schemas']['RulesCompared'];
 export type CompensationFigure = components['schemas']['CompensationFigure'];
 export type CompensationTest = components['schemas']['CompensationTest'];
 export type CompensationHead = components['schemas']['CompensationHead'];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-/** "U_DEVICE", "s_i", "U_M,MACHINE TOOL": a letter, and after the underscore what stands below it. */
-const indexed = /(?<![\w.])([A-Za-zα-ω]\u0304?)_([A-Za-z0-9]+(?:,[A-Z]+(?: [A-Z]{2,})*)?)/u;
+/** "U_DEVICE", "s_i", "U_M,MACHINE TOOL", "P_s,max": a letter, and after the underscore what stands below it. */
+const indexed = /(?<![\w.])([A-Za-zα-ω]\u0304?)_([A-Za-z0-9]+(?:,(?:max|mean|[A-Z]+(?: [A-Z]{2,})*))?)/u;
 
 /** A sentence of the program with its symbols set as they are printed. */
 export function Formula({ text }: { text: string }) {

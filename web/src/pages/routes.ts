@@ -18,6 +18,7 @@ import { MachinesPage } from './machines';
 import { PlanPage } from './plan';
 import { PlansPage } from './plans';
 import { ReportPage } from './report';
+import { RulesPage } from './rules';
 import { SettingsPage } from './settings';
 import { TablePage } from './table';
 import { TablesPage } from './tables';
@@ -42,6 +43,7 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/compensations/:id', CompensationPage],
   ['/tables', TablesPage],
   ['/tests/:id/table', TablePage],
+  ['/tests/:id/rules', RulesPage],
   ['/tracking', TrackingPage],
   ['/volume', VolumePage],
   ['/plans', PlansPage],

@@ -12,7 +12,7 @@ import { LengthPartsPanel } from './capture/length_parts';
 import { ProgramPanel } from './plan/program';
 import './plan.css';
 import './tracking.css';
-import { new_form, request_of, type LocatedStation, type TrackingForm } from './tracking/form';
+import { is_aligned, new_form, request_of, type LocatedStation, type TrackingForm } from './tracking/form';
 import { tracking_kept } from './tracking/kept';
 import { LengthsPanel } from './tracking/lengths';
 import { LinesPanel } from './tracking/lines';
@@ -66,7 +66,7 @@ export function TrackingPage() {
               </>
             )} />
           {vocabulary.error && <FailureNotice error={vocabulary.error} retry={vocabulary.reload} />}
-          {vocabulary.data && <ProgramPanel path="/api/tracking/lines/program" subject={settled && { request: settled }} of_lines name={name} vocabulary={vocabulary.data} step="4" />}
+          {vocabulary.data && <ProgramPanel path="/api/tracking/lines/program" subject={settled && { request: settled }} of_lines stops={is_aligned(form)} name={name} vocabulary={vocabulary.data} step="4" />}
           <LengthPartsPanel subject={captured} step="5" />
           <LengthsPanel plan={plan} located={located} />
         </div>

@@ -16,6 +16,7 @@
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
+#include "axiometry/model/aligned.h"
 #include "axiometry/nc/numbers.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
 #include "axiometry/tracking/lines/seven_lines.h"
@@ -28,6 +29,9 @@ namespace {
 struct Programme {
   std::string title;
   std::vector<Plan> plans;
+  /// For each plan: the interferometer is aligned with one line after the other, so that the program always waits for
+  /// the operator before each.
+  bool set_up_anew = false;
 };
 
 Result<Programme> programme_of_part(const Plan& plan, const NcRequest& request) {
@@ -68,11 +72,12 @@ Result<Programme> lines_of(const TrackingPlan& plan, const NcRequest& request) {
   if (request.part != 1)
     return fail(fmt::format("found part {} asked for, expected none: a tracking plan has lines", request.part));
   if (plan.lines.empty()) return fail("found a tracking plan without lines, expected at least one that is not lost");
-  Programme programme{plan.title, {}};
+  Programme programme{.title = plan.title, .plans = {}};
   const bool all = request.line.empty();
   for (const TrackingLine& line : plan.lines)
     if (all || request.line == line.id) programme.plans.push_back(plan_of_line(line, plan, !all));
   if (programme.plans.empty()) return no_line(plan, request.line);
+  programme.set_up_anew = is_aligned(plan.setup) && programme.plans.size() > 1;
   return programme;
 }
 
@@ -101,6 +106,7 @@ Duration duration_of(std::span<const Plan> plans) {
 Result<std::string> program_of(const Programme& programme, const nc::Dialect& dialect, nc::ProgramOptions options) {
   options.title = programme.title;
   options.duration = duration_of(programme.plans);
+  options.stop_at_lines = options.stop_at_lines || programme.set_up_anew;
   return dialect.write(programme.plans, options);
 }
 

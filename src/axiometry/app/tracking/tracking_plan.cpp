@@ -206,6 +206,7 @@ Result<MountedSetup> mounted_setup(const TrackingPlanRequest& request) {
 
 Result<StationAdvice> advise_station(const TrackingPlanRequest& request) {
   AXIOMETRY_TRY(const MountedSetup mounted, mounted_setup(request));
+  if (is_aligned(mounted.setup)) return fail("found no station, expected one");
   return advice_on(mounted.setup, request);
 }
 
@@ -243,6 +244,7 @@ json::Value to_json(const PlannedLines& planned) {
 
 Result<PlannedLocation> plan_location_points(const TrackingPlanRequest& request, std::size_t count) {
   AXIOMETRY_TRY(const MountedSetup mounted, mounted_setup(request));
+  if (is_aligned(mounted.setup)) return fail("found no station, expected one");
   AXIOMETRY_TRY(PlannedLocation planned, plan_location_points(mounted.setup, count));
   planned.plan.remarks.insert(planned.plan.remarks.begin(), mounted.remarks.begin(), mounted.remarks.end());
   return planned;

@@ -34,6 +34,13 @@ std::string percent(double part, const Options& options) {
          "\u00a0%";
 }
 
+/// With the decimals of the value, more where it is narrow.
+std::string interval_text(const standards::FigureInterval& interval, int decimals, const Options& options) {
+  const double low = interval.low.in_native(), high = interval.high.in_native();
+  const int own = decimals_of(high - low, decimals);
+  return fmt::format("{} to {}", format_fixed(low, own, options.numbers), format_fixed(high, own, options.numbers));
+}
+
 RuleRow rule_row(const standards::ComparedFigure& compared, const Options& options) {
   const standards::RuleFigure& figure = *compared.figure;
   RuleRow row;
@@ -46,6 +53,8 @@ RuleRow rule_row(const standards::ComparedFigure& compared, const Options& optio
   const int usual = *options.deviation_decimals;
   const int decimals = compared.value ? decimals_of(compared.value->in_native(), usual) : usual;
   if (compared.value) row.value = format_fixed(compared.value->in_native(), decimals, options.numbers);
+  if (compared.interval) row.interval = interval_text(*compared.interval, decimals, options);
+  row.no_interval = compared.no_interval_because;
   if (compared.share_of_travel) row.share_of_travel = percent(*compared.share_of_travel, options);
   if (compared.counterpart == nullptr) return row;
   row.counterpart = compared.counterpart->symbol;
@@ -61,6 +70,23 @@ RuleRow rule_row(const standards::ComparedFigure& compared, const Options& optio
 
 TableCell cell_or_dash(const std::string& text) { return text.empty() ? quiet_cell("–") : text_cell(text); }
 
+/// With what there is not, and why.
+TableCell title_cell(const RuleRow& row) {
+  if (!row.absence.empty()) return text_cell(fmt::format("{} (no value: {})", row.title, row.absence));
+  if (!row.no_interval.empty()) return text_cell(fmt::format("{} (no interval: {})", row.title, row.no_interval));
+  return text_cell(row.title);
+}
+
+constexpr std::size_t interval_column = 5;
+
+/// Of the first group.
+void drop_column(Table& table, std::size_t column) {
+  const auto at = static_cast<std::ptrdiff_t>(column);
+  table.columns.erase(table.columns.begin() + at);
+  --table.groups.front().columns;
+  for (auto& row : table.rows) row.erase(row.begin() + at);
+}
+
 Section figures_by_rule(const RulesSubject& subject, const Options& options) {
   const std::string unit(deviation_unit(subject.test.metadata.axis.kind));
   Table table;
@@ -70,23 +96,26 @@ Section figures_by_rule(const RulesSubject& subject, const Options& options) {
                    {plain("Symbol")},
                    {plain(fmt::format("Value in {}", unit)), Align::decimal},
                    {plain("Of T"), Align::decimal},
+                   {plain("Interval")},
                    {plain("Beside"), Align::start, false, false, true},
                    {plain(fmt::format("Value in {}", unit)), Align::decimal},
                    {plain("Difference"), Align::decimal},
                    {plain("Relative"), Align::decimal},
                    {plain("Evidence"), Align::start, false, true, true}};
-  table.groups = {{{}, 5}, {plain(iso230_2::edition), 4}, {{}, 1}};
+  table.groups = {{{}, 6}, {plain(iso230_2::edition), 4}, {{}, 1}};
   for (const standards::ComparedRule& rule : subject.comparison.rules)
     for (const RuleRow& row : rule_rows(rule, subject.comparison, options))
       table.rows.push_back({verbatim_cell(rule.rule->name),
-                            row.absence.empty() ? text_cell(row.title)
-                                                : text_cell(fmt::format("{} (no value: {})", row.title, row.absence)),
+                            title_cell(row),
                             row.symbol.empty() ? quiet_cell("–") : TableCell{symbol(row.symbol)},
                             cell_or_dash(row.value), cell_or_dash(row.share_of_travel),
+                            row.interval.empty() ? quiet_cell("–") : text_cell(row.interval),
                             row.counterpart.empty() ? quiet_cell("–") : TableCell{symbol(row.counterpart)},
                             cell_or_dash(row.counterpart_value), cell_or_dash(row.difference),
                             cell_or_dash(row.relative), text_cell(row.evidence)});
-  table.notes = {sentence(standards::no_conformity_stated), sentence(standards::no_uncertainty_stated)};
+  table.notes = {sentence(standards::no_conformity_stated),
+                 sentence(standards::uncertainty_statement(subject.comparison))};
+  if (!subject.comparison.trials) drop_column(table, interval_column);
   return {"results", "Figures by rule", true, {std::move(table)}};
 }
 
@@ -112,9 +141,10 @@ Section formulas_section(const RulesSubject& subject, const Options& options) {
 
 std::vector<Notice> standing_of_rules(const RulesSubject& subject, const std::string& label) {
   std::vector<Notice> all;
-  all.push_back({Tone::normal,
-                 plain("The same readings by several rules"),
-                 {sentence(standards::no_conformity_stated), sentence(standards::no_uncertainty_stated)}});
+  all.push_back(
+      {Tone::normal,
+       plain("The same readings by several rules"),
+       {sentence(standards::no_conformity_stated), sentence(standards::uncertainty_statement(subject.comparison))}});
   if (!subject.comparison.iso230_2.conforming())
     all.push_back({Tone::bad, plain(fmt::format("The test departs from {}; see Findings", iso230_2::edition)), {}});
   if (const std::string corrected = correction_statement(subject.test.provenance.corrections); !corrected.empty())

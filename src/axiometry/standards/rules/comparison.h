@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +20,26 @@ namespace axiometry::standards {
 inline constexpr std::string_view no_conformity_stated =
     "Figures for comparison; no conformity with any rule but ISO 230-2:2014 is looked at, and none is stated";
 inline constexpr std::string_view no_uncertainty_stated = "No uncertainty is stated for figures of other rules";
+inline constexpr std::string_view no_uncertainty_known =
+    "No uncertainty is stated for figures of other rules: no input of it is known";
+
+/// In which a figure lies, the measured value always among it; native unit.
+struct FigureInterval {
+  Deviation low;
+  Deviation high;
+  Deviation u;          ///< standard uncertainty, of the assumption about the noise that gives the largest
+  bool stable = false;  ///< whether more trials would change nothing of what is stated
+};
+
+/// The trials behind the intervals (rule_trials.h).
+struct RuleTrials {
+  iso230_2::Measurand measurand = iso230_2::Measurand::this_test;
+  std::uint64_t seed = 0;
+  std::size_t trials = 0;
+  bool stable = false;
+  double coverage = 0.95;
+  std::vector<std::string> notes;  ///< what was assumed, sentences without full stop
+};
 
 struct ComparedFigure {
   const RuleFigure* figure = nullptr;
@@ -26,6 +49,9 @@ struct ComparedFigure {
 
   const iso230_2::ParameterInfo* counterpart = nullptr;  ///< of ISO 230-2:2014; null where there is none
   std::optional<Deviation> counterpart_value;
+
+  std::optional<FigureInterval> interval{};
+  std::string no_interval_because{};  ///< of a figure with a value, after trials
 
   /// Value less that of the counterpart, where both exist.
   std::optional<Deviation> difference() const;
@@ -47,10 +73,16 @@ struct RuleComparison {
   /// For who compares specifications: "for this axis P after VDI/DGQ 3441 is …, but A after ISO 230-2:2014 is …",
   /// one for each figure whose formula is another one.
   std::vector<iso230_2::Finding> warnings;
+  bool trials_asked_for = false;
+  std::optional<RuleTrials> trials{};  ///< absent where none were asked for, and where nothing is known to draw from
 };
 
 /// By these rules, all that there are where none is named. Takes a time that grows with the readings. Fails on a
 /// diagonal: its figures are none of an axis.
 Result<RuleComparison> compare_rules(const Test& test, std::span<const AxisRule* const> rules);
+
+/// What stands with every comparison about the uncertainty: none, or what the intervals are of and are not. A sentence
+/// without full stop.
+std::string uncertainty_statement(const RuleComparison& comparison);
 
 }  // namespace axiometry::standards

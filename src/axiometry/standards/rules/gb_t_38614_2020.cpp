@@ -104,7 +104,7 @@ constexpr auto piezo_figures = std::to_array<RuleFigure>({
     {"repeatability_down", "", "Unidirectional repeatability ↓", "", Evidence::text, "R_down", one_s, false,
      largest_scatter<Direction::down>},
     {"repeatability", "", "Bidirectional repeatability", "", Evidence::text, "R",
-     "1 s about the mean of both directions, without the first run", false, bidirectional_repeatability},
+     "1 s about the mean of both directions, without the first run", false, bidirectional_repeatability, true},
     {"hysteresis", "", "Hysteresis, largest reversal", "", Evidence::text, "B", "", true, hysteresis},
     {"linearity_up", "", "Linearity ↑, largest residual", "", Evidence::text, "", "", true,
      largest_residual<Direction::up>},

@@ -92,15 +92,15 @@ constexpr std::string_view half_a_range = "half the range of seven approaches at
 
 constexpr auto pass_figures = std::to_array<RuleFigure>({
     {"positioning_up", "", "Positioning accuracy of one pass ↑", "", Evidence::makers_text, "A_up", of_one_pass, false,
-     range_of_one_pass<Direction::up>},
+     range_of_one_pass<Direction::up>, true},
     {"positioning_down", "", "Positioning accuracy of one pass ↓", "", Evidence::makers_text, "A_down", of_one_pass,
-     false, range_of_one_pass<Direction::down>},
-    {"repeatability_up", "", "Repeatability ↑, ± half the range", "", Evidence::makers_text, "R_up", half_a_range,
-     false, half_range_of_seven<Direction::up>},
-    {"repeatability_down", "", "Repeatability ↓, ± half the range", "", Evidence::makers_text, "R_down", half_a_range,
-     false, half_range_of_seven<Direction::down>},
-    {"lost_motion", "", "Lost motion", "", Evidence::makers_text, "B", "at three places in place of all", false,
-     lost_motion},
+     false, range_of_one_pass<Direction::down>, true},
+    {"repeatability_up", "", "Repeatability ↑, ± half the range", "", Evidence::second_hand, "R_up", half_a_range,
+     false, half_range_of_seven<Direction::up>, true},
+    {"repeatability_down", "", "Repeatability ↓, ± half the range", "", Evidence::second_hand, "R_down", half_a_range,
+     false, half_range_of_seven<Direction::down>, true},
+    {"lost_motion", "", "Lost motion", "", Evidence::second_hand, "B", "at three places in place of all", false,
+     lost_motion, true},
 });
 
 /// Seven passes over the travel are not seven approaches one after the other.

@@ -15,7 +15,8 @@
 /// Other rules than ISO 230-2:2014 for the same readings, one descriptor per file of this folder: what each calls its
 /// figures, how they follow from the readings, what it asks of the test, and on what our knowledge of it rests. The
 /// figures stand beside those of ISO 230-2:2014 so that a specification is not compared with the wrong one
-/// (comparison.h). Conformity with any of them is never stated, and none has an uncertainty here.
+/// (comparison.h). Conformity with any of them is never stated. Their uncertainty comes from the trials that carry the
+/// parameters of ISO 230-2:2014 too (rule_trials.h).
 ///
 /// Symbols: x̄_i↑, x̄_i↓ means of a target, x̿_i their mean, s_i↑, s_i↓ with divisor n − 1, B_i = x̄_i↑ − x̄_i↓;
 /// values in the native deviation unit, µm or ″.
@@ -57,6 +58,8 @@ struct RuleFigure {
   std::string_view departs_by;
   bool share_of_travel = false;  ///< the rule states the value divided by the measured travel T
   RuleValue (*value)(const RuleCase&);
+  /// Whether it is made of single readings; else of means and s of the targets alone (rule_trials.h).
+  bool of_single_readings = false;
 };
 
 struct AxisRule {

@@ -13,9 +13,22 @@ const place = (numbers: readonly number[]): Place => [numbers[0] ?? 0, numbers[1
 const volume_of = ({ plan }: CapturedPlan) => plan as VolumetricPlanFile;
 const lines_of = ({ plan }: CapturedPlan) => plan as TrackingPlanFile;
 
-/** Where the instrument stands, in the coordinates of the reflector. */
-export function station_of(captured: CapturedPlan): Place {
-  if (captured.kind === 'lines') return place(station_place(lines_of(captured).setup));
+/** The first stop of the line, or of the part, that a stop belongs to. */
+function beginning_of(captured: CapturedPlan, stop: number): Place {
+  let first = stop - 1;
+  while (first > 0 && !captured.stops[first]?.begins_segment) first -= 1;
+  return place(captured.stops[first]?.reflector_mm ?? []);
+}
+
+/**
+ * From where lengths to a stop are measured, in the coordinates of the reflector: the instrument, or where the line begins
+ * with which an interferometer without a station is aligned.
+ */
+export function origin_of(captured: CapturedPlan, stop: number): Place {
+  if (captured.kind === 'lines') {
+    const at = station_place(lines_of(captured).setup);
+    return at === null ? beginning_of(captured, stop) : place(at);
+  }
   const { machine, runs } = volume_of(captured);
   return place((machine.stations_mm as Record<string, number[]>)[runs[captured.part - 1]?.station ?? ''] ?? []);
 }
@@ -26,8 +39,8 @@ export const distance = (a: Place, b: Place): number => Math.hypot(a[0] - b[0], 
 export function expected_length(captured: CapturedPlan, caught: Caught, due: number | null): number | null {
   const last = caught[caught.length - 1];
   const [from, to] = [last && captured.stops[last.stop - 1], due === null ? undefined : captured.stops[due - 1]];
-  if (!last || !from || !to || to.begins_segment) return null;
-  const station = station_of(captured);
+  if (!last || !from || !to || due === null || to.begins_segment) return null;
+  const station = origin_of(captured, due);
   return last.length_mm + distance(place(to.reflector_mm), station) - distance(place(from.reflector_mm), station);
 }
 
@@ -50,8 +63,8 @@ export function length_scene(captured: CapturedPlan, caught: Caught, due: number
   const at = next && place(next.reflector_mm);
   const before = caught[caught.length - 1];
   const from = before && captured.stops[before.stop - 1];
-  const paths: ScenePath[] = !next || !at ? [] : [
-    { key: 'beam', places: [station_of(captured), at], colour: '--accent', width: 1.5 },
+  const paths: ScenePath[] = !next || !at || due === null ? [] : [
+    { key: 'beam', places: [origin_of(captured, due), at], colour: '--accent', width: 1.5 },
     ...(from ? [{ key: 'way', places: [place(from.reflector_mm), at], colour: '--ink-quiet', dash: [2, 3], quiet: true } as ScenePath] : []),
   ];
   const points = [...places].map(([key, one]): ScenePoint => (

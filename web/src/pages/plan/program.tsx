@@ -42,6 +42,7 @@ interface Props {
   subject: Record<string, unknown> | null;  // the request or the plan; null: there is none yet
   part?: number;                            // which test of a plan of several
   of_lines?: boolean;                       // lines in space, before each of which the program may stop
+  stops?: boolean;                          // and does so in any case: an interferometer is aligned with each
   rotary?: boolean;                         // of a rotary axis, which may have rollover
   name: string;
   vocabulary: Vocabulary;
@@ -50,7 +51,7 @@ interface Props {
 }
 
 /** The part program of the plan as it stands in the form, saved or not. */
-export function ProgramPanel({ path, subject, part = 1, of_lines = false, rotary = false, name, vocabulary, step, choice }: Props) {
+export function ProgramPanel({ path, subject, part = 1, of_lines = false, stops = false, rotary = false, name, vocabulary, step, choice }: Props) {
   const dialects = useMemo(() => most_used_first(vocabulary.dialects), [vocabulary]);
   const [dialect, set_dialect] = useState(() => kept_dialect(dialects));
   const [options, set_options] = useState(usual);
@@ -85,7 +86,7 @@ export function ProgramPanel({ path, subject, part = 1, of_lines = false, rotary
           )}
         </Field>
         {choice}
-        <OptionFields of_lines={of_lines} rotary={rotary} options={options} change={(part) => set_options({ ...options, ...part })} loops={chosen?.has_loops ?? true} />
+        <OptionFields of_lines={of_lines && !stops} rotary={rotary} options={options} change={(part) => set_options({ ...options, ...part })} loops={chosen?.has_loops ?? true} />
       </div>
       {program.error && <FailureNotice error={program.error} retry={program.again} />}
       {program.data !== null && <ProgramText text={program.data} stale={program.error !== null} />}

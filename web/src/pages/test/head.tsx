@@ -21,6 +21,7 @@ const t = texts({
   report: ['Report', 'Bericht'],
   compare: ['Compare', 'Vergleichen'],
   correct: ['Correct the axis', 'Achse korrigieren'],
+  rules: ['By other rules', 'Nach anderen Regeln'],
   raw: ['Raw file', 'Rohdatei'],
   edit: ['Edit', 'Bearbeiten'],
   close: ['Close the editor', 'Bearbeiten beenden'],
@@ -94,6 +95,7 @@ export function Head({ state }: { state: TestState }) {
   const test = state.test.value;
   const [asking, set_asking] = useState(false);
   const version = test.version === test.latest ? null : test.version;
+  const is_line = (test.result.metadata.axis?.line_direction ?? []).filter((part) => part !== 0).length > 1;  // other rules know no diagonals
   const turn = test.withdrawn ? 'reinstate' : 'withdraw';
   return (
     <header class="test-head">
@@ -111,6 +113,7 @@ export function Head({ state }: { state: TestState }) {
           <a class="button primary" href={`/tests/${test.id}/report${query({ version })}`}>{t('report')}</a>
           <a class="button" href={`/compare?tests=${test.id}`}>{t('compare')}</a>
           <a class="button" href={`/tests/${test.id}/table${query({ version })}`}>{t('correct')}</a>
+          {!is_line && <a class="button" href={`/tests/${test.id}/rules${query({ version })}`}>{t('rules')}</a>}
           <a class="button" href={`/api/tests/${test.id}/raw`} download={test.file.name}>{t('raw')}</a>
           <button type="button" onClick={() => set_asking(true)}>{t(turn)}</button>
         </div>

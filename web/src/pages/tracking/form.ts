@@ -18,7 +18,7 @@ export interface TrackingForm {
   low: string[]; high: string[];   // travels of X, Y, Z
   tool: string[];
   station: string[];
-  which: 'seven' | 'body' | 'face';
+  which: 'seven' | 'body' | 'face' | 'both';
   rule: 'equal' | 'corner';
   texts: Record<TextKey, string>;
   reflector: string;               // '' is as it sees most
@@ -33,6 +33,9 @@ export const text_keys = [
 export type TextKey = (typeof text_keys)[number];
 /** By field: "low.0" is the lower end of X. */
 export type Faults = Record<string, string>;
+
+/** ISO 230-6: the interferometer is aligned with each diagonal of the travels in turn, and nobody asks where it stands. */
+export const is_aligned = (form: TrackingForm): boolean => form.which !== 'seven';
 
 export function new_form(): TrackingForm {
   return {
@@ -70,16 +73,18 @@ function setup_of(form: TrackingForm, located: LocatedStation | null, read: Read
   const given = <T extends Record<string, number | number[] | null>>(members: T) =>
     Object.fromEntries(Object.entries(members).filter(([, value]) => value !== null));
   const axis = reflectors.find(([name]) => name === form.reflector)?.[1] ?? null;
+  const ranging = given({ constant_um: limit('constant'), per_length_um_per_m: limit('per_length') });
+  const machine = { travel: { lowest_mm: read.triple('low', form.low), highest_mm: read.triple('high', form.high) }, tool_offset_mm: read.triple('tool', form.tool) };
+  if (is_aligned(form)) return { ...machine, ranging, obstacles: boxes_of(form.obstacles, read) } as Setup;
   return {
-    travel: { lowest_mm: read.triple('low', form.low), highest_mm: read.triple('high', form.high) },
-    tool_offset_mm: read.triple('tool', form.tool),
+    ...machine,
     station: located ? { position_mm: [...located.position], covariance_mm2: located.covariance } : { position_mm: read.triple('station', form.station) },
     limits: given({
       range_least_mm: limit('range_least'), range_most_mm: limit('range_most'), elevation_lowest_deg: limit('elevation_lowest'),
       elevation_highest_deg: limit('elevation_highest'), incidence_most_deg: limit('incidence'), safe_radius_mm: limit('safe_radius'),
       line_least_mm: limit('line_least'), reflector_axis: axis && [...axis],
     }),
-    ranging: given({ constant_um: limit('constant'), per_length_um_per_m: limit('per_length') }),
+    ranging,
     obstacles: boxes_of(form.obstacles, read),
   } as Setup;
 }
@@ -100,9 +105,8 @@ export function request_of(form: TrackingForm, located: LocatedStation | null): 
   const period = number('period');
   const request: TrackingRequest = {
     setup: setup_of(form, located, read),
-    turn_reflector: form.reflector === '',
-    ...(form.which === 'seven' ? {} : { lines: [form.which] }),
-    rule: form.rule, targets: number('targets'), runs: number('runs'), feed: number('feed'), dwell_s: number('dwell'),
+    ...(is_aligned(form) ? { lines: form.which === 'both' ? ['body', 'face'] : [form.which] } : { turn_reflector: form.reflector === '', rule: form.rule }),
+    targets: number('targets'), runs: number('runs'), feed: number('feed'), dwell_s: number('dwell'),
     overrun_mm: number('overrun'), periods_mm: period === null ? null : [period, period, period],
     seed: read.number('seed', form.seed), machine: form.machine.trim(),
   };

@@ -10,7 +10,7 @@ import { fixed, shortest } from '../../numbers';
 import { language } from '../../settings';
 import { lasting } from '../plan/outcome';
 import { TextNumber, type FormProps } from './fields';
-import type { TrackingForm } from './form';
+import { is_aligned, type TrackingForm } from './form';
 import { line_colour, tracking_scene } from './scene_model';
 import { place_text } from './station';
 import { t } from './texts';
@@ -44,7 +44,7 @@ export function LinesPanel(props: Props) {
       {scene && <Scene model={scene} name={t('picture')} description={told(request, drawn)} height={460} on_choose={(key) => set_chosen(key === chosen ? null : key)} />}
       <p class="only-print">{told(request, drawn)}</p>
       <div class="row no-print scene-parts">
-        <label><input type="checkbox" checked={beams} onChange={(event) => set_beams(event.currentTarget.checked)} />{t('beams')}</label>
+        {!is_aligned(props.form) && <label><input type="checkbox" checked={beams} onChange={(event) => set_beams(event.currentTarget.checked)} />{t('beams')}</label>}
         <label><input type="checkbox" checked={ways} onChange={(event) => set_ways(event.currentTarget.checked)} />{t('ways')}</label>
       </div>
       {draft && !is_of_request && <p class="quiet small">{t('last_good')}</p>}
@@ -64,7 +64,9 @@ function told(request: TrackingRequest | null, draft: TrackingDraft | null): str
     t('told_lines', { n: draft.lines.length, ids: draft.lines.map(({ id }) => id).join(', ') }),
     ...(draft.lost.length > 0 ? [t('told_lost', { ids: draft.lost.map(({ id }) => id).join(', ') })] : []),
   ].join(' ');
-  return t('told', { x: reach(0), y: reach(1), z: reach(2), station: place_text(station_place(request.setup)), lines });
+  const at = station_place(request.setup);
+  const where = { x: reach(0), y: reach(1), z: reach(2), lines };
+  return at === null ? t('told_aligned', where) : t('told', { ...where, station: place_text(at) });
 }
 
 function Programme(props: Props) {
@@ -82,7 +84,7 @@ function Programme(props: Props) {
   );
   return (
     <div class="programme no-print">
-      {choices('which', t('which'), ['seven', 'body', 'face'])}
+      {choices('which', t('which'), ['seven', 'body', 'face', 'both'])}
       {form.which === 'seven' && choices('rule', t('rule'), ['equal', 'corner'])}
       <TextNumber {...props} name="targets" label={t('targets')} placeholder={t('automatic')} />
       <TextNumber {...props} name="runs" label={t('runs')} placeholder={usual(first?.runs)} />

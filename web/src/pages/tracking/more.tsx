@@ -1,21 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Field } from '../../components/field';
 import { TextNumber, TripleFields, type FormProps } from './fields';
-import { reflectors, text_keys, type Faults, type ObstacleForm } from './form';
+import { is_aligned, reflectors, text_keys, type Faults, type ObstacleForm } from './form';
 import { t } from './texts';
 
 const empty: ObstacleForm = { name: '', low: ['', '', ''], high: ['', '', ''] };
 const of_limits = text_keys.slice(text_keys.indexOf('range_least'));
+const of_aligned = text_keys.slice(text_keys.indexOf('constant'));
 
 /** What most set-ups need not say. */
 export function MoreFields(props: FormProps) {
   const { form, change } = props;
-  const given = form.obstacles.length + (form.reflector === '' ? 0 : 1) + of_limits.filter((key) => form.texts[key].trim() !== '').length;
+  const keys = is_aligned(form) ? of_aligned : of_limits;
+  const given = form.obstacles.length + (is_aligned(form) || form.reflector === '' ? 0 : 1) + keys.filter((key) => form.texts[key].trim() !== '').length;
   return (
     <details class="more">
-      <summary>{t('more')}{given > 0 && <span class="quiet small"> · {given}</span>}</summary>
+      <summary>{t(is_aligned(form) ? 'more_aligned' : 'more')}{given > 0 && <span class="quiet small"> · {given}</span>}</summary>
       <div class="tracking-form">
         <Obstacles obstacles={form.obstacles} set={(obstacles) => change({ obstacles })} faults={props.faults} />
+        {!is_aligned(form) && <TrackerLimits {...props} />}
+        <fieldset class="triple">
+          <legend>{t('uncertainty')}</legend>
+          <div class="pair">
+            <TextNumber {...props} name="constant" label="µm" placeholder="0.2" />
+            <TextNumber {...props} name="per_length" label="+ µm/m" placeholder="0.3" />
+          </div>
+        </fieldset>
+      </div>
+    </details>
+  );
+}
+
+/** What a tracking instrument and its reflector can do; an aligned interferometer has no such limits. */
+function TrackerLimits(props: FormProps) {
+  const { form, change } = props;
+  return (
+    <>
         <Field label={t('reflector')}>
           {(ids) => (
             <select {...ids} value={form.reflector} onChange={(event) => change({ reflector: event.currentTarget.value })}>
@@ -35,15 +55,7 @@ export function MoreFields(props: FormProps) {
           <TextNumber {...props} name="safe_radius" label={`${t('safe_radius')} (mm)`} placeholder="120" />
           <TextNumber {...props} name="line_least" label={`${t('line_least')} (mm)`} placeholder="100" />
         </div>
-        <fieldset class="triple">
-          <legend>{t('uncertainty')}</legend>
-          <div class="pair">
-            <TextNumber {...props} name="constant" label="µm" placeholder="0.2" />
-            <TextNumber {...props} name="per_length" label="+ µm/m" placeholder="0.3" />
-          </div>
-        </fieldset>
-      </div>
-    </details>
+    </>
   );
 }
 

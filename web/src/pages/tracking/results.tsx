@@ -19,12 +19,14 @@ const shown: readonly Parameter[] = ['A', 'E', 'R', 'B', 'M'];
 export function Results({ evaluation }: { evaluation: TrackingEvaluation }) {
   const [wanted, set_wanted] = useState<string | null>(null);
   const line = evaluation.lines.find(({ id }) => id === wanted) ?? evaluation.lines[0] ?? null;
+  const at = station_place(evaluation.setup);
   return (
     <div class="stack results">
       <h3>{t('results')}</h3>
-      <p class="quiet">{t('station_as', { place: place_text(station_place(evaluation.setup), 3), how: t(evaluation.source.station ? 'as_located' : 'as_planned') })}</p>
+      <p class="quiet">{at === null ? t('as_aligned') : t('station_as', { place: place_text(at, 3), how: t(evaluation.source.station ? 'as_located' : 'as_planned') })}</p>
       <ResultTable evaluation={evaluation} chosen={line?.id ?? null} choose={set_wanted} />
       <Diagonals evaluation={evaluation} />
+      <FacePairs evaluation={evaluation} />
       {line && <LineChart line={line} />}
       <Squareness evaluation={evaluation} />
       <div>
@@ -89,6 +91,22 @@ function Diagonals({ evaluation: { iso230_6 } }: { evaluation: TrackingEvaluatio
   });
   if (largest.length === 0) return null;
   return <p><strong>{iso230_6.standard}, {t('diagonals')}:</strong> {largest.join(', ')}. <span class="quiet">{t('cancel')}</span></p>;
+}
+
+/** Two diagonals of a face tell how far its axes are from square. */
+function FacePairs({ evaluation: { iso230_6 } }: { evaluation: TrackingEvaluation }) {
+  if (iso230_6.face_pairs.length === 0) return null;
+  return (
+    <div>
+      <h3>{t('face_pairs')}</h3>
+      <DataTable caption={t('face_pairs')} rows={iso230_6.face_pairs} row_key={({ face }) => face}
+        columns={[
+          { key: 'face', head: t('face_of'), row_head: true, cell: ({ face, lines }) => `${face} (${lines.join(', ')})` },
+          { key: 'slopes', head: t('slopes_apart'), number: true, cell: ({ slope_difference_um_per_m: apart }) => fixed(apart, 2) },
+          { key: 'value', head: t('value'), number: true, cell: ({ squareness, um_per_m, u_um_per_m }) => `${squareness} ${slope_text(um_per_m, u_um_per_m)}` },
+        ]} />
+    </div>
+  );
 }
 
 function LineChart({ line }: { line: EvaluatedLine }) {

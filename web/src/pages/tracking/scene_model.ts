@@ -24,17 +24,18 @@ export function tracking_scene({ request, draft, points }: Subject, shown: Shown
   const { setup } = request;
   const tool = setup.tool_offset_mm ?? [0, 0, 0];
   const box = { low: sum(setup.travel.lowest_mm, tool), high: sum(setup.travel.highest_mm, tool) };
-  const station = place(station_place(setup));
+  const at = station_place(setup);
+  const station = at === null ? null : place(at);
   const size = Math.hypot(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]);
-  const foot = Math.min(box.low[2], station[2] - 0.06 * size);
+  const instrument = station === null ? [] : station_solids('station', station, 0.03 * size, Math.min(box.low[2], station[2] - 0.06 * size), t('station'));
   return {
     box,
-    solids: [...station_solids('station', station, 0.03 * size, foot, t('station')), ...obstacles_of(setup)],
+    solids: [...instrument, ...obstacles_of(setup)],
     paths: draft === null ? [] : [
-      ...(shown.beams ? draft.lines.map((line, k) => beam(station, line, k)) : []),
+      ...(shown.beams && station !== null ? draft.lines.map((line, k) => beam(station, line, k)) : []),
       ...(shown.ways ? [{ key: 'way', places: draft.way_mm.map(place), colour: '--ink-quiet', dash: [2, 3], quiet: true } as ScenePath] : []),
       ...draft.lines.map((line, k): ScenePath => ({
-        key: line.id, label: line.id, places: from_station(line.targets.map(place), station), colour: line_colour(line.id, k),
+        key: line.id, label: line.id, places: ends_of(line.targets.map(place), station), colour: line_colour(line.id, k),
         width: 2.5, arrow: true, chosen: shown.chosen === line.id,
       })),
     ],
@@ -46,16 +47,17 @@ export function tracking_scene({ request, draft, points }: Subject, shown: Shown
 
 type Line = TrackingDraft['lines'][number];
 
-/** Only the ends, the nearer one first: the arrow leads away from the station. */
-function from_station(targets: Place[], station: Place): Place[] {
+/** Only the ends, the nearer one first: the arrow leads away from the station, or where positions grow. */
+function ends_of(targets: Place[], station: Place | null): Place[] {
   const [a, b] = [targets[0], targets[targets.length - 1]];
   if (!a || !b) return [];
+  if (station === null) return [a, b];
   const far = (p: Place) => Math.hypot(p[0] - station[0], p[1] - station[1], p[2] - station[2]);
   return far(a) <= far(b) ? [a, b] : [b, a];
 }
 
 function beam(station: Place, line: Line, k: number): ScenePath {
-  const near = from_station(line.targets.map(place), station)[0] ?? station;
+  const near = ends_of(line.targets.map(place), station)[0] ?? station;
   return { key: `beam-${line.id}`, places: [station, near], colour: line_colour(line.id, k), dash: [1, 3], quiet: true };
 }
 

@@ -8,7 +8,7 @@ import { decimals_for, fixed, shortest } from '../../numbers';
 import { decimal, language } from '../../settings';
 import { NumberField, TripleFields, type FormProps } from './fields';
 import { TrackingFindings } from './findings';
-import { axes, located_station, station_u, type LocatedStation } from './form';
+import { axes, is_aligned, located_station, station_u, type LocatedStation } from './form';
 import { MoreFields } from './more';
 import { t } from './texts';
 import { station_place } from './station_place';
@@ -41,12 +41,12 @@ export function StationPanel(props: Props) {
     <section class="panel" aria-labelledby="tracking-station">
       <header><h2 id="tracking-station"><span class="step">2</span>{t('station')}</h2></header>
       <div class="tracking-form">
-        {located === null
+        {is_aligned(form) ? <p class="hint">{t('aligned')}</p> : located === null
           ? <TripleFields legend={t('place')} hint={t('station_hint')} name="station" values={form.station} faults={faults} set={(station) => change({ station })} />
           : <LocatedPlace located={located} discard={() => locate(null)} />}
-        {located === null && <Advice {...{ request, busy, asking }} use={(place) => change({ station: place.map((x) => String(Math.round(x * 1000) / 1000)) })} />}
+        {!is_aligned(form) && located === null && <Advice {...{ request, busy, asking }} use={(place) => change({ station: place.map((x) => String(Math.round(x * 1000) / 1000)) })} />}
         {error && <FailureNotice error={error} />}
-        <Locate {...props} asking={asking} busy={busy} />
+        {!is_aligned(form) && <Locate {...props} asking={asking} busy={busy} />}
         <MoreFields form={form} change={change} faults={faults} />
       </div>
     </section>
@@ -107,7 +107,7 @@ function Locate({ form, request, locate, points, set_points, asking, busy }: Pro
   const count = 8;
   const options = () => {
     const tool = request?.setup.tool_offset_mm ?? [0, 0, 0];
-    const near = request && form.station.every((text) => text.trim() !== '') ? { near_mm: station_place(request.setup) } : {};
+    const near = request && form.station.every((text) => text.trim() !== '') ? { near_mm: station_place(request.setup) ?? undefined } : {};
     const micrometres = Number(sigma.replace(',', '.'));
     return { tool, near, given: sigma.trim() === '' || Number.isNaN(micrometres) ? {} : { machine_sigma_um: micrometres } };
   };

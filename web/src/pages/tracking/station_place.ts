@@ -2,8 +2,5 @@
 
 interface Setup { station?: { position_mm: readonly number[] } | null }
 
-/** Where the instrument stands. Files of an aligned interferometer have no station; the server refuses them. */
-export function station_place(setup: Setup): readonly number[] {
-  if (!setup.station) throw new Error('a set-up without a station');
-  return setup.station.position_mm;
-}
+/** Where the instrument stands; null of an interferometer that is aligned with each line in turn, which has no station. */
+export const station_place = (setup: Setup): readonly number[] | null => setup.station?.position_mm ?? null;

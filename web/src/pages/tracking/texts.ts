@@ -26,6 +26,10 @@ export const t = texts({
     'Where the instrument stands, measured with a rule: in the coordinates that the reflector has.',
     'Wo das Gerät steht, mit dem Maßstab gemessen: in den Koordinaten, die der Reflektor hat.',
   ],
+  aligned: [
+    'Diagonals of the travels (ISO 230-6) ask for no station: the interferometer is aligned with each of them in turn, and each is driven in both senses.',
+    'Diagonalen der Wege (ISO 230-6) verlangen keinen Standort: Das Interferometer wird nacheinander auf jede ausgerichtet, und jede wird in beiden Richtungen gefahren.',
+  ],
   propose: ['Find a better place', 'Besseren Platz suchen'],
   better: [
     'At {place} it would keep {n} of {all} lines, the shortest of {length} mm; here it is {now}, the shortest of {now_length} mm.',
@@ -53,6 +57,7 @@ export const t = texts({
   station_file: ['Station file', 'Standortdatei'],
   report: ['Report', 'Bericht'],
   // more
+  more_aligned: ['Obstacles, instrument', 'Hindernisse, Gerät'],
   more: ['Obstacles, limits, instrument', 'Hindernisse, Grenzen, Gerät'],
   obstacles: ['Obstacles', 'Hindernisse'],
   obstacles_hint: ['Boxes that stand in the way of the reflector and of the beam.', 'Quader, die dem Reflektor und dem Strahl im Weg stehen.'],
@@ -73,6 +78,7 @@ export const t = texts({
   seven: ['the seven lines from the station', 'die sieben Linien vom Standort'],
   body: ['body diagonals of the travels', 'Raumdiagonalen der Wege'],
   face: ['face diagonals of the travels', 'Flächendiagonalen der Wege'],
+  both: ['body and face diagonals of the travels', 'Raum- und Flächendiagonalen der Wege'],
   rule: ['Diagonals', 'Diagonalen'],
   equal: ['equal steps', 'gleiche Schritte'],
   corner: ['to the corner', 'zur Ecke'],
@@ -90,6 +96,10 @@ export const t = texts({
   told: [
     'The reflector reaches X {x}, Y {y}, Z {z} mm. The station stands at {station} mm. {lines}',
     'Der Reflektor erreicht X {x}, Y {y}, Z {z} mm. Der Standort ist bei {station} mm. {lines}',
+  ],
+  told_aligned: [
+    'The reflector reaches X {x}, Y {y}, Z {z} mm. The interferometer is aligned with each line in turn. {lines}',
+    'Der Reflektor erreicht X {x}, Y {y}, Z {z} mm. Das Interferometer wird nacheinander auf jede Linie ausgerichtet. {lines}',
   ],
   told_lines: ['{n} {n|line|lines} can be measured: {ids}.', '{n} {n|Linie|Linien} messbar: {ids}.'],
   told_lost: ['Lost: {ids}.', 'Verloren: {ids}.'],
@@ -132,6 +142,11 @@ export const t = texts({
     'Werte in µm. Steigungen mit U (k = 2) ihrer Streuung, in E und A enthalten; Δd: Grenze (95 %) der Längendifferenz aus der Unsicherheit des Standorts.',
   ],
   station_as: ['Station at {place} mm, {how}', 'Standort bei {place} mm, {how}'],
+  as_aligned: ['Interferometer aligned with each line in turn, without a station', 'Interferometer nacheinander auf jede Linie ausgerichtet, ohne Standort'],
+  face_of: ['Face', 'Fläche'],
+  face_pairs: ['Squareness from the diagonals of a face', 'Rechtwinkligkeit aus den Diagonalen einer Fläche'],
+  slopes_apart: ['Slopes differ by / (µm/m)', 'Steigungen unterscheiden sich um / (µm/m)'],
+  value: ['Squareness / µrad', 'Rechtwinkligkeit / µrad'],
   as_planned: ['as planned', 'wie geplant'],
   as_located: ['located', 'bestimmt'],
   diagonals: ['Largest of the diagonals', 'Größte der Diagonalen'],

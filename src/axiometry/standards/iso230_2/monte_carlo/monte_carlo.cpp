@@ -7,14 +7,14 @@
 #include <cmath>
 
 #include "axiometry/standards/iso230_2/monte_carlo/gross_errors.h"
+#include "axiometry/standards/iso230_2/monte_carlo/settled_trials.h"
+#include "axiometry/standards/iso230_2/monte_carlo/trial_figures.h"
 #include "axiometry/standards/iso230_2/monte_carlo/trials.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
 #include "axiometry/standards/readings/test_course.h"
 
 namespace axiometry::iso230_2 {
 namespace {
-
-constexpr double first_share = 0.97;  // 20 000 trials know u to 1 %, of heavy tails to 2 %
 
 constexpr std::size_t least_runs_of_t = 4;  // variance (n − 1)/(n − 3) s²/n
 
@@ -60,50 +60,28 @@ Result<void> check(const Series& series, const UncertaintyInputs& inputs, TypeA 
 
 std::size_t index_of(const ParameterInfo* parameter) { return static_cast<std::size_t>(parameter - parameters); }
 
-/// Trials in which a parameter that nothing acts on keeps its measured value to the last digit. Else rounding alone
-/// would make it uncertain by some 1e-16, which no adaptive run can settle and no decision may rest on.
-class SettledTrials {
- public:
-  SettledTrials(TrialModel model, const Series& series, const Evaluation& evaluation) : model_(std::move(model)) {
-    for (const ParameterInfo* parameter : model_.outputs())
-      measured_.push_back((evaluation.parameters.*parameter->member)->in_native());
-    double largest = 0.0;  // errors of length grow with the position: 1 µm at 1 mm is far beyond any of them
-    for (std::size_t i = 0; i < series.target_count(); ++i) {
-      largest = std::max(largest, std::abs(series.targets()[i].in_native()));
-      for (Direction direction : {Direction::up, Direction::down})
-        for (double x : series.cell(i, direction))
-          if (!std::isnan(x)) largest = std::max(largest, std::abs(x));
-    }
-    slack_ = rounding * largest;
-  }
+/// Of the parameters that a model has.
+std::vector<double> measured_by(const TrialModel& model, const Evaluation& evaluation) {
+  std::vector<double> values;
+  for (const ParameterInfo* parameter : model.outputs())
+    values.push_back((evaluation.parameters.*parameter->member)->in_native());
+  return values;
+}
 
-  std::span<const ParameterInfo* const> outputs() const { return model_.outputs(); }
-  const TrialModel& trials() const { return model_; }
-
-  void operator()(std::uint64_t block, uncertainty::BlockOutputs outputs) const {
-    model_(block, outputs);
-    for (std::size_t k = 0; k < measured_.size(); ++k) {
-      const auto row = outputs.row(k);
-      const auto settled = [&](double x) { return std::abs(x - measured_[k]) <= slack_; };
-      if (std::ranges::all_of(row, settled)) std::ranges::fill(row, measured_[k]);
-    }
-  }
-
- private:
-  static constexpr double rounding = 1e-12;  // of the largest number: thousands of roundings, nothing that is measured
-  TrialModel model_;
-  std::vector<double> measured_;
-  double slack_ = 0.0;
-};
+SettledTrials settled(TrialModel model, const Series& series, const Evaluation& evaluation) {
+  std::vector<double> measured = measured_by(model, evaluation);
+  return {std::move(model), series, std::move(measured)};
+}
 
 /// Standard uncertainty of every parameter in a run of its own.
 Result<Contribution> contribution(const SettledTrials& model, const MonteCarloOptions& options, std::string key,
                                   std::string title) {
   uncertainty::MonteCarloOptions alone = options.propagation;
   alone.trials = std::min(options.contribution_trials, alone.trials.value_or(options.contribution_trials));
-  AXIOMETRY_TRY(const auto result, uncertainty::propagate(std::ref(model), model.outputs().size(), alone));
+  AXIOMETRY_TRY(const auto result, uncertainty::propagate(std::ref(model), model.trials().output_count(), alone));
   Contribution found{std::move(key), std::move(title), {}};
-  for (std::size_t k = 0; k < model.outputs().size(); ++k) found.u[index_of(model.outputs()[k])] = result.outputs[k].sd;
+  const auto parameters_of = model.trials().outputs();
+  for (std::size_t k = 0; k < parameters_of.size(); ++k) found.u[index_of(parameters_of[k])] = result.outputs[k].sd;
   return found;
 }
 
@@ -131,8 +109,8 @@ Result<Contribution> input_contribution(const Subject& subject, std::size_t k) {
   const auto models = noise_models(question).models;
   for (std::size_t h = acts_as_noise(input.effect) && models.size() > 1 ? 1 : 0; h < models.size(); ++h) {
     const TrialModelOptions chosen{Measurand::this_test, subject.options.type_a, subject.options.seed, true, k};
-    const SettledTrials model({subject.test.series, subject.inputs, models[h], chosen}, subject.test.series,
-                              subject.evaluation);
+    const SettledTrials model =
+        settled({subject.test.series, subject.inputs, models[h], chosen}, subject.test.series, subject.evaluation);
     AXIOMETRY_TRY(const Contribution own, contribution(model, subject.options, input.key, input.title));
     for (std::size_t p = 0; p < std::size(parameters); ++p) largest.u[p] = std::max(largest.u[p], own.u[p]);
   }
@@ -156,100 +134,47 @@ Result<std::vector<Contribution>> contributions(const Subject& subject) {
     const UncertaintyInputs none;
     const NoiseModel exact{{}, {ReadingNoise{}}, nullptr};
     const TrialModelOptions chosen{subject.measurand, options.type_a, options.seed, true, std::nullopt};
-    const SettledTrials model({subject.test.series, none, exact, chosen}, subject.test.series, subject.evaluation);
+    const SettledTrials model =
+        settled({subject.test.series, none, exact, chosen}, subject.test.series, subject.evaluation);
     AXIOMETRY_TRY(Contribution own, contribution(model, options, "sampling", "Sampling of the approaches"));
     found.push_back(std::move(own));
   }
   return found;
 }
 
-/// What holds for every hypothesis, and for noise of any size up to what it says.
-void find_envelope(ParameterDistribution& d) {
-  d.low = d.by_hypothesis.front().symmetric.lower;
-  d.high = d.by_hypothesis.front().symmetric.upper;
-  for (std::size_t h = 1; h < d.by_hypothesis.size(); ++h) {
-    const uncertainty::OutputSummary& own = d.by_hypothesis[h];
-    const double low = own.symmetric.lower + std::min(0.0, d.shift_of(h));
-    const double high = own.symmetric.upper + std::max(0.0, d.shift_of(h));
-    if (low < d.low) {
-      d.low = low;
-      d.low_from = h;
-    }
-    if (high > d.high) {
-      d.high = high;
-      d.high_from = h;
-    }
-    if (own.sd > d.by_hypothesis[d.summary_from].sd) d.summary_from = h;
-  }
-  d.summary = d.by_hypothesis[d.summary_from];
-}
-
-/// What is stated has the digits of the largest u and of half the widest interval of all hypotheses: none needs to be
-/// known better. `share` of both sizes counts.
-void widen(uncertainty::LeastTolerance& tolerance, const uncertainty::OutputSummary& own, int digits,
-           double share = 1.0) {
-  const double half = 0.5 * (own.symmetric.upper - own.symmetric.lower);
-  tolerance.u = std::max(tolerance.u, uncertainty::numerical_tolerance(share * own.sd, digits));
-  tolerance.ends = std::max(tolerance.ends, uncertainty::numerical_tolerance(share * half, digits));
-}
-
-/// That of every output, from no more trials than tell how large it is, and of a little less: what is found in the end
-/// may be just below a power of ten that these trials were above.
-Result<std::vector<uncertainty::LeastTolerance>> stated_tolerances(std::span<const SettledTrials> models,
-                                                                   uncertainty::MonteCarloOptions options) {
-  options.trials = 2 * uncertainty::block_size;
-  std::vector<uncertainty::LeastTolerance> tolerances(models.front().outputs().size());
-  for (const SettledTrials& model : models) {
-    AXIOMETRY_TRY(const auto own, uncertainty::propagate(std::cref(model), tolerances.size(), options));
-    for (std::size_t k = 0; k < tolerances.size(); ++k)
-      widen(tolerances[k], own.outputs[k], options.digits, first_share);
-  }
-  return tolerances;
-}
-
-/// Whether all of them are known as well as that, after however many trials.
-bool is_stable(std::span<const uncertainty::OutputSummary> hypotheses, int digits) {
-  uncertainty::LeastTolerance tolerance;
-  for (const uncertainty::OutputSummary& own : hypotheses) widen(tolerance, own, digits);
-  return std::ranges::all_of(hypotheses, [&](const uncertainty::OutputSummary& own) {
-    return own.sd == 0.0 || (2 * std::max(own.mean_error, own.sd_error) <= tolerance.u &&
-                             2 * std::max(own.symmetric_error.lower, own.symmetric_error.upper) <= tolerance.ends);
-  });
-}
-
-/// Trials of every hypothesis, one after the other.
-Result<void> propagate_hypotheses(MonteCarlo& result, const Subject& subject, std::span<const NoiseModel> noises) {
+/// The trials of every hypothesis, of the parameters or, where they are given, of other figures.
+std::vector<SettledTrials> trials_of(const Subject& subject, std::span<const NoiseModel> noises,
+                                     const TrialFigures* figures = nullptr) {
+  std::vector<double> measured;
+  if (figures != nullptr)
+    for (const TrialFigure& figure : figures->figures) measured.push_back(figure.value);
   std::vector<SettledTrials> models;
   for (const NoiseModel& noise : noises) {
-    const TrialModelOptions chosen{subject.measurand, subject.options.type_a, subject.options.seed, true, std::nullopt};
+    const TrialModelOptions chosen{
+        subject.measurand, subject.options.type_a, subject.options.seed, true, std::nullopt, figures};
     const TrialModel* const alike = models.empty() ? nullptr : &models.back().trials();
-    models.emplace_back(TrialModel(subject.test.series, subject.inputs, noise, chosen, alike), subject.test.series,
-                        subject.evaluation);
+    TrialModel model(subject.test.series, subject.inputs, noise, chosen, alike);
+    std::vector<double> values = figures != nullptr ? measured : measured_by(model, subject.evaluation);
+    models.emplace_back(std::move(model), subject.test.series, std::move(values));
   }
-  const auto outputs = models.front().outputs();
-  uncertainty::MonteCarloOptions propagation = subject.options.propagation;
-  if (!propagation.trials && models.size() > 1) {
-    AXIOMETRY_TRY(propagation.least_tolerances, stated_tolerances(models, propagation));
-  }
-  std::vector<uncertainty::MonteCarloResult> all;
-  for (const SettledTrials& model : models) {
-    AXIOMETRY_TRY(auto own, uncertainty::propagate(std::cref(model), outputs.size(), propagation));
-    result.trials = std::max(result.trials, own.trials);
-    result.adaptive = own.adaptive;
-    all.push_back(std::move(own));
-  }
+  return models;
+}
+
+Result<void> propagate_hypotheses(MonteCarlo& result, const Subject& subject, std::span<const NoiseModel> noises) {
+  const std::vector<SettledTrials> models = trials_of(subject, noises);
+  const TrialModel& first = models.front().trials();
+  AXIOMETRY_TRY(HypothesesRun run,
+                run_hypotheses(models, measured_by(first, subject.evaluation), subject.options.propagation));
+  result.trials = run.trials;
+  result.adaptive = run.adaptive;
   std::vector<std::string_view> constant;
-  for (std::size_t k = 0; k < outputs.size(); ++k) {
-    const ParameterInfo& parameter = *outputs[k];
-    ParameterDistribution d;
-    d.value = (subject.evaluation.parameters.*parameter.member)->in_native();
-    for (auto& own : all) d.by_hypothesis.push_back(std::move(own.outputs[k]));
-    find_envelope(d);
+  for (std::size_t k = 0; k < run.distributions.size(); ++k) {
+    const ParameterInfo& parameter = *first.outputs()[k];
+    ParameterDistribution& d = run.distributions[k];
     if (d.summary.sd == 0.0) {
       constant.push_back(parameter.symbol);
       continue;
     }
-    if (d.by_hypothesis.size() > 1) d.summary.stable = is_stable(d.by_hypothesis, propagation.digits);
     result.stable = result.stable && d.summary.stable;
     result.distributions[index_of(&parameter)] = std::move(d);
   }
@@ -257,10 +182,10 @@ Result<void> propagate_hypotheses(MonteCarlo& result, const Subject& subject, st
   return {};
 }
 
-/// Readings that no normal scatter explains break the models of all that is drawn from it.
-void refuse_where_outliers(MonteCarlo& result, const Subject& subject) {
+/// Why nothing is drawn of readings that no normal scatter explains: they break the models. Empty where there are none.
+std::string refusal_where_outliers(const Subject& subject) {
   const auto found = gross_errors(subject.test.series, subject.course, subject.step());
-  if (found.empty()) return;
+  if (found.empty()) return {};
   const GrossError& worst = found.front();
   std::string reason = fmt::format(
       "{} of run {} at {:.6g} {} departs by {:.3g} {} from the other approaches, {:.1f} times the standard deviation "
@@ -270,9 +195,16 @@ void refuse_where_outliers(MonteCarlo& result, const Subject& subject) {
       position_unit(subject.test.metadata.axis.kind), worst.departure.in_native(),
       deviation_unit(subject.test.metadata.axis.kind), worst.factor);
   if (found.size() > 1) reason += fmt::format("; such readings: {}", found.size());
-  for (auto& d : result.distributions)
+  return reason;
+}
+
+void refuse_where_outliers(std::span<std::optional<ParameterDistribution>> distributions,
+                           std::vector<std::string>& notes, const Subject& subject) {
+  const std::string reason = refusal_where_outliers(subject);
+  if (reason.empty()) return;
+  for (auto& d : distributions)
     if (d) d->refusal = reason;
-  result.notes.push_back(std::string(refusal_sentence) + reason);
+  notes.push_back(std::string(refusal_sentence) + reason);
 }
 
 /// Noise is treated as normal, whatever its distribution.
@@ -337,8 +269,39 @@ Result<std::optional<MonteCarlo>> monte_carlo(const Test& test, const Evaluation
   result.notes.insert(result.notes.end(), noise.notes.begin(), noise.notes.end());
   note_hypotheses(result.notes, result.hypotheses);
   AXIOMETRY_TRY_VOID(propagate_hypotheses(result, subject, noise.models));
-  if (noise.models.size() > 1 || measurand == Measurand::this_machine) refuse_where_outliers(result, subject);
+  if (noise.models.size() > 1 || measurand == Measurand::this_machine)
+    refuse_where_outliers(result.distributions, result.notes, subject);
   AXIOMETRY_TRY(result.contributions, contributions(subject));
+  return result;
+}
+
+Result<std::optional<FigureTrials>> monte_carlo(const Test& test, const Evaluation& evaluation,
+                                                const TrialFigures& figures, const MonteCarloOptions& options) {
+  const Measurand measurand = measurand_of(test.metadata);
+  AXIOMETRY_TRY(const UncertaintyInputs inputs, uncertainty_inputs(test.metadata, test.series, test.provenance.stated));
+  if (figures.figures.empty() || (inputs.inputs.empty() && measurand == Measurand::this_test)) return std::nullopt;
+  AXIOMETRY_TRY_VOID(check(test.series, inputs, options.type_a, measurand));
+  const TestCourse course = course_of(test);
+  const Subject subject{test, course, evaluation, inputs, options, measurand};
+  const NoiseModels noise = noise_models(subject.question());
+  const std::vector<SettledTrials> models = trials_of(subject, noise.models, &figures);
+  std::vector<double> measured;
+  for (const TrialFigure& figure : figures.figures) measured.push_back(figure.value);
+  AXIOMETRY_TRY(HypothesesRun run, run_hypotheses(models, measured, options.propagation));
+  FigureTrials result{measurand,  options.seed,
+                      run.trials, run.adaptive,
+                      true,       options.propagation.coverage,
+                      {},         notes_on(inputs, measurand)};
+  result.notes.insert(result.notes.end(), noise.notes.begin(), noise.notes.end());
+  note_hypotheses(result.notes, noise.hypotheses);
+  for (ParameterDistribution& d : run.distributions) {
+    auto& kept = result.distributions.emplace_back();
+    if (d.summary.sd == 0.0) continue;
+    result.stable = result.stable && d.summary.stable;
+    kept = std::move(d);
+  }
+  if (noise.models.size() > 1 || measurand == Measurand::this_machine)
+    refuse_where_outliers(result.distributions, result.notes, subject);
   return result;
 }
 

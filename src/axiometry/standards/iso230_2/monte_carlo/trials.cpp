@@ -221,19 +221,60 @@ void TrialModel::add_target_errors(std::uint64_t place, std::size_t rows_per_cel
   }
 }
 
+bool TrialModel::is_between_places(std::size_t output) const {
+  if (options_.figures != nullptr) return options_.figures->figures[output].between_places;
+  const std::string_view key = layout_.outputs()[output]->key;
+  return key.starts_with('A') || key.starts_with('E') || key.starts_with('M');
+}
+
 /// What any two places differ by: it makes the parameters that are distances between two places longer or shorter, and
 /// has no part in reversals and scatter. A distance below 0 has its ends exchanged.
 void TrialModel::add_displacement_errors(std::uint64_t place, numeric::Rows<double> outputs) const {
   for (std::size_t k = 0; k < inputs_.inputs.size() && series_.target_count() > 1; ++k) {
     if (inputs_.inputs[k].effect != Effect::displacement) continue;
     const std::vector<double> error = draws(k, place);
-    for (std::size_t p = 0; p < layout_.outputs().size(); ++p) {
-      const std::string_view key = layout_.outputs()[p]->key;
-      if (!(key.starts_with('A') || key.starts_with('E') || key.starts_with('M'))) continue;
+    for (std::size_t p = 0; p < output_count(); ++p) {
+      if (!is_between_places(p)) continue;
       const auto row = outputs.row(p, chunk);
       for (std::size_t t = 0; t < chunk; ++t) row[t] = std::abs(row[t] + error[t]);
     }
   }
+}
+
+/// A trial at a time, as a test of its own; not finite where that would be none. Readings that were not measured are
+/// in no trial either.
+void TrialModel::evaluate_figures(numeric::Rows<const double> readings, std::size_t runs,
+                                  numeric::Rows<double> outputs) const {
+  const auto& figures = options_.figures->figures;
+  const std::vector<Position> targets(series_.targets().begin(), series_.targets().end());
+  std::vector<double> deviations(2 * targets.size() * runs), values(figures.size());
+  for (std::size_t t = 0; t < chunk; ++t) {
+    for (std::size_t row = 0; row < deviations.size(); ++row) deviations[row] = readings.row(row, chunk)[t];
+    const auto trial = Series::make_dense(targets, runs, deviations);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k] = trial ? figures[k].value : std::numeric_limits<double>::quiet_NaN();
+    if (trial) options_.figures->evaluate(*trial, values);
+    for (std::size_t k = 0; k < values.size(); ++k) outputs.row(k, chunk)[t] = values[k];
+  }
+}
+
+/// Two readings μ ± σ/√2 have the mean μ and, with divisor n − 1, the estimator σ; a cell of one reading has μ.
+void TrialModel::evaluate_figures(numeric::Rows<const double> means, numeric::Rows<const double> estimators,
+                                  numeric::Rows<double> outputs) const {
+  constexpr std::size_t runs = 2;
+  const std::size_t targets = series_.target_count();
+  std::vector<double> readings(2 * targets * runs * chunk, std::numeric_limits<double>::quiet_NaN());
+  const numeric::Rows<double> rows{readings, chunk};
+  for (std::size_t c = 0; c < 2 * targets; ++c) {
+    const std::size_t count = series_.count(c % targets, static_cast<Direction>(c / targets));
+    for (std::size_t t = 0; t < chunk && count > 0; ++t) {
+      const double mean = means.row(c, chunk)[t];
+      const double half = count > 1 ? estimators.row(c, chunk)[t] / std::numbers::sqrt2 : 0.0;
+      rows.row(c * runs, chunk)[t] = mean + half;
+      if (count > 1) rows.row(c * runs + 1, chunk)[t] = mean - half;
+    }
+  }
+  evaluate_figures(numeric::Rows<const double>(rows), runs, outputs);
 }
 
 void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const {
@@ -253,7 +294,10 @@ void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) 
     if (drift_) drift_->subtract_from_means(drift_key, mean_rows);
     add_length_errors(place, 1, mean_rows);
     add_station_errors(place, 1, mean_rows);
-    evaluate_batch(layout_, CellMoments<double>{{means, chunk}, {estimators, chunk}}, chunk, outputs);
+    if (options_.figures != nullptr)
+      evaluate_figures(numeric::Rows<const double>(mean_rows), estimator_rows, outputs);
+    else
+      evaluate_batch(layout_, CellMoments<double>{{means, chunk}, {estimators, chunk}}, chunk, outputs);
     return;
   }
   std::vector<double> readings(layout_.reading_rows() * chunk);
@@ -267,17 +311,20 @@ void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) 
   }
   add_length_errors(place, series_.run_count(), rows);
   add_station_errors(place, series_.run_count(), rows);
-  evaluate_batch(layout_, numeric::Rows<const double>{readings, chunk}, chunk, outputs);
+  if (options_.figures != nullptr)
+    evaluate_figures(numeric::Rows<const double>(rows), series_.run_count(), outputs);
+  else
+    evaluate_batch(layout_, numeric::Rows<const double>{readings, chunk}, chunk, outputs);
 }
 
 void TrialModel::operator()(std::uint64_t block, uncertainty::BlockOutputs outputs) const {
-  std::vector<double> drawn(layout_.outputs().size() * chunk);
+  std::vector<double> drawn(output_count() * chunk);
   for (std::size_t begin = 0; begin < outputs.trials; begin += chunk) {
     const std::uint64_t place = block * (uncertainty::block_size / chunk) + begin / chunk;
     draw_chunk(place, numeric::Rows<double>{drawn, chunk});
     add_displacement_errors(place, numeric::Rows<double>{drawn, chunk});
     const std::size_t count = std::min(chunk, outputs.trials - begin);
-    for (std::size_t p = 0; p < layout_.outputs().size(); ++p)
+    for (std::size_t p = 0; p < output_count(); ++p)
       std::copy_n(drawn.begin() + static_cast<std::ptrdiff_t>(p * chunk), count,
                   outputs.row(p).begin() + static_cast<std::ptrdiff_t>(begin));
   }

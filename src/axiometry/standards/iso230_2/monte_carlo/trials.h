@@ -13,6 +13,7 @@
 #include "axiometry/standards/iso230_2/monte_carlo/monte_carlo.h"
 #include "axiometry/standards/iso230_2/monte_carlo/noise.h"
 #include "axiometry/standards/iso230_2/monte_carlo/posterior.h"
+#include "axiometry/standards/iso230_2/monte_carlo/trial_figures.h"
 #include "axiometry/standards/iso230_2/parameters.h"
 #include "axiometry/standards/readings/station_offset.h"
 #include "axiometry/uncertainty/monte_carlo.h"
@@ -26,6 +27,7 @@ struct TrialModelOptions {
   std::uint64_t seed = 1;
   bool sampling = true;                   ///< whether approaches and their noise vary from trial to trial
   std::optional<std::size_t> only_input;  ///< the others stay at their estimates
+  const TrialFigures* figures = nullptr;  ///< in place of the parameters; must outlive the model
 };
 
 class TrialModel {
@@ -37,6 +39,10 @@ class TrialModel {
 
   /// Parameters that exist, in the order of `parameters`: one row of outputs each.
   std::span<const ParameterInfo* const> outputs() const { return layout_.outputs(); }
+  /// Of the parameters, or of the figures that stand in their place.
+  std::size_t output_count() const {
+    return options_.figures == nullptr ? layout_.outputs().size() : options_.figures->figures.size();
+  }
 
   /// One block of trials (uncertainty::BlockModel).
   void operator()(std::uint64_t block, uncertainty::BlockOutputs outputs) const;
@@ -63,6 +69,10 @@ class TrialModel {
   void add_displacement_errors(std::uint64_t place, numeric::Rows<double> outputs) const;
   void draw_t_scaled(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> sds) const;
   void draw_resampled(std::uint64_t place, numeric::Rows<double> readings) const;
+  bool is_between_places(std::size_t output) const;
+  void evaluate_figures(numeric::Rows<const double> readings, std::size_t runs, numeric::Rows<double> outputs) const;
+  void evaluate_figures(numeric::Rows<const double> means, numeric::Rows<const double> estimators,
+                        numeric::Rows<double> outputs) const;
   void draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const;
 
   const Series& series_;

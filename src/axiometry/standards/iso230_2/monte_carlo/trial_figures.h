@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "axiometry/standards/iso230_2/monte_carlo/monte_carlo.h"
+
+/// Figures of a test that are no parameters of clause 3, as those of other rules, carried through the same trials: each
+/// trial is a complete test that may have happened, and they are evaluated of it as of the one that was measured.
+namespace axiometry::iso230_2 {
+
+struct TrialFigure {
+  double value = 0.0;  ///< of the measured test, native deviation unit
+  /// Whether it is a distance between two places, so that an input by which any two positions differ acts on it
+  /// (Effect::displacement).
+  bool between_places = false;
+  /// Whether it is made of single readings and not of means and s of the targets alone: in the long run of a machine,
+  /// unless whole runs are resampled, there are none.
+  bool of_single_readings = false;
+};
+
+struct TrialFigures {
+  std::vector<TrialFigure> figures;
+  /// All figures of one trial, in that order; those that it leaves alone keep the measured value. Pure, called from
+  /// several threads. Where trials are of the long run, the series has two readings in each cell, with the cell's mean
+  /// and s.
+  std::function<void(const Series& trial, std::span<double> values)> evaluate;
+};
+
+/// As MonteCarlo, of other figures.
+struct FigureTrials {
+  Measurand measurand = Measurand::this_test;
+  std::uint64_t seed = 0;
+  std::size_t trials = 0;
+  bool adaptive = false;
+  bool stable = false;
+  double coverage = 0.95;
+  /// Of each figure; absent where nothing that is known acts on it, or where the long run has no single readings.
+  std::vector<std::optional<ParameterDistribution>> distributions;
+  std::vector<std::string> notes;  ///< what was assumed, what the intervals hold for
+};
+
+/// Nothing, and failures, as monte_carlo() has them. A trial takes a time that grows with the readings and with what
+/// `evaluate` does.
+Result<std::optional<FigureTrials>> monte_carlo(const Test& test, const Evaluation& evaluation,
+                                                const TrialFigures& figures, const MonteCarloOptions& options);
+
+}  // namespace axiometry::iso230_2

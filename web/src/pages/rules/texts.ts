@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+import { texts } from '../../i18n/texts';
+
+export const t = texts({
+  title: ['By other rules', 'Nach anderen Regeln'],
+  title_axis: ['Axis {axis} by other rules', 'Achse {axis} nach anderen Regeln'],
+  loading: ['The figures are computed …', 'Die Kennwerte werden berechnet …'],
+  intervals: ['with the interval in which each figure lies (Monte Carlo method)', 'mit dem Intervall, in dem jeder Kennwert liegt (Monte-Carlo-Methode)'],
+  assumed: ['What was assumed', 'Was angenommen wurde'],
+  rules: ['Rules', 'Regeln'],
+  all: ['All', 'Alle'],
+  side: ['Side by side', 'Nebeneinander'],
+  taken_for: ['Taken for', 'Gilt als'],
+  other: ['other', 'andere'],
+  of_travel: ['{share} of the travel', '{share} des Wegs'],
+  none: ['Choose a rule.', 'Eine Regel wählen.'],
+  warnings: ['What must not be compared', 'Was nicht verglichen werden darf'],
+  known: ['Figures, clauses, evidence', 'Kennwerte, Abschnitte, Belege'],
+  rule: ['Rule', 'Regel'],
+  figure: ['Figure', 'Kennwert'],
+  symbol: ['Symbol', 'Zeichen'],
+  clause: ['Clause', 'Abschnitt'],
+  evidence: ['Evidence', 'Beleg'],
+  differs: ['Formula differs by', 'Formel unterscheidet sich durch'],
+  findings: ['Findings', 'Feststellungen'],
+  departs: ['The test departs from {standard}; see Findings.', 'Die Prüfung weicht von {standard} ab; siehe Feststellungen.'],
+  report: ['Report', 'Bericht'],
+  unit: ['Values in {unit}; below them the difference from the parameter of {standard}.', 'Werte in {unit}; darunter der Unterschied zum Kennwert von {standard}.'],
+  unchecked: ['not checked against the text of the rule', 'nicht am Text der Regel geprüft'],
+  partly_unchecked: ['in part not checked against the text of the rule', 'zum Teil nicht am Text der Regel geprüft'],
+  to_latest: ['to the latest', 'zur neuesten'],
+  older: ['Of version {n}; the latest is {latest}.', 'Nach Version {n}; die neueste ist {latest}.'],
+});
