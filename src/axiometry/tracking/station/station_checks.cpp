@@ -172,15 +172,18 @@ std::string better_reading(std::span<const LocationPoint> points, const StationO
     const LinearSolution linear = solve_linear(other);
     std::vector<Vector3> first = linear.candidates;
     if (linear.fit.numerical_rank == 5) first.push_back(linear.fit.station_mm);
-    const auto minima = refine_from_all(other, options, starts_around(other, first));
-    if (minima.empty() || !minima.front().converged) continue;
-    const RefinedSolution solution = describe(other, options, minima.front());
     // a machine that is wrong by a thousandth does not hide a wrong unit; lengths that are nothing beside the points
     // fit no better by being read smaller still
     double longest = 0.0;
     for (const LocationPoint& p : other) longest = std::max(longest, std::abs(p.length_difference_mm));
-    if (root_mean_square(solution.fit.residuals_mm) < std::min(rms_mm / 100.0, longest / 1000.0))
-      return std::string(reading.words);
+    const double fitting_mm = std::min(rms_mm / 100.0, longest / 1000.0);
+    // Where all fit so well, some have no more than all of their squares.
+    const double chi_squared_most =
+        static_cast<double>(other.size()) * std::pow(fitting_mm / length_sigma_mm(options, 0.0), 2);
+    const auto minima = refine_from_all(other, options, starts_around(other, first), {}, chi_squared_most);
+    if (minima.empty() || !minima.front().converged) continue;
+    const RefinedSolution solution = describe(other, options, minima.front());
+    if (root_mean_square(solution.fit.residuals_mm) < fitting_mm) return std::string(reading.words);
   }
   return "";
 }

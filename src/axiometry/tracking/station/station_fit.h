@@ -63,8 +63,8 @@ Minimum refine(std::span<const LocationPoint> points, const StationOptions& opti
 std::vector<Vector3> starts_around(std::span<const LocationPoint> points, std::span<const Vector3> first);
 
 /// The different minima, the smallest χ² first. Of more than 400 points 200 show where these are; what they find is
-/// refined with all, so that the time grows as the points do. None where these 200 leave more than `chi_squared_most`:
-/// all points cannot leave less.
+/// refined with all, so that the time grows as the points do. With a limit none where these 200 leave more than
+/// `chi_squared_most`, since all points cannot leave less, or end at no minimum.
 std::vector<Minimum> refine_from_all(std::span<const LocationPoint> points, const StationOptions& options,
                                      std::span<const Vector3> starts, std::span<const double> shape = {},
                                      double chi_squared_most = std::numeric_limits<double>::infinity());

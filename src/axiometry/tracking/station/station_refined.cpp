@@ -228,7 +228,9 @@ std::vector<Minimum> refine_from_all(std::span<const LocationPoint> points, cons
   if (points.size() <= 2 * points_for_starts) return minima_from(points, options, starts, shape);
   const Some some = some_of(points, shape);
   const std::vector<Minimum> rough = minima_from(some.points, options, starts, some.shape);
-  if (!rough.empty() && rough.front().chi_squared > chi_squared_most) return {};
+  if (std::isfinite(chi_squared_most) && !rough.empty() &&
+      (rough.front().chi_squared > chi_squared_most || !rough.front().converged))
+    return {};
   std::vector<Vector3> promising;
   for (const Minimum& m : rough)
     if (m.chi_squared <= hopeless * (rough.front().chi_squared + static_cast<double>(some.points.size())))

@@ -447,6 +447,25 @@ TEST(Station, AMisreadLengthIsNamed) {
   }
 }
 
+// Of many points some show which reading does not fit; the one that does is found as among a few.
+TEST(Station, LengthsOfManyPointsInAnotherUnitOrSignAreRefused) {
+  std::vector<Vector3> grid;
+  for (int i = 0; i < 9; ++i)
+    for (int j = 0; j < 9; ++j)
+      for (int k = 0; k < 9; ++k) grid.push_back({100.0 * i, 90.0 * j, 70.0 * k + i});
+  const std::vector<LocationPoint> right = measured(grid);
+  const auto read_as = [&](double factor) {
+    auto points = right;
+    for (LocationPoint& p : points) p.length_difference_mm *= factor;
+    return error_of(points);
+  };
+  EXPECT_NE(read_as(1000.0).find("read in µm"), std::string::npos) << read_as(1000.0);
+  EXPECT_NE(read_as(0.001).find("read in m"), std::string::npos) << read_as(0.001);
+  EXPECT_NE(read_as(25.4).find("coordinates in inches"), std::string::npos) << read_as(25.4);
+  EXPECT_NE(read_as(-1.0).find("with the other sign"), std::string::npos) << read_as(-1.0);
+  EXPECT_EQ(read_as(1.7).find("fit when they are read"), std::string::npos) << read_as(1.7);
+}
+
 // Above 5 000 points only neighbours in the file are held against the distance of their points.
 TEST(Station, ABreakAmongThousandsOfPointsIsFound) {
   std::vector<Vector3> many;
