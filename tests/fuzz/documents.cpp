@@ -4,6 +4,7 @@
 // is asked of calibrations and tables of compensation, and kept with them. What is read is refused as damaged or
 // understood, never trusted.
 #include "axiometry/app/compensate/compensate_options.h"
+#include "axiometry/app/tracking/evaluate_options.h"
 #include "axiometry/app/tracking/tracking_request.h"
 #include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/app/volumetric/volume_compensation_request.h"
@@ -24,7 +25,7 @@ void check_asked(const Result<T>& asked) {
 
 void check_requests(const json::Value& value) {
   check_asked(app::evaluate_options_from(value));
-  check_asked(app::identify_options_from(value));
+  check_asked(app::identify_choices_from(value));
   check_asked(app::new_calibration_from(value));
   check_asked(app::calibration_revision_from(value));
   check_asked(app::table_reading_from(value));

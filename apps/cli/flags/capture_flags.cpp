@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/flags/capture_flags.h"
 
-#include <algorithm>
-#include <iterator>
 #include <string>
-#include <string_view>
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/recordings/capture_text.h"
+#include "axiometry/app/recordings/recording_members.h"
 
 namespace axiometry::cli {
 namespace {
@@ -40,11 +38,9 @@ void add_capture_flags(const Verb& verb, app::CaptureOptions& options) {
 }
 
 void add_length_recording_flags(const Verb& verb, app::CaptureOptions& options) {
-  constexpr std::string_view of_positions[] = {"--part", "--reverse", "--datum", "--zero"};
   Verb group = verb.add_option_group("Continuous recordings");
   for (const app::CaptureOption& option : app::capture_options())
-    if (std::ranges::find(of_positions, option.name) == std::end(of_positions))
-      add_option_flag(*group, option, options);
+    if (app::is_of_lengths(option.name.substr(2))) add_option_flag(*group, option, options);
 }
 
 void check_capture_flags(const Verb& verb) {

@@ -76,6 +76,10 @@ Flag add_language(const Verb& verb, report::Options& options, Flag decimal) {
       });
 }
 
+std::string fault_of_empty_name(const std::string& name) {
+  return name.empty() ? std::string("found an empty name, expected a file") : std::string();
+}
+
 std::string fault_of_name(const std::string& name) {
   return name.empty() ? "found an empty name, expected a file or -" : "";
 }

@@ -2,6 +2,7 @@
 #include "cli/flags/tolerance_flags.h"
 
 #include <vector>
+#include "cli/flags/option_text.h"
 #include "cli/flags/verb.h"
 
 namespace axiometry::cli {
@@ -27,9 +28,7 @@ void add_tolerance_flags(const Verb& verb, app::ToleranceOptions& tolerance, std
   verb.add_option("--tolerance-table", table,
                   "Limits by the kind and travel of the axis from a CSV file, and which of the named tables in it; "
                   "without NAME the one that the test's file names, or the only one")
-      ->check([](const std::string& name) {
-        return name.empty() ? std::string("found an empty name, expected a file") : std::string();
-      })
+      ->check(fault_of_empty_name)
       ->type_name("FILE[:NAME]")
       ->group(group);
   verb.add_option_function<std::string>(

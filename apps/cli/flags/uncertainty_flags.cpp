@@ -53,7 +53,7 @@ Result<void> choose_coverage(const std::string& text, app::UncertaintyOptions& o
 
 }  // namespace
 
-void add_method_flags(const Verb& verb, app::UncertaintyOptions& options) {
+void add_kept_method_flags(const Verb& verb, app::UncertaintyOptions& options) {
   add_text(verb, "--uncertainty", options, app::choose_methods,
            "Methods, separated by commas: annex-a (simplified, always there), gum (law of propagation) and monte-carlo "
            "(whole distributions, JCGM 101)")
@@ -68,6 +68,10 @@ void add_method_flags(const Verb& verb, app::UncertaintyOptions& options) {
       "How the sampling of the approaches enters where the measurand is this-machine: pooled, t-scaled or resampled")
       ->type_name("HOW");
   add_text(verb, "--coverage", options, choose_coverage, "Coverage probability of intervals (0.95)")->type_name("P");
+}
+
+void add_method_flags(const Verb& verb, app::UncertaintyOptions& options) {
+  add_kept_method_flags(verb, options);
   verb.add_option("--threads", options.trials.propagation.threads,
                   "Threads (as many as there are); the result does not depend on it")
       ->check_range(1, 1024)
@@ -80,7 +84,7 @@ void check_method_flags(const Verb& verb, const app::UncertaintyOptions& options
   const bool of_record = record && (*record)->count() > 0 && (*record)->results().back() == "monte-carlo";
   if (options.monte_carlo || of_record) return;
   for (const char* flag : {"--trials", "--seed", "--type-a", "--coverage", "--threads"})
-    if (verb.count(flag) > 0)
+    if (const auto given = verb.find_option(flag); given && given->count() > 0)
       throw UsageError(flag, "found it without the method it belongs to, expected --uncertainty monte-carlo");
 }
 

@@ -107,4 +107,15 @@ void check_alone(const Verb& verb, const std::string& name, const std::vector<st
   }
 }
 
+std::vector<std::string> option_names(const Verb& verb) {
+  std::vector<std::string> names;
+  const auto add = [&](const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) names.push_back(option->get_name());
+  };
+  add(verb.app());
+  for (const CLI::App* group : verb.app().get_subcommands({}))
+    if (group->get_name().empty()) add(*group);
+  return names;
+}
+
 }  // namespace axiometry::cli

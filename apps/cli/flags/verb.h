@@ -105,4 +105,7 @@ class Verb {
 /// and one that is not among `beside` too.
 void check_alone(const Verb& verb, const std::string& name, const std::vector<std::string>& beside = {});
 
+/// The names of the options that a verb has so far, those of its groups too.
+std::vector<std::string> option_names(const Verb& verb);
+
 }  // namespace axiometry::cli

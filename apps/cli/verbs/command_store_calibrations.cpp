@@ -2,7 +2,6 @@
 #include "cli/verbs/command_store_calibrations.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
@@ -10,10 +9,7 @@
 #include <vector>
 
 #include "axiometry/app/files/output.h"
-#include "axiometry/app/files/whole_file.h"
-#include "axiometry/app/workbench/calibration_json.h"
 #include "axiometry/app/workbench/calibrations.h"
-#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -31,9 +27,7 @@ using store::Calibration;
 
 struct CalibrationArguments {
   std::string address;
-  std::string lengths, plan, station, machine;  // files
-  std::string options, title, measured_on, notes;
-  std::int64_t id = 0, machine_id = 0, instrument_id = 0, limit = 50;
+  std::int64_t id = 0, limit = 50;
   std::int64_t version = 0;  // 0: the latest
   std::string text, kind;
   bool json = false, withdrawn = false;
@@ -62,48 +56,6 @@ void print_line(const store::CalibrationRow& row) {
              left(report::printable(c.measured_on), 11), left(c.kind, 11),
              left(report::printable(row.machine_name), 24), left(c.verdict, 17), report::printable(c.title),
              c.withdrawn ? " (withdrawn)" : "");
-}
-
-/// What is said beside the files, checked as a request would be.
-json::Value about(const CalibrationArguments& a) {
-  json::Value said = json::Value::object();
-  said.add("title", a.title);
-  said.add("measured_on", a.measured_on);
-  said.add("notes", a.notes);
-  if (a.machine_id != 0) said.add("machine", static_cast<double>(a.machine_id));
-  if (a.instrument_id != 0) said.add("instrument", static_cast<double>(a.instrument_id));
-  return said;
-}
-
-Result<int> keep(const CalibrationArguments& a) {
-  if (a.plan.empty() == a.machine.empty())
-    return fail(fmt::format("found {}, expected --plan of lines or --machine of the 21 errors",
-                            a.plan.empty() ? "neither --plan nor --machine" : "both --plan and --machine"));
-  if (!a.station.empty() && a.plan.empty()) return fail("found --station without --plan, expected both");
-  AXIOMETRY_TRY(app::NewCalibration calibration, app::new_calibration_from(about(a)));
-  calibration.kind = a.plan.empty() ? "volumetric" : "lines";
-  const std::pair<const char*, const std::string&> named[] = {
-      {"lengths", a.lengths}, {"plan", a.plan}, {"station", a.station}, {"machine", a.machine}};
-  std::vector<std::string> bytes;
-  bytes.reserve(std::size(named));
-  for (const auto& [role, file] : named) {
-    if (file.empty()) continue;
-    AXIOMETRY_TRY(std::string read, app::whole_file(file));
-    bytes.push_back(std::move(read));
-    calibration.files.push_back({role, last_part(file), bytes.back()});
-  }
-  if (!a.options.empty()) {
-    AXIOMETRY_TRY(const std::string text, app::whole_file(a.options));
-    AXIOMETRY_TRY(calibration.options, app::in_file(json::parse(text), a.options));
-  }
-  AXIOMETRY_TRY(const auto archive, archive_at(a.address, {}));
-  AXIOMETRY_TRY(const auto kept, app::keep_calibration(*archive, calibration, {"import", "axiometry store calibrate"}));
-  const Calibration& c = kept.calibration.value;
-  fmt::print("calibration {}: {}\n", kept.calibration.id, report::printable(c.title));
-  if (!kept.same_files->empty())
-    fmt::print("the same files are kept as calibration {} already\n", fmt::join(*kept.same_files, ", "));
-  if (c.serious > 0) fmt::print("{}: the result should not be used as it is\n", counted(c.serious, "serious finding"));
-  return c.serious > 0 || c.verdict == "does not conform" ? exit_exceeded : exit_done;
 }
 
 Result<int> list_kept(const CalibrationArguments& a) {
@@ -169,31 +121,10 @@ Result<int> show(const CalibrationArguments& a) {
   return exit_done;
 }
 
-void add_calibrate(const Verb& store, int& exit_code) {
-  const auto made = std::make_shared<CalibrationArguments>();
-  Verb verb =
-      store_verb(store, {"calibrate", "Evaluate lengths of a tracking interferometer and keep them with the result"},
-                 exit_code, made, keep);
-  verb->add_option("LENGTHS", made->lengths, "Lengths, as 'tracking evaluate' or 'volumetric identify' reads them")
-      ->required();
-  verb->add_option("--plan", made->plan, "Of lines: the plan whose lines were measured")->type_name("FILE");
-  verb->add_option("--station", made->station, "Of lines: the station as it was located")->type_name("FILE");
-  verb->add_option("--machine", made->machine, "Of the 21 errors: the machine, its tools and the instrument")
-      ->type_name("FILE");
-  verb->add_option("--options", made->options, "How it is evaluated, as JSON (docs/howto/keep-a-calibration.md)")
-      ->type_name("FILE");
-  verb->add_option("--title", made->title, "Title (as the files say)");
-  verb->add_option("--measured-on", made->measured_on, "Date, 2026-01-31 (as the files say)")->type_name("DATE");
-  verb->add_option("--notes", made->notes, "Notes");
-  verb->add_option("--of-machine", made->machine_id, "Number of the machine in the archive (the one the files name)")
-      ->type_name("N");
-  verb->add_option("--instrument", made->instrument_id, "Number of the instrument in the archive")->type_name("N");
-}
-
 }  // namespace
 
 void add_store_calibrations(const Verb& store, int& exit_code) {
-  add_calibrate(store, exit_code);
+  add_store_calibrate(store, exit_code);
   auto made = std::make_shared<CalibrationArguments>();
   Verb listed = store_verb(store, {"calibrations", "List calibrations, the newest first"}, exit_code, made, list_kept);
   listed->add_option("--text", made->text, "Only those with these words in title, notes, files or machine");

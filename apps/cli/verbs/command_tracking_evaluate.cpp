@@ -11,13 +11,10 @@
 
 #include "axiometry/app/results/second_opinion.h"
 #include "axiometry/app/tracking/tracking_evaluate.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
-#include "axiometry/model/fields.h"
 #include "cli/failure.h"
 #include "cli/flags/capture_flags.h"
+#include "cli/flags/length_flags.h"
 #include "cli/flags/option_text.h"
-#include "cli/flags/reading_flags.h"
 #include "cli/flags/uncertainty_flags.h"
 #include "cli/text/progress.h"
 #include "cli/text/terminal.h"
@@ -93,10 +90,6 @@ int run(TrackingEvaluateArguments& a) {
   return exit_code_of(*result);
 }
 
-std::string named(const std::string& name) {
-  return name.empty() ? std::string("found an empty name, expected a file") : std::string();
-}
-
 void add_input_flags(const Verb& verb, TrackingEvaluateArguments& a) {
   constexpr const char* group = "Input";
   verb.add_option("FILE", a.file,
@@ -104,64 +97,20 @@ void add_input_flags(const Verb& verb, TrackingEvaluateArguments& a) {
       ->required();
   verb.add_option("--plan", a.evaluate.plan, "The plan whose lines were measured (axiometry tracking plan)")
       ->required()
-      ->check(named)
+      ->check(fault_of_empty_name)
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--station", a.evaluate.station,
                   "The station as it was located (axiometry tracking locate --json), in place of the plan's")
-      ->check(named)
+      ->check(fault_of_empty_name)
       ->type_name("FILE")
-      ->group(group);
-  add_metadata_flag(verb, a.evaluate.metadata,
-                    "Metadata of all lines over what the file says, such as machine.name='Mill 5'");
-  verb.add_flag("--reversed", a.evaluate.reversed, "The lengths shown fall where the reflector recedes")->group(group);
-  add_number(verb,
-             {"--break-threshold", "MM",
-              "A jump of the lengths above it is a break of the beam (20 µm, more where "
-              "the readings scatter)"},
-             [&a](double x) {
-               if (!(x > 0.0 && x <= 1e6))
-                 throw UsageError("--break-threshold",
-                                  fmt::format("found {}, expected a length above 0 mm", format_exact(x)));
-               a.evaluate.break_threshold_mm = x;
-             })
-      ->group(group);
-  verb.add_flag_callback(
-          "--no-breaks", [&a] { a.evaluate.find_breaks = false; },
-          "Look for no breaks of the beam but those that the column segment states")
-      ->group(group);
-}
-
-void add_tolerance_flags(const Verb& verb, TrackingEvaluateArguments& a) {
-  constexpr const char* group = "Tolerances";
-  verb.add_option_function<std::vector<std::string>>(
-          "--tolerance",
-          [&a](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts)
-              if (auto added = app::add_tolerance(text, a.evaluate); !added)
-                throw UsageError("--tolerance", added.error().message);
-          },
-          "Limit of a parameter of all lines, A=10um, or of one, xy:E=20um; exit code 3 when a line does not conform; "
-          "may be repeated")
-      ->type_name("[LINE:]PARAMETER=LIMIT")
-      ->one_at_a_time()
-      ->group(group);
-  verb.add_option("--tolerance-table", a.tolerance_table, "Limits by travel from a CSV file, as evaluate has it")
-      ->check(named)
-      ->type_name("FILE[:NAME]")
-      ->group(group);
-  add_read(verb, {"--rule", "RULE", "How the uncertainty counts: simple, iso14253-1 or guard-band=WIDTH"},
-           [&a](const std::string& text) -> Result<void> {
-             AXIOMETRY_TRY(a.evaluate.tolerance.rule, app::parse_rule(text));
-             return {};
-           })
       ->group(group);
 }
 
 void add_output_flags(const Verb& verb, TrackingEvaluateArguments& a) {
   constexpr const char* group = "Outputs";
   verb.add_option("--json", a.outputs.json, "Everything as JSON to FILE, or to the standard output with -")
-      ->check(named)
+      ->check(fault_of_empty_name)
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--report", a.outputs.reports,
@@ -171,7 +120,7 @@ void add_output_flags(const Verb& verb, TrackingEvaluateArguments& a) {
       ->group(group);
   verb.add_option("--save-tests", a.tests,
                   "The test of each line to a file of its own, such as 'tests/{name}.json', for 'axiometry evaluate'")
-      ->check(named)
+      ->check(fault_of_empty_name)
       ->type_name("FILE")
       ->group(group);
   Flag decimal = add_decimal(verb, a.report.numbers.decimal_mark)->group(group);
@@ -191,8 +140,12 @@ void add_tracking_evaluate(const Verb& tracking, int& exit_code) {
   Verb verb = tracking.add_subcommand("evaluate", "Evaluate lengths measured along the lines of a plan");
   auto arguments = std::make_shared<TrackingEvaluateArguments>();
   add_input_flags(*verb, *arguments);
-  add_length_recording_flags(*verb, arguments->evaluate.recording);
-  add_tolerance_flags(*verb, *arguments);
+  app::TrackingEvaluateOptions& evaluate = arguments->evaluate;
+  add_lines_flags(*verb, evaluate, arguments->tolerance_table);
+  add_length_switches(
+      *verb, [arguments] { arguments->evaluate.reversed = true; },
+      [arguments] { arguments->evaluate.find_breaks = false; });
+  add_length_recording_flags(*verb, evaluate.recording);
   add_method_flags(*verb, arguments->evaluate.uncertainty);
   add_output_flags(*verb, *arguments);
   verb->callback([verb, arguments, &exit_code] {

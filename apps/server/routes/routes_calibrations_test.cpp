@@ -196,6 +196,51 @@ TEST_F(CalibrationRoutes, are_compared_before_and_after) {
   EXPECT_THAT(refusal(send("GET", "/1/comparison", {}, {{"with", "3"}})), HasSubstr("two of the same"));
 }
 
+TEST_F(CalibrationRoutes, keep_the_limits_of_a_table_with_the_lines) {
+  const Pairs files = {{"lengths", transcript_file("tracking-evaluate.files/lengths.csv")},
+                       {"plan", transcript_file("tracking-evaluate.files/seven.json")},
+                       {"tolerances", "name,kind,travel_up_to,unit,A\nMill,linear,,um,1\nOld,linear,,um,500\n"}};
+  const auto verdict_with = [&](const std::string& options) {
+    return value_of(keep(files, {{"kind", "lines"}, {"options", options}}), 201).find("verdict")->text();
+  };
+  EXPECT_EQ(verdict_with(R"({"tolerance_table": "Mill"})"), "does not conform");
+  EXPECT_EQ(verdict_with(R"({"tolerance_table": "Old"})"), "conforms");
+  EXPECT_EQ(send("GET", "/1/files/tolerances").status, 200);
+  EXPECT_EQ(send("GET", "/1/report.pdf").status, 200) << "made again from what was kept";
+  EXPECT_THAT(refusal(keep_lines("{}", R"({"tolerance_table": "Mill"})")), HasSubstr("no file tolerances"));
+}
+
+TEST_F(CalibrationRoutes, keep_how_uncertain_the_lines_are) {
+  const Value plain = value_of(keep_lines(), 201), gum = value_of(keep_lines("{}", R"({"methods": ["gum"]})"), 201);
+  EXPECT_NE(json::dump(*plain.find("result")), json::dump(*gum.find("result")));
+  EXPECT_EQ(send("GET", "/2/report.pdf").status, 200);
+  EXPECT_THAT(refusal(keep_lines("{}", R"({"methods": ["monte-carlo"], "trials": 9000000})")),
+              HasSubstr("10000000 in all"));
+}
+
+TEST_F(CalibrationRoutes, take_several_files_of_lengths_of_the_21_errors_alone) {
+  const std::string lengths = transcript_file("volumetric.files/lengths.csv");
+  const std::string machine = transcript_file("volumetric.files/machine.json");
+  EXPECT_THAT(
+      refusal(keep({{"lengths", lengths}, {"lengths-3", lengths}, {"machine", machine}}, {{"kind", "volumetric"}})),
+      HasSubstr("one after another"));
+  EXPECT_THAT(
+      refusal(keep({{"lengths", lengths}, {"lengths-2", lengths}, {"machine", machine}}, {{"kind", "volumetric"}})),
+      HasSubstr("each station with each tool in one file"))
+      << "both are read";
+  for (const char* role : {"lengths-02", "lengths-1", "lengths-501", "lengths-", "lengths-2x"})
+    EXPECT_THAT(refusal(keep({{"lengths", lengths}, {role, lengths}, {"machine", machine}}, {{"kind", "volumetric"}})),
+                HasSubstr("expected lengths, machine, plan"))
+        << role;
+  EXPECT_THAT(refusal(keep({{"lengths", transcript_file("tracking-evaluate.files/lengths.csv")},
+                            {"lengths-2", "x"},
+                            {"plan", transcript_file("tracking-evaluate.files/seven.json")}},
+                           {{"kind", "lines"}})),
+              HasSubstr("expected lengths, plan, station, tolerances"));
+  EXPECT_THAT(refusal(keep({{"lengths", lengths}}, {{"kind", "volumetric"}})), HasSubstr("machine"));
+  EXPECT_THAT(refusal(keep_volume(R"({"reversed": true})")), HasSubstr("continuous recording"));
+}
+
 TEST_F(CalibrationRoutes, refuse_what_cannot_be_evaluated_and_keep_nothing) {
   EXPECT_THAT(refusal(keep({{"lengths", "x"}}, {{"kind", "lines"}})), HasSubstr("found no file plan"));
   EXPECT_THAT(refusal(keep({{"lengths", "x"}}, {{"kind", "other"}})), HasSubstr("lines or volumetric"));

@@ -12,6 +12,7 @@
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/plan/nc_program.h"
 #include "axiometry/app/results/outputs.h"
+#include "axiometry/app/tracking/evaluate_options.h"
 #include "axiometry/app/tracking/tracking_json.h"
 #include "axiometry/app/tracking/tracking_request.h"
 #include "axiometry/app/workbench/workbench_json.h"
@@ -140,7 +141,7 @@ Result<Response> program(const Request& request) {
 
 /// What a form for an evaluation holds.
 struct EvaluationForm {
-  std::optional<app::GivenFile> lengths, plan, station;
+  std::optional<app::GivenFile> lengths, plan, station, tolerances;
   app::TrackingEvaluateOptions options;
 };
 
@@ -152,11 +153,13 @@ Result<void> take_part(EvaluationForm& form, const FormPart& part) {
   }
   const std::array files = {std::pair{std::string_view("lengths"), &form.lengths},
                             std::pair{std::string_view("plan"), &form.plan},
-                            std::pair{std::string_view("station"), &form.station}};
+                            std::pair{std::string_view("station"), &form.station},
+                            std::pair{std::string_view("tolerances"), &form.tolerances}};
   const auto row = std::ranges::find(files, std::string_view(part.name), [](const auto& file) { return file.first; });
   if (row == files.end() || !part.is_file)
-    return fail(fmt::format("found the part {} in the form, expected the files lengths, plan and station, and options",
-                            text::quoted(part.name)));
+    return fail(fmt::format(
+        "found the part {} in the form, expected the files lengths, plan, station and tolerances, and options",
+        text::quoted(part.name)));
   if (row->second->has_value()) return fail(fmt::format("found two files {}, expected one", row->first));
   AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
   *row->second = app::GivenFile{std::move(name), part.bytes};
@@ -172,6 +175,7 @@ Result<app::EvaluatedLines> evaluated(const Request& request) {
   if (!form.lengths || !form.plan)
     return fail(fmt::format("found a form without {}, expected the files lengths and plan",
                             form.lengths ? "a plan" : "lengths"));
+  AXIOMETRY_TRY_VOID(app::take_tolerances(form.tolerances, form.options.tolerance));
   return app::evaluate_presentable({*form.lengths, *form.plan, form.station}, form.options);
 }
 

@@ -74,24 +74,29 @@ Result<Response> volume_program(const Request& request) {
 
 /// What a form with measured lengths holds.
 struct IdentificationForm {
-  std::optional<app::GivenFile> lengths, machine;
-  volumetric::IdentifyOptions options;
+  app::IdentifyFiles files;
+  app::IdentifyChoices options;
 };
 
 Result<void> take_volume_part(IdentificationForm& form, const FormPart& part) {
   if (part.name == "options" && !part.is_file) {
     AXIOMETRY_TRY(const Value value, parsed_options(part.bytes));
-    AXIOMETRY_TRY(form.options, app::identify_options_from(value));
+    AXIOMETRY_TRY(form.options, app::identify_choices_from(value));
     return {};
   }
-  std::optional<app::GivenFile>* const target = part.name == "lengths"   ? &form.lengths
-                                                : part.name == "machine" ? &form.machine
-                                                                         : nullptr;
-  if (target == nullptr || !part.is_file)
-    return fail(fmt::format("found the part {} in the form, expected the files lengths and machine, and options",
+  const bool is_lengths = part.name == "lengths";
+  std::optional<app::GivenFile>* const target = part.name == "machine" ? &form.files.machine
+                                                : part.name == "plan"  ? &form.files.plan
+                                                                       : nullptr;
+  if ((!is_lengths && target == nullptr) || !part.is_file)
+    return fail(fmt::format("found the part {} in the form, expected the files lengths, machine and plan, and options",
                             text::quoted(part.name)));
-  if (target->has_value()) return fail(fmt::format("found two files {}, expected one", part.name));
   AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
+  if (is_lengths) {
+    form.files.lengths.push_back({std::move(name), part.bytes});
+    return {};
+  }
+  if (target->has_value()) return fail(fmt::format("found two files {}, expected one", part.name));
   *target = app::GivenFile{std::move(name), part.bytes};
   return {};
 }
@@ -102,10 +107,14 @@ Result<app::IdentifiedMachine> identified(const Request& request) {
   AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
   IdentificationForm form;
   for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_volume_part(form, part));
-  if (!form.lengths || !form.machine)
+  const bool has_machine = form.files.machine || form.files.plan;
+  if (form.files.lengths.empty() || !has_machine)
     return fail(fmt::format("found a form without {}, expected the files lengths and machine",
-                            form.lengths ? "a machine" : "lengths"));
-  return app::identify_presentable(*form.lengths, *form.machine, form.options);
+                            has_machine ? "lengths" : "a machine"));
+  if (form.files.lengths.size() > app::files_of_lengths_most)
+    return fail(fmt::format("found {} files of lengths, expected at most {}", form.files.lengths.size(),
+                            app::files_of_lengths_most));
+  return app::identify_presentable(form.files, form.options);
 }
 
 Result<Response> identification(const Request& request) {

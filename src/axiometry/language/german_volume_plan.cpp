@@ -43,6 +43,8 @@ constexpr Phrase rows[] = {
      "findings of the result",
      "eine Linie, von der die Messwerte nicht alle Abweichungen bestimmen; erwartet: eine, die sie "
      "bestimmen: siehe die Feststellungen des Ergebnisses"},
+    {"found files lengths that are not numbered one after another, expected lengths, lengths-2, …",
+     "Dateien lengths, die nicht fortlaufend nummeriert sind; erwartet: lengths, lengths-2, …"},
     {"found no form, expected one with the files lengths and machine",
      "kein Formular; erwartet: eines mit den Dateien lengths und machine"},
     {"found no plan, expected one", "kein Plan; erwartet: einer"},
@@ -56,6 +58,8 @@ constexpr Phrase rows[] = {
     {"found no {0=}, expected that of a result", "kein Eintrag {0}; erwartet: der eines Ergebnisses"},
     {"found no {0=}, expected the result of a volumetric calibration",
      "kein Eintrag {0}; erwartet: das Ergebnis einer volumetrischen Kalibrierung"},
+    {"found reversed lengths in tables alone, expected them of a continuous recording",
+     "umgekehrte Längen nur in Tabellen; erwartet: in einer fortlaufenden Aufzeichnung"},
     {"found that the readings do not tell the error of the tool point with this tool, expected all of it: "
      "a control would take a number that nobody measured",
      "die Messwerte bestimmen die Abweichung des Werkzeugpunkts mit diesem Werkzeug nicht; erwartet: ganz "
@@ -64,12 +68,13 @@ constexpr Phrase rows[] = {
      "nobody measured",
      "die Messwerte bestimmen {0} nicht; erwartet: alle 21 Abweichungen: Eine Steuerung nähme eine Zahl, "
      "die niemand gemessen hat"},
-    {"found the part {0=} in the form, expected the files lengths and machine, and options",
-     "Teil {0} im Formular; erwartet: die Dateien lengths und machine sowie options"},
+    {"found the part {0=} in the form, expected the files lengths, machine and plan, and options",
+     "Teil {0} im Formular; erwartet: die Dateien lengths, machine und plan sowie options"},
     {"found two results whose travels do not overlap, expected two of one machine: before and after",
      "zwei Ergebnisse, deren Wege sich nicht überschneiden; erwartet: zwei einer Maschine: vorher und "
      "nachher"},
     {"found {0#} coefficients, expected at most {1#}", "{0} Koeffizienten; erwartet: höchstens {1}"},
+    {"found {0#} files of lengths, expected at most {1#}", "{0} Dateien mit Längen; erwartet: höchstens {1}"},
     {"found {0#} obstacles, expected at most {1#}", "{0} Hindernisse; erwartet: höchstens {1}"},
     {"found {0#} points in all runs, expected at most {1#}",
      "{0} Punkte in allen Durchläufen; erwartet: höchstens {1}"},

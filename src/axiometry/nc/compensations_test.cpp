@@ -137,6 +137,27 @@ TEST(Compensations, WhatIsWrittenIsReadWithinItsRounding) {
   });
 }
 
+/// In counts of 3.6 ″ (0.001°), 1.8 ″ and the like sums of doubles would not come back to 0 where whole numbers do.
+TEST(Compensations, ATurnClosesWhateverOneCountStandsFor) {
+  for_all([](const AxisTable& table, AxisTableOptions options, const AxisCorrection& correction) {
+    if (options.kind != AxisKind::rotary || !table.uses.resolution) return;
+    options.magnification = 1;
+    if (table.uses.largest) options.largest = 127;
+    for (const double resolution : {3.6, 1.8, 0.36, 0.1, 0.6}) {
+      SCOPED_TRACE(resolution);
+      options.resolution = resolution;
+      const std::string text = table_text_of(table, correction, options);
+      const auto found = read_table(table, text, options);
+      ASSERT_TRUE(found) << found.error().to_string() << '\n' << text;
+      expect_near(*found, correction, rounding_of(table, options), 1e-5);
+      if (table.limits.closes) {
+        EXPECT_EQ(found->values(Direction::up).front(), found->values(Direction::up).back());
+        EXPECT_EQ(found->values(Direction::down).front(), found->values(Direction::down).back());
+      }
+    }
+  });
+}
+
 TEST(Compensations, InchesAreThoseOfTheControl) {
   for_all([](const AxisTable& table, AxisTableOptions options, const AxisCorrection& correction) {
     if (options.kind == AxisKind::rotary) return;

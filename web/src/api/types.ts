@@ -138,13 +138,18 @@ export interface components {
             kind: "lines" | "volumetric";
             /** @description JSON: title, machine, instrument, measured_on, notes; all may be left out. */
             about?: string;
-            /** @description JSON. Of lines as in EvaluationForm; of the 21 errors curves, spans, reversal, drift, find_breaks, find_outliers. */
+            /** @description JSON. Of lines as in EvaluationForm; of the 21 errors curves, spans, reversal, drift, find_breaks, find_outliers, parts (of recordings, a list such as 1, 5-8), reversed, recording (as in EvaluationForm). */
             options?: string;
             /** Format: binary */
             lengths: string;
             /**
              * Format: binary
-             * @description Of lines.
+             * @description Of the 21 errors, a second file of lengths; further ones are lengths-3 and so on.
+             */
+            "lengths-2"?: string;
+            /**
+             * Format: binary
+             * @description Of lines; of the 21 errors the plan that was driven, which recordings need.
              */
             plan?: string;
             /**
@@ -154,7 +159,12 @@ export interface components {
             station?: string;
             /**
              * Format: binary
-             * @description Of the 21 errors: the machine, its tools and the instrument.
+             * @description Of lines, limits by travel as CSV.
+             */
+            tolerances?: string;
+            /**
+             * Format: binary
+             * @description Of the 21 errors: the machine, its tools and the instrument; those of the plan without it.
              */
             machine?: string;
         };
@@ -483,7 +493,12 @@ export interface components {
              * @description As it was located, in place of the plan's.
              */
             station?: string;
-            /** @description JSON, without a file name: tolerances (a list such as A=10um, xy:E=20um), rule, reversed, find_breaks, break_threshold_mm. */
+            /**
+             * Format: binary
+             * @description Limits by travel as CSV.
+             */
+            tolerances?: string;
+            /** @description JSON, without a file name: tolerances (a list such as A=10um, xy:E=20um), tolerance_table (a name in the file of them), rule, set (a list such as machine.name=Mill 5), reversed, find_breaks, break_threshold_mm, methods, trials, seed, coverage, type_a, recording (an object of texts such as rate, of what a continuous recording does not say). */
             options?: string;
         };
         ExamplesLoaded: {
@@ -2964,15 +2979,20 @@ export interface components {
         VolumetricForm: {
             /**
              * Format: binary
-             * @description A table with the columns station, tool, x_mm, y_mm, z_mm, length_mm and perhaps segment.
+             * @description A table with the columns station, tool, x_mm, y_mm, z_mm, length_mm and perhaps segment, or a continuous recording; may stand in the form several times.
              */
             lengths: string;
             /**
              * Format: binary
-             * @description machine.json.
+             * @description machine.json; that of the plan without it.
              */
-            machine: string;
-            /** @description JSON: reversal (none, constant or curves: how the directions of an axis differ). */
+            machine?: string;
+            /**
+             * Format: binary
+             * @description The plan that was driven, which recordings need.
+             */
+            plan?: string;
+            /** @description JSON, as of the 21 errors in CalibrationForm. */
             options?: string;
         };
         VolumetricLineRequest: {

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
 
-#include "axiometry/app/evaluate/tolerance_text.h"
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/files/request_members.h"
 #include "axiometry/app/files/whole_file.h"
@@ -27,7 +27,8 @@ using json::Kind;
 using json::Value;
 
 constexpr std::size_t most_readings = 100'000;  // as of every plan that the workbench shows
-constexpr std::size_t most_obstacles = 100, most_lines = 50, most_tolerances = 200;
+constexpr std::size_t most_obstacles = 100, most_lines = 50;
+constexpr std::size_t most_trials = 10'000'000;  // of all lines: a minute or so
 constexpr double most_runs = 100, most_targets = 10'000;
 
 Result<void> take_line(JsonMembers& members, std::string_view name, std::string& target) {
@@ -183,7 +184,15 @@ Result<RequestedLines> requested_lines(const Value& body) {
 Result<EvaluatedLines> evaluate_presentable(const TrackingFiles& files, const TrackingEvaluateOptions& options) {
   AXIOMETRY_TRY(const TrackingPlan plan, in_file(formats::read_tracking_plan(files.plan.bytes), files.plan.name));
   AXIOMETRY_TRY_VOID(in_file(check_presentable(plan), files.plan.name));
-  return evaluate_tracking(files, options);
+  if (!options.uncertainty.monte_carlo) return evaluate_tracking(files, options);
+  TrackingEvaluateOptions in_time = options;
+  uncertainty::MonteCarloOptions& trials = in_time.uncertainty.trials.propagation;
+  const std::size_t most = most_trials / std::max<std::size_t>(plan.lines.size(), 1);
+  if (trials.trials && *trials.trials > most)
+    return fail(fmt::format("found {} trials for each of {} lines, expected at most {} in all", *trials.trials,
+                            plan.lines.size(), most_trials));
+  trials.trials_max = std::min(trials.trials_max, most);
+  return evaluate_tracking(files, in_time);
 }
 
 Result<LocateRequest> locate_request_from(const Value& value) {
@@ -205,35 +214,6 @@ Result<LocateRequest> locate_request_from(const Value& value) {
                 value.find("machine_sigma_um")->at());
   request.options.machine_sigma_mm = *sigma_um / 1000.0;
   return request;
-}
-
-Result<TrackingEvaluateOptions> evaluate_options_from(const Value& value) {
-  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "options"));
-  TrackingEvaluateOptions options;
-  AXIOMETRY_TRY_VOID(take_switch(members, "reversed", options.reversed));
-  AXIOMETRY_TRY_VOID(take_switch(members, "find_breaks", options.find_breaks));
-  AXIOMETRY_TRY_VOID(take_number(members, "break_threshold_mm", options.break_threshold_mm));
-  const Value* tolerances = members.optional("tolerances");
-  const Value* rule = members.optional("rule");
-  AXIOMETRY_TRY_VOID(members.finish());
-  if (options.break_threshold_mm && !(*options.break_threshold_mm > 0.0 && *options.break_threshold_mm <= 1e6))
-    return fail(fmt::format("break_threshold_mm: found {}, expected a length above 0 mm",
-                            format_exact(*options.break_threshold_mm)),
-                value.find("break_threshold_mm")->at());
-  if (rule != nullptr) {
-    AXIOMETRY_TRY(const std::string text, formats::text_in(*rule, "rule"));
-    AXIOMETRY_TRY(options.tolerance.rule, parse_rule(text));
-  }
-  if (tolerances == nullptr) return options;
-  AXIOMETRY_TRY(const auto* items, formats::items_in(*tolerances, "tolerances"));
-  if (items->size() > most_tolerances)
-    return fail(fmt::format("tolerances: found {} of them, expected at most {}", items->size(), most_tolerances),
-                tolerances->at());
-  for (const Value& item : *items) {
-    AXIOMETRY_TRY(const std::string text, formats::text_in(item, "tolerances"));
-    AXIOMETRY_TRY_VOID(add_tolerance(text, options));
-  }
-  return options;
 }
 
 }  // namespace axiometry::app

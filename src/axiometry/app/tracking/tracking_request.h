@@ -28,7 +28,7 @@ Result<TrackingPlanRequest> tracking_request_from(const json::Value& value);
 Result<RequestedLines> requested_lines(const json::Value& body);
 
 /// evaluate_tracking() of what a workbench takes: it fails also on a plan that is larger, or has names that are none,
-/// as requested_lines() does, before anything is computed.
+/// as requested_lines() does, and on more than 10 million trials in all, before anything is computed.
 Result<EvaluatedLines> evaluate_presentable(const TrackingFiles& files, const TrackingEvaluateOptions& options);
 
 /// TrackingDraft, its texts in the reader's language.
@@ -43,9 +43,5 @@ json::Value advice_value(const StationAdvice& advice);
 /// {"tool_offset_mm", "near_mm", "machine_sigma_um", "ranging"}; all may be left out. Fails on members that are unknown
 /// or of another kind, and on numbers that are none of their kind.
 Result<LocateRequest> locate_request_from(const json::Value& value);
-
-/// {"tolerances": ["A=10um", "xy:E=20um"], "rule", "reversed", "find_breaks", "break_threshold_mm"}; all may be left
-/// out. Fails likewise, on more than 200 tolerances, and as add_tolerance() and parse_rule() do.
-Result<TrackingEvaluateOptions> evaluate_options_from(const json::Value& value);
 
 }  // namespace axiometry::app

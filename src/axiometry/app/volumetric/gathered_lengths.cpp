@@ -55,17 +55,25 @@ class Gathering {
   }
 
   Result<GatheredLengths> run() {
-    for (const std::string& file : request_.files) AXIOMETRY_TRY_VOID(in_file(take(file), file));
+    for (std::size_t k = 0; k < request_.files.size(); ++k) AXIOMETRY_TRY_VOID(in_file(take(k), request_.files[k]));
     if (recordings_ < request_.parts.size())
       return fail(fmt::format("found parts for {} recordings and {} recordings, expected as many",
                               request_.parts.size(), recordings_));
+    if (recordings_ == 0 && request_.recording.matcher.reversed)
+      return fail("found reversed lengths in tables alone, expected them of a continuous recording");
     if (plan_ != nullptr) tell_missing_parts();
     return std::move(all_);
   }
 
  private:
-  Result<void> take(const std::string& file) {
-    AXIOMETRY_TRY(Source source, Source::open(file));
+  Result<Source> opened(std::size_t k) const {
+    if (request_.given.empty()) return Source::open(request_.files[k]);
+    return Source::of_bytes(request_.given[k].name, request_.given[k].bytes);
+  }
+
+  Result<void> take(std::size_t k) {
+    const std::string& file = request_.files[k];
+    AXIOMETRY_TRY(Source source, opened(k));
     AXIOMETRY_TRY(const std::string_view head, source.head());
     if (!request_.recording.stream.empty() || formats::is_volumetric_recording(head)) return take_recording(source);
     AXIOMETRY_TRY(const std::string bytes, source.read_all(lengths_most_bytes));

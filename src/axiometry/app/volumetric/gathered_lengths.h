@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "axiometry/app/files/given_file.h"
 #include "axiometry/app/recordings/capture_session.h"
 #include "axiometry/app/volumetric/part_stops.h"
 #include "axiometry/base/result.h"
@@ -36,13 +37,14 @@ struct LengthsRequest {
   std::vector<std::string> files;     ///< "-" is the standard input
   std::vector<PartRange> parts = {};  ///< of the recordings, in their order; none: they are recognised
   CaptureOptions recording = {};      ///< what a recording does not say itself
+  std::vector<GivenFile> given = {};  ///< their bytes where these are at hand, as many as files; then none is opened
 };
 
 /// Reads all. Of several files each station and tool may come from one table alone, and each stop of the plan from one
 /// recording. Recordings need a plan (part_lengths.h); tables are held against it where there is one: rows of a station
 /// and tool at the points of another part are refused, those at no point of their part are told. Fails, with the file's
-/// name, as the readers do, on parts for more or fewer recordings than there are, and on a part that two recordings
-/// seem to hold unless it was said for both.
+/// name, as the readers do, on parts for more or fewer recordings than there are, on reversed lengths without a
+/// recording, and on a part that two recordings seem to hold unless it was said for both.
 Result<GatheredLengths> gather_lengths(const LengthsRequest& request, const volumetric::CalibrationPlan* plan);
 
 }  // namespace axiometry::app

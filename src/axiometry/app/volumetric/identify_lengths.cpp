@@ -30,27 +30,24 @@ struct KnownMachine {
   std::vector<std::string> remarks;
 };
 
-Result<KnownMachine> known_machine(const IdentifyRequest& request) {
-  if (request.machine.empty() && request.plan.empty())
-    return fail("found neither a machine nor a plan, expected --machine or --plan");
+/// The machine of its own file counts before that of the plan.
+Result<KnownMachine> known_machine(const std::optional<GivenFile>& own, const std::optional<GivenFile>& plan_file) {
+  if (!own && !plan_file) return fail("found neither a machine nor a plan, expected --machine or --plan");
   std::optional<volumetric::CalibrationPlan> plan;
   std::string plan_sha256;
-  if (!request.plan.empty()) {
-    AXIOMETRY_TRY(const std::string bytes, whole_file(request.plan));
-    AXIOMETRY_TRY(plan, in_file(formats::read_volumetric_plan(bytes), request.plan));
-    plan_sha256 = sha256(bytes);
+  if (plan_file) {
+    AXIOMETRY_TRY(plan, in_file(formats::read_volumetric_plan(plan_file->bytes), plan_file->name));
+    plan_sha256 = sha256(plan_file->bytes);
   }
-  if (request.machine.empty()) {
+  if (!own) {
     volumetric::MachineModel machine = plan->machine;
     return KnownMachine{std::move(machine), plan_sha256, std::move(plan), plan_sha256, {}};
   }
-  AXIOMETRY_TRY(const std::string bytes, whole_file(request.machine));
-  AXIOMETRY_TRY(formats::MachineFile file, in_file(formats::read_machine(bytes), request.machine));
+  AXIOMETRY_TRY(formats::MachineFile file, in_file(formats::read_machine(own->bytes), own->name));
   if (plan && json::dump(formats::machine_value(plan->machine)) != json::dump(formats::machine_value(file.machine)))
     file.remarks.push_back(fmt::format("the machine of {} is not in all that of {}: the former was used",
-                                       text::quoted(base_name(request.machine)),
-                                       text::quoted(base_name(request.plan))));
-  return KnownMachine{std::move(file.machine), sha256(bytes), std::move(plan), std::move(plan_sha256),
+                                       text::quoted(base_name(own->name)), text::quoted(base_name(plan_file->name))));
+  return KnownMachine{std::move(file.machine), sha256(own->bytes), std::move(plan), std::move(plan_sha256),
                       std::move(file.remarks)};
 }
 
@@ -72,33 +69,40 @@ Result<IdentifiedMachine> identified(IdentifyRequest request, KnownMachine known
   for (std::string& remark : known.remarks)
     identification.findings.push_back({"volumetric-passed-over", false, std::move(remark)});
   std::ranges::move(gathered.findings, std::back_inserter(identification.findings));
-  return IdentifiedMachine{std::move(request),
-                           std::move(gathered.files),
-                           std::move(known.sha256),
-                           std::move(known.plan_sha256),
-                           std::move(known.machine),
-                           std::move(gathered.lengths),
+  return IdentifiedMachine{std::move(request),           std::move(gathered.files), std::move(known.sha256),
+                           std::move(known.plan_sha256), std::move(known.machine),  std::move(gathered.lengths),
                            std::move(identification)};
 }
 
 }  // namespace
 
 Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request) {
-  AXIOMETRY_TRY(KnownMachine known, known_machine(request));
+  std::string machine_bytes, plan_bytes;
+  std::optional<GivenFile> machine, plan;
+  if (!request.plan.empty()) {
+    AXIOMETRY_TRY(plan_bytes, whole_file(request.plan));
+    plan = GivenFile{request.plan, plan_bytes};
+  }
+  if (!request.machine.empty()) {
+    AXIOMETRY_TRY(machine_bytes, whole_file(request.machine));
+    machine = GivenFile{request.machine, machine_bytes};
+  }
+  AXIOMETRY_TRY(KnownMachine known, known_machine(machine, plan));
   AXIOMETRY_TRY(GatheredLengths gathered, gather_lengths(request.lengths, known.plan ? &*known.plan : nullptr));
   return identified(request, std::move(known), std::move(gathered));
 }
 
-Result<IdentifiedMachine> identify_lengths(const GivenFile& lengths, const GivenFile& machine,
-                                           const volumetric::IdentifyOptions& options) {
-  AXIOMETRY_TRY(formats::MachineFile file, in_file(formats::read_machine(machine.bytes), machine.name));
-  KnownMachine known{std::move(file.machine), sha256(machine.bytes), std::nullopt, {}, std::move(file.remarks)};
-  GatheredLengths gathered;
-  AXIOMETRY_TRY(gathered.lengths, in_file(formats::read_volumetric_lengths(lengths.bytes), lengths.name));
-  for (std::string& remark : gathered.lengths.remarks)
-    gathered.findings.push_back({"volumetric-passed-over", false, std::move(remark)});
-  gathered.files.push_back({base_name(lengths.name), sha256(lengths.bytes), gathered.lengths.readings.size()});
-  IdentifyRequest request{.lengths = {.files = {lengths.name}}, .machine = machine.name, .options = options};
+Result<IdentifiedMachine> identify_lengths(const IdentifyFiles& files, const IdentifyChoices& choices,
+                                           const LengthsCheck& check) {
+  AXIOMETRY_TRY(KnownMachine known, known_machine(files.machine, files.plan));
+  IdentifyRequest request{.lengths = {.parts = choices.parts, .recording = choices.recording, .given = files.lengths},
+                          .machine = files.machine ? files.machine->name : "",
+                          .plan = files.plan ? files.plan->name : "",
+                          .options = choices.model};
+  for (const GivenFile& file : files.lengths) request.lengths.files.push_back(file.name);
+  AXIOMETRY_TRY(GatheredLengths gathered, gather_lengths(request.lengths, known.plan ? &*known.plan : nullptr));
+  request.lengths.given.clear();  // whose bytes nobody keeps for us
+  AXIOMETRY_TRY_VOID(check(gathered.lengths));
   return identified(std::move(request), std::move(known), std::move(gathered));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "axiometry/app/files/given_file.h"
 #include "axiometry/app/results/experiment.h"
 #include "axiometry/app/volumetric/gathered_lengths.h"
+#include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/identify/identification.h"
 
@@ -38,9 +41,17 @@ struct IdentifiedMachine {
 /// and plan. Of two machines that of its own file counts, and it is told where they differ.
 Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request);
 
-/// The same of one table and its machine that are at hand; no file is looked for under their names.
-Result<IdentifiedMachine> identify_lengths(const GivenFile& lengths, const GivenFile& machine,
-                                           const volumetric::IdentifyOptions& options);
+/// Files that are at hand; none is looked for under their names.
+struct IdentifyFiles {
+  std::vector<GivenFile> lengths;
+  std::optional<GivenFile> machine, plan;  ///< one of them at least
+};
+
+using LengthsCheck = std::function<Result<void>(const volumetric::VolumetricLengths& lengths)>;
+
+/// The same of these. Fails also as `check` does, which sees the lengths before anything is computed.
+Result<IdentifiedMachine> identify_lengths(const IdentifyFiles& files, const IdentifyChoices& choices,
+                                           const LengthsCheck& check);
 
 /// Keys: docs/results.md.
 json::Value to_json(const IdentifiedMachine& identified);

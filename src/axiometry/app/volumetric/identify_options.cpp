@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -25,6 +26,7 @@ using volumetric::IdentifyOptions;
 using volumetric::Reversal;
 
 constexpr double most_spans = 100;
+constexpr std::size_t most_parts = 500;
 
 constexpr std::pair<std::string_view, CurveKind> curve_words[] = {
     {"b-spline", CurveKind::spline}, {"legendre", CurveKind::legendre}, {"nodes", CurveKind::nodes}};
@@ -59,19 +61,67 @@ Result<void> take_spans(JsonMembers& members, IdentifyOptions& options) {
   return {};
 }
 
+Result<void> take_parts(JsonMembers& members, std::vector<PartRange>& parts) {
+  const Value* list = members.optional("parts");
+  if (list == nullptr) return {};
+  AXIOMETRY_TRY(const auto* items, formats::items_in(*list, "parts"));
+  if (items->size() > most_parts)
+    return fail(fmt::format("parts: found {} of them, expected at most {}", items->size(), most_parts), list->at());
+  for (const Value& item : *items) {
+    AXIOMETRY_TRY(const std::string text, formats::text_in(item, "parts"));
+    auto part = parse_part_range(text);
+    if (!part) return fail(part.error().message, item.at());
+    parts.push_back(*part);
+  }
+  return {};
+}
+
+template <typename Choice>
+std::string_view word_of(ChoiceWords<Choice> words, Choice choice) {
+  return std::ranges::find(words, choice, &std::pair<std::string_view, Choice>::second)->first;
+}
+
 }  // namespace
 
-Result<IdentifyOptions> identify_options_from(const Value& value) {
+Result<IdentifyChoices> identify_choices_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "options"));
-  IdentifyOptions options;
-  AXIOMETRY_TRY_VOID(take_choice<CurveKind>(members, "curves", curve_words, options.curves));
-  AXIOMETRY_TRY_VOID(take_spans(members, options));
-  AXIOMETRY_TRY_VOID(take_choice<Reversal>(members, "reversal", reversal_words, options.reversal));
-  AXIOMETRY_TRY_VOID(take_choice<DriftModel>(members, "drift", drift_words, options.drift));
-  AXIOMETRY_TRY_VOID(take_switch(members, "find_breaks", options.find_breaks));
-  AXIOMETRY_TRY_VOID(take_switch(members, "find_outliers", options.find_outliers));
+  IdentifyChoices choices;
+  IdentifyOptions& model = choices.model;
+  AXIOMETRY_TRY_VOID(take_choice<CurveKind>(members, "curves", curve_words, model.curves));
+  AXIOMETRY_TRY_VOID(take_spans(members, model));
+  AXIOMETRY_TRY_VOID(take_choice<Reversal>(members, "reversal", reversal_words, model.reversal));
+  AXIOMETRY_TRY_VOID(take_choice<DriftModel>(members, "drift", drift_words, model.drift));
+  AXIOMETRY_TRY_VOID(take_switch(members, "find_breaks", model.find_breaks));
+  AXIOMETRY_TRY_VOID(take_switch(members, "find_outliers", model.find_outliers));
+  AXIOMETRY_TRY_VOID(take_parts(members, choices.parts));
+  AXIOMETRY_TRY_VOID(take_recording(members, choices.recording));
+  AXIOMETRY_TRY_VOID(take_switch(members, "reversed", choices.recording.matcher.reversed));
   AXIOMETRY_TRY_VOID(members.finish());
-  return options;
+  return choices;
+}
+
+Value to_json(const IdentifyChoices& choices, const RecordingTexts& recording) {
+  const IdentifyOptions &model = choices.model, usual;
+  Value object = Value::object();
+  if (model.curves != usual.curves) object.add("curves", word_of<CurveKind>(curve_words, model.curves));
+  if (model.sizes != usual.sizes) {
+    Value spans = Value::array();
+    for (const std::size_t size : model.sizes) spans.push(size);
+    const bool is_one = std::ranges::count(model.sizes, model.sizes[0]) == std::ssize(model.sizes);
+    object.add("spans", is_one ? Value(model.sizes[0]) : std::move(spans));
+  }
+  if (model.reversal != usual.reversal) object.add("reversal", word_of<Reversal>(reversal_words, model.reversal));
+  if (model.drift != usual.drift) object.add("drift", word_of<DriftModel>(drift_words, model.drift));
+  if (!model.find_breaks) object.add("find_breaks", false);
+  if (!model.find_outliers) object.add("find_outliers", false);
+  if (!choices.parts.empty()) {
+    Value& parts = object.add("parts", Value::array());
+    for (const PartRange& p : choices.parts)
+      parts.push(p.first == p.last ? fmt::format("{}", p.first) : fmt::format("{}-{}", p.first, p.last));
+  }
+  if (choices.recording.matcher.reversed) object.add("reversed", true);
+  if (!recording.empty()) object.add("recording", recording_value(recording));
+  return object;
 }
 
 }  // namespace axiometry::app

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
+#include "axiometry/app/recordings/recording_members.h"
+#include "axiometry/app/volumetric/part_stops.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/identify/identification.h"
@@ -8,9 +12,20 @@
 /// What is asked of an identification, as a request says it.
 namespace axiometry::app {
 
+struct IdentifyChoices {
+  volumetric::IdentifyOptions model;
+  std::vector<PartRange> parts;  ///< of the recordings, in their order; none: they are recognised
+  CaptureOptions recording;      ///< what a recording does not say itself
+};
+
 /// {"curves": "b-spline", "legendre" or "nodes", "spans": 8 or [8, 6, 4], "reversal": "none", "constant" or "curves",
-/// "drift": "auto", "none" or "linear", "find_breaks", "find_outliers"}; all may be left out. Fails, with line and
-/// column, on members that are unknown or of another kind, and on spans that are no whole numbers from 1 to 100.
-Result<volumetric::IdentifyOptions> identify_options_from(const json::Value& value);
+/// "drift": "auto", "none" or "linear", "find_breaks", "find_outliers", "parts": ["1", "5-8"], "reversed", "recording":
+/// {"rate": "1000"}}; all may be left out. Fails, with line and column, on members that are unknown or of another kind,
+/// on spans that are no whole numbers from 1 to 100, on more than 500 parts, and as take_recording() does.
+Result<IdentifyChoices> identify_choices_from(const json::Value& value);
+
+/// The same back, but for what is as usual: identify_choices_from() of it is `choices`. `recording` is what
+/// choices.recording was made of.
+json::Value to_json(const IdentifyChoices& choices, const RecordingTexts& recording);
 
 }  // namespace axiometry::app

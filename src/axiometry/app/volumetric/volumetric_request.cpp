@@ -15,7 +15,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
-#include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
+#include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
 #include "axiometry/volumetric/field/tool_fields.h"
@@ -92,6 +92,17 @@ Result<void> take_layout(JsonMembers& members, PlanVolumeRequest& request) {
   return {};
 }
 
+Result<void> check_lengths_size(const volumetric::VolumetricLengths& lengths) {
+  std::set<std::pair<std::size_t, std::size_t>> visits;
+  std::set<std::array<std::size_t, 3>> segments;
+  for (const auto& reading : lengths.readings) {
+    visits.emplace(reading.station, reading.tool);
+    segments.insert({reading.station, reading.tool, reading.segment});
+  }
+  AXIOMETRY_TRY_VOID(check_count("stations with a tool", visits.size(), most_visits));
+  return check_count("segments", segments.size(), most_segments);
+}
+
 Result<void> check_model(const ErrorModel& model) {
   AXIOMETRY_TRY_VOID(check_names(model.machine()));
   AXIOMETRY_TRY_VOID(check_count("tools", model.machine().tools.size(), most_tools_found));
@@ -132,23 +143,25 @@ Result<CalibrationPlan> given_calibration(const Value& body) {
   return plan;
 }
 
-Result<IdentifiedMachine> identify_presentable(const GivenFile& lengths, const GivenFile& machine,
-                                               const volumetric::IdentifyOptions& options) {
-  AXIOMETRY_TRY(const formats::MachineFile file, in_file(formats::read_machine(machine.bytes), machine.name));
-  AXIOMETRY_TRY_VOID(in_file(check_names(file.machine), machine.name));
-  AXIOMETRY_TRY_VOID(in_file(check_count("tools", file.machine.tools.size(), most_tools_found), machine.name));
-  AXIOMETRY_TRY(const auto read, in_file(formats::read_volumetric_lengths(lengths.bytes), lengths.name));
-  std::set<std::pair<std::size_t, std::size_t>> visits;
-  std::set<std::array<std::size_t, 3>> segments;
-  for (const auto& reading : read.readings) {
-    visits.emplace(reading.station, reading.tool);
-    segments.insert({reading.station, reading.tool, reading.segment});
+Result<IdentifiedMachine> identify_presentable(const IdentifyFiles& files, const IdentifyChoices& choices) {
+  if (files.machine) {
+    const GivenFile& own = *files.machine;
+    AXIOMETRY_TRY(const formats::MachineFile file, in_file(formats::read_machine(own.bytes), own.name));
+    AXIOMETRY_TRY_VOID(in_file(check_names(file.machine), own.name));
+    AXIOMETRY_TRY_VOID(in_file(check_count("tools", file.machine.tools.size(), most_tools_found), own.name));
   }
-  AXIOMETRY_TRY_VOID(in_file(check_count("stations with a tool", visits.size(), most_visits), lengths.name));
-  AXIOMETRY_TRY_VOID(in_file(check_count("segments", segments.size(), most_segments), lengths.name));
-  volumetric::IdentifyOptions in_one_thread = options;
-  in_one_thread.threads = 1;
-  return identify_lengths(lengths, machine, in_one_thread);
+  if (files.plan) {
+    AXIOMETRY_TRY(const CalibrationPlan plan,
+                  in_file(formats::read_volumetric_plan(files.plan->bytes), files.plan->name));
+    AXIOMETRY_TRY_VOID(in_file(check_plan_size(plan), files.plan->name));
+  }
+  IdentifyChoices in_one_thread = choices;
+  in_one_thread.model.threads = 1;
+  const std::string name = files.lengths.size() == 1 ? files.lengths.front().name : std::string();
+  return identify_lengths(files, in_one_thread, [&](const volumetric::VolumetricLengths& lengths) -> Result<void> {
+    const Result<void> small = check_lengths_size(lengths);
+    return name.empty() ? small : in_file(small, name);
+  });
 }
 
 Result<ErrorModel> given_model(const Value& body, std::string_view name) {

@@ -30,10 +30,11 @@ Result<volumetric::CalibrationPlan> given_calibration(const json::Value& body);
 /// VolumetricDraft, its texts in the reader's language.
 json::Value draft_value(const volumetric::PlannedCalibration& planned, const Reader& reader);
 
+inline constexpr std::size_t files_of_lengths_most = 500;  ///< more than any plan has parts
+
 /// identify_lengths() of what a workbench takes, in one thread: it fails also on more than 200 stations with a tool,
-/// 1000 segments or 16 tools, before anything is computed.
-Result<IdentifiedMachine> identify_presentable(const GivenFile& lengths, const GivenFile& machine,
-                                               const volumetric::IdentifyOptions& options);
+/// 1000 segments or 16 tools, and on a plan as given_calibration() does, before anything is computed.
+Result<IdentifiedMachine> identify_presentable(const IdentifyFiles& files, const IdentifyChoices& choices);
 
 /// The member `name`, as the member "model" of a result file. Fails on more than 1500 coefficients or 16 tools too.
 Result<volumetric::ErrorModel> given_model(const json::Value& body, std::string_view name = "model");

@@ -9,11 +9,13 @@
 #include <optional>
 #include <utility>
 
+#include "axiometry/app/tracking/evaluate_options.h"
 #include "axiometry/app/tracking/tracking_request.h"
 #include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/app/volumetric/volumetric_request.h"
 #include "axiometry/app/workbench/test_state.h"
 #include "axiometry/base/iso_date.h"
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"
@@ -26,18 +28,33 @@ namespace {
 using json::Value;
 using store::KeptFigure;
 
+/// Whether it is "lengths-2", "lengths-3", …, the second and further files of lengths of the 21 errors.
+bool is_further_lengths(std::string_view role) {
+  constexpr std::string_view further = "lengths-";
+  const auto number = role.starts_with(further) ? parse_count(role.substr(further.size())) : std::nullopt;
+  return number && *number >= 2 && *number <= files_of_lengths_most && role == lengths_role(*number);
+}
+
 /// The files by what they are for.
 class Sources {
  public:
-  static Result<Sources> of(std::span<const CalibrationSource> files, std::span<const std::string_view> roles) {
+  enum class Lengths { one, several };
+
+  static Result<Sources> of(std::span<const CalibrationSource> files, std::span<const std::string_view> roles,
+                            Lengths lengths) {
     Sources sources;
+    std::size_t further = 0;
     for (const CalibrationSource& file : files) {
-      if (std::ranges::find(roles, file.role) == roles.end())
+      const bool is_further = lengths == Lengths::several && is_further_lengths(file.role);
+      if (is_further) ++further;
+      if (!is_further && std::ranges::find(roles, file.role) == roles.end())
         return fail(fmt::format("found the file {} as {}, expected {}", text::quoted(file.name),
                                 text::quoted(file.role), listed(roles)));
       if (sources.find(file.role)) return fail(fmt::format("found two files {}, expected one", file.role));
       sources.files_.push_back({file.role, {file.name, file.bytes}});
     }
+    if (further > 0 && sources.lengths().size() != further + 1)
+      return fail("found files lengths that are not numbered one after another, expected lengths, lengths-2, …");
     return sources;
   }
 
@@ -45,6 +62,13 @@ class Sources {
     for (const auto& [own, file] : files_)
       if (own == role) return file;
     return std::nullopt;
+  }
+
+  /// "lengths", "lengths-2", …, in that order.
+  std::vector<GivenFile> lengths() const {
+    std::vector<GivenFile> files;
+    for (std::size_t k = 1; const auto file = find(lengths_role(k)); ++k) files.push_back(*file);
+    return files;
   }
 
   Result<GivenFile> required(std::string_view role) const {
@@ -63,23 +87,24 @@ class Sources {
 };
 
 Result<EvaluatedCalibration> evaluated_lines(std::span<const CalibrationSource> files, const Value& options) {
-  constexpr std::array<std::string_view, 3> roles = {"lengths", "plan", "station"};
-  AXIOMETRY_TRY(const Sources sources, Sources::of(files, roles));
+  constexpr std::array<std::string_view, 4> roles = {"lengths", "plan", "station", "tolerances"};
+  AXIOMETRY_TRY(const Sources sources, Sources::of(files, roles, Sources::Lengths::one));
   AXIOMETRY_TRY(const GivenFile lengths, sources.required("lengths"));
   AXIOMETRY_TRY(const GivenFile plan, sources.required("plan"));
-  AXIOMETRY_TRY(const TrackingEvaluateOptions asked, evaluate_options_from(options));
+  AXIOMETRY_TRY(TrackingEvaluateOptions asked, evaluate_options_from(options));
+  AXIOMETRY_TRY_VOID(take_tolerances(sources.find("tolerances"), asked.tolerance));
   AXIOMETRY_TRY(EvaluatedLines lines, evaluate_presentable({lengths, plan, sources.find("station")}, asked));
   return EvaluatedCalibration(std::move(lines));
 }
 
 Result<EvaluatedCalibration> identified_machine(std::span<const CalibrationSource> files, const Value& options) {
-  constexpr std::array<std::string_view, 2> roles = {"lengths", "machine"};
-  AXIOMETRY_TRY(const Sources sources, Sources::of(files, roles));
-  AXIOMETRY_TRY(const GivenFile lengths, sources.required("lengths"));
-  AXIOMETRY_TRY(const GivenFile machine, sources.required("machine"));
-  AXIOMETRY_TRY(const volumetric::IdentifyOptions asked, identify_options_from(options));
-  AXIOMETRY_TRY(IdentifiedMachine found,
-                identify_presentable(lengths, machine, asked));
+  constexpr std::array<std::string_view, 3> roles = {"lengths", "machine", "plan"};
+  AXIOMETRY_TRY(const Sources sources, Sources::of(files, roles, Sources::Lengths::several));
+  IdentifyFiles given{.lengths = sources.lengths(), .machine = sources.find("machine"), .plan = sources.find("plan")};
+  if (given.lengths.empty()) return fail("found no file lengths, expected one");
+  if (!given.machine && !given.plan) return fail("found no file machine, expected one");
+  AXIOMETRY_TRY(const IdentifyChoices asked, identify_choices_from(options));
+  AXIOMETRY_TRY(IdentifiedMachine found, identify_presentable(given, asked));
   return EvaluatedCalibration(std::move(found));
 }
 
@@ -141,6 +166,10 @@ int serious_among(const Findings& findings) {
 }
 
 }  // namespace
+
+std::string lengths_role(std::size_t number) {
+  return number == 1 ? std::string("lengths") : fmt::format("lengths-{}", number);
+}
 
 Result<EvaluatedCalibration> evaluate_calibration(std::string_view kind, std::span<const CalibrationSource> files,
                                                   const Value& options) {

@@ -18,14 +18,19 @@ namespace axiometry::app {
 
 /// A file under what it is for. The bytes must outlive the call.
 struct CalibrationSource {
-  std::string role;  ///< of lines "lengths", "plan" and perhaps "station"; of the 21 errors "lengths" and "machine"
+  /// Of lines "lengths", "plan" and perhaps "station" and "tolerances" (of evaluate --tolerance-table); of the 21
+  /// errors "lengths", of several "lengths-2" and so on, "machine", and "plan", which may stand for the machine.
+  std::string role;
   std::string name;
   std::string_view bytes;
 };
 
 using EvaluatedCalibration = std::variant<EvaluatedLines, IdentifiedMachine>;
 
-/// Options as evaluate_options_from() has them of lines, identify_options_from() of the 21 errors. Fails as these and
+/// "lengths" of the first file of lengths, "lengths-2" of the second.
+std::string lengths_role(std::size_t number);
+
+/// Options as evaluate_options_from() has them of lines, identify_choices_from() of the 21 errors. Fails as these and
 /// as evaluate_presentable() and identify_lengths() do, on another kind, and on files that are missing, of no use or
 /// there twice.
 Result<EvaluatedCalibration> evaluate_calibration(std::string_view kind, std::span<const CalibrationSource> files,

@@ -3,13 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "axiometry/app/evaluate/correction_text.h"
-#include "axiometry/app/evaluate/uncertainty_text.h"
+#include "axiometry/app/evaluate/uncertainty_members.h"
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/uncertainty_json.h"
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/model/fields.h"
@@ -20,20 +17,6 @@ namespace {
 using formats::JsonMembers;
 using json::Value;
 
-constexpr double trials_max_workbench = 1e7;  // a minute or so; the command line takes more
-
-Result<void> take_methods(const Value& value, TestOptions& options) {
-  AXIOMETRY_TRY(const auto* items, formats::items_in(value, "methods"));
-  UncertaintyOptions chosen;
-  for (const Value& item : *items) {
-    AXIOMETRY_TRY(const std::string name, formats::text_in(item, "a method"));
-    if (auto known = choose_methods(name, chosen); !known) return fail(known.error().message, item.at());
-  }
-  options.gum = chosen.gum;
-  options.monte_carlo = chosen.monte_carlo;
-  return {};
-}
-
 Result<void> take_corrections(const Value& value, TestOptions& options) {
   AXIOMETRY_TRY(const auto* items, formats::items_in(value, "corrections"));
   CorrectionRequest request;
@@ -43,38 +26,6 @@ Result<void> take_corrections(const Value& value, TestOptions& options) {
     options.corrections.push_back(std::move(name));
   }
   return {};
-}
-
-Result<void> take_trials(const Value& value, TestOptions& options) {
-  AXIOMETRY_TRY(const double trials, formats::number_in(value, "trials"));
-  if (trials < trials_min || trials > trials_max_workbench || trials != std::floor(trials))
-    return fail(fmt::format("found {} trials, expected null or a whole number from {:.0f} to {:.0f}",
-                            format_exact(trials), trials_min, trials_max_workbench),
-                value.at());
-  options.trials = static_cast<std::size_t>(trials);
-  return {};
-}
-
-/// A number, or text above 2⁵³, which a number of JSON cannot hold.
-Result<void> take_seed(const Value& value, TestOptions& options) {
-  constexpr double exact = 9007199254740992.0;
-  if (value.is(json::Kind::number) && value.number() >= 0 && value.number() <= exact &&
-      value.number() == std::floor(value.number())) {
-    options.seed = static_cast<std::uint64_t>(value.number());
-    return {};
-  }
-  const auto whole = value.is(json::Kind::text) ? parse_count(value.text()) : std::nullopt;
-  if (!whole) return fail("found a seed that is no whole number from 0 to 18446744073709551615", value.at());
-  options.seed = *whole;
-  return {};
-}
-
-Result<void> take_coverage(const Value& value, TestOptions& options) {
-  AXIOMETRY_TRY(options.coverage, formats::number_in(value, "coverage"));
-  if (options.coverage >= 0.5 && options.coverage <= 0.9999) return {};
-  return fail(
-      fmt::format("found the coverage {}, expected a probability from 0.5 to 0.9999", format_exact(options.coverage)),
-      value.at());
 }
 
 }  // namespace
@@ -103,10 +54,14 @@ json::Value to_json(const Changes& changes) {
 Result<TestOptions> test_options_from(const json::Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "options"));
   TestOptions options;
-  if (const Value* methods = members.optional("methods")) AXIOMETRY_TRY_VOID(take_methods(*methods, options));
-  if (const Value* trials = members.optional("trials")) AXIOMETRY_TRY_VOID(take_trials(*trials, options));
-  if (const Value* seed = members.optional("seed")) AXIOMETRY_TRY_VOID(take_seed(*seed, options));
-  if (const Value* coverage = members.optional("coverage")) AXIOMETRY_TRY_VOID(take_coverage(*coverage, options));
+  UncertaintyOptions chosen;
+  chosen.gum = options.gum;
+  AXIOMETRY_TRY_VOID(take_uncertainty(members, chosen));
+  options.gum = chosen.gum;
+  options.monte_carlo = chosen.monte_carlo;
+  options.trials = chosen.trials.propagation.trials;
+  options.seed = chosen.trials.seed;
+  options.coverage = chosen.trials.propagation.coverage;
   if (const Value* list = members.optional("corrections")) AXIOMETRY_TRY_VOID(take_corrections(*list, options));
   AXIOMETRY_TRY_VOID(members.finish());
   return options;

@@ -118,21 +118,23 @@ Result<Frame> frame_of(const Tape& tape, const AxisTableOptions& options, bool e
   return f;
 }
 
-/// Sums of the numbers at every position, 0 at the reference point: beyond the points at the nearest.
+/// Sums of the numbers at every position, 0 at the reference point: beyond the points at the nearest. They are summed
+/// as whole numbers, as the control does: sums of 3.6 ″ each would not come back to 0 after a turn that closes.
 Result<std::vector<double>> summed(const Tape& tape, const Frame& f, long long first_point) {
-  std::vector<double> sums{0.0};
+  std::vector<long long> sums{0};
   for (long long n = f.turns ? 1 : 0; n <= f.last - f.first; ++n) {
     const auto point = tape.points.find(first_point + n);
     if (point == tape.points.end())
       return fail(fmt::format("found no point {}, expected all without a gap", first_point + n));
-    sums.push_back(sums.back() + f.count * static_cast<double>(point->second));
+    sums.push_back(sums.back() + point->second);
   }
-  if (f.turns && (sums.back() != 0.0 || tape.points.at(first_point) != tape.points.at(first_point + f.last - f.first)))
+  if (f.turns && (sums.back() != 0 || tape.points.at(first_point) != tape.points.at(first_point + f.last - f.first)))
     return fail("found a turn that does not close, expected numbers whose sum is 0, the first being the last");
   const long long origin = f.reference - f.first + (f.turns ? 0 : 1);
-  const double there = sums[static_cast<std::size_t>(std::clamp<long long>(origin, 0, std::ssize(sums) - 1))];
-  for (double& sum : sums) sum -= there;
-  return sums;
+  const long long there = sums[static_cast<std::size_t>(std::clamp<long long>(origin, 0, std::ssize(sums) - 1))];
+  std::vector<double> values;
+  for (const long long sum : sums) values.push_back(f.count * static_cast<double>(sum - there));
+  return values;
 }
 
 }  // namespace
