@@ -9,6 +9,7 @@
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/volumetric/identify_lengths.h"
+#include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -20,6 +21,7 @@
 #include "cli/text/document_text.h"
 #include "cli/verbs/command_volumetric.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/serious.h"
 
 namespace axiometry::cli {
 namespace {
@@ -40,6 +42,7 @@ Exit code 3: the result should not be used as it is, a finding says why.
 Examples:
   axiometry volumetric identify lengths.csv --machine machine.json --out result.json --report volume.pdf
   axiometry volumetric identify lengths.csv --machine machine.json --spans 8 --reversal constant --json -
+  axiometry volumetric identify lengths.csv --machine machine.json --spans 16 --smoothness auto --out result.json
   axiometry volumetric identify run1.csv run2.csv --plan plan.json --lengths-out lengths.csv --out result.json)";
 
 struct VolumetricIdentifyArguments {
@@ -103,6 +106,16 @@ void add_model(const Verb& verb, IdentifyOptions& options) {
              return {};
            })
       ->group(group);
+  add_read(
+      verb,
+      {"--smoothness", "none|auto|UM[,URAD]",
+       "By how much slopes of curves change over an axis, standard deviation of displacements and rotations; auto: "
+       "as the lengths of all let it appear (none)"},
+      [&options](const std::string& text) -> Result<void> {
+        AXIOMETRY_TRY(options.smoothness, app::parse_smoothness(text));
+        return {};
+      })
+      ->group(group);
   add_read(verb,
            {"--drift", "MODEL", "Drift of the dead paths: auto (where residuals demand it), none or linear (auto)"},
            [&options](const std::string& word) -> Result<void> {
@@ -144,9 +157,7 @@ int run(VolumetricIdentifyArguments& arguments) {
     if (const auto written = app::write_file(arguments.lengths_out, app::gathered_table(*identified)); !written)
       return failed(written.error());
   if (const int code = finish_experiment(presented, arguments.outputs); code != exit_done) return code;
-  return std::ranges::any_of(identified->identification.findings, &volumetric::VolumetricFinding::serious)
-             ? exit_exceeded
-             : exit_done;
+  return exit_code_of_findings(identified->identification.findings);
 }
 
 }  // namespace
@@ -189,6 +200,11 @@ void add_volumetric_identify(const Verb& volumetric, int& exit_code) {
   verb->callback([arguments, &exit_code] {
     if (arguments->request.machine.empty() && arguments->request.plan.empty())
       throw UsageError("--machine", "found neither --machine nor --plan, expected one of them");
+    const IdentifyOptions& options = arguments->request.options;
+    if (options.smoothness.kind != volumetric::Smoothness::Kind::none && options.curves == CurveKind::legendre)
+      throw UsageError("--smoothness",
+                       "found --curves legendre, expected b-spline or nodes: polynomials are as smooth "
+                       "as their degree");
     check_experiment_outputs(
         arguments->outputs,
         {{"--out", arguments->out}, {"--residuals", arguments->residuals}, {"--lengths-out", arguments->lengths_out}});

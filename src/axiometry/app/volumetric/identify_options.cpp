@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@ using volumetric::CurveKind;
 using volumetric::DriftModel;
 using volumetric::IdentifyOptions;
 using volumetric::Reversal;
+using volumetric::Smoothness;
 
 constexpr double most_spans = 100;
 
@@ -59,7 +61,45 @@ Result<void> take_spans(JsonMembers& members, IdentifyOptions& options) {
   return {};
 }
 
+Result<Smoothness> smoothness_of(const std::vector<double>& bends, std::string_view found) {
+  const auto is_bend = [](double x) { return x >= Smoothness::least && x <= Smoothness::most; };
+  if ((bends.size() != 1 && bends.size() != 2) || !std::ranges::all_of(bends, is_bend))
+    return fail(fmt::format("found {}, expected none, auto, or one or two numbers from 0.1 to 1000000 (µm, µrad)",
+                            text::quoted(found)));
+  return Smoothness{Smoothness::Kind::stated, bends.front(), bends.back()};
+}
+
+Result<void> take_smoothness(JsonMembers& members, IdentifyOptions& options) {
+  const Value* value = members.optional("smoothness");
+  if (value == nullptr) return {};
+  Result<Smoothness> taken = Smoothness{};
+  if (value->is(Kind::text)) {
+    taken = parse_smoothness(value->text());
+  } else {
+    std::vector<double> bends;
+    if (value->is(Kind::array)) {
+      for (const Value& item : value->items()) {
+        AXIOMETRY_TRY(bends.emplace_back(), formats::number_in(item, "smoothness"));
+      }
+    } else {
+      AXIOMETRY_TRY(bends.emplace_back(), formats::number_in(*value, "smoothness"));
+    }
+    taken = smoothness_of(bends, json::dump(*value));
+  }
+  if (!taken) return fail("smoothness: " + taken.error().message, value->at());
+  options.smoothness = *taken;
+  return {};
+}
+
 }  // namespace
+
+Result<Smoothness> parse_smoothness(std::string_view text) {
+  if (text == "none") return Smoothness{};
+  if (text == "auto") return Smoothness{.kind = Smoothness::Kind::automatic};
+  std::vector<double> bends;
+  for (const std::string_view part : text::split(text, ',')) bends.push_back(parse_number(part).value_or(0.0));
+  return smoothness_of(bends, text);
+}
 
 Result<IdentifyOptions> identify_options_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "options"));
@@ -67,6 +107,7 @@ Result<IdentifyOptions> identify_options_from(const Value& value) {
   AXIOMETRY_TRY_VOID(take_choice<CurveKind>(members, "curves", curve_words, options.curves));
   AXIOMETRY_TRY_VOID(take_spans(members, options));
   AXIOMETRY_TRY_VOID(take_choice<Reversal>(members, "reversal", reversal_words, options.reversal));
+  AXIOMETRY_TRY_VOID(take_smoothness(members, options));
   AXIOMETRY_TRY_VOID(take_choice<DriftModel>(members, "drift", drift_words, options.drift));
   AXIOMETRY_TRY_VOID(take_switch(members, "find_breaks", options.find_breaks));
   AXIOMETRY_TRY_VOID(take_switch(members, "find_outliers", options.find_outliers));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string_view>
+
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/identify/identification.h"
@@ -9,8 +11,12 @@
 namespace axiometry::app {
 
 /// {"curves": "b-spline", "legendre" or "nodes", "spans": 8 or [8, 6, 4], "reversal": "none", "constant" or "curves",
-/// "drift": "auto", "none" or "linear", "find_breaks", "find_outliers"}; all may be left out. Fails, with line and
-/// column, on members that are unknown or of another kind, and on spans that are no whole numbers from 1 to 100.
+/// "smoothness": "none", "auto", 5 or [5, 8] (µm, µrad), "drift": "auto", "none" or "linear", "find_breaks",
+/// "find_outliers"}; all may be left out. Fails, with line and column, on members that are unknown or of another kind,
+/// on spans that are no whole numbers from 1 to 100, and on a smoothness beyond its bounds.
 Result<volumetric::IdentifyOptions> identify_options_from(const json::Value& value);
+
+/// "none", "auto", "5" (µm and µrad) or "5,8": what `--smoothness` means.
+Result<volumetric::Smoothness> parse_smoothness(std::string_view text);
 
 }  // namespace axiometry::app
