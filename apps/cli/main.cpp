@@ -27,7 +27,7 @@ constexpr const char* examples = R"(Examples:
   axiometry evaluate test.csv --tolerance A=10um     exit code 3 when A does not conform
   axiometry formats csv-long                         what a file may look like
 
-Exit codes: 0 done, 1 usage, 2 bad input or output, 3 does not conform, 4 undecided.)";
+Exit codes: 0 done, 1 usage, 2 bad input or output, 3 does not conform or a finding is serious, 4 undecided.)";
 
 /// A standard stream that was closed would lend its number to the next file that is opened, and the summary
 /// would be written into a report. The wrong way of opening makes its use an error, as it was.

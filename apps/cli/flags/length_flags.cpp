@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "axiometry/app/recordings/capture_text.h"
+#include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "cli/flags/option_text.h"
@@ -116,6 +117,16 @@ void add_model(const Verb& verb, IdentifyOptions& options) {
              AXIOMETRY_TRY(options.reversal, reversal_of(word));
              return {};
            })
+      ->group(group);
+  add_read(
+      verb,
+      {"--smoothness", "none|auto|UM[,URAD]",
+       "By how much slopes of curves change over an axis, standard deviation of displacements and rotations; auto: "
+       "as the lengths of all let it appear (none)"},
+      [&options](const std::string& text) -> Result<void> {
+        AXIOMETRY_TRY(options.smoothness, app::parse_smoothness(text));
+        return {};
+      })
       ->group(group);
   add_read(verb,
            {"--drift", "MODEL", "Drift of the dead paths: auto (where residuals demand it), none or linear (auto)"},

@@ -17,6 +17,7 @@
 #include "cli/flags/verb.h"
 #include "cli/verbs/command_volumetric.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/serious.h"
 
 namespace axiometry::cli {
 namespace {
@@ -80,7 +81,7 @@ int run(VolumetricCompensateArguments& arguments) {
   if (const auto written = app::write_outputs(shown, outputs, arguments.outputs.report); !written)
     return failed(written.error());
   if (!arguments.outputs.quiet && outputs.json != "-") print_made(*made);
-  return std::ranges::any_of(made->findings, &NamedFinding::serious) ? exit_exceeded : exit_done;
+  return exit_code_of_findings(made->findings);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "cli/flags/verb.h"
 #include "cli/verbs/command_volumetric.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/serious.h"
 
 namespace axiometry::cli {
 namespace {
@@ -48,8 +49,9 @@ int run(const VolumetricExportArguments& arguments) {
     return failed(spared.error(), exit_usage);
   const auto table = app::exported_table(arguments.request);
   if (!table) return failed(table.error());
-  const auto written = app::write_file(arguments.out, *table);
-  return written ? exit_done : failed(written.error());
+  if (const auto written = app::write_file(arguments.out, table->text); !written) return failed(written.error());
+  tell_serious(table->against);
+  return exit_code_of_findings(table->against);
 }
 
 }  // namespace

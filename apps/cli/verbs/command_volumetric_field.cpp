@@ -14,6 +14,7 @@
 #include "cli/flags/verb.h"
 #include "cli/verbs/command_volumetric.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/serious.h"
 
 namespace axiometry::cli {
 namespace {
@@ -39,8 +40,10 @@ int run_points(const VolumetricFieldArguments& arguments) {
   const auto field = app::field_at_points(arguments.points);
   if (!field) return failed(field.error());
   const std::string& json = arguments.outputs.outputs.json;
-  const auto written = app::write_file(json.empty() ? "-" : json, json::dump(*field) + "\n");
-  return written ? exit_done : failed(written.error());
+  const auto written = app::write_file(json.empty() ? "-" : json, json::dump(field->value) + "\n");
+  if (!written) return failed(written.error());
+  tell_serious(field->findings);
+  return exit_code_of_findings(field->findings);
 }
 
 int run_volume(VolumetricFieldArguments& arguments) {
@@ -56,7 +59,11 @@ int run_volume(VolumetricFieldArguments& arguments) {
   if (!arguments.csv.empty())
     if (const auto written = app::write_file(arguments.csv, app::field_csv(*volume)); !written)
       return failed(written.error());
-  return finish_experiment(app::present(*volume, arguments.outputs.report), arguments.outputs);
+  if (const int code = finish_experiment(app::present(*volume, arguments.outputs.report), arguments.outputs);
+      code != exit_done)
+    return code;
+  tell_serious(volume->findings);
+  return exit_code_of_findings(volume->findings);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "cli/text/document_text.h"
 #include "cli/verbs/command_volumetric.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/serious.h"
 
 namespace axiometry::cli {
 namespace {
@@ -32,6 +33,7 @@ Exit code 3: the result should not be used as it is, a finding says why.
 Examples:
   axiometry volumetric identify lengths.csv --machine machine.json --out result.json --report volume.pdf
   axiometry volumetric identify lengths.csv --machine machine.json --spans 8 --reversal constant --json -
+  axiometry volumetric identify lengths.csv --machine machine.json --spans 16 --smoothness auto --out result.json
   axiometry volumetric identify run1.csv run2.csv --plan plan.json --lengths-out lengths.csv --out result.json)";
 
 struct VolumetricIdentifyArguments {
@@ -68,9 +70,7 @@ int run(VolumetricIdentifyArguments& arguments) {
     if (const auto written = app::write_file(arguments.lengths_out, app::gathered_table(*identified)); !written)
       return failed(written.error());
   if (const int code = finish_experiment(presented, arguments.outputs); code != exit_done) return code;
-  return std::ranges::any_of(identified->identification.findings, &volumetric::VolumetricFinding::serious)
-             ? exit_exceeded
-             : exit_done;
+  return exit_code_of_findings(identified->identification.findings);
 }
 
 }  // namespace
@@ -106,6 +106,11 @@ void add_volumetric_identify(const Verb& volumetric, int& exit_code) {
   verb->callback([arguments, &exit_code] {
     if (arguments->request.machine.empty() && arguments->request.plan.empty())
       throw UsageError("--machine", "found neither --machine nor --plan, expected one of them");
+    const volumetric::IdentifyOptions& model = arguments->choices.model;
+    if (model.smoothness.kind != volumetric::Smoothness::Kind::none && model.curves == volumetric::CurveKind::legendre)
+      throw UsageError("--smoothness",
+                       "found --curves legendre, expected b-spline or nodes: polynomials are as smooth "
+                       "as their degree");
     check_experiment_outputs(
         arguments->outputs,
         {{"--out", arguments->out}, {"--residuals", arguments->residuals}, {"--lengths-out", arguments->lengths_out}});

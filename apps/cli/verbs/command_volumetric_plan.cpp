@@ -20,6 +20,7 @@
 #include "cli/flags/verb.h"
 #include "cli/verbs/command_volumetric.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/serious.h"
 
 namespace axiometry::cli {
 namespace {
@@ -141,8 +142,7 @@ int run(VolumetricPlanArguments& a) {
   for (const auto& [name, text] : texts)
     if (const auto written = app::write_file(name, text); !written) return failed(written.error());
   if (!a.quiet && a.out != "-" && a.points != "-" && a.json != "-") fmt::print("{}", app::expectation_text(*planned));
-  const bool serious = !planned->findings.empty() && planned->findings.front().serious;
-  return serious ? exit_exceeded : exit_done;
+  return exit_code_of_findings(planned->findings);
 }
 
 }  // namespace

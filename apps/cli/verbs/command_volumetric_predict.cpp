@@ -10,6 +10,7 @@
 #include "cli/flags/verb.h"
 #include "cli/verbs/command_volumetric.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/serious.h"
 
 namespace axiometry::cli {
 namespace {
@@ -39,7 +40,7 @@ int run(VolumetricPredictArguments& arguments) {
   if (const int code = finish_experiment(app::present(*test, arguments.outputs.report), arguments.outputs);
       code != exit_done)
     return code;
-  return std::ranges::any_of(test->findings, &volumetric::VolumetricFinding::serious) ? exit_exceeded : exit_done;
+  return exit_code_of_findings(test->findings);
 }
 
 }  // namespace

@@ -31,9 +31,16 @@ constexpr Phrase rows[] = {
      "own",
      "vor {0} springen alle Längen um {1}: Der Strahl war unterbrochen, und die Längen ab dort haben eine eigene "
      "Totstrecke"},
+    {"curves are taken to be smooth, as the lengths of all let it appear: {0}",
+     "die Kurven gelten als glatt, wie es die Längen aller erkennen lassen: {0}"},
+    {"curves are taken to be smooth, as was stated: {0}", "die Kurven gelten als glatt, wie angegeben: {0}"},
     {"dead paths drift with time, by up to {0#} between breaks of the beam; a straight drift of each was taken out",
      "die Totstrecken driften mit der Zeit, um bis zu {0} zwischen Unterbrechungen des Strahls; von jeder ist eine "
      "gerade Drift abgezogen"},
+    {"found Legendre polynomials that are to be smooth, expected b-spline or nodes: polynomials are as smooth as their "
+     "degree",
+     "Legendre-Polynome gefunden, die glatt sein sollen, erwartet b-spline oder nodes: Polynome sind so glatt wie ihr "
+     "Grad"},
     {"found X at {0#} ({1}), expected it within its travel of {2#} to {3#}; are axes, signs or units mixed up?",
      "X bei {0} ({1}) gefunden, erwartet innerhalb des Verfahrwegs von {2} bis {3}; sind Achsen, Vorzeichen oder "
      "Einheiten vertauscht?"},
@@ -43,6 +50,8 @@ constexpr Phrase rows[] = {
     {"found Z at {0#} ({1}), expected it within its travel of {2#} to {3#}; are axes, signs or units mixed up?",
      "Z bei {0} ({1}) gefunden, erwartet innerhalb des Verfahrwegs von {2} bis {3}; sind Achsen, Vorzeichen oder "
      "Einheiten vertauscht?"},
+    {"found a smoothness of {0#}, expected {1#} to {2#} (µm, µrad)",
+     "eine Glattheit von {0} gefunden, erwartet {1} bis {2} (µm, µrad)"},
     {"found all readings at one place of {0=}, expected them spread over its travel",
      "alle Messwerte an einem Ort von {0} gefunden, erwartet über den Verfahrweg verteilt"},
     {"found lengths of station {0=} with tool {1=} that fit when the lengths are read as inches, expected all numbers "
@@ -65,6 +74,8 @@ constexpr Phrase rows[] = {
      "curves",
      "{0} Längen für {1} Unbekannte gefunden, erwartet mehr Längen als Unbekannte: mehr Punkte messen oder einfachere "
      "Kurven verlangen"},
+    {"found {0=}, expected none, auto, or one or two numbers from 0.1 to 1000000 (µm, µrad)",
+     "{0} gefunden, erwartet none, auto oder ein oder zwei Zahlen von 0.1 bis 1000000 (µm, µrad)"},
     {"from station {0=} only {1#} of {2#} points are in sight and in reach with tool {3=}: range, elevation, "
      "incidence, "
      "the safe radius or an obstacle hides the others",
@@ -80,6 +91,10 @@ constexpr Phrase rows[] = {
      "Längen von {0} Stationen lassen Verformungen der Maschine offen, die keine von ihnen ändern; drei Stationen sind "
      "das Mindeste, vier oder mehr sind besser"},
     {"line {0#} of station {1=} with tool {2=}", "Zeile {0} von Station {1} mit Werkzeug {2}"},
+    {"more is told of {0=} by the smoothness than by the lengths: by the lengths alone uncertainties would be up to "
+     "{1#} times as large",
+     "über {0} sagt die Glattheit mehr als die Längen: Aus den Längen allein wären die Unsicherheiten bis zu {1}-mal "
+     "so groß"},
     {"nothing is said of an error that all lengths have in common, as of the wavelength in air or the temperature of "
      "the machine: it would appear in the slopes of EXX, EYY and EZZ, whose uncertainties do not hold it "
      "(scale_u_um_per_m in the machine's file)",
@@ -87,6 +102,14 @@ constexpr Phrase rows[] = {
      "Maschine, "
      "ist nichts gesagt: Er würde in den Steigungen von EXX, EYY und EZZ erscheinen, deren Unsicherheiten ihn nicht "
      "enthalten (scale_u_um_per_m in der Datei der Maschine)"},
+    {"of displacements the smoothness draws {0=} the farthest towards a straight line, by about {1#}; uncertainties "
+     "hold this only as far as the smoothness holds",
+     "von den Verschiebungen zieht die Glattheit {0} am weitesten zu einer Geraden hin, um etwa {1}; die "
+     "Unsicherheiten enthalten das nur, soweit die Glattheit zutrifft"},
+    {"of rotations the smoothness draws {0=} the farthest towards a straight line, by about {1#}; uncertainties hold "
+     "this only as far as the smoothness holds",
+     "von den Drehungen zieht die Glattheit {0} am weitesten zu einer Geraden hin, um etwa {1}; die Unsicherheiten "
+     "enthalten das nur, soweit die Glattheit zutrifft"},
     {"on {0#} way between points the beam is lost and must be found again, which begins a segment",
      "auf {0} Weg zwischen Punkten geht der Strahl verloren und muss neu gefunden werden, womit ein Segment beginnt"},
     {"on {0#} ways between points the beam is lost and must be found again, which begins a segment",
@@ -100,6 +123,15 @@ constexpr Phrase rows[] = {
      "die Messwerte von {0} reichen von {1} bis {2} bei einem Verfahrweg von {3} bis {4}: Kurven sind dort angegeben, "
      "wo "
      "Messwerte sind; über den Rest ist nichts gesagt"},
+    {"slopes of displacements change by {0#} from one end of an axis to the other (standard deviation)",
+     "Steigungen von Verschiebungen ändern sich von einem Ende einer Achse zum anderen um {0} (Standardabweichung)"},
+    {"slopes of displacements change by {0#} from one end of an axis to the other, those of rotations by {1#} "
+     "(standard deviations)",
+     "Steigungen von Verschiebungen ändern sich von einem Ende einer Achse zum anderen um {0}, die von Drehungen um "
+     "{1} (Standardabweichungen)"},
+    {"slopes of rotations change by {0#} from one end of an axis to the other (standard deviation)",
+     "Steigungen von Drehungen ändern sich von einem Ende einer Achse zum anderen um {0} (Standardabweichung)"},
+    {"smoothness: {0}", "Glattheit: {0}"},
     {"station {0=} stands at {1#}, {2#} from where it was said to",
      "Station {0} steht bei {1}, {2} neben dem angegebenen Ort"},
     {"station {0=} with tool {1=} stands about {2#} elsewhere in segment {3=} than in the others: the instrument was "
@@ -110,6 +142,14 @@ constexpr Phrase rows[] = {
      "die Längen bestimmen {0} nicht; {1}: dafür ist kein Wert angegeben"},
     {"the lengths do not tell {0=}; {1}: no number is given for them",
      "die Längen bestimmen {0} nicht; {1}: dafür sind keine Werte angegeben"},
+    {"the lengths show that {0=} bend farther than the smoothness allows, up to {1#} times as far: uncertainties may "
+     "not hold the truth",
+     "die Längen zeigen, dass sich {0} stärker biegen, als die Glattheit zulässt, bis zu {1}-mal so stark: Die "
+     "Unsicherheiten enthalten die Wahrheit womöglich nicht"},
+    {"the lengths show that {0=} bends farther than the smoothness allows, up to {1#} times as far: uncertainties may "
+     "not hold the truth",
+     "die Längen zeigen, dass sich {0} stärker biegt, als die Glattheit zulässt, bis zu {1}-mal so stark: Die "
+     "Unsicherheiten enthalten die Wahrheit womöglich nicht"},
     {"the offset of tool {0=} less that of tool {1=} is wrong by {2#}, as {3#} station shows",
      "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist um {2} falsch, wie {3} Station zeigt"},
     {"the offset of tool {0=} less that of tool {1=} is wrong by {2#}, as {3#} station shows, as if {4}",
@@ -126,6 +166,14 @@ constexpr Phrase rows[] = {
      "aus"},
     {"the residuals are {0#} times as large as the uncertainties of instrument and machine allow (χ²/ν = {1#}): either "
      "these are stated too small, or the machine does something that 21 errors of its axes do not describe, as drift, "
+     "play or bending under load, or its chain is another one, or its curves bend farther than they were taken to; all "
+     "uncertainties were multiplied by {2#}",
+     "die Residuen sind {0} mal so groß, wie die Unsicherheiten von Messgerät und Maschine erlauben (χ²/ν = {1}): "
+     "Entweder sind diese zu klein angegeben, oder die Maschine tut etwas, das 21 Abweichungen ihrer Achsen nicht "
+     "beschreiben, etwa Drift, Spiel oder Verformung unter Last, oder ihre Kette ist eine andere, oder ihre Kurven "
+     "biegen sich stärker als angenommen; alle Unsicherheiten sind mit {2} multipliziert"},
+    {"the residuals are {0#} times as large as the uncertainties of instrument and machine allow (χ²/ν = {1#}): either "
+     "these are stated too small, or the machine does something that 21 errors of its axes do not describe, as drift, "
      "play or bending under load, or its chain is another one; all uncertainties were multiplied by {2#}",
      "die Residuen sind {0} mal so groß, wie die Unsicherheiten von Messgerät und Maschine erlauben (χ²/ν = {1}): "
      "Entweder sind diese zu klein angegeben, oder die Maschine tut etwas, das 21 Abweichungen ihrer Achsen nicht "
@@ -135,6 +183,8 @@ constexpr Phrase rows[] = {
      "too large, and so are all uncertainties",
      "die Residuen sind {0} mal so groß, wie die Unsicherheiten von Messgerät und Maschine erwarten lassen: Diese sind "
      "zu groß angegeben, und damit alle Unsicherheiten"},
+    {"the result from which this was made should not be used as it is: {0}",
+     "das Ergebnis, aus dem dies gemacht ist, sollte nicht so verwendet werden: {0}"},
     {"the stations stand where they were said to only if {0}: axes or signs of the positions, or of the stations, are "
      "mixed up",
      "die Stationen stehen nur dann am angegebenen Ort, wenn {0}: Achsen oder Vorzeichen der Positionen oder der "

@@ -138,7 +138,7 @@ export interface components {
             kind: "lines" | "volumetric";
             /** @description JSON: title, machine, instrument, measured_on, notes; all may be left out. */
             about?: string;
-            /** @description JSON. Of lines as in EvaluationForm; of the 21 errors curves, spans, reversal, drift, find_breaks, find_outliers, parts (of recordings, a list such as 1, 5-8), reversed, recording (as in EvaluationForm). */
+            /** @description JSON. Of lines as in EvaluationForm; of the 21 errors curves, spans, reversal, smoothness, drift, find_breaks, find_outliers, parts (of recordings, a list such as 1, 5-8), reversed, recording (as in EvaluationForm). */
             options?: string;
             /** Format: binary */
             lengths: string;

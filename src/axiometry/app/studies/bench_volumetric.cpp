@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <thread>
 #include <vector>
 
+#include "axiometry/numeric/median.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/volumetric/identify/identification.h"
 #include "axiometry/volumetric/identify/noise_trials.h"
@@ -92,17 +92,19 @@ Result<json::Value> bench_volumetric(const VolumetricBench& bench) {
   options.threads = bench.threads;
   const VolumetricLengths lengths = bench_lengths(machine, bench.observations, bench.seed);
   json::Value value = json::Value::object();
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<double> seconds;
   for (std::size_t run = 0; run < bench.runs; ++run) {
     const auto begin = std::chrono::steady_clock::now();
     AXIOMETRY_TRY(const Identification found, identify(machine, lengths, options));
-    least = std::min(least, seconds_of(begin));
+    seconds.push_back(seconds_of(begin));
     if (run + 1 < bench.runs) continue;
     value.add("observations", bench.observations);
     value.add("unknowns", found.rank.unknowns);
     value.add("threads",
               std::size_t{bench.threads > 0 ? bench.threads : std::max(1u, std::thread::hardware_concurrency())});
-    value.add("seconds", least);
+    value.add("seconds", std::ranges::min(seconds));
+    value.add("median_seconds", numeric::median(seconds));
+    value.add("first_seconds", seconds.front());
     value.add("chi2_per_dof", found.chi_squared_per_dof());
   }
   const VolumetricLengths few = bench_lengths(machine, trial_observations, bench.seed);

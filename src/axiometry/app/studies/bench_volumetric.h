@@ -15,13 +15,14 @@ namespace axiometry::app {
 
 struct VolumetricBench {
   std::size_t observations = 2'000;
-  std::size_t runs = 5;  ///< the least time counts
+  std::size_t runs = 5;  ///< their least, median and first time are told
   unsigned threads = 0;  ///< 0: as many as the machine has
   std::uint64_t seed = 1;
 };
 
-/// observations, unknowns, threads, seconds (start of the stations, solution and covariance of all coefficients),
-/// chi2_per_dof, monte_carlo {trials: 200, observations, seconds}. Fails as volumetric::identify() does.
+/// observations, unknowns, threads, seconds (start of the stations, solution and covariance of all coefficients: the
+/// least of the runs), median_seconds, first_seconds (of a process that has just begun), chi2_per_dof, monte_carlo
+/// {trials: 200, observations, seconds}. Fails as volumetric::identify() does.
 Result<json::Value> bench_volumetric(const VolumetricBench& bench);
 
 }  // namespace axiometry::app

@@ -6,10 +6,11 @@
 
 namespace axiometry::app {
 
-Result<std::string> exported_table(const ExportRequest& request) {
+Result<ExportedTable> exported_table(const ExportRequest& request) {
   AXIOMETRY_TRY_VOID(formats::compensation_named(request.table));
-  AXIOMETRY_TRY(const volumetric::ErrorModel model, model_of_result(request.result));
-  return exported_table(model, request);
+  AXIOMETRY_TRY(KeptModel kept, kept_model(request.result));
+  AXIOMETRY_TRY(std::string text, exported_table(kept.model, request));
+  return ExportedTable{std::move(text), std::move(kept.against)};
 }
 
 Result<std::string> exported_table(const volumetric::ErrorModel& model, const ExportRequest& request) {

@@ -7,6 +7,7 @@
 
 #include "axiometry/base/result.h"
 #include "axiometry/formats/compensation/compensation.h"
+#include "axiometry/model/named_finding.h"
 
 /// The use case "tables of the errors for a control".
 namespace axiometry::app {
@@ -18,9 +19,14 @@ struct ExportRequest {
   std::size_t nodes = 21;  ///< along each axis, 2 to 401
 };
 
-/// The bytes of the table. Fails as the result file, on an id that no table has (the message lists those there are),
+struct ExportedTable {
+  std::string text;                   ///< the bytes of the file
+  std::vector<NamedFinding> against;  ///< what speaks against the result it was made from
+};
+
+/// Fails as the result file, on an id that no table has (the message lists those there are),
 /// and where the lengths do not tell what the table needs.
-Result<std::string> exported_table(const ExportRequest& request);
+Result<ExportedTable> exported_table(const ExportRequest& request);
 
 /// The same of a model that is at hand; request.result is only its name.
 Result<std::string> exported_table(const volumetric::ErrorModel& model, const ExportRequest& request);

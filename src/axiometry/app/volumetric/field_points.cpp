@@ -42,8 +42,9 @@ Result<Vector3> tool_at(const ErrorModel& model, const formats::VolumePoint& poi
 
 }  // namespace
 
-Result<Value> field_at_points(const FieldRequest& request) {
-  AXIOMETRY_TRY(const ErrorModel model, model_of_result(request.result));
+Result<FieldAtPoints> field_at_points(const FieldRequest& request) {
+  AXIOMETRY_TRY(KeptModel kept, kept_model(request.result));
+  const ErrorModel& model = kept.model;
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.points));
   AXIOMETRY_TRY(const formats::VolumePoints file, in_file(formats::read_volume_points(bytes), request.points));
   Value root = Value::object();
@@ -51,7 +52,7 @@ Result<Value> field_at_points(const FieldRequest& request) {
   std::size_t incomplete = 0;
   for (const formats::VolumePoint& point : file.points) {
     if (auto inside = check_inside(model, point); !inside)
-      return in_file(Result<Value>(std::unexpected(inside.error())), request.points);
+      return in_file(Result<FieldAtPoints>(std::unexpected(inside.error())), request.points);
     AXIOMETRY_TRY(const Vector3 tool, in_file(tool_at(model, point), request.points));
     const FieldValue field = model.at(point.axes_mm, tool);
     if (!field.is_whole()) ++incomplete;
@@ -67,14 +68,14 @@ Result<Value> field_at_points(const FieldRequest& request) {
       for (std::size_t k = 0; k < 3; ++k)
         covariance.push(field.error_um[i] && field.error_um[k] ? Value(field.covariance_um2[i][k]) : Value());
   }
-  std::vector<volumetric::VolumetricFinding> findings;
+  std::vector<NamedFinding> findings = std::move(kept.against);
   if (incomplete > 0)
     findings.push_back({"volumetric-unseen-errors", true,
                         fmt::format("at {} of {} points the readings do not tell all components, which are left empty",
                                     incomplete, file.points.size())});
   for (const std::string& remark : file.remarks) findings.push_back({"volumetric-passed-over", false, remark});
   root.add("findings", findings_value(findings));
-  return root;
+  return FieldAtPoints{std::move(root), std::move(findings)};
 }
 
 }  // namespace axiometry::app

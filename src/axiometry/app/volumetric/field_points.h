@@ -5,6 +5,7 @@
 
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
+#include "axiometry/model/named_finding.h"
 
 /// The use case "what the tool point errs at these places".
 namespace axiometry::app {
@@ -14,9 +15,14 @@ struct FieldRequest {
   std::string points;  ///< CSV with tool,x_mm,y_mm,z_mm; "-" is the standard input
 };
 
+struct FieldAtPoints {
+  json::Value value;
+  std::vector<NamedFinding> findings;  ///< that stand in it
+};
+
 /// {"points": [{tool, x_mm, y_mm, z_mm, error_um, covariance_um2}], "findings"} in the order of the file. A component
 /// that the lengths do not tell is null, and its covariances are. Fails, with file and line, as the readers do, on
 /// tools that the machine does not have and points outside of where readings were (to a hundredth of the travel).
-Result<json::Value> field_at_points(const FieldRequest& request);
+Result<FieldAtPoints> field_at_points(const FieldRequest& request);
 
 }  // namespace axiometry::app

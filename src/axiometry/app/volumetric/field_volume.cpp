@@ -85,13 +85,21 @@ Value line_value(const PredictedLine& line) {
 }
 
 Result<FieldVolume> field_volume(const FieldVolumeRequest& request) {
-  AXIOMETRY_TRY(volumetric::ErrorModel model, model_of_result(request.result));
-  return field_volume(std::move(model), request);
+  AXIOMETRY_TRY(KeptModel kept, kept_model(request.result));
+  FieldVolume volume = field_volume(std::move(kept.model), request);
+  volume.findings.insert(volume.findings.begin(), kept.against.begin(), kept.against.end());
+  return volume;
 }
 
 FieldVolume field_volume(volumetric::ErrorModel model, const FieldVolumeRequest& request) {
   std::vector<ToolField> fields = volumetric::tool_fields(model, request.nodes);
-  return {request, std::move(model), std::move(fields)};
+  FieldVolume volume{request, std::move(model), std::move(fields), {}};
+  if (const std::size_t count = untold(volume); count > 0)
+    volume.findings.push_back({"volumetric-unseen-errors", true,
+                               fmt::format("with {} of {} tools the readings do not tell the error of the tool point, "
+                                           "and no number is given for it",
+                                           count, volume.fields.size())});
+  return volume;
 }
 
 Value json_of(const FieldVolume& volume) {
@@ -102,13 +110,7 @@ Value json_of(const FieldVolume& volume) {
   observed.add("highest", vector_value(volume.model.observed().highest_mm));
   Value& tools = root.add("tools", Value::array());
   for (const ToolField& field : volume.fields) tools.push(tool_value(volume, field));
-  std::vector<volumetric::VolumetricFinding> findings;
-  if (const std::size_t count = untold(volume); count > 0)
-    findings.push_back({"volumetric-unseen-errors", true,
-                        fmt::format("with {} of {} tools the readings do not tell the error of the tool point, and no "
-                                    "number is given for it",
-                                    count, volume.fields.size())});
-  root.add("findings", findings_value(findings));
+  root.add("findings", findings_value(volume.findings));
   return root;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axiometry/app/results/experiment.h"
+#include "axiometry/model/named_finding.h"
 #include "axiometry/volumetric/field/tool_fields.h"
 
 /// The use case "how large the error of the tool point is over the volume".
@@ -21,6 +22,7 @@ struct FieldVolume {
   FieldVolumeRequest request;
   volumetric::ErrorModel model;
   std::vector<volumetric::ToolField> fields;
+  std::vector<NamedFinding> findings;
 };
 
 Result<FieldVolume> field_volume(const FieldVolumeRequest& request);

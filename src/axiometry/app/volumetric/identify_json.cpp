@@ -110,6 +110,27 @@ Value stations_value(const IdentifiedMachine& identified) {
   return stations;
 }
 
+/// Null where nothing was taken for known of the curves.
+Value smoothness_value(const IdentifiedMachine& identified) {
+  const auto& smoothed = identified.identification.smoothed;
+  if (!smoothed) return {};
+  const auto names = volumetric::error_names();
+  Value value = Value::object();
+  value.add("stated", identified.request.options.smoothness.kind == volumetric::Smoothness::Kind::stated);
+  value.add("displacement_um", smoothed->displacement_um);
+  value.add("rotation_urad", smoothed->rotation_urad);
+  value.add("unknowns_told_by_it", smoothed->taken);
+  Value& errors = value.add("errors", Value::object());
+  for (const volumetric::SmoothedError& s : smoothed->errors) {
+    Value& error = errors.add(names[s.error], Value::object());
+    error.add("u_ratio", s.u_ratio);
+    error.add("bias", s.bias);
+    error.add("bend_ratio", s.bend_ratio);
+    error.add("chance", s.chance);
+  }
+  return value;
+}
+
 /// Where a reading stands, for a person: its line, or which it is.
 void add_reading(Value& object, const IdentifiedMachine& identified, std::size_t i) {
   const VolumetricReading& reading = identified.lengths.readings[i];
@@ -188,6 +209,7 @@ Value to_json(const IdentifiedMachine& identified) {
     item.add("jump_um", b.jump_um);
   }
   root.add("drift", found.drift);
+  root.add("smoothness", smoothness_value(identified));
   root.add("findings", findings_value(found.findings));
   root.add("model", formats::error_model_value(found.model));
   return root;

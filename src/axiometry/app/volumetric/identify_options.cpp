@@ -24,6 +24,7 @@ using volumetric::CurveKind;
 using volumetric::DriftModel;
 using volumetric::IdentifyOptions;
 using volumetric::Reversal;
+using volumetric::Smoothness;
 
 constexpr double most_spans = 100;
 constexpr std::size_t most_parts = 500;
@@ -61,6 +62,36 @@ Result<void> take_spans(JsonMembers& members, IdentifyOptions& options) {
   return {};
 }
 
+Result<Smoothness> smoothness_of(const std::vector<double>& bends, std::string_view found) {
+  const auto is_bend = [](double x) { return x >= Smoothness::least && x <= Smoothness::most; };
+  if ((bends.size() != 1 && bends.size() != 2) || !std::ranges::all_of(bends, is_bend))
+    return fail(fmt::format("found {}, expected none, auto, or one or two numbers from 0.1 to 1000000 (µm, µrad)",
+                            text::quoted(found)));
+  return Smoothness{Smoothness::Kind::stated, bends.front(), bends.back()};
+}
+
+Result<void> take_smoothness(JsonMembers& members, IdentifyOptions& options) {
+  const Value* value = members.optional("smoothness");
+  if (value == nullptr) return {};
+  Result<Smoothness> taken = Smoothness{};
+  if (value->is(Kind::text)) {
+    taken = parse_smoothness(value->text());
+  } else {
+    std::vector<double> bends;
+    if (value->is(Kind::array)) {
+      for (const Value& item : value->items()) {
+        AXIOMETRY_TRY(bends.emplace_back(), formats::number_in(item, "smoothness"));
+      }
+    } else {
+      AXIOMETRY_TRY(bends.emplace_back(), formats::number_in(*value, "smoothness"));
+    }
+    taken = smoothness_of(bends, json::dump(*value));
+  }
+  if (!taken) return fail("smoothness: " + taken.error().message, value->at());
+  options.smoothness = *taken;
+  return {};
+}
+
 Result<void> take_parts(JsonMembers& members, std::vector<PartRange>& parts) {
   const Value* list = members.optional("parts");
   if (list == nullptr) return {};
@@ -81,7 +112,21 @@ std::string_view word_of(ChoiceWords<Choice> words, Choice choice) {
   return std::ranges::find(words, choice, &std::pair<std::string_view, Choice>::second)->first;
 }
 
+Value smoothness_value(const Smoothness& s) {
+  if (s.kind == Smoothness::Kind::automatic) return "auto";
+  if (s.displacement_um == s.rotation_urad) return s.displacement_um;
+  return Value::array({s.displacement_um, s.rotation_urad});
+}
+
 }  // namespace
+
+Result<Smoothness> parse_smoothness(std::string_view text) {
+  if (text == "none") return Smoothness{};
+  if (text == "auto") return Smoothness{.kind = Smoothness::Kind::automatic};
+  std::vector<double> bends;
+  for (const std::string_view part : text::split(text, ',')) bends.push_back(parse_number(part).value_or(0.0));
+  return smoothness_of(bends, text);
+}
 
 Result<IdentifyChoices> identify_choices_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "options"));
@@ -90,6 +135,7 @@ Result<IdentifyChoices> identify_choices_from(const Value& value) {
   AXIOMETRY_TRY_VOID(take_choice<CurveKind>(members, "curves", curve_words, model.curves));
   AXIOMETRY_TRY_VOID(take_spans(members, model));
   AXIOMETRY_TRY_VOID(take_choice<Reversal>(members, "reversal", reversal_words, model.reversal));
+  AXIOMETRY_TRY_VOID(take_smoothness(members, model));
   AXIOMETRY_TRY_VOID(take_choice<DriftModel>(members, "drift", drift_words, model.drift));
   AXIOMETRY_TRY_VOID(take_switch(members, "find_breaks", model.find_breaks));
   AXIOMETRY_TRY_VOID(take_switch(members, "find_outliers", model.find_outliers));
@@ -111,6 +157,7 @@ Value to_json(const IdentifyChoices& choices, const RecordingTexts& recording) {
     object.add("spans", is_one ? Value(model.sizes[0]) : std::move(spans));
   }
   if (model.reversal != usual.reversal) object.add("reversal", word_of<Reversal>(reversal_words, model.reversal));
+  if (model.smoothness.kind != Smoothness::Kind::none) object.add("smoothness", smoothness_value(model.smoothness));
   if (model.drift != usual.drift) object.add("drift", word_of<DriftModel>(drift_words, model.drift));
   if (!model.find_breaks) object.add("find_breaks", false);
   if (!model.find_outliers) object.add("find_outliers", false);

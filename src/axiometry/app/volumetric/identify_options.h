@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "axiometry/app/recordings/recording_members.h"
@@ -19,13 +20,17 @@ struct IdentifyChoices {
 };
 
 /// {"curves": "b-spline", "legendre" or "nodes", "spans": 8 or [8, 6, 4], "reversal": "none", "constant" or "curves",
-/// "drift": "auto", "none" or "linear", "find_breaks", "find_outliers", "parts": ["1", "5-8"], "reversed", "recording":
-/// {"rate": "1000"}}; all may be left out. Fails, with line and column, on members that are unknown or of another kind,
-/// on spans that are no whole numbers from 1 to 100, on more than 500 parts, and as take_recording() does.
+/// "smoothness": "none", "auto", 5 or [5, 8] (µm, µrad), "drift": "auto", "none" or "linear", "find_breaks",
+/// "find_outliers", "parts": ["1", "5-8"], "reversed", "recording": {"rate": "1000"}}; all may be left out. Fails, with
+/// line and column, on members that are unknown or of another kind, on spans that are no whole numbers from 1 to 100,
+/// on a smoothness beyond its bounds, on more than 500 parts, and as take_recording() does.
 Result<IdentifyChoices> identify_choices_from(const json::Value& value);
 
 /// The same back, but for what is as usual: identify_choices_from() of it is `choices`. `recording` is what
 /// choices.recording was made of.
 json::Value to_json(const IdentifyChoices& choices, const RecordingTexts& recording);
+
+/// "none", "auto", "5" (µm and µrad) or "5,8": what `--smoothness` means.
+Result<volumetric::Smoothness> parse_smoothness(std::string_view text);
 
 }  // namespace axiometry::app

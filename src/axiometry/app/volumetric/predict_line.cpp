@@ -190,8 +190,10 @@ void tell_comparison(PredictedTest& test) {
 }  // namespace
 
 Result<PredictedTest> predict_test(const PredictRequest& request) {
-  AXIOMETRY_TRY(ErrorModel model, model_of_result(request.result));
-  return predict_test(std::move(model), request);
+  AXIOMETRY_TRY(KeptModel kept, kept_model(request.result));
+  AXIOMETRY_TRY(PredictedTest test, predict_test(std::move(kept.model), request));
+  test.findings.insert(test.findings.begin(), kept.against.begin(), kept.against.end());
+  return test;
 }
 
 Result<PredictedTest> predict_test(ErrorModel model, const PredictRequest& request) {

@@ -3,15 +3,31 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/results/named_findings_json.h"
+#include "axiometry/base/json.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
 
 namespace axiometry::app {
 
-Result<volumetric::ErrorModel> model_of_result(const std::string& file) {
+Result<KeptModel> kept_model(const std::string& file) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(file));
-  return in_file(formats::read_error_model(bytes), file);
+  AXIOMETRY_TRY(const json::Value root, in_file(json::parse(bytes), file));
+  AXIOMETRY_TRY(volumetric::ErrorModel model, in_file(formats::error_model_of(root), file));
+  KeptModel kept{std::move(model), {}};
+  for (const KeptFinding& finding : kept_findings(root))
+    if (finding.severity == "serious" && finding.id != "volumetric-unseen-errors")
+      kept.against.push_back(
+          {finding.id, true, "the result from which this was made should not be used as it is: " + finding.message});
+  return kept;
+}
+
+Result<volumetric::ErrorModel> model_of_result(const std::string& file) {
+  AXIOMETRY_TRY(KeptModel kept, kept_model(file));
+  return std::move(kept.model);
 }
 
 Result<std::size_t> tool_of_model(const volumetric::ErrorModel& model, std::string_view name) {

@@ -152,8 +152,10 @@ Value sizes_value(const volumetric::FieldSizes& sizes) {
 
 Result<VolumeCompensation> compensate_volume(const VolumeCompensationRequest& request) {
   AXIOMETRY_TRY_VOID(check_request(request.how));
-  AXIOMETRY_TRY(const ErrorModel model, model_of_result(request.result));
-  return in_file(compensate_volume(model, request), request.result);
+  AXIOMETRY_TRY(const KeptModel kept, kept_model(request.result));
+  AXIOMETRY_TRY(VolumeCompensation made, in_file(compensate_volume(kept.model, request), request.result));
+  made.findings.insert(made.findings.begin(), kept.against.begin(), kept.against.end());
+  return made;
 }
 
 Result<VolumeCompensation> compensate_volume(const ErrorModel& model, const VolumeCompensationRequest& request) {

@@ -187,6 +187,10 @@ Result<ErrorModel> error_model_from(const Value& value) {
 
 Result<ErrorModel> read_error_model(std::string_view bytes) {
   AXIOMETRY_TRY(const Value root, json::parse(bytes));
+  return error_model_of(root);
+}
+
+Result<ErrorModel> error_model_of(const Value& root) {
   const Value* model = root.is(Kind::object) ? root.find("model") : nullptr;
   if (model == nullptr)
     return fail("found no member \"model\", expected the result of 'axiometry volumetric identify --out'", root.at());

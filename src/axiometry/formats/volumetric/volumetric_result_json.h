@@ -24,5 +24,6 @@ json::Value volumetric_result_schema();
 
 /// Of the member "model" of a result file.
 Result<volumetric::ErrorModel> read_error_model(std::string_view bytes);
+Result<volumetric::ErrorModel> error_model_of(const json::Value& result);
 
 }  // namespace axiometry::formats

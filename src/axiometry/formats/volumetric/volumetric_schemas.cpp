@@ -160,6 +160,8 @@ Value volumetric_result_schema() {
                 {"unseen", list_of(object({{"type", "string"}}), "Errors that have no number.")},
                 {"chi2_per_dof", number_or_null("Near 1 where uncertainties are stated right.")},
                 {"stations", list_of(std::move(station), "For each station and tool.")},
+                {"smoothness", object({{"type", Value::array({"object", "null"})},
+                                       {"description", "What was taken for known of the curves; docs/results.md."}})},
                 {"findings", list_of(finding(), "Serious ones first.")},
                 {"model", std::move(model)}})},
        {"required",

@@ -240,6 +240,10 @@ class VolumetricComposition {
         ". Each station has a place of its own with each tool, so that a wrong offset of a tool enters as a lever "
         "alone. "
         "Covariances are multiplied by χ²/ν where that is above 1.";
+    if (s_.found.smoothed)
+      text +=
+          " To the squares of the residuals are added those of how far curves bend, over what the findings say of it: "
+          "both together are least.";
     return {"method", "Method", false, {Paragraph{plain(text)}}};
   }
 

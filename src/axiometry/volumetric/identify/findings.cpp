@@ -10,6 +10,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/chi_square.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
+#include "axiometry/volumetric/machine/error_motion.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 constexpr double aside_share_most = 0.02;
 constexpr double chance_least = 1e-3;
 constexpr double ratio_serious = 4.0;
+constexpr double decided_u_ratio = 1.4142135623730951;  // √2: half of what is known of a curve
 
 std::string reading_text(const VolumetricLengths& lengths, std::size_t i) {
   const VolumetricReading& r = lengths.readings[i];
@@ -54,8 +56,9 @@ void add_scatter(const Identification& result, std::vector<VolumetricFinding>& f
          fmt::format("the residuals are {:.2f} times as large as the uncertainties of instrument and machine allow "
                      "(χ²/ν = {:.2f}): either these are stated too small, or the machine does something that 21 errors "
                      "of its axes do not describe, as drift, play or bending under load, or its chain is another "
-                     "one; all uncertainties were multiplied by {:.2f}",
-                     std::sqrt(ratio), ratio, std::sqrt(ratio))});
+                     "one{}; all uncertainties were multiplied by {:.2f}",
+                     std::sqrt(ratio), ratio,
+                     result.smoothed ? ", or its curves bend farther than they were taken to" : "", std::sqrt(ratio))});
     return;
   }
   if (ratio < 0.5)
@@ -136,6 +139,70 @@ void add_copies(const Identifier& done, std::vector<VolumetricFinding>& findings
                                   copies == 1 ? " is a copy" : "s are copies", copies == 1 ? "s" : "")});
 }
 
+std::string smoothness_text(const SmoothedCurves& smoothed) {
+  const auto is_displacement = [](const SmoothedError& s) { return s.error % motion_count < first_rotation; };
+  const auto displacements = std::ranges::count_if(smoothed.errors, is_displacement);
+  const bool has_rotations = displacements < std::ssize(smoothed.errors);
+  if (displacements > 0 && has_rotations)
+    return fmt::format(
+        "slopes of displacements change by {:.1f} µm from one end of an axis to the other, those of rotations by "
+        "{:.1f} "
+        "µrad (standard deviations)",
+        smoothed.displacement_um, smoothed.rotation_urad);
+  return fmt::format("slopes of {} change by {:.1f} {} from one end of an axis to the other (standard deviation)",
+                     has_rotations ? "rotations" : "displacements",
+                     has_rotations ? smoothed.rotation_urad : smoothed.displacement_um, has_rotations ? "µrad" : "µm");
+}
+
+/// The farthest drawn displacement, or rotation.
+void add_bias(const SmoothedCurves& smoothed, bool of_rotations, std::vector<VolumetricFinding>& findings) {
+  const SmoothedError* farthest = nullptr;
+  for (const SmoothedError& s : smoothed.errors)
+    if ((s.error % motion_count >= first_rotation) == of_rotations && (farthest == nullptr || s.bias > farthest->bias))
+      farthest = &s;
+  if (farthest == nullptr) return;
+  findings.push_back({"volumetric-smoothness-bias", false,
+                      fmt::format("of {} the smoothness draws {} the farthest towards a straight line, by about {:.2f} "
+                                  "{}; uncertainties hold this only as far as the smoothness holds",
+                                  of_rotations ? "rotations" : "displacements", error_names()[farthest->error],
+                                  farthest->bias, of_rotations ? "µrad" : "µm")});
+}
+
+/// What was taken for known of the curves, what rests on it, and what speaks against it.
+void add_smoothness(const Smoothness& asked, const Identification& result, std::vector<VolumetricFinding>& findings) {
+  if (!result.smoothed || result.smoothed->errors.empty()) return;
+  const SmoothedCurves& smoothed = *result.smoothed;
+  const char* how = asked.kind == Smoothness::Kind::stated ? "as was stated" : "as the lengths of all let it appear";
+  findings.push_back({"volumetric-smoothness", false,
+                      fmt::format("curves are taken to be smooth, {}: {}", how, smoothness_text(smoothed))});
+  std::vector<std::size_t> decided, contradicted;
+  double ratio = 1.0, bend = 1.0;
+  for (const SmoothedError& s : smoothed.errors) {
+    if (s.u_ratio > decided_u_ratio) {
+      decided.push_back(s.error);
+      ratio = std::max(ratio, s.u_ratio);
+    }
+    if (s.bend_ratio > 1.0 && s.chance < chance_least / static_cast<double>(smoothed.errors.size())) {
+      contradicted.push_back(s.error);
+      bend = std::max(bend, s.bend_ratio);
+    }
+  }
+  if (!decided.empty())
+    findings.push_back({"volumetric-smoothness-decides", false,
+                        fmt::format("more is told of {} by the smoothness than by the lengths: by the lengths alone "
+                                    "uncertainties would be up to {:.1f} times as large",
+                                    error_list(decided), ratio)});
+  if (contradicted.empty()) {  // of curves that were flattened too far, what they bend tells less than was taken away
+    add_bias(smoothed, false, findings);
+    add_bias(smoothed, true, findings);
+  } else {
+    findings.push_back({"volumetric-smoothness-contradicted", true,
+                        fmt::format("the lengths show that {} bend{} farther than the smoothness allows, up to {:.1f} "
+                                    "times as far: uncertainties may not hold the truth",
+                                    error_list(contradicted), contradicted.size() == 1 ? "s" : "", bend)});
+  }
+}
+
 void add_scale(const MachineModel& machine, std::vector<VolumetricFinding>& findings) {
   if (machine.scale_uncertainty) return;
   findings.push_back(
@@ -159,6 +226,7 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_domain(done, machine, findings);
   add_places(done, lengths, findings);
   add_copies(done, findings);
+  add_smoothness(done.smoothness(), result, findings);
   add_scale(machine, findings);
   std::ranges::stable_partition(findings, [](const VolumetricFinding& f) { return f.serious; });
   return findings;

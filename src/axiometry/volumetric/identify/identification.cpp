@@ -8,6 +8,7 @@
 #include "axiometry/volumetric/identify/findings.h"
 #include "axiometry/volumetric/identify/identifier.h"
 #include "axiometry/volumetric/identify/shape_rank.h"
+#include "axiometry/volumetric/identify/smoothing.h"
 
 namespace axiometry::volumetric {
 namespace {
@@ -85,16 +86,24 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   AXIOMETRY_TRY_VOID(done.run());
   const Fit& fit = done.fit();
   const std::size_t told = fit.solution.unknowns() - fit.solution.null_directions();
-  const std::size_t dof = done.count() > told ? done.count() - told : 0;
+  std::vector<double> covariance = fit.solution.coefficient_covariance();
+  std::optional<SmoothedCurves> smoothed;
+  if (done.penalty())
+    smoothed = detail::smoothed_curves(*done.penalty(), done.coefficients(), fit, covariance, done.plain_variances());
+  // Of what the smoothness tells, whole unknowns only: fewer degrees of freedom make uncertainties larger.
+  const std::size_t fitted = told - (smoothed ? static_cast<std::size_t>(smoothed->taken) : 0);
+  const std::size_t dof = done.count() > fitted ? done.count() - fitted : 0;
   const double ratio = dof > 0 ? fit.chi_squared / static_cast<double>(dof) : 1.0;
   const double factor = std::max(1.0, ratio);
-  std::vector<double> covariance = times(fit.solution.coefficient_covariance(), factor);
-  detail::add_common_scale(done.problem(), fit.state, fit.beams, fit.solution, covariance);
+  std::vector<double> scaled = times(covariance, factor);
+  if (smoothed && options.smoothness.kind == Smoothness::Kind::automatic)
+    scaled = detail::with_bend_uncertainty(*done.penalty(), done.coefficients(), fit, covariance, std::move(scaled));
+  detail::add_common_scale(done.problem(), fit.state, fit.beams, fit.solution, scaled);
   std::vector<std::vector<double>> unseen = fit.solution.unseen();
   const auto by_shape = detail::told_by_shape_alone(done.problem(), fit.state);
   unseen.insert(unseen.end(), by_shape.begin(), by_shape.end());
-  ErrorModel model({machine, done.coefficients(), fit.state.coefficients, std::move(covariance), std::move(unseen),
-                    done.observed()});
+  ErrorModel model(
+      {machine, done.coefficients(), fit.state.coefficients, std::move(scaled), std::move(unseen), done.observed()});
   Identification result{.model = std::move(model),
                         .stations = stations_of(done, lengths, factor),
                         .stretches = stretches_of(done),
@@ -108,6 +117,7 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
                                  std::max(fit.solution.null_directions(), by_shape.size()), fit.solution.condition()},
                         .iterations = fit.iterations,
                         .drift = done.drift(),
+                        .smoothed = std::move(smoothed),
                         .findings = {}};
   result.findings = detail::findings_of(done, machine, lengths, result);
   return result;

@@ -23,11 +23,28 @@ enum class DriftModel {
   linear,
 };
 
+/// What is taken for known of how far curves bend, beside the lengths: nothing, or that the slope of each changes over
+/// its range by a normal deviate of some standard deviation (docs/theory/volumetric.md, "Smooth curves").
+struct Smoothness {
+  enum class Kind {
+    none,       ///< curves follow the lengths alone
+    automatic,  ///< as the lengths let all curves together appear (restricted maximum likelihood)
+    stated,
+  };
+  /// Bounds of what is stated, and found: below the least a curve is straight for every purpose.
+  static constexpr double least = 0.1, most = 1e6;
+
+  Kind kind = Kind::none;
+  double displacement_um = 0.0;  ///< stated: that standard deviation, µm from one end of the range to the other
+  double rotation_urad = 0.0;    ///< likewise of rotations, µrad
+};
+
 struct IdentifyOptions {
   CurveKind curves = CurveKind::spline;
   /// Spans, or degree, of X, Y, Z; 0: as many as the readings support (smallest corrected Akaike criterion).
   std::array<std::size_t, axis_count> sizes{};
   Reversal reversal = Reversal::none;
+  Smoothness smoothness = {};  ///< not of Legendre polynomials, which are as smooth as their degree
   DriftModel drift = DriftModel::automatic;
   bool find_breaks = true;    ///< look for breaks of the beam that the file does not tell
   bool find_outliers = true;  ///< set readings aside that no model explains
@@ -72,6 +89,22 @@ struct VolumetricRank {
   double condition = 0.0;           ///< of the scaled rows
 };
 
+/// One of the 18 curves that was taken to be smooth.
+struct SmoothedError {
+  std::size_t error = 0;    ///< in the order of error_names()
+  double u_ratio = 1.0;     ///< mean standard uncertainty by the lengths alone over that with the smoothness
+  double bias = 0.0;        ///< the most by which the smoothness draws it towards a straight line, µm or µrad
+  double bend_ratio = 1.0;  ///< what it was found to bend over what the smoothness lets expect, as a ratio of rms
+  double chance = 1.0;      ///< that it were found to bend as far, if the smoothness held
+};
+
+struct SmoothedCurves {
+  double displacement_um = 0.0;  ///< as stated, or as found
+  double rotation_urad = 0.0;
+  double taken = 0.0;  ///< so many unknowns the smoothness tells, not the lengths
+  std::vector<SmoothedError> errors;
+};
+
 using VolumetricFinding = NamedFinding;
 
 struct Identification {
@@ -87,6 +120,7 @@ struct Identification {
   VolumetricRank rank;
   std::size_t iterations = 0;
   bool drift = false;                       ///< whether dead paths drift in the model
+  std::optional<SmoothedCurves> smoothed;   ///< absent: nothing was taken for known of the curves
   std::vector<VolumetricFinding> findings;  ///< serious ones first
 
   double chi_squared_per_dof() const {
@@ -98,8 +132,8 @@ struct Identification {
 
 /// Readings are in the order of measurement. Fails, with the numbers, on tools that the machine does not have, places
 /// outside of the travel, lengths that are not finite, stations with too few readings or whose place cannot be found,
-/// no more readings than unknowns, and when it does not converge. Errors that the lengths do not tell are no failure:
-/// the model has no number for them, and a finding says why.
+/// no more readings than unknowns, polynomials that are to be smooth, and when it does not converge. Errors that the
+/// lengths do not tell are no failure: the model has no number for them, and a finding says why.
 Result<Identification> identify(const MachineModel& machine, const VolumetricLengths& lengths,
                                 const IdentifyOptions& options);
 

@@ -123,6 +123,23 @@ TEST(Identify, GivesNoNumberForWhatOneToolCannotTell) {
   EXPECT_THAT(unseen->message, HasSubstr("the same tool point"));
 }
 
+/// An axis comes to its ends from one side alone: fine curves of both directions ask for what no length says there.
+TEST(Identify, ChoosesNoCurvesSoFineThatLengthsTellLess) {
+  for (const unsigned seed : {1u, 2u}) {
+    TrueMachine machine("XYFZ", seed);
+    machine.model.repeatability = Length::um(0.05);
+    const VolumetricLengths lengths = measured(machine, four_stations(), {.points = 140});
+    IdentifyOptions fine = with_spans(12);
+    fine.reversal = Reversal::curves;
+    const auto asked = identify(machine.model, lengths, fine);
+    ASSERT_TRUE(asked) << asked.error().message;
+    EXPECT_FALSE(unseen_names(*asked).empty()) << seed;  // as it was asked for
+    const auto chosen = identify(machine.model, lengths, {.reversal = Reversal::curves});
+    ASSERT_TRUE(chosen) << chosen.error().message;
+    EXPECT_THAT(unseen_names(*chosen), testing::IsEmpty()) << seed;
+  }
+}
+
 /// Straight lines between nodes, and polynomials of a low degree, cannot bend as that what one tool cannot tell.
 TEST(Identify, TakesTheShapeOfItsCurvesForNothingThatWasMeasured) {
   TrueMachine machine("FXYZ", 5);

@@ -11,6 +11,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/volumetric/identify/smoothing.h"
 #include "axiometry/volumetric/identify/station_start.h"
 #include "axiometry/volumetric/identify/thinned_problem.h"
 
@@ -20,8 +21,7 @@ namespace {
 constexpr std::size_t outlier_rounds = 6;
 constexpr std::size_t huber_rounds = 8;
 constexpr double drift_chance_most = 1e-3;
-constexpr std::size_t choice_readings_most = 40'000;  // sizes of curves are chosen on so many
-constexpr std::size_t readings_for_unknown = 20;      // for a start
+constexpr std::size_t readings_for_unknown = 20;  // for a start
 constexpr std::size_t many_times_enough = 4;
 constexpr double travel_slack_mm = 0.01;  // what programs are rounded to, and more
 
@@ -39,6 +39,7 @@ std::string place_of(const VolumetricReading& reading, std::size_t i) {
 
 Result<Identifier> Identifier::make(const MachineModel& machine, const VolumetricLengths& lengths,
                                     const IdentifyOptions& options) {
+  AXIOMETRY_TRY_VOID(check_smoothness(options));
   Identifier identifier(machine, lengths, options);
   AXIOMETRY_TRY_VOID(identifier.check_readings());
   identifier.find_copies();
@@ -131,7 +132,9 @@ std::size_t Identifier::threads() const {
 }
 
 Problem Identifier::problem() const {
-  return {machine_, *coefficients_, *unknowns_, lengths_.readings, tools_mm_, approaches_, weights_, threads()};
+  return {machine_,          *coefficients_, *unknowns_,
+          lengths_.readings, tools_mm_,      approaches_,
+          weights_,          threads(),      penalty_ ? &*penalty_ : nullptr};
 }
 
 std::size_t Identifier::count() const {
@@ -266,51 +269,6 @@ Result<void> Identifier::find_outliers() {
   return {};
 }
 
-std::optional<double> Identifier::criterion(const Sizes& sizes) const {
-  const auto coefficients = coefficients_of(sizes);
-  if (!coefficients) return std::nullopt;
-  const Unknowns unknowns = unknowns_of(*coefficients, lengths_.readings, breaks_, drift_);
-  State state = fit_->state;
-  state.coefficients.assign(coefficients->raw(), 0.0);
-  const std::size_t step = lengths_.readings.size() / choice_readings_most + 1;
-  std::vector<std::size_t> some;
-  std::size_t used = 0;
-  for (std::size_t i = 0; i < weights_.size(); i += step) {
-    some.push_back(i);
-    if (weights_[i] > 0.0) ++used;
-  }
-  if (used < coefficients->free() + unknowns.columns - coefficients->raw() + 2) return std::nullopt;
-  const ThinnedProblem few(
-      {machine_, *coefficients, unknowns, lengths_.readings, tools_mm_, approaches_, weights_, threads()}, some);
-  const auto fit = least_squares(few.problem(), std::move(state));
-  if (!fit) return std::nullopt;
-  return akaike(fit->chi_squared, used, fit->solution.unknowns() - fit->solution.null_directions());
-}
-
-/// The criterion takes the fewest spans that the residuals allow, and what these leave out is in no covariance: one
-/// step finer, where there are at least twice as many lengths as unknowns then (docs/studies/volumetric-coverage.md).
-Sizes Identifier::with_margin(Sizes sizes) const {
-  const Sizes least = sizes;
-  for (std::size_t a = 0; a < axis_count; ++a) {
-    const auto finer = std::ranges::upper_bound(supported_[a], sizes[a]);
-    if (finer != supported_[a].end()) sizes[a] = *finer;
-  }
-  const auto coefficients = coefficients_of(sizes);
-  const std::size_t others = unknowns_->columns - coefficients_->raw();
-  return coefficients && count() >= 2 * (coefficients->free() + others) ? sizes : least;
-}
-
-Result<void> Identifier::choose_sizes() {
-  const bool all_given = std::ranges::none_of(options_.sizes, [](std::size_t size) { return size == 0; });
-  if (all_given) return {};
-  const Sizes least = chosen_sizes(supported_, [this](const Sizes& sizes) { return criterion(sizes); });
-  const Sizes chosen = with_margin(least);
-  if (chosen == sizes_) return {};
-  AXIOMETRY_TRY_VOID(take_sizes(chosen));
-  AXIOMETRY_TRY_VOID(start());
-  return refit();
-}
-
 Result<void> Identifier::find_drift() {
   if (options_.drift == DriftModel::none || drift_) return {};
   if (options_.drift == DriftModel::automatic && drift_chance(problem(), fit_->residuals_um) > drift_chance_most)
@@ -368,7 +326,8 @@ Result<void> Identifier::run() {
     if (round == 0 || breaks_.size() > breaks || drift_ != drift) AXIOMETRY_TRY_VOID(choose_sizes());
   }
   AXIOMETRY_TRY_VOID(find_outliers());
-  return drop_unclear_breaks();
+  AXIOMETRY_TRY_VOID(drop_unclear_breaks());
+  return smooth();
 }
 
 }  // namespace axiometry::volumetric::detail

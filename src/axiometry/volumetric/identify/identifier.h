@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "axiometry/volumetric/identify/anomalies.h"
+#include "axiometry/volumetric/identify/curvature_penalty.h"
 #include "axiometry/volumetric/identify/curve_choice.h"
 #include "axiometry/volumetric/identify/identification.h"
 #include "axiometry/volumetric/identify/least_squares.h"
@@ -19,7 +20,8 @@ class Identifier {
   static Result<Identifier> make(const MachineModel& machine, const VolumetricLengths& lengths,
                                  const IdentifyOptions& options);
 
-  /// Breaks, readings set aside, sizes of the curves, drift; then the last fit.
+  /// Breaks, readings set aside, sizes of the curves, drift, all by the lengths alone; then smooth curves where they
+  /// are asked for; then the last fit.
   Result<void> run();
 
   const std::vector<std::size_t>& breaks() const { return breaks_; }
@@ -32,7 +34,10 @@ class Identifier {
   const TravelBox& observed() const { return observed_; }
   const std::vector<double>& weights() const { return weights_; }
   bool drift() const { return drift_; }
-  std::size_t count() const;  ///< of readings that are used
+  const std::optional<CurvaturePenalty>& penalty() const { return penalty_; }
+  const Smoothness& smoothness() const { return options_.smoothness; }
+  const PerCurve& plain_variances() const { return plain_variances_; }  ///< without the penalty, before φ
+  std::size_t count() const;                                            ///< of readings that are used
   bool is_copy(std::size_t reading) const { return is_copy_[reading]; }
   std::size_t copies() const;  ///< readings that are written twice
   Problem problem() const;
@@ -45,7 +50,12 @@ class Identifier {
   void take_approaches();
   Result<void> choose_first_sizes();
   Result<void> choose_sizes();
-  Sizes with_margin(Sizes sizes) const;
+  struct Trial {
+    double akaike = 0.0;
+    std::vector<std::size_t> unseen;  ///< errors, rising
+  };
+  std::optional<Trial> trial(const Sizes& sizes) const;
+  Sizes with_margin(Sizes sizes, const std::optional<Trial>& coarsest) const;
   Result<Coefficients> coefficients_of(const Sizes& sizes) const;
   Result<void> take_sizes(const Sizes& sizes);
   Result<void> start();
@@ -59,9 +69,11 @@ class Identifier {
   Result<void> find_drift();
   Result<void> fit_with_drift(bool drift);
   Result<void> find_drift_and_breaks();
+  Result<void> take_finer_sizes();
+  Result<void> smooth();
   bool set_aside_beyond_limit();
   std::vector<double> stated_weights() const;
-  std::optional<double> criterion(const Sizes& sizes) const;
+  std::optional<double> criterion(const Sizes& sizes, const std::optional<Trial>& coarsest) const;
   std::size_t unknown_count() const;  ///< under the gauge
   std::size_t threads() const;
 
@@ -82,6 +94,8 @@ class Identifier {
   std::optional<Unknowns> unknowns_;
   std::optional<State> state_;  ///< start of the next fit
   std::optional<Fit> fit_;
+  std::optional<CurvaturePenalty> penalty_;
+  PerCurve plain_variances_{};
 };
 
 }  // namespace axiometry::volumetric::detail

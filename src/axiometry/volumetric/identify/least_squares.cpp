@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "axiometry/numeric/median.h"
+#include "axiometry/volumetric/identify/curvature_penalty.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
@@ -36,39 +37,57 @@ double farthest(std::span<const Vector3> from, std::span<const Vector3> to) {
   return most;
 }
 
+/// Sights with the gradient of all that is made least: χ² and the penalty.
+struct Look {
+  Sights seen;
+  double chi_squared = 0.0;
+  double penalty = 0.0;
+
+  double sum() const { return chi_squared + penalty; }
+};
+
+Look look(const Problem& problem, const State& state) {
+  Look look{sights(problem, state)};
+  look.chi_squared = chi_squared(problem, look.seen.residuals_um);
+  if (problem.penalty == nullptr) return look;
+  const std::vector<double> pull = problem.penalty->times(state.coefficients);
+  for (std::size_t k = 0; k < pull.size(); ++k) look.seen.gradient[k] -= pull[k];
+  look.penalty = problem.penalty->value(state.coefficients);
+  return look;
+}
+
 }  // namespace
 
 Result<Fit> least_squares(const Problem& problem, State state) {
-  Sights seen = sights(problem, state);
-  double chi = chi_squared(problem, seen.residuals_um);
+  Look now = look(problem, state);
   std::vector<Vector3> linearised_at = state.stations_mm;
-  LinearSolution solution = linear_solution(problem, state, normal_equations(problem, seen));
+  LinearSolution solution = linear_solution(problem, state, normal_equations(problem, now.seen));
   double before = 0.0;
   for (std::size_t step_number = 1; step_number <= steps_most; ++step_number) {
-    std::vector<double> step = solution.step(seen.gradient);
+    std::vector<double> step = solution.step(now.seen.gradient);
     double decrease = 0.0;
-    for (std::size_t k = 0; k < step.size(); ++k) decrease += step[k] * seen.gradient[k];
+    for (std::size_t k = 0; k < step.size(); ++k) decrease += step[k] * now.seen.gradient[k];
     const double size = std::sqrt(std::max(0.0, decrease));
     if (!std::isfinite(size)) break;
     if (size < converged_step) {
       apply(problem.unknowns, step, state);
-      return Fit{std::move(state), std::move(seen.residuals_um), std::move(seen.beams), std::move(solution), chi,
-                 step_number};
+      return Fit{std::move(state),          std::move(now.seen.residuals_um),
+                 std::move(now.seen.beams), std::move(solution),
+                 now.chi_squared,           step_number};
     }
     const State from = state;
-    const double chi_before = chi;
+    const double sum_before = now.sum();
     for (int halved = 0;; ++halved) {
       state = from;
       apply(problem.unknowns, step, state);
-      seen = sights(problem, state);
-      chi = chi_squared(problem, seen.residuals_um);
-      if (chi <= chi_before * (1.0 + 1e-9) + 1e-9 || halved == halvings_most) break;
+      now = look(problem, state);
+      if (now.sum() <= sum_before * (1.0 + 1e-9) + 1e-9 || halved == halvings_most) break;
       for (double& x : step) x *= 0.5;
     }
     const bool is_far = farthest(linearised_at, state.stations_mm) > moved_far_mm;
     if (is_far || (before > 0.0 && size > slow * before)) {
       linearised_at = state.stations_mm;
-      solution = linear_solution(problem, state, normal_equations(problem, seen));
+      solution = linear_solution(problem, state, normal_equations(problem, now.seen));
     }
     before = size;
   }

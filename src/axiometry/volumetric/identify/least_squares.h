@@ -23,7 +23,8 @@ struct Fit {
 /// 1e-4 of the step), which is made anew when a station moved by more than 1 mm or steps shrink slowly. A step that
 /// makes χ² larger is halved. Ends with a step that is below 1e-4 in standard uncertainties, √(gᵀN⁻¹g), and is taken
 /// still: what it leaves is less by as much as steps shrink, 1e-8 where 1e-4 is usual. Residuals are those before it,
-/// which are off by less than 1e-4 σ. Fails when there is none in 60 steps.
+/// which are off by less than 1e-4 σ. Of curves that are to be smooth, what their penalty adds is part of what is made
+/// least, and no part of χ². Fails when there is none in 60 steps.
 Result<Fit> least_squares(const Problem& problem, State start);
 
 /// Robust scale of normalised residuals v/σ: 1.4826 times the median of their sizes, at least 1.

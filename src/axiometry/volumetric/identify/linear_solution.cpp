@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+
+#include "axiometry/volumetric/field/error_model.h"
+#include "axiometry/volumetric/identify/curvature_penalty.h"
 
 #include "axiometry/numeric/dense/dense.h"
 
@@ -185,6 +189,7 @@ bool LinearSolution::is_doubtful() const {
   return !factors_->has_factor() || !(factors_->cholesky.rcond() > null_most);
 }
 
+std::size_t LinearSolution::columns() const { return factors_->raw_columns; }
 std::size_t LinearSolution::unknowns() const { return factors_->scaled.kept.size(); }
 std::size_t LinearSolution::null_directions() const { return static_cast<std::size_t>(factors_->nulls.cols()); }
 
@@ -233,6 +238,13 @@ Matrix3 LinearSolution::block(std::size_t column) const {
   return block;
 }
 
+NullDirections LinearSolution::null_basis() const {
+  NullDirections basis;
+  for (Index k = 0; k < factors_->directions.cols(); ++k)
+    basis.emplace_back(factors_->directions.col(k).begin(), factors_->directions.col(k).end());
+  return basis;
+}
+
 std::vector<std::vector<double>> LinearSolution::unseen() const {
   const Factors& f = *factors_;
   std::vector<std::vector<double>> directions;
@@ -249,6 +261,14 @@ std::vector<std::vector<double>> LinearSolution::unseen() const {
   return directions;
 }
 
+std::vector<std::size_t> LinearSolution::unseen_errors() const {
+  std::set<std::size_t> errors;
+  for (const std::vector<double>& direction : unseen())
+    for (std::size_t k = 0; k < direction.size(); ++k)
+      if (std::abs(direction[k]) > told_most) errors.insert(factors_->coefficients.error_of(k));
+  return {errors.begin(), errors.end()};
+}
+
 NullDirections null_directions(const Coefficients& coefficients, NormalEquations equations) {
   const Scaled s = scaled(coefficients, std::move(equations));
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(s.matrix);
@@ -263,9 +283,12 @@ NullDirections null_directions(const Coefficients& coefficients, NormalEquations
 
 LinearSolution linear_solution(const Problem& problem, const State& state, const NormalEquations& equations) {
   LinearSolution solution(problem.coefficients, equations);
-  if (!solution.is_doubtful()) return solution;
-  NullDirections nulls = null_directions(
-      problem.coefficients, normal_equations(problem, sights(problem, with_stations_joined(problem, state))));
+  NullDirections nulls;
+  if (solution.is_doubtful())
+    nulls = null_directions(problem.coefficients,
+                            normal_equations(problem, sights(problem, with_stations_joined(problem, state))));
+  if (problem.penalty != nullptr)
+    return LinearSolution(problem.coefficients, problem.penalty->added_to(equations), std::move(nulls));
   if (nulls.empty()) return solution;
   return LinearSolution(problem.coefficients, equations, std::move(nulls));
 }

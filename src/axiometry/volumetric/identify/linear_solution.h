@@ -27,6 +27,7 @@ class LinearSolution {
   /// than the least eigenvalue) is below what null_directions() asks for, or there is no factor.
   bool is_doubtful() const;
 
+  std::size_t columns() const;          ///< of the normal equations
   std::size_t unknowns() const;         ///< under the gauge, stations and dead paths included
   std::size_t null_directions() const;  ///< of which the lengths say nothing
   /// Largest over smallest singular value of the scaled rows, beside the null directions; found anew at each call.
@@ -39,8 +40,13 @@ class LinearSolution {
   std::vector<double> coefficient_covariance() const;
   Matrix3 block(std::size_t column) const;
 
+  /// As they were given.
+  NullDirections null_basis() const;
+
   /// The null directions as raw coefficients, of length 1; those of stations alone are left out.
   std::vector<std::vector<double>> unseen() const;
+  /// Errors that a null direction changes, in the order of error_names(), rising.
+  std::vector<std::size_t> unseen_errors() const;
 
  private:
   struct Factors;
@@ -52,7 +58,8 @@ class LinearSolution {
 /// direction, splines that imitate one less well up to 1e-9, the weakest set-ups that tell all 1e-6.
 NullDirections null_directions(const Coefficients& coefficients, NormalEquations equations);
 
-/// At a state. Where the factor is doubtful, the null directions are those with stations joined.
+/// At a state. Where the factor of the lengths alone is doubtful, the null directions are those with stations joined.
+/// A penalty tells nothing that the lengths do not: it is added when the null directions are known.
 LinearSolution linear_solution(const Problem& problem, const State& state, const NormalEquations& equations);
 
 }  // namespace axiometry::volumetric::detail

@@ -13,15 +13,18 @@
 /// with u from the station to the reflector. µm, µrad, levers in m. Internal to identify().
 namespace axiometry::volumetric::detail {
 
+class CurvaturePenalty;
+
 struct Problem {
   const MachineModel& machine;
   const Coefficients& coefficients;
   const Unknowns& unknowns;
   std::span<const VolumetricReading> readings;
-  std::span<const Vector3> tools_mm;       ///< of the tools of the readings
-  std::span<const Approaches> approaches;  ///< per reading; empty without reversal
-  std::span<const double> weights;         ///< per reading: 1/σ², 1/µm²; 0 leaves it out
-  std::size_t threads = 1;                 ///< does not change the result
+  std::span<const Vector3> tools_mm;          ///< of the tools of the readings
+  std::span<const Approaches> approaches;     ///< per reading; empty without reversal
+  std::span<const double> weights;            ///< per reading: 1/σ², 1/µm²; 0 leaves it out
+  std::size_t threads = 1;                    ///< does not change the result
+  const CurvaturePenalty* penalty = nullptr;  ///< of curves that are to be smooth
 
   Vector3 tool_mm(std::size_t i) const { return tools_mm[readings[i].tool]; }
 };
