@@ -110,6 +110,21 @@ TEST(FindingsOfReadings, TellsAnOutlierWithWhatItDoesToTheTable) {
   EXPECT_THAT(findings, Contains(Field(&NamedFinding::id, "compensation-outlier")));
 }
 
+TEST(FindingsOfReadings, TellsWhatOneApproachAndFewTargetsDoNotTell) {
+  const auto ids = [](const std::vector<double>& places, std::vector<testing_support::RunDeviations> runs) {
+    std::vector<std::string> found;
+    for (const NamedFinding& f :
+         findings_of_readings(make_series(places, runs, runs), AxisKind::linear, TableCurves::each_way)) {
+      EXPECT_FALSE(f.serious) << f.message;
+      found.push_back(f.id);
+    }
+    return found;
+  };
+  EXPECT_THAT(ids({0, 110, 190, 310, 400}, {{0, 1, 2, 3, 4}}), ::testing::ElementsAre("compensation-one-approach"));
+  EXPECT_THAT(ids({0, 400}, {{0, 4}, {0.1, 4}}), ::testing::ElementsAre("compensation-few-targets"));
+  EXPECT_THAT(ids({0, 110, 190, 310, 400}, {{0, 1, 2, 3, 4}, {0.1, 1, 2.1, 3, 4}}), ::testing::IsEmpty());
+}
+
 TEST(FindingsOfReadings, TellsATurnThatDoesNotClose) {
   const Series open = make_series({0, 90, 180, 270, 360}, {{0, 1, 2, 1, 5}, {0.1, 1, 2, 1, 5.1}, {0, 1, 2, 1.1, 5}},
                                   {{0, 1, 2, 1, 5}, {0, 1, 2.1, 1, 5}, {0.1, 1, 2, 1, 5.1}});

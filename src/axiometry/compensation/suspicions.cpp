@@ -11,6 +11,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/rounded_text.h"
 #include "axiometry/numeric/moments.h"
+#include "axiometry/standards/iso230_2/programme.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
 
 namespace axiometry::compensation {
@@ -46,6 +47,25 @@ std::string deviation_words(double value, AxisKind kind) {
 
 std::string place_words(double position, AxisKind kind) {
   return fmt::format("{} {}", format_rounded(position), position_unit(kind));
+}
+
+/// Of a programme that tells less of the axis than a table takes from it (5.3, 6.2).
+void add_findings_of_programme(const Series& series, AxisKind kind, std::vector<NamedFinding>& findings) {
+  std::size_t most = 0;
+  for (const Direction direction : {Direction::up, Direction::down})
+    for (std::size_t i = 0; i < series.target_count(); ++i) most = std::max(most, series.count(i, direction));
+  if (most < 2)
+    findings.push_back({"compensation-one-approach", false,
+                        "found no target that was approached twice from the same side: what of the deviations is "
+                        "scatter nobody can tell, and the table corrects it too"});
+  const Position travel = Position::native(series.travel_native());
+  const iso230_2::Programme programme = iso230_2::programme_of(kind, travel);
+  const std::size_t required = iso230_2::required_targets(programme, travel).count;
+  if (series.target_count() < required)
+    findings.push_back({"compensation-few-targets", false,
+                        fmt::format("found {} targets where a test after ISO 230-2 has {} at least: what the axis does "
+                                    "between them nobody measured",
+                                    series.target_count(), required)});
 }
 
 /// How many positions lie within the targets and have none of them between the positions beside them.
@@ -111,6 +131,7 @@ std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind ki
   if (curves == TableCurves::both_ways && series.has(Direction::up) && series.has(Direction::down))
     findings.push_back({"compensation-reversal-stays", false,
                         "the table has one curve for both directions: the reversal error stays as it is"});
+  add_findings_of_programme(series, kind, findings);
   if (kind == AxisKind::rotary && series.target_count() > 2 && series.travel_native() < 360.0 - 1e-6) {
     const double left = 360.0 - series.travel_native();
     const double spacing = series.travel_native() / static_cast<double>(series.target_count() - 1);

@@ -18,7 +18,8 @@ namespace axiometry::compensation {
 Result<void> check_plausible(const Series& series, AxisKind kind);
 
 /// Of the readings: outliers in a mean, with what they do to it; a direction that was not measured; runs that drift;
-/// a rotary axis whose ends, a whole turn apart, differ.
+/// fewer targets or approaches than a mean and what lies between them want; a rotary axis whose ends, a whole turn
+/// apart, differ.
 std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind kind, TableCurves curves);
 
 /// Of a table: what lies beyond its ends, of what was measured; positions without a target between their neighbours,

@@ -50,7 +50,6 @@ constexpr Phrase rows[] = {
      "Nur Streuung: die Messwerte ohne den Mittelwert jedes Ziels und jeder Richtung. Das beseitigt keine Tabelle."},
     {"Smoothed (λ = {0#}): so the table foretells targets best that were left out of it.",
      "Geglättet (λ = {0}): So sagt die Tabelle Ziele am besten voraus, die ausgelassen wurden."},
-    {"The first {0#} of {1#} positions.", "Die ersten {0} von {1} Positionen."},
     {"Verified of this format", "An diesem Format geprüft"},
     {"What the control adds", "Was die Steuerung addiert"},
     {"What the control adds to the commanded position, in both directions of approach.",
@@ -276,11 +275,9 @@ constexpr Phrase rows[] = {
     {"test {0#}, of which the table was made, is withdrawn: the table should not be used",
      "Prüfung {0}, aus der die Tabelle entstand, ist zurückgezogen: Die Tabelle sollte nicht verwendet werden"},
     {"the displacements on the line differ by {0#}, and each is known to ±{1#} (k = 2): the table is mostly what the "
-     "lengths "
-     "do not tell",
+     "readings do not tell",
      "die Verlagerungen auf der Linie unterscheiden sich um {0}, und jede ist auf ±{1} (k = 2) bekannt: Die Tabelle "
-     "ist vor "
-     "allem, was die Längen nicht sagen"},
+     "ist vor allem, was die Messwerte nicht sagen"},
     {"the error has doubled, the re-test shows {0#} ± {1#} (k = 2) of the table: a sign mistake; take it out",
      "der Fehler hat sich verdoppelt, die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: ein Vorzeichenfehler; sie "
      "herausnehmen"},
@@ -380,6 +377,8 @@ constexpr Phrase rows[] = {
      "weggelassen"},
     {"these are no deviations of an axis", "das sind keine Abweichungen einer Achse"},
     {"turned_sign: {0}", "turned_sign: {0}"},
+    {"{0#} of {1#} positions: all are in the file for the control and in the JSON (--json).",
+     "{0} von {1} Positionen: Alle stehen in der Datei für die Steuerung und im JSON (--json)."},
     {"{0=} from {1#} to {2#}, as predicted from the same readings",
      "{0} von {1} auf {2}, vorhergesagt aus denselben Messwerten"},
     {"{0=} of the re-test: {1#}", "{0} der Nachprüfung: {1}"},

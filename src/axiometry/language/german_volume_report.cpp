@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What reports of volumetric calibrations draw, predict and export.
+// What reports of volumetric calibrations draw, predict and export, and what tables from them are told of.
 #include "axiometry/language/german.h"
 
 namespace axiometry::language {
@@ -19,9 +19,14 @@ constexpr Phrase rows[] = {
     {"Direction that is corrected", "Richtung, die korrigiert wird"},
     {"Directions of which the lengths say nothing", "Richtungen, über die die Längen nichts sagen"},
     {"Displacement", "Verlagerung"},
+    {"Displacement of the tool point along the line through the middle of the volume, without the table and with it, "
+     "with the band of its uncertainty.",
+     "Verlagerung des Werkzeugpunkts entlang der Linie durch die Mitte des Arbeitsraums, ohne die Tabelle und mit ihr, "
+     "mit dem Band ihrer Unsicherheit."},
     {"Displacement on the line", "Verlagerung auf der Linie"},
     {"Displacement on the line from {0#} to {1#} µm, as predicted from the 21 errors",
      "Verlagerung auf der Linie von {0} auf {1} µm, wie aus den 21 Abweichungen vorhergesagt"},
+    {"Displacement on the line without and with the table", "Verlagerung auf der Linie ohne und mit Tabelle"},
     {"Displacement on the line, range", "Verlagerung auf der Linie, Spannweite"},
     {"E, bidirectional systematic deviation", "E, beidseitige systematische Abweichung"},
     {"Error motions", "Bewegungsabweichungen"},
@@ -103,6 +108,10 @@ constexpr Phrase rows[] = {
      "Die Linie läuft durch die Mitte des beobachteten Volumens, in beiden Anfahrrichtungen. Der Fehler des "
      "Werkzeugpunkts gilt über dieses Volumen, ohne Starrkörperbewegung, mit dieser Tabelle allein."},
     {"The picture is of the tool {0=}, as found.", "Das Bild gilt für das Werkzeug {0}, wie gefunden."},
+    {"The range of a curve counts, not its height: the table does nothing at the reference point of the axis, and what "
+     "is the same everywhere the zero of the workpiece takes up.",
+     "Es zählt die Spannweite einer Kurve, nicht ihre Höhe: Am Referenzpunkt der Achse tut die Tabelle nichts, und was "
+     "überall gleich ist, nimmt der Nullpunkt des Werkstücks auf."},
     {"The three displacements and the three rotations of the axis over its position, with the bands in which they lie.",
      "Die drei Verlagerungen und die drei Verdrehungen der Achse über ihrer Position, mit den Bändern, in denen sie "
      "liegen."},
@@ -134,6 +143,20 @@ constexpr Phrase rows[] = {
     {"as found", "wie gefunden"},
     {"cubic B-splines, spans: {0=}", "kubische B-Splines, Abschnitte: {0}"},
     {"error", "Abweichung"},
+    {"found no target that was approached twice from the same side: what of the deviations is scatter nobody can tell, "
+     "and the table corrects it too",
+     "keine Zielposition, die zweimal von derselben Seite angefahren wurde: Was von den Abweichungen Streuung ist, "
+     "kann niemand sagen, und die Tabelle korrigiert sie mit"},
+    {"found that a re-test would show E of {0#} (median) where the axis has {1#}: beside the reversal, which one curve "
+     "for both directions leaves, the deviations are what scatter makes of them, and a table of scatter makes the axis "
+     "worse; no table is written",
+     "eine Nachprüfung würde E von {0} (Median) zeigen, wo die Achse {1} hat: Neben der Umkehrspanne, die eine Kurve "
+     "für beide Richtungen lässt, sind die Abweichungen, was die Streuung aus ihnen macht, und eine Tabelle der "
+     "Streuung macht die Achse schlechter; keine Tabelle wird geschrieben"},
+    {"found {0#} targets where a test after ISO 230-2 has {1#} at least: what the axis does between them nobody "
+     "measured",
+     "{0} Zielpositionen, wo eine Prüfung nach ISO 230-2 mindestens {1} hat: Was die Achse zwischen ihnen tut, hat "
+     "niemand gemessen"},
     {"largest u", "größtes u"},
     {"mean of both directions", "Mittel beider Richtungen"},
     {"moving down", "Bewegung abwärts"},
@@ -142,6 +165,18 @@ constexpr Phrase rows[] = {
      "nicht gemessen: {0}; was davon abhängt, hat keinen Wert"},
     {"not told", "nicht bestimmt"},
     {"not told: the errors have no directions", "nicht bestimmt: die Abweichungen kennen keine Richtung"},
+    {"one count of the control is taken for 1 µm (--resolution), and many controls in inches count in 0.0001 inch "
+     "(2.54 µm): where it is another amount, all that the table does is wrong in that proportion",
+     "ein Zählschritt der Steuerung gilt als 1 µm (--resolution), und viele Steuerungen in Zoll zählen in 0,0001 Zoll "
+     "(2,54 µm): Ist er ein anderer, so ist alles, was die Tabelle tut, in diesem Verhältnis falsch"},
+    {"one count of the control is taken for 1 µm (--resolution): where it is another amount, all that the table does "
+     "is wrong in that proportion",
+     "ein Zählschritt der Steuerung gilt als 1 µm (--resolution): Ist er ein anderer, so ist alles, was die Tabelle "
+     "tut, in diesem Verhältnis falsch"},
+    {"one count of the control is taken for 1 ″ (--resolution), and many controls count in 0.001° (3.6 ″): where it is "
+     "another amount, all that the table does is wrong in that proportion",
+     "ein Zählschritt der Steuerung gilt als 1 ″ (--resolution), und viele Steuerungen zählen in 0,001° (3,6 ″): Ist "
+     "er ein anderer, so ist alles, was die Tabelle tut, in diesem Verhältnis falsch"},
     {"pitch", "Nicken"},
     {"positioning", "Positionieren"},
     {"predicted", "vorhergesagt"},
@@ -164,10 +199,24 @@ constexpr Phrase rows[] = {
      "difference is {2#} µm at {3#} mm, {4#} of its standard uncertainties",
      "die gemessene Prüfung weicht stärker als zufällig von der Vorhersage ab: χ² = {0} mit ν = {1}; die größte "
      "Differenz ist {2} µm bei {3} mm, das {4}-fache ihrer Standardunsicherheit"},
+    {"the table goes from {0#} to {1#} mm, what was observed from {2#} to {3#} mm: beyond its ends the control holds "
+     "the last value",
+     "die Tabelle reicht von {0} bis {1} mm, das Beobachtete von {2} bis {3} mm: Jenseits ihrer Enden hält die "
+     "Steuerung den letzten Wert"},
+    {"the table goes from {0#} to {1#} mm, what was observed from {2#} to {3#} mm: there it holds the value at the end "
+     "of what was observed, which nobody measured",
+     "die Tabelle reicht von {0} bis {1} mm, das Beobachtete von {2} bis {3} mm: Dort hält sie den Wert vom Ende des "
+     "Beobachteten, den niemand gemessen hat"},
+    {"with the table", "mit Tabelle"},
+    {"with the table ↑", "mit Tabelle ↑"},
+    {"with the table ↓", "mit Tabelle ↓"},
     {"with {0#} of {1#} tools the readings do not tell the error of the tool point, and no number is given for it",
      "bei {0} von {1} Werkzeugen bestimmen die Messwerte die Abweichung des Werkzeugpunkts nicht, und dafür wird keine "
      "Zahl angegeben"},
     {"without rigid motion", "ohne Starrkörperbewegung"},
+    {"without the table", "ohne Tabelle"},
+    {"without the table ↑", "ohne Tabelle ↑"},
+    {"without the table ↓", "ohne Tabelle ↓"},
     {"yaw", "Gieren"},
     {"{0#} of 21 errors found from {1#} lengths", "{0} von 21 Abweichungen aus {1} Längen gefunden"},
     {"{0#}, of which {1#} are of errors", "{0}, davon {1} der Abweichungen"},

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/app/compensate/compensate_options.h"
 #include "axiometry/base/json.h"
+#include "axiometry/language/language.h"
 #include "tests/support/series.h"
 
 namespace axiometry::app {
@@ -141,6 +144,74 @@ TEST(Compensate, ANumberBesideTheTableIsPredictedWithIt) {
   ASSERT_TRUE(taken_back) << taken_back.error().message;
   EXPECT_TRUE(has_finding(*taken_back, "compensation-number-beside"));
   EXPECT_NE(taken_back->text.find("while the axis was measured + -0.00"), std::string::npos) << taken_back->text;
+}
+
+/// The finding about what one count stands for; nothing where there is none.
+std::optional<NamedFinding> finding_of_counts(const NamedTest& measured, const CompensateRequest& request) {
+  const auto made = compensate({measured}, request);
+  EXPECT_TRUE(made) << made.error().message;
+  if (!made) return {};
+  const auto found = std::ranges::find(made->findings, "compensation-count-assumed", &NamedFinding::id);
+  return found == made->findings.end() ? std::nullopt : std::optional(*found);
+}
+
+TEST(Compensate, WhatOneCountIsTakenForIsToldUnlessItIsSaid) {
+  NamedTest linear = axis_of(0.02, 0, 2);
+  CompensateRequest request{.control = "mitsubishi", .grid = {.start = 0.0, .end = 450.0, .step = 50.0}};
+  const auto in_mm = finding_of_counts(linear, request);
+  ASSERT_TRUE(in_mm);
+  EXPECT_FALSE(in_mm->serious) << "1 µm is usual";
+  request.table.in_inch = true;
+  const auto in_inch = finding_of_counts(linear, request);
+  ASSERT_TRUE(in_inch);
+  EXPECT_TRUE(in_inch->serious);
+  EXPECT_NE(in_inch->message.find("2.54 µm"), std::string::npos);
+  request.table.resolution = 2.54;
+  EXPECT_FALSE(finding_of_counts(linear, request));
+  EXPECT_FALSE(finding_of_counts(linear, {.control = "linuxcnc"})) << "it does not count";
+
+  NamedTest rotary = axis_of(0.02, 0, 2);
+  rotary.test.metadata.axis.kind = AxisKind::rotary;
+  CompensateRequest turning{.control = "mitsubishi", .grid = {.start = 0.0, .end = 300.0, .step = 30.0}};
+  const auto in_degrees = finding_of_counts(rotary, turning);
+  ASSERT_TRUE(in_degrees);
+  EXPECT_TRUE(in_degrees->serious) << "0.001° is usual: 3.6 times as much as the table was made for";
+  EXPECT_NE(in_degrees->message.find("3.6 ″"), std::string::npos);
+  turning.table.resolution = 3.6;
+  EXPECT_FALSE(finding_of_counts(rotary, turning));
+  for (const auto& finding : {*in_mm, *in_inch, *in_degrees})
+    EXPECT_TRUE(language::is_known(finding.message, language::Language::german)) << finding.message;
+}
+
+/// Scatter of ±1 µm in five runs at 11 targets over 500 mm; ↓ lies `reversal` above ↑, and that is all.
+NamedTest scattered_axis(double reversal) {
+  std::vector<double> targets;
+  for (int i = 0; i < 11; ++i) targets.push_back(50.0 * i);
+  std::minstd_rand random(1);
+  const auto run_at = [&](double shift) {
+    testing_support::RunDeviations run;
+    for (int i = 0; i < 11; ++i) run.push_back(shift + 2.0 * static_cast<double>(random()) / 2147483647.0 - 1.0);
+    return run;
+  };
+  ReadingRuns up, down;
+  for (int j = 0; j < 5; ++j) {
+    up.push_back(run_at(0.0));
+    down.push_back(run_at(reversal));
+  }
+  return {"x.csv", axiometry::Test{{}, testing_support::make_series(targets, up, down), {}}};
+}
+
+/// One curve for both directions has nothing to correct where the reversal is all that there is.
+TEST(Compensate, AReversalIsNotCalledScatter) {
+  const auto refused = compensate({scattered_axis(10.0)}, {.control = "siemens-lec"});
+  ASSERT_FALSE(refused);
+  const std::string& message = refused.error().message;
+  EXPECT_NE(message.find("beside the reversal"), std::string::npos) << message;
+  EXPECT_TRUE(language::is_known(message, language::Language::german)) << message;
+  const auto scatter = compensate({scattered_axis(0.0)}, {.control = "siemens-lec"});
+  ASSERT_FALSE(scatter);
+  EXPECT_NE(scatter.error().message.find("what scatter makes of them"), std::string::npos) << scatter.error().message;
+  EXPECT_EQ(scatter.error().message.find("reversal"), std::string::npos) << scatter.error().message;
 }
 
 TEST(Compensate, AFormatOfOneUnitAsksForNoOther) {

@@ -3,11 +3,36 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace axiometry::app {
+namespace {
+
+/// Of a control that counts: without the size of a count the numbers of its table are worth nothing, and the usual one
+/// of a linear axis in mm, 1 µm, is that of no control in degrees or inches.
+NamedFinding finding_of_count(const nc::AxisTableOptions& options) {
+  constexpr std::string_view wrong = "where it is another amount, all that the table does is wrong in that proportion";
+  if (options.kind == AxisKind::rotary)
+    return {"compensation-count-assumed", true,
+            fmt::format("one count of the control is taken for 1 ″ (--resolution), and many controls count in 0.001° "
+                        "(3.6 ″): {}",
+                        wrong)};
+  if (options.in_inch)
+    return {"compensation-count-assumed", true,
+            fmt::format("one count of the control is taken for 1 µm (--resolution), and many controls in inches count "
+                        "in 0.0001 inch (2.54 µm): {}",
+                        wrong)};
+  return {"compensation-count-assumed", false,
+          fmt::format("one count of the control is taken for 1 µm (--resolution): {}", wrong)};
+}
+
+}  // namespace
 
 std::vector<NamedFinding> findings_of_control(const nc::AxisTable& control, const nc::AxisTableOptions& options,
                                               const AxisCorrection& applied) {
   std::vector<NamedFinding> findings;
+  if (control.uses.resolution && options.resolution == nc::AxisTableOptions{}.resolution)
+    findings.push_back(finding_of_count(options));
   if (options.turned_sign)
     findings.push_back({"compensation-sign-turned", false,
                         fmt::format("the sign is turned against what was inferred of {}: only a re-test tells whether "

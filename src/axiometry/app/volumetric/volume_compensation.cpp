@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "axiometry/app/compensate/control_findings.h"
@@ -15,6 +16,7 @@
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/compensation/fit.h"
 #include "axiometry/volumetric/field/field_rows.h"
 
@@ -42,7 +44,8 @@ Result<LineOfVolume> line_through_middle(const ErrorModel& model, const VolumeCo
     shares[request.along] = static_cast<double>(k) / static_cast<double>(places - 1);
     const Vector3 q = volumetric::place_in(model.observed(), shares);
     line.positions_mm.push_back(q[request.along]);
-    for (const auto& [values, direction] : {std::pair(&line.up_um, 1.0), std::pair(&line.down_um, -1.0)}) {
+    for (const auto& [values, u, direction] :
+         {std::tuple(&line.up_um, &line.up_u_um, 1.0), std::tuple(&line.down_um, &line.down_u_um, -1.0)}) {
       const auto field = model.at(q, tool_mm, approaching(request.along, direction));
       const auto& value = field.error_um[request.component];
       if (!value)
@@ -50,8 +53,8 @@ Result<LineOfVolume> line_through_middle(const ErrorModel& model, const VolumeCo
             "found that the readings do not tell the error of the tool point with this tool, expected all of it: a "
             "control would take a number that nobody measured");
       values->push_back(*value);
-      line.largest_u_um =
-          std::max(line.largest_u_um, std::sqrt(field.covariance_um2[request.component][request.component]));
+      u->push_back(std::sqrt(field.covariance_um2[request.component][request.component]));
+      line.largest_u_um = std::max(line.largest_u_um, u->back());
     }
   }
   return line;
@@ -122,8 +125,26 @@ Result<void> check_no_options_of_a_test(const CompensateRequest& how) {
       "such part");
 }
 
-std::vector<NamedFinding> findings_of(const VolumeCompensation& made) {
+/// Where the table and the line that was observed do not end together.
+void add_findings_of_ends(const std::vector<double>& nodes, const LineOfVolume& line,
+                          std::vector<NamedFinding>& findings) {
+  constexpr double printed_mm = 1e-3, much_beyond = 0.05;  // as of a measured test (compensation/suspicions.cpp)
+  const double first = line.positions_mm.front(), last = line.positions_mm.back();
+  const std::string ends =
+      fmt::format("the table goes from {} to {} mm, what was observed from {} to {} mm", format_rounded(nodes.front()),
+                  format_rounded(nodes.back()), format_rounded(first), format_rounded(last));
+  const double beyond = std::max(0.0, nodes.front() - first) + std::max(0.0, last - nodes.back());
+  if (beyond > printed_mm)
+    findings.push_back({"volume-table-short", beyond > much_beyond * (last - first),
+                        ends + ": beyond its ends the control holds the last value"});
+  if (nodes.front() < first - printed_mm || nodes.back() > last + printed_mm)
+    findings.push_back({"volume-table-ends-held", true,
+                        ends + ": there it holds the value at the end of what was observed, which nobody measured"});
+}
+
+std::vector<NamedFinding> findings_of(const VolumeCompensation& made, const std::vector<double>& nodes) {
   std::vector<NamedFinding> findings;
+  if (nodes.size() > 1) add_findings_of_ends(nodes, made.line, findings);
   if (made.line_before_um < 4.0 * made.line.largest_u_um)
     findings.push_back(
         {"volume-table-of-uncertainty", true,
@@ -211,7 +232,7 @@ Result<VolumeCompensation> compensate_volume(const ErrorModel& model, const Volu
                           after,
                           *effect,
                           {}};
-  made.findings = findings_of(made);
+  made.findings = findings_of(made, nodes);
   return made;
 }
 

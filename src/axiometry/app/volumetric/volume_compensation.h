@@ -29,7 +29,8 @@ struct VolumeCompensationRequest {
 struct LineOfVolume {
   std::vector<double> positions_mm;
   std::vector<double> up_um, down_um;
-  double largest_u_um = 0.0;  ///< standard uncertainty of one of them
+  std::vector<double> up_u_um, down_u_um;  ///< standard uncertainty of each
+  double largest_u_um = 0.0;               ///< the largest of them
 };
 
 /// What is moved and what of it: of `along` = `component` EXX with what rotations do on the line, of Y and X EXY with

@@ -8,6 +8,8 @@
 
 #include "axiometry/app/volumetric/volume_compensation.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/report/figures/compensation_curves.h"
+#include "axiometry/report/sections/added_table.h"
 #include "axiometry/report/translated.h"
 
 namespace axiometry::app {
@@ -39,6 +41,15 @@ report::Section remaining_section(const VolumeCompensation& made, const report::
   return {"remaining", "What remains", true, {std::move(table)}};
 }
 
+report::CorrectedLine figure_of_line(const VolumeCompensation& made) {
+  const LineOfVolume& line = made.line;
+  return {line.positions_mm,
+          {line.up_um, line.up_u_um},
+          {line.down_um, line.down_u_um},
+          line.up_um != line.down_um,
+          made.applied};
+}
+
 report::Section line_section(const VolumeCompensation& made, const report::Options& options) {
   report::Table table;
   table.columns = {{plain("Position / mm"), Align::decimal, true},
@@ -57,24 +68,22 @@ report::Section line_section(const VolumeCompensation& made, const report::Optio
                           number_cell(with(line.down_um[k], Direction::down), displacement_decimals, options)});
   }
   table.dense = true;
-  return {"line", "Displacement on the line", true, {std::move(table)}};
+  table.notes = {plain(
+      "The range of a curve counts, not its height: the table does nothing at the reference point of the axis, and "
+      "what is the same everywhere the zero of the workpiece takes up.")};
+  return {"line",
+          "Displacement on the line",
+          true,
+          {report::corrected_line_figure(figure_of_line(made), options), std::move(table)}};
 }
 
 report::Section nodes_section(const VolumeCompensation& made, const report::Options& options) {
-  constexpr std::size_t rows_most = 400;  // the file itself has the others
-  report::Table table;
-  table.columns = {{plain("Position / mm"), Align::decimal, true},
-                   {plain("Added ↑ / µm"), Align::decimal},
-                   {plain("Added ↓ / µm"), Align::decimal}};
-  const std::size_t count = std::min(made.applied.positions().size(), rows_most);
-  for (std::size_t k = 0; k < count; ++k)
-    table.rows.push_back({number_cell(made.applied.positions()[k], 4, options),
-                          number_cell(made.applied.values(Direction::up)[k], 3, options),
-                          number_cell(made.applied.values(Direction::down)[k], 3, options)});
-  if (count < made.applied.positions().size())
-    table.notes.push_back(plain(fmt::format("The first {} of {} positions.", count, made.applied.positions().size())));
-  table.dense = true;
-  return {"table", "Table", true, {std::move(table)}};
+  constexpr std::size_t rows_most = 41;  // with its figure a page
+  return {"table",
+          "Table",
+          true,
+          {report::line_correction_figure(figure_of_line(made), options),
+           report::added_table(made.applied, rows_most, options)}};
 }
 
 report::Section control_words(const VolumeCompensation& made) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/language/language.h"
 #include "axiometry/volumetric/known_machine_test_support.h"
 
@@ -208,6 +209,77 @@ TEST(VolumeCompensation, ReportsWhatItPredicts) {
   EXPECT_EQ(json::dump(shown.json), json::dump(to_json(*made)));
 }
 
+const report::Section& section_named(const report::Document& document, std::string_view id) {
+  return *std::ranges::find(document.sections, id, &report::Section::id);
+}
+
+template <typename Kind>
+std::vector<const Kind*> blocks_of(const report::Section& section) {
+  std::vector<const Kind*> found;
+  for (const report::Block& block : section.blocks)
+    if (const auto* one = std::get_if<Kind>(&block)) found.push_back(one);
+  return found;
+}
+
+TEST(VolumeCompensation, DrawsTheLineAndTheTableAndPrintsNoPagesOfNumbers) {
+  auto request = asked_table("siemens-cec", 1, 0);
+  request.how.grid = {.step = 2.0};
+  const auto made = compensate_volume(identified_model(), request);
+  ASSERT_TRUE(made) << made.error().to_string();
+  const std::size_t count = made->applied.positions().size();
+  ASSERT_GT(count, 200u);
+  const report::Document document = present(*made, {}).document;
+  for (const std::string_view id : {"line", "table"}) {
+    SCOPED_TRACE(id);
+    const report::Section& section = section_named(document, id);
+    EXPECT_EQ(blocks_of<report::Figure>(section).size(), 1u);
+    const auto tables = blocks_of<report::Table>(section);
+    ASSERT_EQ(tables.size(), 1u);
+    EXPECT_LE(tables[0]->rows.size(), 41u);
+    EXPECT_GE(tables[0]->rows.size(), 21u);
+  }
+  const report::Table& table = *blocks_of<report::Table>(section_named(document, "table"))[0];
+  const auto first_cell = [](const auto& row) { return report::plain_text(row[0].text); };
+  EXPECT_EQ(first_cell(table.rows.front()), format_fixed(made->applied.positions().front(), 4));
+  EXPECT_EQ(first_cell(table.rows.back()), format_fixed(made->applied.positions().back(), 4));
+  ASSERT_EQ(table.notes.size(), 2u);
+  EXPECT_THAT(report::plain_text(table.notes[1]),
+              ::testing::StartsWith(std::to_string(table.rows.size()) + " of " + std::to_string(count)));
+  EXPECT_EQ(to_json(*made).find("table")->items().size(), count) << "nothing is left out there";
+}
+
+TEST(VolumeCompensation, PrintsAShortTableWhole) {
+  const auto made = compensate_volume(identified_model(), asked_table("marlin-skew", 1, 0));
+  ASSERT_TRUE(made) << made.error().to_string();
+  const report::Document document = present(*made, {}).document;
+  const report::Table& table = *blocks_of<report::Table>(section_named(document, "table"))[0];
+  EXPECT_EQ(table.rows.size(), made->applied.positions().size());
+  EXPECT_EQ(table.notes.size(), 1u) << "nothing is left out";
+}
+
+/// The band is ±2u of each place; the curve with the table lies in its middle.
+TEST(VolumeCompensation, KnowsTheUncertaintyAtEachPlaceOfTheLine) {
+  const auto made = compensate_volume(identified_model(), asked_table("siemens-cec", 1, 0));
+  ASSERT_TRUE(made) << made.error().to_string();
+  const LineOfVolume& line = made->line;
+  ASSERT_EQ(line.up_u_um.size(), line.positions_mm.size());
+  ASSERT_EQ(line.down_u_um.size(), line.positions_mm.size());
+  double largest = 0.0;
+  for (const auto* u : {&line.up_u_um, &line.down_u_um})
+    for (const double each : *u) {
+      EXPECT_GT(each, 0.0);
+      largest = std::max(largest, each);
+    }
+  EXPECT_EQ(line.largest_u_um, largest);
+}
+
+TEST(VolumeCompensation, SaysInGermanThatATableIsMostlyUncertainty) {
+  EXPECT_TRUE(language::is_known(
+      "the displacements on the line differ by 1.20 µm, and each is known to ±3.40 µm (k = 2): the table is mostly "
+      "what the readings do not tell",
+      language::Language::german));
+}
+
 TEST(VolumeCompensation, RefusesWhatOnlyAMeasuredTestHas) {
   const auto refuses = [](auto change) {
     auto request = asked_table("linuxcnc", 0, 0);
@@ -231,6 +303,30 @@ TEST(VolumeCompensation, TellsWhatMustBeDoneBesideTheTable) {
   EXPECT_FALSE(has(request, "compensation-sign-turned"));
   request.how.table.turned_sign = true;
   EXPECT_TRUE(has(request, "compensation-sign-turned"));
+}
+
+TEST(VolumeCompensation, TellsWhereTheTableEndsBesideWhatWasObserved) {
+  const auto finding = [](compensation::GridRequest grid, bool hold_ends, std::string_view id) {
+    auto request = asked_table("linuxcnc", 0, 0);
+    request.how.grid = grid;
+    request.how.hold_ends = hold_ends;
+    const auto made = compensate_volume(identified_model(), request);
+    EXPECT_TRUE(made) << made.error().to_string();
+    const auto found = std::ranges::find(made->findings, id, &NamedFinding::id);
+    if (found == made->findings.end()) return std::optional<NamedFinding>();
+    EXPECT_TRUE(language::is_known(found->message, language::Language::german)) << found->message;
+    return std::optional(*found);
+  };
+  const auto short_one = finding({.start = 400.0, .end = 600.0, .step = 50.0}, false, "volume-table-short");
+  ASSERT_TRUE(short_one);
+  EXPECT_TRUE(short_one->serious);
+  EXPECT_THAT(short_one->message, HasSubstr("from 400 to 600 mm"));
+  const auto held = finding({.start = -100.0, .end = 1000.0, .step = 50.0}, true, "volume-table-ends-held");
+  ASSERT_TRUE(held);
+  EXPECT_TRUE(held->serious);
+  EXPECT_FALSE(finding({}, false, "volume-table-ends-held"));
+  const auto usual = finding({}, false, "volume-table-short");
+  EXPECT_FALSE(usual && usual->serious);
 }
 
 TEST(VolumeCompensation, ExtrapolatesNothing) {

@@ -11,6 +11,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/report/compensation.h"
 #include "axiometry/report/figures/compensation_curves.h"
+#include "axiometry/report/sections/added_table.h"
 #include "axiometry/report/sections/fact.h"
 #include "axiometry/report/sections/sections.h"
 
@@ -91,30 +92,14 @@ Section compensation_parameters(const CompensationSubject& subject, const Option
 }
 
 Section table_section(const CompensationSubject& subject, const Options& options) {
-  const AxisCorrection& applied = subject.applied;
-  const AxisKind kind = applied.kind();
   Section section{"table", "Table", true, {}};
   section.blocks.emplace_back(correction_figure(subject, options));
-  Table table;
-  table.columns = {{plain(fmt::format("Position / {}", position_unit(kind))), Align::decimal, true},
-                   {plain(fmt::format("Added ↑ / {}", deviation_unit(kind))), Align::decimal},
-                   {plain(fmt::format("Added ↓ / {}", deviation_unit(kind))), Align::decimal}};
-  const std::size_t count = std::min(applied.positions().size(), table_rows_most);
-  for (std::size_t k = 0; k < count; ++k)
-    table.rows.push_back({text_cell(format_fixed(applied.positions()[k], 4, options.numbers)),
-                          text_cell(format_fixed(applied.values(Direction::up)[k], 3, options.numbers)),
-                          text_cell(format_fixed(applied.values(Direction::down)[k], 3, options.numbers))});
-  table.notes = {
-      plain("Added to the commanded position: a positive value moves the axis in the positive direction. The "
-            "control interpolates linearly and holds the last value beyond the ends.")};
-  if (count < applied.positions().size())
-    table.notes.push_back(plain(fmt::format("The first {} of {} positions.", count, applied.positions().size())));
+  Table table = added_table(subject.applied, table_rows_most, options);
   if (subject.smoothing > 0.0)
     table.notes.push_back(
         plain(fmt::format("Smoothed (λ = {:.2g}): so the table foretells targets best that were left "
                           "out of it.",
                           subject.smoothing)));
-  table.dense = true;
   section.blocks.emplace_back(std::move(table));
   return section;
 }
