@@ -3,16 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "axiometry/app/files/given_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/language/language.h"
 
 namespace axiometry::cli {
-namespace {
-
-constexpr unsigned long long largest_seed = 1ull << 53;  // of JSON's whole numbers
-
-}  // namespace
 
 Flag add_read(const Verb& verb, const OptionText& text, std::function<Result<void>(const std::string&)> read) {
   return verb
@@ -46,9 +42,9 @@ Flag add_count(const Verb& verb, const OptionText& text, std::function<void(unsi
 Flag add_seed(const Verb& verb, const std::string& description, std::function<void(unsigned long long)> put) {
   return add_read(verb, {"--seed", "N", description}, [put](const std::string& value) -> Result<void> {
     const auto seed = parse_count(value);
-    if (!seed || *seed > largest_seed)
-      return fail(
-          fmt::format("found {}, expected a whole number from 0 to {}", axiometry::text::quoted(value), largest_seed));
+    if (!seed || *seed >= app::seed_limit)
+      return fail(fmt::format("found {}, expected a whole number from 0 to {}", axiometry::text::quoted(value),
+                              app::seed_limit - 1));
     put(*seed);
     return {};
   });

@@ -8,6 +8,7 @@
 #include <string>
 #include "cli/flags/verb.h"
 
+#include "axiometry/app/files/given_text.h"
 #include "axiometry/app/studies/bench_monte_carlo.h"
 #include "axiometry/app/studies/bench_volumetric.h"
 #include "axiometry/base/text.h"
@@ -67,7 +68,7 @@ void add_bench(const Verb& program, int& exit_code) {
       ->required();
   add_whole_number(*verb, "--trials", bench->trials, {100, 4'000'000'000}, "Number of trials (1000000)");
   add_whole_number(*verb, "--threads", bench->threads, {0, 1024}, "Number of threads, 0 for all of the machine (1)");
-  add_whole_number(*verb, "--seed", bench->seed, {0, std::uint64_t{1} << 53}, "Seed of the random numbers (1)");
+  add_whole_number(*verb, "--seed", bench->seed, {0, app::seed_limit - 1}, "Seed of the random numbers (1)");
   verb->add_option_function<std::string>(
           "--precision", [bench](const std::string& word) { bench->precision = precision_of(word); },
           "Of the draws and the evaluation: double or single (double)")

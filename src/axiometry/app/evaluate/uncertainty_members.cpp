@@ -37,16 +37,17 @@ Result<void> take_trials(const Value& value, UncertaintyOptions& options) {
   return {};
 }
 
-/// A number, or text above 2⁵³, which a number of JSON cannot hold.
+/// A number below seed_limit, or text: of the numbers from there on JSON's readers make others.
 Result<void> take_seed(const Value& value, UncertaintyOptions& options) {
-  constexpr double exact = 9007199254740992.0;
-  if (value.is(json::Kind::number) && value.number() >= 0 && value.number() <= exact &&
+  if (value.is(json::Kind::number) && value.number() >= 0 && value.number() < static_cast<double>(seed_limit) &&
       value.number() == std::floor(value.number())) {
     options.trials.seed = static_cast<std::uint64_t>(value.number());
     return {};
   }
   const auto whole = value.is(json::Kind::text) ? parse_count(value.text()) : std::nullopt;
-  if (!whole) return fail("found a seed that is no whole number from 0 to 18446744073709551615", value.at());
+  if (!whole)
+    return fail("found a seed that is no whole number from 0 to 9007199254740991, or text up to 18446744073709551615",
+                value.at());
   options.trials.seed = *whole;
   return {};
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "axiometry/app/files/given_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/report/resolved_text.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"
@@ -327,8 +328,7 @@ json::Value number_or_null(const std::optional<double>& x) { return x ? Value(*x
 json::Value number_or_null(const std::optional<Deviation>& x) { return x ? Value(x->in_native()) : Value(); }
 
 json::Value seed_to_json(std::uint64_t seed) {
-  constexpr std::uint64_t exact = std::uint64_t{1} << 53;
-  return seed <= exact ? Value(static_cast<double>(seed)) : Value(fmt::format("{}", seed));
+  return seed < seed_limit ? Value(static_cast<double>(seed)) : Value(fmt::format("{}", seed));
 }
 
 json::Value parameters_to_json(const iso230_2::AxisParameters& parameters) {

@@ -20,6 +20,25 @@ TEST(TestOptions, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(*back, options);
 }
 
+// 2^53 + 1 as a number is read as 2^53, another seed than was given.
+TEST(TestOptions, TakeNoSeedThatANumberDoesNotHold) {
+  const auto seed_of = [](const std::string& text) {
+    const auto options = test_options_from(*json::parse("{\"seed\": " + text + "}"));
+    return options ? std::to_string(options->seed) : options.error().to_string();
+  };
+  EXPECT_EQ(seed_of("9007199254740991"), "9007199254740991");
+  EXPECT_TRUE(
+      seed_of("9007199254740993")
+          .ends_with(
+              "found a seed that is no whole number from 0 to 9007199254740991, or text up to 18446744073709551615"));
+  EXPECT_EQ(seed_of("\"9007199254740993\""), "9007199254740993");
+  for (const std::uint64_t seed : {9007199254740991u, 9007199254740992u, 9007199254740993u}) {
+    TestOptions options;
+    options.seed = seed;
+    EXPECT_EQ(test_options_from(to_json(options))->seed, seed);
+  }
+}
+
 TEST(TestOptions, RefuseWhatIsUnknownWithItsPlace) {
   const auto refused = [](std::string_view text) {
     const auto options = test_options_from(*json::parse(text));
