@@ -61,6 +61,24 @@ TEST(Translated, FindsWholeTextsAndSentences) {
             "Kein Warmlauf; erwartet: der vor der Prüfung festgelegte oder vereinbarte.");
 }
 
+TEST(Translated, KeepsTheCaseOfASymbolThatBeginsASentence) {
+  EXPECT_EQ(german("C0Y has no number: its lines hold rotation ECX at 900 mm, not measured."),
+            "C0Y hat keinen Wert: Seine Linien enthalten Drehung ECX bei 900 mm, nicht gemessen.");
+  EXPECT_EQ(german("X: only from 200 to 800 mm, where all its errors were read."),
+            "X: nur von 200 bis 800 mm, wo alle Abweichungen abgelesen sind.");
+  EXPECT_EQ(german("x: only from 200 to 800 mm, where all its errors were read."),
+            "x: nur von 200 bis 800 mm, wo alle Abweichungen abgelesen sind.");
+  for (const char* symbol : {"A", "E", "R", "EXX", "A_up", "X1"})
+    EXPECT_EQ(german(std::string(symbol) + " is not stated."), std::string(symbol) + " ist nicht angegeben.") << symbol;
+  EXPECT_EQ(german("M3.csv is not stated"), "M3.csv ist nicht angegeben");
+}
+
+TEST(Translated, BeginsASentenceWithACapitalWhereAnArticleStoodThere) {
+  EXPECT_EQ(german("A place that is not finite."), "Ein Ort, der nicht endlich ist.");
+  EXPECT_EQ(german("Found no warm-up run, expected the warm-up that was specified or agreed before the test."),
+            "Kein Warmlauf; erwartet: der vor der Prüfung festgelegte oder vereinbarte.");
+}
+
 TEST(Translated, MovesWhatStandsAtThePlacesAndSetsItsDecimalMark) {
   EXPECT_EQ(german("found 1200.5 mm measured of an axis travel of 2000 mm; the results hold for that part only"),
             "1200,5 mm eines Verfahrwegs von 2000 mm gemessen; die Ergebnisse gelten nur für diesen Teil");

@@ -39,6 +39,24 @@ std::string_view in_grammar(std::string_view separator, const Grammar& grammar) 
   return separator == "; " ? grammar.clauses : separator;
 }
 
+/// "C0Y", "X", "A_up" at the front of a text, up to the first character that no symbol has; nothing where a word of two
+/// letters or more stands there, which may begin a sentence.
+std::string_view symbol_in_front(std::string_view text) {
+  const auto in_symbol = [](char c) { return is_upper(c) || is_lower(c) || (c >= '0' && c <= '9') || c == '_'; };
+  std::size_t length = 0;
+  while (length < text.size() && in_symbol(text[length])) ++length;
+  const bool is_word = length > 1 && (is_lower(text[1]) || is_upper(text[1]));
+  return is_word ? std::string_view() : text.substr(0, length);
+}
+
+/// A text was looked up with the first letter of another case. Where what was found begins with the symbol of the text,
+/// taken over as it was asked for, that gets its own case back.
+std::string with_symbol_of(std::string_view text, std::string_view asked, std::string found) {
+  const std::string_view symbol = symbol_in_front(asked);
+  if (!symbol.empty() && symbol_in_front(found) == symbol) found[0] = text[0];
+  return found;
+}
+
 /// Whether every bracket that is opened is closed, and none before.
 bool is_balanced(std::string_view text) {
   int depth = 0;
@@ -113,14 +131,16 @@ Reader::Found Reader::variant(std::string_view text, int depth) {
     small[0] = static_cast<char>(inner[0] - 'A' + 'a');
     if (stop)
       if (const auto literal = book_.literal(with_blanks(inner))) return ended(packed(*literal));
-    if (auto found = whole(small, depth)) return ended(capitalised(*std::move(found)));
+    if (auto found = whole(small, depth)) return ended(capitalised(with_symbol_of(text, small, *std::move(found))));
   }
   if (stop)
     if (auto found = whole(inner, depth)) return ended(*std::move(found));
   if (is_lower(inner[0])) {
     inner[0] = static_cast<char>(inner[0] - 'a' + 'A');
-    if (auto found = whole(inner, depth))
-      return ended(book_.grammar().nouns_are_capital ? *std::move(found) : without_capital(*std::move(found)));
+    if (auto found = whole(inner, depth)) {
+      std::string own = with_symbol_of(text, inner, *std::move(found));
+      return ended(book_.grammar().nouns_are_capital ? std::move(own) : without_capital(std::move(own)));
+    }
   }
   return std::nullopt;
 }
@@ -234,7 +254,8 @@ std::string Reader::sentence_or_part(std::string_view text) {
     for (const Pattern* pattern : book_.candidates(blanks.front())) {
       if (pattern->literal_length < least_literal_of_rough) break;
       if (auto found = set(*pattern, blanks, inner, 0, false))
-        return (lowered ? capitalised(*std::move(found)) : *std::move(found)) + (stop ? "." : "");
+        return (lowered ? capitalised(with_symbol_of(text, inner, *std::move(found))) : *std::move(found)) +
+               (stop ? "." : "");
     }
   }
   return std::string(text);

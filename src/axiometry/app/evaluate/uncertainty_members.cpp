@@ -7,6 +7,7 @@
 #include <string>
 
 #include "axiometry/app/evaluate/uncertainty_text.h"
+#include "axiometry/app/files/given_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 
