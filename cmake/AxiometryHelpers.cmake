@@ -9,10 +9,11 @@ function(axiometry_settings)
   endif()
   find_program(CCACHE ccache)
   if(CCACHE)
-    # What it needs to know about headers that are compiled before: without their comments it would give an older one
-    # back, of which g++ no longer knows that it holds the header of now.
+    # What was compiled is found again by the contents of all it included, not by its preprocessed text: a header of
+    # which only a comment differs would give an older precompiled header back, in which g++ does not find the header of
+    # now, and includes it twice. In a namespace of their own, so that no entry made otherwise is taken.
     set(CMAKE_CXX_COMPILER_LAUNCHER
-        ${CMAKE_COMMAND} -E env CCACHE_COMMENTS=1
+        ${CMAKE_COMMAND} -E env CCACHE_DEPEND=1 CCACHE_NAMESPACE=axiometry-by-contents
         CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE} PARENT_SCOPE)
   endif()
   add_compile_options(-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=return-type
