@@ -43,7 +43,7 @@ SOURCES = [
     "app/workbench/compensations.cpp", "app/workbench/compensation_standing.cpp", "app/workbench/kept_things.cpp", "compensation/fit.cpp", "compensation/grid.cpp", "compensation/suspicions.cpp",
     "model/axis_correction.cpp", "nc/axis_table.cpp", "nc/table_text.cpp", "nc/compensations/fanuc_reading.cpp",
     "nc/compensations/increments.cpp", "nc/compensations/linuxcnc_lines.cpp", "nc/compensations/siemens_lines.cpp",
-    "report/documents/compensation_document.cpp", "report/figures/compensation_curves.cpp",
+    "report/documents/compensation_document.cpp", "report/figures/compensation_curves.cpp", "report/documents/volumetric_document.cpp",
     "app/dynamics/dynamic_reports.cpp",
     "app/tracking/polar_report.cpp", "app/tracking/tracker_list.cpp",
     "app/error_motions/motion_tables.cpp", "app/error_motions/motion_reports.cpp", "report/figures/axis_motion.cpp",

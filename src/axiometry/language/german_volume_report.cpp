@@ -10,6 +10,8 @@ constexpr Phrase rows[] = {
     {"B, reversal value", "B, Umkehrspanne"},
     {"Breaks of the beam found", "Gefundene Strahlunterbrechungen"},
     {"Compensation of the volume", "Kompensation des Volumens"},
+    {"Covariances are multiplied by χ²/ν where that is above 1.",
+     "Kovarianzen sind mit χ²/ν multipliziert, wo das über 1 liegt."},
     {"Curves", "Kurven"},
     {"Deviation / µm", "Abweichung / µm"},
     {"Deviations", "Abweichungen"},
@@ -29,6 +31,9 @@ constexpr Phrase rows[] = {
     {"Displacement on the line without and with the table", "Verlagerung auf der Linie ohne und mit Tabelle"},
     {"Displacement on the line, range", "Verlagerung auf der Linie, Spannweite"},
     {"E, bidirectional systematic deviation", "E, beidseitige systematische Abweichung"},
+    {"Each station has a place of its own with each tool, so that a wrong offset of a tool enters as a lever alone.",
+     "Jeder Standort hat mit jedem Werkzeug einen eigenen Ort, sodass ein falscher Versatz eines Werkzeugs nur als "
+     "Hebel eingeht."},
     {"Error motions", "Bewegungsabweichungen"},
     {"Error motions of {0=}", "Bewegungsabweichungen von {0}"},
     {"Error motions over the travel", "Bewegungsabweichungen über dem Verfahrweg"},
@@ -54,6 +59,7 @@ constexpr Phrase rows[] = {
      "den Verschiebungen herausgerechnet. Unsicherheiten (k = 1): Streuung der Mittelwerte und, wo angegeben, "
      "Messgerät, von Position zu Position unabhängig."},
     {"Kinematic chain", "Kinematische Kette"},
+    {"Legendre polynomials, degree: {0=}", "Legendre-Polynome, Grad: {0}"},
     {"Lengths", "Längen"},
     {"Less the mean of all: the zero of a deviation curve is a convention. u: standard uncertainty (k = 1).",
      "Abzüglich des Mittels aller: Die Null einer Abweichungskurve ist eine Übereinkunft. u: Standardunsicherheit (k = "
@@ -103,6 +109,10 @@ constexpr Phrase rows[] = {
     {"Table", "Tabelle"},
     {"Test predicted from the 21 errors", "Aus den 21 Abweichungen vorhergesagte Prüfung"},
     {"The 21 errors of the machine", "Die 21 Abweichungen der Maschine"},
+    {"The errors, the places of the stations and the dead paths are those that minimise the weighted squares of the "
+     "residuals of all lengths.",
+     "Die Abweichungen, die Orte der Standorte und die Totwege sind die, bei denen die gewichteten Quadrate der "
+     "Residuen aller Längen am kleinsten sind."},
     {"The line runs through the middle of the volume that was observed, both directions of approach. The error of the "
      "tool point is over that volume, without rigid motion, with this table alone.",
      "Die Linie läuft durch die Mitte des beobachteten Volumens, in beiden Anfahrrichtungen. Der Fehler des "
@@ -121,6 +131,10 @@ constexpr Phrase rows[] = {
      "Drei Ebenen des Arbeitsraums: Farben zeigen, wie groß die Abweichung des Werkzeugpunkts ist, Pfeile, wohin sie "
      "in der Ebene zeigt."},
     {"To X; Y; Z / mm", "Nach X; Y; Z / mm"},
+    {"To the squares of the residuals are added those of how far curves bend, over what the findings say of it: both "
+     "together are least.",
+     "Zu den Quadraten der Residuen kommen die der Biegung der Kurven, bezogen auf das, was die Befunde dazu sagen: "
+     "Beide zusammen sind am kleinsten."},
     {"Tool", "Werkzeug"},
     {"Unknowns", "Unbekannte"},
     {"Value / µrad", "Wert / µrad"},
@@ -186,6 +200,7 @@ constexpr Phrase rows[] = {
     {"root mean square of a station", "quadratisches Mittel eines Standorts"},
     {"rotation {0=} at {1#} mm", "Drehung {0} bei {1} mm"},
     {"set aside, at the edge where beyond it", "ausgesondert, außerhalb liegende am Rand"},
+    {"straight lines between nodes, spans: {0#}", "Geraden zwischen Knoten, Abschnitte: {0}"},
     {"straightness", "Geradheit"},
     {"the comparison holds the uncertainty of the errors and the scatter of the test, but not what all readings of the "
      "test have in common, as its temperature or wavelength: that would appear as a slope",
