@@ -13,6 +13,7 @@ namespace {
 void apply(const app::CaptureOption& option, const std::string& text, app::CaptureOptions& options) {
   if (const auto done = option.apply(text, options); !done)
     throw UsageError(std::string(option.name), done.error().message);
+  options.stated = option.name;
 }
 
 void add_option_flag(const Verb& group, const app::CaptureOption& option, app::CaptureOptions& options) {

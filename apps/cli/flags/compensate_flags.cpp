@@ -89,6 +89,7 @@ void add_table_flags(const Verb& verb, app::CompensateRequest& request) {
   add_read(verb, {"--resolution", "NUMBER", "What one count of the control stands for, µm or ″ (1)"},
            [&request](const std::string& text) -> Result<void> {
              AXIOMETRY_TRY(request.table.resolution, number_in(text));
+             request.resolution_said = true;
              return {};
            })
       ->group(group);

@@ -118,7 +118,7 @@ std::vector<NamedPart> parts_of_calibration(const CalibrateArguments& a, const s
 Result<int> keep_lengths(const CalibrateArguments& given) {
   CalibrateArguments a = given;
   AXIOMETRY_TRY(const std::string kind, kind_of_calibration(a));
-  if (!a.station.empty() && kind != "lines") return fail("found --station without --plan, expected both");
+  if (!a.station.empty() && a.plan.empty()) return fail("found --station without --plan, expected both");
   AXIOMETRY_TRY_VOID(check_flags_of(kind, a));
   check_method_flags(*a.verb, a.lines.uncertainty);
   std::string tolerances;

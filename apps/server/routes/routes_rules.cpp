@@ -2,7 +2,9 @@
 // A kept test by other rules than ISO 230-2:2014; nothing is kept.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +34,7 @@ Result<std::vector<const standards::AxisRule*>> rules_asked_for(const Request& r
 
 /// ?uncertainty=monte-carlo, and how many &trials=, else as many as are usual.
 Result<app::UncertaintyOptions> trials_asked_for(const Request& request) {
-  constexpr std::int64_t trials_max = 10'000'000;
+  constexpr std::int64_t trials_max = 1'000'000;
   app::UncertaintyOptions options;
   const std::string_view method = request.parameter("uncertainty").value_or("");
   AXIOMETRY_TRY(const auto trials, whole_of(request, "trials", trials_max));
@@ -40,19 +42,31 @@ Result<app::UncertaintyOptions> trials_asked_for(const Request& request) {
   if (method.empty()) return options;
   if (method != "monte-carlo") return fail(fmt::format("found {}, expected monte-carlo", text::quoted(method)));
   options.monte_carlo = true;
-  options.trials.propagation.trials = trials ? static_cast<std::size_t>(*trials) : standards::usual_rule_trials;
+  if (trials) options.trials.propagation.trials = static_cast<std::size_t>(*trials);
   options.trials.propagation.on_progress = [stop = request.stop](const uncertainty::Progress&) {
     return !stop.stop_requested();
   };
   return options;
 }
 
+/// Every reading is drawn in every trial, and every figure of every rule formed of them: two minutes or so at most.
+Result<void> take_share(const Series& series, std::optional<std::size_t>& trials) {
+  constexpr std::size_t draws_max = 200'000'000, trials_least = 1'000;
+  const std::size_t readings = std::max<std::size_t>(1, series.reading_count());
+  if (!trials) trials = std::clamp(draws_max / readings, trials_least, standards::usual_rule_trials);
+  if (*trials <= std::max(trials_least, draws_max / readings)) return {};
+  return fail(fmt::format("found {} trials of {} readings, expected at most {}", *trials, readings,
+                          std::max(trials_least, draws_max / readings)));
+}
+
 Result<app::ComparedRules> compared_of(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
   AXIOMETRY_TRY(const auto version, version_of(request));
   AXIOMETRY_TRY(const auto rules, rules_asked_for(request));
-  AXIOMETRY_TRY(const app::UncertaintyOptions uncertainty, trials_asked_for(request));
+  AXIOMETRY_TRY(app::UncertaintyOptions uncertainty, trials_asked_for(request));
   AXIOMETRY_TRY(app::PreparedTest prepared, workbench.prepared(id, version));
+  if (uncertainty.monte_carlo)
+    AXIOMETRY_TRY_VOID(take_share(prepared.test.series, uncertainty.trials.propagation.trials));
   return app::compare_rules_of(std::move(prepared.test), rules, uncertainty);
 }
 

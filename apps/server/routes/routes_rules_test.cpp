@@ -118,6 +118,7 @@ TEST_F(RuleRoutes, GiveIntervalsWhereTrialsAreAskedFor) {
   EXPECT_THAT(P.find("shown")->find("interval")->text(), testing::MatchesRegex("[0-9.]+ to [0-9.]+"));
   EXPECT_EQ(get("/api/tests/1/rules", {{"uncertainty", "gum"}}).status, 422);
   EXPECT_EQ(get("/api/tests/1/rules", {{"trials", "1000"}}).status, 422);
+  EXPECT_EQ(get("/api/tests/1/rules", {{"uncertainty", "monte-carlo"}, {"trials", "1000001"}}).status, 422);
 }
 
 TEST_F(RuleRoutes, TakeAllProcessorsForTrialsAlone) {

@@ -107,10 +107,9 @@ Result<app::IdentifiedMachine> identified(const Request& request) {
   AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
   IdentificationForm form;
   for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_volume_part(form, part));
-  const bool has_machine = form.files.machine || form.files.plan;
-  if (form.files.lengths.empty() || !has_machine)
-    return fail(fmt::format("found a form without {}, expected the files lengths and machine",
-                            has_machine ? "lengths" : "a machine"));
+  if (form.files.lengths.empty()) return fail("found no file lengths, expected one");
+  if (!form.files.machine && !form.files.plan)
+    return fail("found neither a file machine nor a file plan, expected one of them");
   if (form.files.lengths.size() > app::files_of_lengths_most)
     return fail(fmt::format("found {} files of lengths, expected at most {}", form.files.lengths.size(),
                             app::files_of_lengths_most));

@@ -40,7 +40,11 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_calibrations,
                                  german_compensation,
                                  german_control_tables,
-                                 german_controls};
+                                 german_controls,
+                                 german_station_refusals,
+                                 german_length_refusals,
+                                 german_volume_files,
+                                 german_volume_refusals};
   return tables;
 }
 

@@ -47,6 +47,11 @@ extern const std::span<const Phrase>
 
 extern const std::span<const Phrase> german_volume_plan;  ///< and their plans, and requests about them
 
+extern const std::span<const Phrase> german_station_refusals;  ///< stations: located, measured from, angles, ranges
+extern const std::span<const Phrase> german_length_refusals;   ///< lines and lengths of a tracking interferometer
+extern const std::span<const Phrase> german_volume_files;      ///< files of volume, straightness, angles, simulations
+extern const std::span<const Phrase> german_volume_refusals;   ///< what else is refused of them
+
 /// All of them.
 std::span<const std::span<const Phrase>> german_tables();
 

@@ -62,6 +62,8 @@ constexpr Phrase rows[] = {
      "Kopie beider Dateien an einem beschreibbaren Ort"},
     {"found more than {0#} approaches, expected at most {1#}", "mehr als {0} Anfahrten; erwartet: höchstens {1}"},
     {"found more than {0#} stretches, expected at most {1#}", "mehr als {0} Strecken; erwartet: höchstens {1}"},
+    {"found neither a file machine nor a file plan, expected one of them",
+     "weder eine Datei machine noch eine Datei plan gefunden, eine davon erwartet"},
     {"found neither a request nor a plan, expected one of them", "weder Wünsche noch Plan; erwartet: eines von beiden"},
     {"found no member {0=}, expected axis, kind, from, to", "kein Eintrag {0}; erwartet: axis, kind, from, to"},
     {"found no name of a file, expected that of a store", "kein Dateiname; erwartet: der eines Archivs"},
@@ -95,6 +97,8 @@ constexpr Phrase rows[] = {
      "Methode {0}; erwartet: GET, HEAD, POST, PUT oder DELETE"},
     {"found the method {0=}, expected some of {1=}", "Verfahren {0}; erwartet: einige von {1}"},
     {"found the method {0=}, expected {1=}", "Verfahren {0}; erwartet: {1}"},
+    {"found the option {0=} of continuous recordings and tables of lengths alone, expected none",
+     "Option {0} von Aufzeichnungen und allein Tabellen von Längen gefunden, keine erwartet"},
     {"found the order {0=}, expected received, measured, title, machine, A, E, R or B",
      "Reihenfolge {0}; erwartet: received, measured, title, machine, A, E, R oder B"},
     {"found the parameter {0=}, expected some of A, E, R, B and their like",
@@ -108,6 +112,8 @@ constexpr Phrase rows[] = {
     {"found {0#} MB, expected at most {1#}", "{0} MB; erwartet: höchstens {1}"},
     {"found {0#} characters in {1=}, expected at most {2#}", "{0} Zeichen in {1}; erwartet: höchstens {2}"},
     {"found {0#} of them, expected at most {1#}", "{0} Stück; erwartet: höchstens {1}"},
+    {"found {0#} trials of {1#} readings, expected at most {2#}",
+     "{0} Versuche mit {1} Messwerten, höchstens {2} erwartet"},
     {"found {0#} trials, expected null or a whole number from {1#} to {2#}",
      "{0} Versuche; erwartet: null oder eine ganze Zahl von {1} bis {2}"},
     {"found {0#}, expected a whole number", "{0}; erwartet: eine ganze Zahl"},
@@ -139,6 +145,8 @@ constexpr Phrase rows[] = {
     {"there is nothing of this name", "unter diesem Namen gibt es nichts"},
     {"to: {0}", "bis: {0}"},
     {"warm-up: {0}", "Warmlauf: {0}"},
+    {"{0=}: found it without the method it belongs to, expected monte-carlo in methods",
+     "{0}: ohne das Verfahren gefunden, zu dem es gehört, monte-carlo in methods erwartet"},
 };
 
 }  // namespace

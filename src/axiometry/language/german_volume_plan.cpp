@@ -30,15 +30,12 @@ constexpr Phrase rows[] = {
     {"Reach of the reflector with all tools, and {0#} stations.",
      "Reichweite des Reflektors mit allen Werkzeugen, und {0} Stationen."},
     {"Read the findings before the plan is measured.", "Vor der Messung die Feststellungen lesen."},
+    {"Run no.", "Lauf Nr."},
     {"Standard uncertainties (k = 1), from the uncertainties that are stated of the instrument and the "
      "machine.",
      "Standardunsicherheiten (k = 1), aus den Unsicherheiten, die von Gerät und Maschine angegeben sind."},
     {"Tool point, {0=}", "Werkzeugpunkt, {0}"},
     {"What the lengths will tell", "Was die Längen bestimmen werden"},
-    {"found a form without a machine, expected the files lengths and machine",
-     "Formular ohne Maschine; erwartet: die Dateien lengths und machine"},
-    {"found a form without lengths, expected the files lengths and machine",
-     "Formular ohne Längen; erwartet: die Dateien lengths und machine"},
     {"found a line of which the readings do not tell all errors, expected one that they tell: see the "
      "findings of the result",
      "eine Linie, von der die Messwerte nicht alle Abweichungen bestimmen; erwartet: eine, die sie "

@@ -6,6 +6,8 @@ namespace axiometry::language {
 namespace {
 
 constexpr Phrase rows[] = {
+    {"Added to the commanded position: a positive value moves the axis in the positive direction.",
+     "Zur befohlenen Position addiert: Ein positiver Wert bewegt die Achse in positiver Richtung."},
     {"At / mm", "Bei / mm"},
     {"B, reversal value", "B, Umkehrspanne"},
     {"Breaks of the beam found", "Gefundene Strahlunterbrechungen"},
@@ -161,12 +163,16 @@ constexpr Phrase rows[] = {
      "and the table corrects it too",
      "keine Zielposition, die zweimal von derselben Seite angefahren wurde: Was von den Abweichungen Streuung ist, "
      "kann niemand sagen, und die Tabelle korrigiert sie mit"},
-    {"found that a re-test would show E of {0#} (median) where the axis has {1#}: beside the reversal, which one curve "
-     "for both directions leaves, the deviations are what scatter makes of them, and a table of scatter makes the axis "
-     "worse; no table is written",
-     "eine Nachprüfung würde E von {0} (Median) zeigen, wo die Achse {1} hat: Neben der Umkehrspanne, die eine Kurve "
-     "für beide Richtungen lässt, sind die Abweichungen, was die Streuung aus ihnen macht, und eine Tabelle der "
-     "Streuung macht die Achse schlechter; keine Tabelle wird geschrieben"},
+    {"found positions of a table for {0=}, expected none: it has one straight line everywhere",
+     "Positionen einer Tabelle für {0} gefunden, keine erwartet: Sie hat überall eine Gerade"},
+    {"found that a re-test would show E of {0#} (median) where the axis has {1#}: no table of these points makes the "
+     "axis better; no table is written",
+     "eine Nachprüfung würde E von {0} (Median) zeigen, wo die Achse {1} hat: Keine Tabelle mit diesen Punkten macht "
+     "die Achse besser; keine Tabelle wird geschrieben"},
+    {"found that a re-test would show E of {0#} (median) where the axis has {1#}: one curve for both directions leaves "
+     "the reversal error, up to {2#}; no table is written",
+     "eine Nachprüfung würde E von {0} (Median) zeigen, wo die Achse {1} hat: Eine Kurve für beide Richtungen lässt "
+     "die Umkehrspanne, bis zu {2}; keine Tabelle wird geschrieben"},
     {"found {0#} targets where a test after ISO 230-2 has {1#} at least: what the axis does between them nobody "
      "measured",
      "{0} Zielpositionen, wo eine Prüfung nach ISO 230-2 mindestens {1} hat: Was die Achse zwischen ihnen tut, hat "

@@ -127,6 +127,10 @@ TEST(Translated, EndsSoonWhateverTheText) {
 
 TEST(Words, ChangeTheFirstLetterOfWordsAlone) {
   EXPECT_EQ(capitalised("écart"), "Écart");
+  EXPECT_EQ(capitalised("l’essai"), "L’essai");
+  EXPECT_EQ(capitalised("à la fin"), "À la fin");
+  EXPECT_EQ(without_capital("L’axe"), "l’axe");
+  EXPECT_EQ(without_capital("À la fin"), "à la fin");
   EXPECT_EQ(capitalised("œil-de-chat"), "Œil-de-chat");
   EXPECT_EQ(capitalised("u = 3"), "u = 3");
   EXPECT_EQ(without_capital("Étalon"), "étalon");

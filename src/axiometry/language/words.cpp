@@ -81,9 +81,19 @@ bool is_quoted(std::string_view text) {
   return text.find(text.front(), 1) == text.size() - 1;
 }
 
+namespace {
+
+/// Whether a letter in front is that of a word and no symbol (s_i, u = …): another follows, or an apostrophe as in
+/// "l’axe", or it is the French "à".
+bool begins_word(std::string_view text, std::string_view rest) {
+  return letter_length(rest) > 0 || rest.starts_with("’") || text.starts_with("à ") || text.starts_with("À ");
+}
+
+}  // namespace
+
 std::string capitalised(std::string text) {
   const std::size_t first = letter_length(text);
-  if (first == 0 || letter_length(std::string_view(text).substr(first)) == 0) return text;  // s_i, u = …
+  if (first == 0 || !begins_word(text, std::string_view(text).substr(first))) return text;
   if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   const bool accented = text[0] == '\xC3' && static_cast<unsigned char>(text[1]) >= 0xA0;
   if (accented && static_cast<unsigned char>(text[1]) != 0xBF) text[1] = static_cast<char>(text[1] - 0x20);
@@ -94,7 +104,7 @@ std::string capitalised(std::string text) {
 std::string without_capital(std::string text) {
   const std::size_t first = letter_length(text);
   const std::string_view rest = std::string_view(text).substr(first);
-  if (first == 0 || letter_length(rest) == 0 || (rest[0] >= 'A' && rest[0] <= 'Z')) return text;  // U_EVE, NDE
+  if (first == 0 || !begins_word(text, rest) || (rest[0] >= 'A' && rest[0] <= 'Z')) return text;  // U_EVE, NDE
   if (text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
   const auto accented = static_cast<unsigned char>(text[0] == '\xC3' ? text[1] : 0);
   if (accented >= 0x80 && accented < 0x9F && accented != 0x97) text[1] = static_cast<char>(accented + 0x20);

@@ -68,7 +68,7 @@ export function TrackingPage() {
           {vocabulary.error && <FailureNotice error={vocabulary.error} retry={vocabulary.reload} />}
           {vocabulary.data && <ProgramPanel path="/api/tracking/lines/program" subject={settled && { request: settled }} of_lines stops={is_aligned(form)} name={name} vocabulary={vocabulary.data} step="4" />}
           <LengthPartsPanel subject={captured} step="5" />
-          <LengthsPanel plan={plan} located={located} />
+          <LengthsPanel plan={plan} located={is_aligned(form) ? null : located} />
         </div>
       </div>
     </>

@@ -147,22 +147,31 @@ Result<Retest> retest_of(NamedTest again, const Test& before, const AxisCorrecti
   return Retest{std::move(test), std::move(evaluation), effect};
 }
 
-/// Fails where re-tests would show no less than the axis has: its means are what scatter makes of them, but for the
-/// reversal, which one curve for both directions leaves.
+/// Why a table does not make the axis better. Means that lie farther apart than 95 % of those that `scatter` alone
+/// makes are what the axis does: the reversal is left by one curve for both directions, the rest by points too far
+/// apart.
+std::string why_not_better(const Evaluation& before, const Series& scatter, const Setting& s) {
+  const auto by_scatter = compensation::expected_retest(scatter);
+  const auto E = systematic(before.parameters), E_by_scatter = by_scatter ? systematic(by_scatter->percent_95) : E;
+  if (!E || !E_by_scatter || E->in_native() <= E_by_scatter->in_native())
+    return "the deviations are what scatter makes of them, and a table of scatter makes the axis worse";
+  const auto& B = before.parameters.B;
+  if (s.curves == TableCurves::both_ways && B)
+    return fmt::format("one curve for both directions leaves the reversal error, up to {:.2f} {}", B->in_native(),
+                       deviation_unit(s.options.kind));
+  return "no table of these points makes the axis better";
+}
+
+/// Fails where re-tests would show no less than the axis has.
 Result<void> check_worth_it(const Evaluation& before, const std::optional<compensation::ExpectedRetest>& expected,
-                            const Setting& s) {
-  const AxisKind kind = s.options.kind;
+                            const Series& scatter, const Setting& s) {
   if (!expected) return {};
   const auto E_before = systematic(before.parameters), E_after = systematic(expected->median);
   if (!E_before || !E_after || E_after->in_native() < E_before->in_native()) return {};
-  const auto& reversal = before.parameters.B_mean;  // which scatter alone does not make
-  const bool is_reversal =
-      s.curves == TableCurves::both_ways && reversal && std::abs(reversal->in_native()) > 0.5 * E_before->in_native();
+  const std::string unit(deviation_unit(s.options.kind));
   return fail(fmt::format(
-      "found that a re-test would show E of {:.2f} {} (median) where the axis has {:.2f} {}: {}the deviations are what "
-      "scatter makes of them, and a table of scatter makes the axis worse; no table is written",
-      E_after->in_native(), deviation_unit(kind), E_before->in_native(), deviation_unit(kind),
-      is_reversal ? "beside the reversal, which one curve for both directions leaves, " : ""));
+      "found that a re-test would show E of {:.2f} {} (median) where the axis has {:.2f} {}: {}; no table is written",
+      E_after->in_native(), unit, E_before->in_native(), unit, why_not_better(before, scatter, s)));
 }
 
 /// What lies above 95 % of the re-tests that were to be expected.
@@ -239,7 +248,8 @@ Result<std::optional<AxisCorrection>> existing_of(const std::optional<NamedTable
 
 /// What must be done beside the table, or is known of it beside its numbers.
 void add_findings_of_control(const Setting& s, const AxisCorrection& applied, std::vector<NamedFinding>& findings) {
-  std::ranges::move(findings_of_control(s.control, s.options, applied), std::back_inserter(findings));
+  std::ranges::move(findings_of_control(s.control, s.options, applied, s.request.resolution_said),
+                    std::back_inserter(findings));
   const bool has_positions = s.control.limits.points == 0 || s.control.limits.points > 2;
   if (s.existing && has_positions)
     if (auto cut = finding_of_cut_table(*s.existing, s.nodes)) findings.push_back(*std::move(cut));
@@ -327,7 +337,7 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY(const Series corrected, compensation::corrected_series(test.series, applied, removed));
   AXIOMETRY_TRY(const Series scatter, compensation::scatter_alone(test.series));
   const auto expected = compensation::expected_retest(corrected);
-  AXIOMETRY_TRY_VOID(in_file(check_worth_it(before, expected, s), name));
+  AXIOMETRY_TRY_VOID(in_file(check_worth_it(before, expected, scatter, s), name));
   std::optional<Retest> retest;
   if (axis.retest) {
     AXIOMETRY_TRY(retest, retest_of(*std::move(axis.retest), test, applied, s, findings));

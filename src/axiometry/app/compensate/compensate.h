@@ -25,6 +25,7 @@ struct CompensateRequest {
   std::string control;  ///< id of an nc::AxisTable
   std::string axis;     ///< as the control names it; empty: as the test does
   nc::AxisTableOptions table;
+  bool resolution_said = false;  ///< table.resolution was stated, though it is as usual
   compensation::GridRequest grid;
   std::optional<TableCurves> curves;  ///< fewer than the control has
   compensation::Method method = compensation::Method::least_squares;

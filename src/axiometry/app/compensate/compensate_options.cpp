@@ -71,6 +71,7 @@ Result<CompensateRequest> compensate_request_from(const Value& value) {
   AXIOMETRY_TRY(request.axis, axis_in(members, ""));
   AXIOMETRY_TRY_VOID(take_grid(members, request.grid));
   AXIOMETRY_TRY_VOID(take_table_options(members, request.table));
+  request.resolution_said = value.find("resolution") != nullptr;
   AXIOMETRY_TRY_VOID(take_choice<std::optional<TableCurves>>(members, "curves", curves_words, request.curves));
   AXIOMETRY_TRY_VOID(take_choice<Method>(members, "method", method_words, request.method));
   AXIOMETRY_TRY_VOID(take_switch(members, "smooth", request.smooth));
@@ -104,7 +105,10 @@ Value to_json(const CompensateRequest& request) {
   add_switch("inch", request.table.in_inch);
   add_unless("number", request.table.number, usual.table.number);
   add_unless("reference", request.table.reference, usual.table.reference);
-  add_unless("resolution", request.table.resolution, usual.table.resolution);
+  if (request.resolution_said)
+    options.add("resolution", request.table.resolution);
+  else
+    add_unless("resolution", request.table.resolution, usual.table.resolution);
   add_unless("magnification", request.table.magnification, usual.table.magnification);
   add_unless("largest", request.table.largest, usual.table.largest);
   add_unless("steps_per_unit", request.table.steps_per_unit, usual.table.steps_per_unit);

@@ -29,9 +29,9 @@ NamedFinding finding_of_count(const nc::AxisTableOptions& options) {
 }  // namespace
 
 std::vector<NamedFinding> findings_of_control(const nc::AxisTable& control, const nc::AxisTableOptions& options,
-                                              const AxisCorrection& applied) {
+                                              const AxisCorrection& applied, bool count_said) {
   std::vector<NamedFinding> findings;
-  if (control.uses.resolution && options.resolution == nc::AxisTableOptions{}.resolution)
+  if (control.uses.resolution && !count_said && options.resolution == nc::AxisTableOptions{}.resolution)
     findings.push_back(finding_of_count(options));
   if (options.turned_sign)
     findings.push_back({"compensation-sign-turned", false,

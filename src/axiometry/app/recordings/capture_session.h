@@ -32,6 +32,7 @@ struct CaptureOptions {
   std::optional<Position> rest_threshold;
   std::optional<double> wavelength_nm;  ///< with counts_per_wavelength in place of recording.units_per_count
   std::optional<double> counts_per_wavelength;
+  std::string stated;  ///< name of an option that was stated, for what can use none; empty: none was
 };
 
 /// The plan of a file, or one of those that belong to it. Fails as formats::read_plan() does, and on a part that does

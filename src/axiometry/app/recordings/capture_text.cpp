@@ -164,6 +164,7 @@ Result<CaptureOptions> capture_options_from(std::span<const std::pair<std::strin
           fmt::format("found the unknown option {}, expected one of {}", text::quoted(name), fmt::join(known, ", ")));
     if (auto put = capture_option_table[place - known.begin()].apply(text, options); !put)
       return fail(fmt::format("{}: {}", name, put.error().message));
+    options.stated = name;
     datum = datum || name == "datum";
   }
   if (datum && options.matcher.zero_at_first_target) return fail("found both datum and zero, expected one of them");

@@ -38,6 +38,12 @@ Result<void> take_recording(formats::JsonMembers& members, CaptureOptions& optio
   return {};
 }
 
+Result<void> check_no_recording_stated(const CaptureOptions& options) {
+  if (options.stated.empty()) return {};
+  return fail(fmt::format("found the option {} of continuous recordings and tables of lengths alone, expected none",
+                          text::quoted(options.stated)));
+}
+
 Value recording_value(const RecordingTexts& texts) {
   Value object = Value::object();
   for (const auto& [name, text] : texts) object.add(name, text);

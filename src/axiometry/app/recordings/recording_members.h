@@ -23,6 +23,9 @@ bool is_of_lengths(std::string_view option);
 /// capture_options_from() does.
 Result<void> take_recording(formats::JsonMembers& members, CaptureOptions& options);
 
+/// Of tables of lengths. Fails where an option of continuous recordings was stated, which they have no use for.
+Result<void> check_no_recording_stated(const CaptureOptions& options);
+
 json::Value recording_value(const RecordingTexts& texts);
 
 }  // namespace axiometry::app

@@ -114,6 +114,11 @@ Result<TrackingEvaluateOptions> evaluate_options_from(const Value& value) {
   AXIOMETRY_TRY_VOID(take_verdict(members, options));
   AXIOMETRY_TRY_VOID(take_uncertainty(members, options.uncertainty));
   AXIOMETRY_TRY_VOID(take_choice<TypeA>(members, "type_a", type_a_words, options.uncertainty.trials.type_a));
+  if (!options.uncertainty.monte_carlo)
+    for (const char* name : {"trials", "seed", "coverage", "type_a"})
+      if (const Value* own = value.find(name); own != nullptr && !own->is(json::Kind::null))
+        return fail(fmt::format("{}: found it without the method it belongs to, expected monte-carlo in methods", name),
+                    own->at());
   AXIOMETRY_TRY_VOID(take_recording(members, options.recording));
   AXIOMETRY_TRY_VOID(members.finish());
   return options;

@@ -14,6 +14,7 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/length_capture.h"
+#include "axiometry/app/recordings/recording_members.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
@@ -145,6 +146,7 @@ Result<Assigned> read_lengths(Source& source, const TrackingEvaluateOptions& opt
   AXIOMETRY_TRY(const std::string_view head, source.head());
   if (!options.recording.stream.empty() || formats::is_length_recording(head, evaluated.plan))
     return recorded(source, options, evaluated);
+  AXIOMETRY_TRY_VOID(check_no_recording_stated(options.recording));
   AXIOMETRY_TRY(const std::string bytes, source.read_all(read_budget::file_bytes));
   evaluated.lengths = {source.name(), sha256(bytes)};
   AXIOMETRY_TRY(table, formats::read_tracking_lengths(bytes, evaluated.plan));

@@ -10,6 +10,7 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/recordings/recording_members.h"
 #include "axiometry/app/volumetric/part_lengths.h"
 #include "axiometry/app/volumetric/planned_points.h"
 #include "axiometry/base/text.h"
@@ -61,6 +62,7 @@ class Gathering {
                               request_.parts.size(), recordings_));
     if (recordings_ == 0 && request_.recording.matcher.reversed)
       return fail("found reversed lengths in tables alone, expected them of a continuous recording");
+    if (recordings_ == 0) AXIOMETRY_TRY_VOID(check_no_recording_stated(request_.recording));
     if (plan_ != nullptr) tell_missing_parts();
     return std::move(all_);
   }

@@ -142,7 +142,8 @@ void add_findings_of_ends(const std::vector<double>& nodes, const LineOfVolume& 
                         ends + ": there it holds the value at the end of what was observed, which nobody measured"});
 }
 
-std::vector<NamedFinding> findings_of(const VolumeCompensation& made, const std::vector<double>& nodes) {
+std::vector<NamedFinding> findings_of(const VolumeCompensation& made, const std::vector<double>& nodes,
+                                      bool count_said) {
   std::vector<NamedFinding> findings;
   if (nodes.size() > 1) add_findings_of_ends(nodes, made.line, findings);
   if (made.line_before_um < 4.0 * made.line.largest_u_um)
@@ -157,7 +158,8 @@ std::vector<NamedFinding> findings_of(const VolumeCompensation& made, const std:
          fmt::format("the line through the middle becomes better, and the volume not: 95 % of the tool point's errors "
                      "lie below {:.2f} µm with this table alone, {:.2f} µm without",
                      made.effect.after.percent_95, made.effect.before.percent_95)});
-  std::ranges::move(findings_of_control(*made.control, made.options, made.applied), std::back_inserter(findings));
+  std::ranges::move(findings_of_control(*made.control, made.options, made.applied, count_said),
+                    std::back_inserter(findings));
   return findings;
 }
 
@@ -184,6 +186,9 @@ Result<VolumeCompensation> compensate_volume(const ErrorModel& model, const Volu
   AXIOMETRY_TRY_VOID(check_no_options_of_a_test(request.how));
   AXIOMETRY_TRY(const nc::AxisTable* control, nc::axis_table_named(request.how.control));
   AXIOMETRY_TRY_VOID(check_axes(request, *control));
+  if (control->limits.points == 2 && is_wished(request.how.grid))
+    return fail(fmt::format("found positions of a table for {}, expected none: it has one straight line everywhere",
+                            control->title));
   AXIOMETRY_TRY(const std::size_t tool, tool_of_model(model, request.tool));
   const Vector3 tool_mm = model.machine().tools[tool].offset_mm;
   const nc::AxisTableOptions options = table_options(request);
@@ -232,7 +237,7 @@ Result<VolumeCompensation> compensate_volume(const ErrorModel& model, const Volu
                           after,
                           *effect,
                           {}};
-  made.findings = findings_of(made, nodes);
+  made.findings = findings_of(made, nodes, request.how.resolution_said);
   return made;
 }
 

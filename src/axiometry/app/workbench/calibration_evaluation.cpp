@@ -102,7 +102,8 @@ Result<EvaluatedCalibration> identified_machine(std::span<const CalibrationSourc
   AXIOMETRY_TRY(const Sources sources, Sources::of(files, roles, Sources::Lengths::several));
   IdentifyFiles given{.lengths = sources.lengths(), .machine = sources.find("machine"), .plan = sources.find("plan")};
   if (given.lengths.empty()) return fail("found no file lengths, expected one");
-  if (!given.machine && !given.plan) return fail("found no file machine, expected one");
+  if (!given.machine && !given.plan)
+    return fail("found neither a file machine nor a file plan, expected one of them");
   AXIOMETRY_TRY(const IdentifyChoices asked, identify_choices_from(options));
   AXIOMETRY_TRY(IdentifiedMachine found, identify_presentable(given, asked));
   return EvaluatedCalibration(std::move(found));

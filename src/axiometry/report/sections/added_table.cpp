@@ -24,13 +24,14 @@ Table added_table(const AxisCorrection& applied, std::size_t rows_most, const Op
   const std::size_t step = count <= rows_most ? 1 : (count - 2) / spaces + 1;
   for (std::size_t k = 0; k + 1 < count; k += step) add(k);
   add(count - 1);
-  table.notes = {
-      plain("Added to the commanded position: a positive value moves the axis in the positive direction. The "
-            "control interpolates linearly and holds the last value beyond the ends.")};
+  // Two points are a straight line, which some controls continue beyond them.
+  table.notes = {plain(
+      count > 2 ? "Added to the commanded position: a positive value moves the axis in the positive direction. The "
+                  "control interpolates linearly and holds the last value beyond the ends."
+                : "Added to the commanded position: a positive value moves the axis in the positive direction.")};
   if (step > 1)
     table.notes.push_back(
-        plain(fmt::format("{} of {} positions: all are in the file for the control and in the JSON (--json).",
-                          table.rows.size(), count)));
+        plain(fmt::format("{} of {} positions: all are in the file for the control.", table.rows.size(), count)));
   table.dense = true;
   return table;
 }
