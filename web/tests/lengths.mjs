@@ -77,6 +77,7 @@ export const lengths = {
     await shows(page.locator('section[aria-labelledby="volume-found"]'), 'All 21 errors found', 30_000);
     await shows(page.locator('section[aria-labelledby="volume-lengths"]'), 'simulated, not measured');
     await page.goto('/captures');
+    await page.locator('tbody tr').first().waitFor();
     assert.equal(await page.locator('tbody tr').count(), all);
     const table = await downloaded(page, () => page.getByRole('link', { name: '10 of 10 lengths' }).first().click());
     assert.match(table.bytes.toString(), /# Simulated, not measured[\s\S]*station,tool,/);

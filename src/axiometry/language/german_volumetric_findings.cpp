@@ -95,6 +95,8 @@ constexpr Phrase rows[] = {
      "{1#} times as large",
      "über {0} sagt die Glattheit mehr als die Längen: Aus den Längen allein wären die Unsicherheiten bis zu {1}-mal "
      "so groß"},
+    {"no curve is told that could be smooth: the smoothness changes nothing",
+     "von keiner Kurve, die glatt sein könnte, sagen die Längen etwas: Die Glattheit ändert nichts"},
     {"nothing is said of an error that all lengths have in common, as of the wavelength in air or the temperature of "
      "the machine: it would appear in the slopes of EXX, EYY and EZZ, whose uncertainties do not hold it "
      "(scale_u_um_per_m in the machine's file)",

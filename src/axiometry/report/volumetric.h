@@ -39,8 +39,9 @@ struct VolumeFieldSubject {
   const volumetric::ErrorModel& model;
   std::span<const volumetric::ToolField> fields;
   std::string result_file;
+  std::span<const volumetric::VolumetricFinding> findings;  ///< those of the result too that speak against it
 };
-/// The volume and its diagonals.
+/// The volume, its diagonals, and what speaks against them.
 Document compose(const VolumeFieldSubject& subject, const Options& options);
 
 /// A test of one line as it is predicted, and beside it what was measured.

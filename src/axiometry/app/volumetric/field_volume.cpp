@@ -115,7 +115,8 @@ Value json_of(const FieldVolume& volume) {
 }
 
 Experiment present(const FieldVolume& volume, const report::Options& options) {
-  return {report::compose(report::VolumeFieldSubject{volume.model, volume.fields, base_name(volume.request.result)},
+  return {report::compose(report::VolumeFieldSubject{volume.model, volume.fields, base_name(volume.request.result),
+                                                     volume.findings},
                           options),
           json_of(volume)};
 }

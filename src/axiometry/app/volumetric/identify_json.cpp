@@ -117,8 +117,14 @@ Value smoothness_value(const IdentifiedMachine& identified) {
   const auto names = volumetric::error_names();
   Value value = Value::object();
   value.add("stated", identified.request.options.smoothness.kind == volumetric::Smoothness::Kind::stated);
-  value.add("displacement_um", smoothed->displacement_um);
-  value.add("rotation_urad", smoothed->rotation_urad);
+  const auto bent = [&](bool rotations, double size) {
+    const bool any = std::ranges::any_of(smoothed->errors, [&](const volumetric::SmoothedError& s) {
+      return volumetric::error_motion_named(names[s.error])->rotation() == rotations;
+    });
+    return any ? Value(size) : Value();
+  };
+  value.add("displacement_um", bent(false, smoothed->displacement_um));
+  value.add("rotation_urad", bent(true, smoothed->rotation_urad));
   value.add("unknowns_told_by_it", smoothed->taken);
   Value& errors = value.add("errors", Value::object());
   for (const volumetric::SmoothedError& s : smoothed->errors) {

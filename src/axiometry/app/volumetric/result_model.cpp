@@ -25,11 +25,6 @@ Result<KeptModel> kept_model(const std::string& file) {
   return kept;
 }
 
-Result<volumetric::ErrorModel> model_of_result(const std::string& file) {
-  AXIOMETRY_TRY(KeptModel kept, kept_model(file));
-  return std::move(kept.model);
-}
-
 Result<std::size_t> tool_of_model(const volumetric::ErrorModel& model, std::string_view name) {
   const auto& tools = model.machine().tools;
   if (name.empty() && tools.size() == 1) return std::size_t{0};

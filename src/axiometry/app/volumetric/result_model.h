@@ -24,9 +24,6 @@ struct KeptModel {
 /// Of a file of `axiometry volumetric identify --out`. Fails as formats::read_error_model(), with the file's name.
 Result<KeptModel> kept_model(const std::string& file);
 
-/// The model alone, where nothing is made of it. Fails as formats::read_error_model(), with the file's name.
-Result<volumetric::ErrorModel> model_of_result(const std::string& file);
-
 /// Index of the tool; an empty name is the only one there is. Fails with the names there are.
 Result<std::size_t> tool_of_model(const volumetric::ErrorModel& model, std::string_view name);
 

@@ -111,6 +111,14 @@ Section deviations_section(const PredictedTestSubject& subject, const Options& o
   return {"deviations", "Deviations", true, {std::move(table)}};
 }
 
+void add_findings(std::span<const volumetric::VolumetricFinding> all, Document& document) {
+  if (all.empty()) return;
+  Section findings{"findings", "Findings", false, {}};
+  for (const volumetric::VolumetricFinding& f : all)
+    findings.blocks.emplace_back(Paragraph{sentence(f.message), f.serious ? Tone::bad : Tone::normal});
+  document.sections.push_back(std::move(findings));
+}
+
 }  // namespace
 
 Document compose(const VolumeFieldSubject& subject, const Options& options) {
@@ -118,6 +126,7 @@ Document compose(const VolumeFieldSubject& subject, const Options& options) {
                                       subject.result_file, options);
   document.sections = {volume_section(subject.model, subject.fields, options),
                        diagonals_section(subject.model, subject.fields, options)};
+  add_findings(subject.findings, document);
   return document;
 }
 
@@ -126,12 +135,7 @@ Document compose(const PredictedTestSubject& subject, const Options& options) {
   Document document = volume_document("Test predicted from the 21 errors", diagonal ? "ISO 230-6" : "ISO 230-2:2014",
                                       subject.result_file, options);
   document.sections = {predicted_section(subject, options)};
-  if (!subject.findings.empty()) {
-    Section findings{"findings", "Findings", false, {}};
-    for (const volumetric::VolumetricFinding& f : subject.findings)
-      findings.blocks.emplace_back(Paragraph{sentence(f.message), f.serious ? Tone::bad : Tone::normal});
-    document.sections.push_back(std::move(findings));
-  }
+  add_findings(subject.findings, document);
   document.sections.push_back(deviations_section(subject, options));
   return document;
 }

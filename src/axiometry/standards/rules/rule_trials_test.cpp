@@ -117,8 +117,7 @@ TEST(RuleTrials, ClaimNothingWhereNothingActs) {
 }
 
 TEST(RuleTrials, LetWhatAnyTwoPlacesDifferByActOnDistancesAlone) {
-  const RuleComparison c =
-      sampled(known_by({{"device_constant", "normal 0 0.5"}}, testing_support::table2::series()));
+  const RuleComparison c = sampled(known_by({{"device_constant", "normal 0 0.5"}}, testing_support::table2::series()));
   EXPECT_NEAR(sampled_figure(c, "vdi-dgq-3441", "P").interval.value().u.in_native(), 0.5, 0.05);
   EXPECT_NEAR(sampled_figure(c, "jis-b-0182-1993", "E").interval.value().u.in_native(), 0.5, 0.05);
   EXPECT_FALSE(sampled_figure(c, "vdi-dgq-3441", "P_s_max").interval);
@@ -162,10 +161,8 @@ TEST(RuleTrials, DoNotDependOnTheNumberOfThreads) {
 }
 
 TEST(RuleTrials, DrawNothingOfReadingsThatWereNotMeasured) {
-  const RuleComparison c = sampled(
+  expect_intervals_of_the_edition(
       known_by(laser_and_noise, make_series({0, 100, 200}, {{0, 1, 3}, {0, testing_support::none, 4}, {1, 2, 3}}, {})));
-  EXPECT_TRUE(sampled_figure(c, "iso-230-2-2006", "A_up").interval);
-  EXPECT_FALSE(sampled_figure(c, "vdi-dgq-3441", "P").interval);
 }
 
 }  // namespace

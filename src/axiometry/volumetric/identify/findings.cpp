@@ -170,7 +170,12 @@ void add_bias(const SmoothedCurves& smoothed, bool of_rotations, std::vector<Vol
 
 /// What was taken for known of the curves, what rests on it, and what speaks against it.
 void add_smoothness(const Smoothness& asked, const Identification& result, std::vector<VolumetricFinding>& findings) {
-  if (!result.smoothed || result.smoothed->errors.empty()) return;
+  if (!result.smoothed) return;
+  if (result.smoothed->errors.empty()) {
+    findings.push_back(
+        {"volumetric-smoothness-idle", false, "no curve is told that could be smooth: the smoothness changes nothing"});
+    return;
+  }
   const SmoothedCurves& smoothed = *result.smoothed;
   const char* how = asked.kind == Smoothness::Kind::stated ? "as was stated" : "as the lengths of all let it appear";
   findings.push_back({"volumetric-smoothness", false,

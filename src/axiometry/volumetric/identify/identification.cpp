@@ -78,6 +78,14 @@ std::vector<SetAside> set_aside_of(const Identifier& done) {
   return aside;
 }
 
+/// Of what is stated, with the variance factor of each fit: without the smoothness, and with it.
+void set_ratios(const Identifier& done, const std::vector<double>& scaled, SmoothedCurves& smoothed) {
+  const detail::PerCurve stated = detail::mean_variances(done.coefficients(), scaled);
+  for (SmoothedError& s : smoothed.errors)
+    if (stated[s.error] > 0.0)
+      s.u_ratio = std::sqrt(done.plain_variances()[s.error] * done.penalty()->variance_factor() / stated[s.error]);
+}
+
 }  // namespace
 
 Result<Identification> identify(const MachineModel& machine, const VolumetricLengths& lengths,
@@ -88,8 +96,7 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   const std::size_t told = fit.solution.unknowns() - fit.solution.null_directions();
   std::vector<double> covariance = fit.solution.coefficient_covariance();
   std::optional<SmoothedCurves> smoothed;
-  if (done.penalty())
-    smoothed = detail::smoothed_curves(*done.penalty(), done.coefficients(), fit, covariance, done.plain_variances());
+  if (done.penalty()) smoothed = detail::smoothed_curves(*done.penalty(), done.coefficients(), fit, covariance);
   // Of what the smoothness tells, whole unknowns only: fewer degrees of freedom make uncertainties larger.
   const std::size_t fitted = told - (smoothed ? static_cast<std::size_t>(smoothed->taken) : 0);
   const std::size_t dof = done.count() > fitted ? done.count() - fitted : 0;
@@ -98,6 +105,7 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   std::vector<double> scaled = times(covariance, factor);
   if (smoothed && options.smoothness.kind == Smoothness::Kind::automatic)
     scaled = detail::with_bend_uncertainty(*done.penalty(), done.coefficients(), fit, covariance, std::move(scaled));
+  if (smoothed) set_ratios(done, scaled, *smoothed);
   detail::add_common_scale(done.problem(), fit.state, fit.beams, fit.solution, scaled);
   std::vector<std::vector<double>> unseen = fit.solution.unseen();
   const auto by_shape = detail::told_by_shape_alone(done.problem(), fit.state);

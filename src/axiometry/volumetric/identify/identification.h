@@ -92,7 +92,7 @@ struct VolumetricRank {
 /// One of the 18 curves that was taken to be smooth.
 struct SmoothedError {
   std::size_t error = 0;    ///< in the order of error_names()
-  double u_ratio = 1.0;     ///< mean standard uncertainty by the lengths alone over that with the smoothness
+  double u_ratio = 1.0;     ///< mean standard uncertainty by the lengths alone over that which is stated
   double bias = 0.0;        ///< the most by which the smoothness draws it towards a straight line, µm or µrad
   double bend_ratio = 1.0;  ///< what it was found to bend over what the smoothness lets expect, as a ratio of rms
   double chance = 1.0;      ///< that it were found to bend as far, if the smoothness held

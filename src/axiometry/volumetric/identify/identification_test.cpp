@@ -137,6 +137,11 @@ TEST(Identify, ChoosesNoCurvesSoFineThatLengthsTellLess) {
     const auto chosen = identify(machine.model, lengths, {.reversal = Reversal::curves});
     ASSERT_TRUE(chosen) << chosen.error().message;
     EXPECT_THAT(unseen_names(*chosen), testing::IsEmpty()) << seed;
+    IdentifyOptions smooth{.reversal = Reversal::curves};
+    smooth.smoothness.kind = Smoothness::Kind::automatic;  // which takes twice as many spans where they tell as much
+    const auto bent = identify(machine.model, lengths, smooth);
+    ASSERT_TRUE(bent) << bent.error().message;
+    EXPECT_THAT(unseen_names(*bent), testing::IsEmpty()) << seed;
   }
 }
 

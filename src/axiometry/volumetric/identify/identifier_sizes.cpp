@@ -83,6 +83,8 @@ Result<void> Identifier::take_finer_sizes() {
   const auto coefficients = coefficients_of(finer);
   const std::size_t others = unknowns_->columns - coefficients_->raw();
   if (finer == sizes_ || !coefficients || count() < 2 * (coefficients->free() + others)) return {};
+  // None is worth an error that the present ones tell, nor a fit that fails.
+  if (!criterion(finer, trial(sizes_))) return {};
   AXIOMETRY_TRY_VOID(take_sizes(finer));
   AXIOMETRY_TRY_VOID(start());
   return refit();

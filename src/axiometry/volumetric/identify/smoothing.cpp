@@ -117,10 +117,9 @@ PerCurve mean_variances(const Coefficients& coefficients, const std::vector<doub
 }
 
 SmoothedCurves smoothed_curves(const CurvaturePenalty& penalty, const Coefficients& coefficients, const Fit& fit,
-                               const std::vector<double>& covariance, const PerCurve& plain_variances) {
+                               const std::vector<double>& covariance) {
   const CurvaturePenalty::Told told = penalty.told(covariance);
   const PerCurve ranks = penalty.ranks(), squares = penalty.squares(fit.state.coefficients);
-  const PerCurve variances = mean_variances(coefficients, covariance);
   const std::vector<double> pull = pull_on(penalty, fit.solution, fit.state.coefficients, fit.solution.columns());
   SmoothedCurves smoothed{.displacement_um = penalty.bends()[0], .rotation_urad = penalty.bends()[1]};
   PerCurve bias{};
@@ -133,7 +132,6 @@ SmoothedCurves smoothed_curves(const CurvaturePenalty& penalty, const Coefficien
   for (std::size_t e = 0; e < curve_count; ++e) {
     if (ranks[e] == 0.0) continue;
     SmoothedError own{.error = e, .bias = bias[e]};
-    own.u_ratio = variances[e] > 0.0 ? std::sqrt(plain_variances[e] / variances[e]) : 1.0;
     smoothed.taken += ranks[e] - told.trace[e];
     if (told.trace[e] > 0.0 && told.trace_of_square[e] > 0.0) {
       const double tau = penalty.bends()[bend_of(e)];

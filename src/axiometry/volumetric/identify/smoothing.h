@@ -31,8 +31,9 @@ std::vector<double> with_bend_uncertainty(const CurvaturePenalty& penalty, const
 /// Mean over 21 places of the variance of each curve; of the covariance of raw coefficients.
 PerCurve mean_variances(const Coefficients& coefficients, const std::vector<double>& covariance);
 
-/// What is told of it: from the fit with the penalty, its covariance before φ, and mean_variances() without penalty.
+/// What is told of it: from the fit with the penalty and its covariance before φ; without u_ratio, which identify()
+/// sets.
 SmoothedCurves smoothed_curves(const CurvaturePenalty& penalty, const Coefficients& coefficients, const Fit& fit,
-                               const std::vector<double>& covariance, const PerCurve& plain_variances);
+                               const std::vector<double>& covariance);
 
 }  // namespace axiometry::volumetric::detail
