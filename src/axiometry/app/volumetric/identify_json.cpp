@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -119,7 +120,7 @@ Value smoothness_value(const IdentifiedMachine& identified) {
   value.add("stated", identified.request.options.smoothness.kind == volumetric::Smoothness::Kind::stated);
   const auto bent = [&](bool rotations, double size) {
     const bool any = std::ranges::any_of(smoothed->errors, [&](const volumetric::SmoothedError& s) {
-      return volumetric::error_motion_named(names[s.error])->rotation() == rotations;
+      return volumetric::error_motion_named(names[s.error])->is_rotation() == rotations;
     });
     return any ? Value(size) : Value();
   };
