@@ -30,7 +30,7 @@ constexpr Phrase rows[] = {
     {"Reach of the reflector with all tools, and {0#} stations.",
      "Reichweite des Reflektors mit allen Werkzeugen, und {0} Stationen."},
     {"Read the findings before the plan is measured.", "Vor der Messung die Feststellungen lesen."},
-    {"Run no.", "Lauf Nr."},
+    {"Run number", "Nummer des Laufs"},
     {"Standard uncertainties (k = 1), from the uncertainties that are stated of the instrument and the "
      "machine.",
      "Standardunsicherheiten (k = 1), aus den Unsicherheiten, die von Gerät und Maschine angegeben sind."},

@@ -72,7 +72,7 @@ class CalibrationSheet {
 
   Table run_table() const {
     Table table;
-    table.columns = {{plain("Run no."), Align::decimal, true}, {plain("Station"), Align::start},
+    table.columns = {{plain("Run number"), Align::decimal, true}, {plain("Station"), Align::start},
                      {plain("Tool"), Align::start},        {plain("Points"), Align::decimal},
                      {plain("Beam lost"), Align::decimal}, {plain("First point"), Align::start}};
     for (std::size_t k = 0; k < plan_.runs.size(); ++k) {
