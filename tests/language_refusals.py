@@ -140,7 +140,8 @@ def english_refusals(program):
         seen = 0
         for request, message in answers(program, tag):
             seen += message != ""
-            found = sorted(set(ENGLISH.findall(re.sub(r'"[^"]*"', " ", message))))
+            # `to` in front is a member of the request, not a word.
+            found = sorted(set(ENGLISH.findall(re.sub(r'"[^"]*"|^to\s?:', " ", message))))
             if found:
                 told.append(f"{tag}, {request}: {', '.join(found)} in '{message}'")
         if seen < 60:

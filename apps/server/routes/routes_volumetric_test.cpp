@@ -130,7 +130,8 @@ TEST_F(VolumetricRoutes, find_the_errors_from_lengths_with_report_and_residuals)
   EXPECT_THAT(send_form("identification/report.pdf", files).body, StartsWith("%PDF-"));
   EXPECT_EQ(value_of(send_form("identification", files, R"({"reversal": "none"})")).find("readings")->number(), 480.0);
   EXPECT_THAT(refusal(send_form("identification", files, R"({"reversal": "some"})")), HasSubstr("some"));
-  EXPECT_THAT(refusal(send_form("identification", {{"lengths", "x"}})), HasSubstr("without a machine"));
+  EXPECT_THAT(refusal(send_form("identification", {{"lengths", "x"}})),
+              HasSubstr("neither a file machine nor a file plan"));
   EXPECT_THAT(refusal(send_form("identification", {{"lengths", "a,b\n1,2\n"}, {"machine", machine_json}})),
               HasSubstr("column"));
 }
