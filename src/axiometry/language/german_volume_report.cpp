@@ -135,7 +135,8 @@ constexpr Phrase rows[] = {
     {"To X; Y; Z / mm", "Nach X; Y; Z / mm"},
     {"To the squares of the residuals are added those of how far curves bend, over what the findings say of it: both "
      "together are least.",
-     "Zu den Quadraten der Residuen kommen die der Biegung der Kurven, bezogen auf das, was die Feststellungen dazu sagen: "
+     "Zu den Quadraten der Residuen kommen die der Biegung der Kurven, bezogen auf das, was die Feststellungen dazu "
+     "sagen: "
      "Beide zusammen sind am kleinsten."},
     {"Tool", "Werkzeug"},
     {"Unknowns", "Unbekannte"},
