@@ -3,12 +3,12 @@
 
 #include <functional>
 #include <string>
-#include "cli/flags/verb.h"
 
 #include "axiometry/app/recordings/recording_members.h"
 #include "axiometry/app/tracking/tracking_evaluate.h"
 #include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/base/result.h"
+#include "cli/flags/verb.h"
 
 /// How measured lengths of a tracking interferometer are evaluated: the flags of `tracking evaluate` and `volumetric
 /// identify`, which `store calibrate` has too.
@@ -21,7 +21,7 @@ void add_length_switches(const Verb& verb, const std::function<void()>& reversed
 /// Of lines: --set, --break-threshold, the tolerances with their table and rule; `table` is FILE[:NAME].
 void add_lines_flags(const Verb& verb, app::TrackingEvaluateOptions& options, std::string& table);
 
-/// Of the 21 errors: --curves, --spans, --reversal, --drift, --no-outliers and --parts.
+/// Of the 21 errors: --curves, --spans, --reversal, --smoothness, --drift, --no-outliers and --parts.
 void add_identify_flags(const Verb& verb, app::IdentifyChoices& choices);
 
 /// What was said of a continuous recording (add_length_recording_flags()), in the order of the help.
